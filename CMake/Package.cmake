@@ -1,0 +1,17 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# find_package(VolumeHaptics), from the build tree and from the install tree.
+include(CMakePackageConfigHelpers)
+set(package_dir "${CMAKE_BINARY_DIR}/${VolumeHaptics_CMAKE_DESTINATION}")
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/VolumeHapticsConfig.cmake.in"
+  "${package_dir}/VolumeHapticsConfig.cmake"
+  INSTALL_DESTINATION "${VolumeHaptics_CMAKE_DESTINATION}")
+write_basic_package_version_file(
+  "${package_dir}/VolumeHapticsConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(
+  FILES       "${package_dir}/VolumeHapticsConfig.cmake"
+              "${package_dir}/VolumeHapticsConfigVersion.cmake"
+  DESTINATION "${VolumeHaptics_CMAKE_DESTINATION}"
+  COMPONENT   development)

@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the small volumes and tip paths of this folder; README.md says what they are."""
+
+import argparse
+import os
+import sys
+
+# Nothing but the data may appear beside the sources.
+sys.dont_write_bytecode = True
+
+try:
+    import numpy as np
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+except ModuleNotFoundError as error:
+    sys.exit(f"{error}: install the Debian packages python3-vtk9 and python3-numpy, "
+             "and run this with /usr/bin/python3")
+
+import fields
+import paths
+import phantom
+
+NOISE_SEED = 20021127
+
+
+def write(writer, data, path):
+    """Text only (base64) and compressed, so that the files survive every tool."""
+    writer.SetInputData(data)
+    writer.SetFileName(path)
+    writer.SetDataModeToAppended()
+    writer.EncodeAppendedDataOn()
+    writer.SetHeaderTypeToUInt32()
+    writer.SetByteOrderToLittleEndian()
+    writer.SetCompressorTypeToZLib()
+    writer.SetCompressionLevel(9)
+    writer.SetBlockSize(1 << 20)
+    if writer.Write() != 1:
+        sys.exit(f"cannot write {path}")
+    print(f"{path}: {os.path.getsize(path)} bytes")
+
+
+def write_image(path, name, values, origin, spacing):
+    image = vtkImageData()
+    image.SetDimensions(values.shape[::-1])
+    image.SetOrigin(origin)
+    image.SetSpacing(spacing, spacing, spacing)
+    array = numpy_to_vtk(np.ascontiguousarray(values).ravel(), deep=True)
+    array.SetName(name)
+    image.GetPointData().SetScalars(array)
+    write(vtkXMLImageDataWriter(), image, path)
+
+
+def write_path(path, positions):
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    line = vtkCellArray()
+    line.InsertNextCell(len(positions))
+    for position in positions:
+        line.InsertCellPoint(points.InsertNextPoint(position))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetLines(line)
+    write(vtkXMLPolyDataWriter(), data, path)
+
+
+def noisy(values, sigma):
+    """Adds Gaussian noise of a fixed seed, in Hounsfield units."""
+    noise = np.random.RandomState(NOISE_SEED).normal(0.0, sigma, values.shape)
+    return np.rint(np.clip(values + noise, -1024, 3071)).astype(np.int16)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("output", help="the folder to write to; made if it is missing")
+    parser.add_argument("--noise", type=float, default=0.0, metavar="SIGMA",
+                        help="Gaussian noise on the head phantom, in HU (default: none)")
+    arguments = parser.parse_args()
+    if not 0.0 <= arguments.noise < float("inf"):
+        parser.error("--noise must be zero or a positive number of HU")
+    try:
+        os.makedirs(arguments.output, exist_ok=True)
+    except OSError as error:
+        parser.error(f"cannot make the output folder: {error}")
+
+    def target(name):
+        return os.path.join(arguments.output, name)
+
+    for name, make in (("Slab", fields.slab), ("Ball", fields.ball), ("Cavity", fields.cavity),
+                       ("ThinWall", fields.thin_wall)):
+        field = make()
+        write_image(target(f"{name}.vti"), "V", field.values, field.origin, 1.0)
+    head = phantom.head_phantom()
+    if arguments.noise > 0.0:
+        head = noisy(head, arguments.noise)
+    write_image(target("HeadPhantom.vti"), "HU", head, (phantom.ORIGIN,) * 3, phantom.SPACING)
+    for name, make in (("SlabPress", paths.slab_press), ("SlabSlide", paths.slab_slide),
+                       ("BallCircle", paths.ball_circle), ("CavityCircle", paths.cavity_circle)):
+        write_path(target(f"{name}.vtp"), make())
+
+
+if __name__ == "__main__":
+    main()

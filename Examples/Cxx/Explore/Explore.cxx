@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Explores a volume by touch, without a device: the project's main job from the command line.
+#include "ExplorerScene.h"
+#include "ForceChart.h"
+#include "InputError.h"
+#include "Options.h"
+#include "TraceFiles.h"
+#include "TraceSummary.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <exception>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+enum ExitCode
+{
+  DONE = 0,
+  FAILED = 1,
+  BAD_INPUT = 2,
+  NO_DISPLAY = 3
+};
+
+/// VTK's X11 windows crash without a display; this asks first.
+bool HasDisplay()
+{
+  vtkNew<vtkRenderWindow> window;
+  const bool needsX = std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow";
+  std::string display;
+  return !needsX || (vtksys::SystemTools::GetEnv("DISPLAY", display) && !display.empty());
+}
+
+std::string Caption(const Explore::Exploration& exploration)
+{
+  const int* size = exploration.Input.Image->GetDimensions();
+  std::ostringstream text;
+  text << exploration.Input.Name << ", " << size[0] << " x " << size[1] << " x " << size[2]
+       << " voxels\nproxy's trail, coloured by the force on the hand\nmaterials: "
+       << exploration.Materials;
+  return text.str();
+}
+
+/// The pictures; an interactive window would start from the same scene, with an interactor.
+void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
+{
+  Explore::SceneOptions look;
+  look.Width = options.Width;
+  look.Height = options.Width * 7 / 9;
+  look.Mapper = options.Mapper;
+  look.Caption = Caption(exploration);
+  Explore::ExplorerScene scene;
+  Explore::BuildScene(scene, exploration, look);
+  Explore::WritePicture(scene.Window, options.Folder + "/explore.png");
+  std::cout << "explore.png (" << scene.MapperName << ")\n";
+
+  Explore::ChartOptions paper;
+  paper.Width = options.Width;
+  paper.Height = options.Width * 3 / 5;
+  paper.Title = "Force on the hand: " + exploration.Input.Name;
+  Explore::ForceChart chart;
+  Explore::BuildForceChart(chart, exploration.Trace, exploration.Tip.Phases, paper);
+  Explore::WritePicture(chart.Window, options.Folder + "/force.png");
+  std::cout << "force.png\n";
+}
+
+int Run(const Explore::Options& options)
+{
+  std::cout << "Reading " << options.VolumePath << std::endl;
+  Explore::Exploration exploration =
+    Explore::ExploreVolume(Explore::LoadVolume(options.VolumePath), options.How);
+  const std::string summary = Explore::Summarise(exploration);
+  std::cout << "\n" << summary << std::endl;
+
+  Explore::MakeFolder(options.Folder);
+  Explore::WriteText(summary, options.Folder + "/summary.txt");
+  Explore::WriteTrace(exploration.Trace, options.Folder + "/trace.vtp");
+  Explore::WriteTable(exploration.Trace, options.Folder + "/trace.csv");
+  std::cout << "Written to " << vtksys::SystemTools::CollapseFullPath(options.Folder)
+            << ":\nsummary.txt\ntrace.vtp\ntrace.csv" << std::endl;
+  if (!HasDisplay())
+  {
+    std::cerr << "There is no X display for the pictures.\n"
+                 "  Cure: run the program as 'xvfb-run -a volumehaptics-explore ...'.\n";
+    return NO_DISPLAY;
+  }
+  WritePictures(exploration, options);
+  return DONE;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Explore::Options options = Explore::ParseOptions(argc, argv);
+    if (options.Help)
+    {
+      std::cout << Explore::HelpText();
+      return DONE;
+    }
+    return Run(options);
+  }
+  catch (const Explore::InputError& error)
+  {
+    std::cerr << error.what() << std::endl;
+    return BAD_INPUT;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "volumehaptics-explore: " << error.what() << std::endl;
+    return FAILED;
+  }
+}

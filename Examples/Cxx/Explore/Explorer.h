@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_Explorer_h
+#define Explore_Explorer_h
+
+#include "TipPathPlanner.h"
+#include "ViewFrame.h"
+#include "VolumeAnalysis.h"
+#include "VolumeLoader.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace Explore
+{
+enum class Estimator
+{
+  CentralDifference,
+  Gaussian,
+  CubicBSpline
+};
+
+/// How a volume is to be explored.
+struct Settings
+{
+  std::string Preset = "auto";
+  std::string Front = "-y"; // world axis along which a face looks
+  std::string Up = "+z";    // world axis to the top
+  Estimator Gradient = Estimator::Gaussian;
+};
+
+/// What came out of it: all that the pictures and the summary show.
+struct Exploration
+{
+  Volume Input;
+  Analysis Values;
+  ViewFrame View;
+  TipPath Tip;
+  vtkSmartPointer<vtkPolyData> Trace; // of vtkVolumeHapticsFilter
+  std::string Materials;              // name of the preset that was applied
+  std::string Estimator;
+  int KernelRadius = 0;     // voxels
+  double ServoRate = 0.0;   // Hz
+  double FilterSeconds = 0.0;
+};
+
+/// Looks at the values, plans a tip path and feels its way along it. Throws InputError.
+Exploration ExploreVolume(const Volume& volume, const Settings& settings);
+}
+
+#endif

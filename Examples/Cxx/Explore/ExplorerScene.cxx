@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExplorerScene.h"
+
+#include "SceneCamera.h"
+#include "Trail.h"
+#include "VolumeLook.h"
+
+#include "vtkAnnotatedCubeActor.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkLightKit.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProperty.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+using Explore::ExplorerScene;
+using Explore::MapperChoice;
+
+/// The image without its place in the world: VTK 9.1's CPU mapper ignores the direction matrix, so
+/// both mappers get the plain block of voxels, and the volume's own matrix puts it where it is.
+vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWorld)
+{
+  auto plain = vtkSmartPointer<vtkImageData>::New();
+  plain->ShallowCopy(image);
+  const double identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  plain->SetDirectionMatrix(identity);
+  plain->SetOrigin(0.0, 0.0, 0.0);
+  for (int row = 0; row < 3; ++row)
+  {
+    toWorld->SetElement(row, 3, image->GetOrigin()[row]);
+    for (int column = 0; column < 3; ++column)
+    {
+      toWorld->SetElement(row, column, image->GetDirectionMatrix()->GetElement(row, column));
+    }
+  }
+  return plain;
+}
+
+/// Sampled at half a voxel and without jitter: the same picture in every run.
+vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance)
+{
+  auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+  mapper->SetAutoAdjustSampleDistances(0);
+  mapper->SetSampleDistance(static_cast<float>(sampleDistance));
+  mapper->UseJitteringOff();
+  return mapper;
+}
+
+vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance)
+{
+  auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
+  mapper->SetAutoAdjustSampleDistances(0);
+  mapper->SetSampleDistance(static_cast<float>(sampleDistance));
+  mapper->SetImageSampleDistance(1.0f);
+  return mapper;
+}
+
+bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property)
+{
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  window->Render(); // only a window that has a context can tell
+  return mapper->IsRenderSupported(window, property);
+}
+
+void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysis& analysis,
+  MapperChoice choice)
+{
+  vtkNew<vtkVolumeProperty> property;
+  Explore::SetVolumeLook(analysis, property);
+  const bool gpu = choice == MapperChoice::GPU ||
+    (choice == MapperChoice::Auto && IsGPUUsable(scene.Window, property));
+  const double* spacing = image->GetSpacing();
+  const double sample = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
+
+  vtkNew<vtkMatrix4x4> toWorld;
+  vtkNew<vtkVolume> volume;
+  auto mapper = gpu ? MakeGPUMapper(sample) : MakeCPUMapper(sample);
+  mapper->SetInputData(PlainImage(image, toWorld));
+  volume->SetMapper(mapper);
+  volume->SetProperty(property);
+  volume->SetUserMatrix(toWorld);
+  scene.Renderer->AddVolume(volume);
+  scene.MapperName = gpu ? "vtkGPUVolumeRayCastMapper" : "vtkFixedPointVolumeRayCastMapper";
+}
+
+void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatomical)
+{
+  vtkNew<vtkAnnotatedCubeActor> cube;
+  const char* patient[] = { "L", "R", "P", "A", "S", "I" };
+  const char* axes[] = { "+X", "-X", "+Y", "-Y", "+Z", "-Z" };
+  const char** text = anatomical ? patient : axes;
+  cube->SetXPlusFaceText(text[0]);
+  cube->SetXMinusFaceText(text[1]);
+  cube->SetYPlusFaceText(text[2]);
+  cube->SetYMinusFaceText(text[3]);
+  cube->SetZPlusFaceText(text[4]);
+  cube->SetZMinusFaceText(text[5]);
+  // The rotations that make the letters upright for someone who looks at the patient's face.
+  cube->SetXFaceTextRotation(90.0);
+  cube->SetYFaceTextRotation(180.0);
+  cube->SetZFaceTextRotation(-90.0);
+  cube->SetFaceTextScale(anatomical ? 0.6 : 0.4);
+  cube->GetCubeProperty()->SetColor(0.32, 0.40, 0.52);
+  cube->GetTextEdgesProperty()->SetColor(1.0, 1.0, 1.0);
+  cube->GetTextEdgesProperty()->SetLineWidth(1.0f);
+  scene.Marker->SetViewport(0.0, 0.0, 0.16, 0.20);
+  scene.Marker->SetLayer(1);
+  scene.Marker->InteractiveOff();
+  scene.Marker->AddActor(cube);
+  Explore::ViewFrame centred = view;
+  centred.Centre = vtkVector3d(0.0, 0.0, 0.0);
+  Explore::AimCamera(scene.Marker, centred, 5.0);
+}
+
+void AddCaption(vtkRenderer* renderer, const std::string& caption, int height)
+{
+  vtkNew<vtkTextActor> text;
+  text->SetInput(caption.c_str());
+  text->GetTextProperty()->SetFontSize(std::max(9, height / 44));
+  text->GetTextProperty()->SetColor(0.93, 0.95, 0.98);
+  text->GetTextProperty()->SetLineSpacing(1.15);
+  text->GetTextProperty()->SetVerticalJustificationToTop();
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->GetPositionCoordinate()->SetValue(0.02, 0.975);
+  renderer->AddActor2D(text);
+}
+}
+
+namespace Explore
+{
+void BuildScene(
+  ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options)
+{
+  const Analysis& analysis = exploration.Values;
+  scene.Window->SetOffScreenRendering(1);
+  scene.Window->SetMultiSamples(0);
+  scene.Window->SetSize(options.Width, options.Height);
+  scene.Window->SetNumberOfLayers(2);
+  scene.Window->AddRenderer(scene.Renderer);
+  scene.Window->AddRenderer(scene.Marker);
+  scene.Renderer->GradientBackgroundOn();
+  scene.Renderer->SetBackground(0.07, 0.09, 0.12);
+  scene.Renderer->SetBackground2(0.24, 0.29, 0.36);
+
+  AddVolume(scene, exploration.Input.Image, analysis, options.Mapper);
+  AddTrail(scene.Renderer, exploration.Trace, analysis.MetersPerWorldUnit, options.Height);
+  AddMarker(scene, exploration.View, options.Anatomical);
+  AddCaption(scene.Renderer, options.Caption, options.Height);
+
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.95);
+  lights->SetKeyToFillRatio(2.6);
+  lights->AddLightsToRenderer(scene.Renderer);
+
+  FitCamera(scene.Renderer, exploration.View, analysis.BodyBounds,
+    static_cast<double>(options.Width) / options.Height);
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ExplorerScene_h
+#define Explore_ExplorerScene_h
+
+#include "Explorer.h"
+
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <string>
+
+namespace Explore
+{
+enum class MapperChoice
+{
+  Auto, // the GPU's where the render window supports it, else the CPU's
+  GPU,
+  CPU
+};
+
+struct SceneOptions
+{
+  int Width = 900;
+  int Height = 700;
+  MapperChoice Mapper = MapperChoice::Auto;
+  std::string Caption;
+  bool Anatomical = true; // letters of the marker: patient's sides instead of axes
+};
+
+/// A window that shows the volume, the proxy's trail coloured by force, the colours' meaning and
+/// which way is up. It is off the screen; an interactor can be given to it as to any other.
+struct ExplorerScene
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer; // volume and trail
+  vtkNew<vtkRenderer> Marker;   // the small cube in the corner
+  std::string MapperName;
+};
+
+/// Fills the scene.
+void BuildScene(
+  ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options);
+}
+
+#endif

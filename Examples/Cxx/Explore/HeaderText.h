@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_HeaderText_h
+#define Explore_HeaderText_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// The `key = value` or `key: value` lines at the head of a MetaImage or NRRD file.
+class HeaderText
+{
+public:
+  HeaderText(const std::string& path, char separator);
+
+  /// The value of the first of these keys that is there, else empty.
+  std::string Value(const std::vector<std::string>& keys) const;
+
+  /// The same as numbers; brackets and commas count as blanks, words as nothing.
+  std::vector<double> Numbers(const std::vector<std::string>& keys) const;
+
+private:
+  std::map<std::string, std::string> Fields;
+};
+}
+
+#endif

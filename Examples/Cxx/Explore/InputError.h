@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_InputError_h
+#define Explore_InputError_h
+
+#include <stdexcept>
+#include <string>
+
+namespace Explore
+{
+/// Something the person at the keyboard can put right: what is wrong, and the cure, in one message.
+class InputError : public std::runtime_error
+{
+public:
+  InputError(const std::string& subject, const std::string& fault, const std::string& cure)
+    : std::runtime_error(subject + ": " + fault + ".\n  Cure: " + cure + ".")
+  {
+  }
+};
+}
+
+#endif

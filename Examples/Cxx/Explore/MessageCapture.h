@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_MessageCapture_h
+#define Explore_MessageCapture_h
+
+#include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
+
+#include <sstream>
+#include <streambuf>
+#include <string>
+
+namespace Explore
+{
+/// While one of these lives, what VTK's readers say goes in here and not to the terminal, so that a
+/// damaged file ends in one message of ours instead of a page of theirs. MetaIO writes to std::cerr
+/// and std::cout directly, which is why these two are held as well.
+class MessageCapture
+{
+public:
+  MessageCapture();
+  ~MessageCapture();
+  MessageCapture(const MessageCapture&) = delete;
+  MessageCapture& operator=(const MessageCapture&) = delete;
+
+  /// True when a reader reported an error, or a warning that means missing data.
+  bool HasErrors() const;
+
+  /// The first error in one line, without VTK's addresses and source positions; empty if none.
+  std::string FirstError() const;
+
+private:
+  vtkSmartPointer<vtkOutputWindow> Previous;
+  vtkSmartPointer<vtkOutputWindow> Window;
+  std::ostringstream Stream;
+  std::streambuf* Cerr;
+  std::streambuf* Cout;
+};
+}
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "InputError.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkStringArray.h"
+
+#include <cstdlib>
+#include <map>
+
+namespace
+{
+using Explore::Estimator;
+using Explore::InputError;
+using Explore::MapperChoice;
+using Explore::Options;
+
+constexpr int SMALLEST_WIDTH = 100;
+constexpr int LARGEST_WIDTH = 8000;
+
+const std::map<std::string, Estimator> ESTIMATORS = { { "central", Estimator::CentralDifference },
+  { "gaussian", Estimator::Gaussian }, { "bspline", Estimator::CubicBSpline } };
+
+const std::map<std::string, MapperChoice> MAPPERS = { { "auto", MapperChoice::Auto },
+  { "gpu", MapperChoice::GPU }, { "cpu", MapperChoice::CPU } };
+
+template <typename Value>
+Value Choose(
+  const std::map<std::string, Value>& choices, const std::string& option, const std::string& text)
+{
+  const auto choice = choices.find(text);
+  if (choice != choices.end())
+  {
+    return choice->second;
+  }
+  std::string list;
+  for (const auto& known : choices)
+  {
+    list += (list.empty() ? "" : ", ") + known.first;
+  }
+  throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
+}
+
+int ParseWidth(const std::string& text)
+{
+  char* end = nullptr;
+  const long width = std::strtol(text.c_str(), &end, 10);
+  if (text.empty() || *end != '\0' || width < SMALLEST_WIDTH || width > LARGEST_WIDTH)
+  {
+    throw InputError("--size '" + text + "'", "is not a width in pixels",
+      "take a whole number from 100 to 8000");
+  }
+  return static_cast<int>(width);
+}
+
+void SetOption(Options& options, const std::string& name, const std::string& value)
+{
+  if (name == "--pictures")
+  {
+    options.Folder = value;
+  }
+  else if (name == "--preset")
+  {
+    options.How.Preset = value;
+  }
+  else if (name == "--estimator")
+  {
+    options.How.Gradient = Choose(ESTIMATORS, name, value);
+  }
+  else if (name == "--mapper")
+  {
+    options.Mapper = Choose(MAPPERS, name, value);
+  }
+  else if (name == "--size")
+  {
+    options.Width = ParseWidth(value);
+  }
+  else if (name == "--front")
+  {
+    options.How.Front = value;
+  }
+  else if (name == "--up")
+  {
+    options.How.Up = value;
+  }
+  else
+  {
+    throw InputError(name, "is not an option", "--help lists the options");
+  }
+}
+}
+
+namespace Explore
+{
+Options ParseOptions(int argc, char* argv[])
+{
+  Options options;
+  for (int i = 1; i < argc; ++i)
+  {
+    std::string word = argv[i];
+    if (word == "--help" || word == "-h")
+    {
+      options.Help = true;
+    }
+    else if (word.size() > 1 && word[0] == '-')
+    {
+      const std::size_t equals = word.find('=');
+      if (equals == std::string::npos && i + 1 >= argc)
+      {
+        throw InputError(word, "needs a value", "--help lists the options");
+      }
+      const std::string value =
+        equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
+      SetOption(options, word.substr(0, equals), value);
+    }
+    else if (options.VolumePath.empty())
+    {
+      options.VolumePath = word;
+    }
+    else
+    {
+      throw InputError(word, "is a second volume", "name one; quote names with blanks");
+    }
+  }
+  if (options.VolumePath.empty() && !options.Help)
+  {
+    throw InputError("volumehaptics-explore", "no volume was named",
+      "name a volume file or a DICOM folder; Examples/explore.sh gets a head CT by itself");
+  }
+  return options;
+}
+
+std::string HelpText()
+{
+  std::string presets;
+  vtkStringArray* names = vtkHapticProperty::GetPresetNames();
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    presets += ", \"" + names->GetValue(i) + "\"";
+  }
+  return R"(Usage: volumehaptics-explore VOLUME [options]
+
+Feels its way over a volume without a haptic device: presses a tip into the outer surface, drags it,
+presses through to what is dense inside, drags it there, and records what a hand would feel.
+
+VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
+
+  --pictures DIR    where the results go (default explore-pictures):
+                    explore.png force.png trace.vtp trace.csv summary.txt
+  --preset NAME     materials: auto (default), histogram)" +
+    presets + R"(
+  --estimator NAME  gradient: central, gaussian (default), bspline
+  --size PX         width of the picture (default 900)
+  --mapper NAME     volume rendering: auto (default), gpu, cpu
+  --front AXIS      where a face looks: -y (default), +y, +x, -x, +z, -z
+  --up AXIS         where the top is: +z (default), ...
+  --help            this text
+
+Exit status: 0 done, 1 the computation failed, 2 the input or an option is wrong, 3 no display.
+)";
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_Options_h
+#define Explore_Options_h
+
+#include "Explorer.h"
+#include "ExplorerScene.h"
+
+#include <string>
+
+namespace Explore
+{
+struct Options
+{
+  bool Help = false;
+  std::string VolumePath;
+  std::string Folder = "explore-pictures";
+  Settings How;
+  MapperChoice Mapper = MapperChoice::Auto;
+  int Width = 900;
+};
+
+/// Throws InputError for an option that is not known or has no proper value.
+Options ParseOptions(int argc, char* argv[]);
+
+/// What --help prints.
+std::string HelpText();
+}
+
+#endif

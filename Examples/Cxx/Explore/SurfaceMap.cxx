@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceMap.h"
+
+#include "PolarGrid.h"
+#include "ValueProbe.h"
+
+#include "vtkBoundingBox.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double SURE_DEPTH = 0.003;   // m: a surface must go on this far, or it was noise or hair
+constexpr double THINNEST = 0.002;     // m: the deep surface is at least this far below the outer
+constexpr double DEFAULT_DEEP = 0.010; // m below the outer one, where no deep surface is found
+}
+
+namespace Explore
+{
+SurfaceMap::SurfaceMap(vtkImageData* image, const Analysis& analysis, const ViewFrame& view)
+  : Centre(view.Centre)
+{
+  double bounds[6];
+  image->GetBounds(bounds);
+  const vtkBoundingBox box(bounds);
+  const double* spacing = image->GetSpacing();
+  this->Start = box.GetDiagonalLength();
+  this->Step = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
+
+  const PolarGrid grid(RIGHT_LIMIT, UP_LIMIT);
+  this->OuterMap.resize(grid.Size());
+  this->DeepMap.resize(grid.Size());
+  this->QualityMap.resize(grid.Size());
+  for (int node = 0; node < grid.Size(); ++node)
+  {
+    const Ray ray =
+      this->Cast(image, analysis, view.Direction(grid.Right(node), grid.Up(node)));
+    this->OuterMap[node] = ray.Outer;
+    this->DeepMap[node] = ray.Deep;
+    this->QualityMap[node] = (ray.Clean ? 0.5 : 0.0) + (ray.Deep > 0.0 ? 0.5 : 0.0);
+    this->Hits += ray.Outer > 0.0 ? 1 : 0;
+  }
+  if (this->IsEmpty())
+  {
+    return;
+  }
+  grid.Clean(this->OuterMap);
+  const double byDefault = DEFAULT_DEEP / analysis.MetersPerWorldUnit;
+  for (int node = 0; node < grid.Size(); ++node)
+  {
+    double& deep = this->DeepMap[node];
+    // Depth below the skin, which is what neighbours share; a hole gets its neighbours' depth.
+    deep = deep > 0.0 ? std::max(0.0, this->OuterMap[node] - deep) : -1.0;
+  }
+  if (std::any_of(this->DeepMap.begin(), this->DeepMap.end(), [](double d) { return d > 0.0; }))
+  {
+    grid.Clean(this->DeepMap);
+  }
+  else
+  {
+    std::fill(this->DeepMap.begin(), this->DeepMap.end(), byDefault);
+  }
+  grid.Smooth(this->QualityMap);
+}
+
+SurfaceMap::Ray SurfaceMap::Cast(
+  vtkImageData* image, const Analysis& analysis, const vtkVector3d& direction) const
+{
+  const ValueProbe probe(image, analysis.Range[0]);
+  const int sure = std::max(
+    2, static_cast<int>(SURE_DEPTH / analysis.MetersPerWorldUnit / this->Step));
+  const double thinnest = THINNEST / analysis.MetersPerWorldUnit;
+  Ray ray;
+  bool wasInside = false, dipped = false;
+  int run = 0;
+  for (double distance = this->Start; distance > 0.0; distance -= this->Step)
+  {
+    const double position[3] = { this->Centre[0] + distance * direction[0],
+      this->Centre[1] + distance * direction[1], this->Centre[2] + distance * direction[2] };
+    bool inside = false;
+    const double value = probe.Value(position, inside);
+    if (ray.Outer < 0.0)
+    {
+      if (value > analysis.OuterThreshold)
+      {
+        // The first sample inside the volume that is already body: a face where the scan was cut.
+        ray.Clean = run == 0 ? wasInside : ray.Clean;
+        run += 1;
+      }
+      else
+      {
+        run = 0;
+      }
+      ray.Outer = run > sure ? distance + run * this->Step : ray.Outer;
+    }
+    else if (ray.Outer - distance > thinnest)
+    {
+      // A rise, not a height: fat is as bright as brain in T1 MRI, with the dark skull between them.
+      dipped = dipped || value < analysis.DeepThreshold;
+      if (dipped && value > analysis.DeepThreshold)
+      {
+        ray.Deep = distance;
+        break;
+      }
+    }
+    wasInside = inside;
+  }
+  return ray;
+}
+
+double SurfaceMap::Interpolate(const std::vector<double>& map, double right, double up) const
+{
+  return PolarGrid(RIGHT_LIMIT, UP_LIMIT).Interpolate(map, right, up);
+}
+
+double SurfaceMap::Outer(double right, double up) const
+{
+  return this->Interpolate(this->OuterMap, right, up);
+}
+
+double SurfaceMap::Deep(double right, double up) const
+{
+  return this->Outer(right, up) - this->Interpolate(this->DeepMap, right, up);
+}
+
+double SurfaceMap::Quality(double right, double up) const
+{
+  return this->Interpolate(this->QualityMap, right, up);
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_TraceFiles_h
+#define Explore_TraceFiles_h
+
+#include "vtkPolyData.h"
+
+#include <string>
+
+class vtkRenderWindow;
+
+namespace Explore
+{
+/// Creates the folder, or throws InputError.
+void MakeFolder(const std::string& folder);
+
+/// Writes all of the trace as VTK polygonal data.
+void WriteTrace(vtkPolyData* trace, const std::string& file);
+
+/// Writes a row a tick, a column an array component, the header naming the units.
+void WriteTable(vtkPolyData* trace, const std::string& file);
+
+/// Renders the window into a PNG file.
+void WritePicture(vtkRenderWindow* window, const std::string& file);
+
+/// Writes text.
+void WriteText(const std::string& text, const std::string& file);
+}
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ValueProbe_h
+#define Explore_ValueProbe_h
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+
+namespace Explore
+{
+/// Trilinear values of an image at world positions, direction matrix included.
+class ValueProbe
+{
+public:
+  /// `outside` is what positions off the volume, and voxels that are not finite, count as.
+  ValueProbe(vtkImageData* image, double outside);
+
+  double Value(const double position[3], bool& inside) const;
+
+private:
+  vtkImageData* Image;
+  vtkDataArray* Scalars;
+  double Outside;
+};
+}
+
+#endif

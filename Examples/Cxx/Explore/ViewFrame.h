@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ViewFrame_h
+#define Explore_ViewFrame_h
+
+#include "vtkVector.h"
+
+#include <string>
+
+namespace Explore
+{
+/// How the person looks at the volume: the camera's axes, seen from its centre. The picture and the
+/// tip path share it, so that the trail lies on the side that is seen.
+struct ViewFrame
+{
+  vtkVector3d Centre; // what the camera looks at, world units
+  vtkVector3d Toward; // unit, from the centre to the camera
+  vtkVector3d Right;  // unit, to the right of the picture
+  vtkVector3d Up;     // unit, to the top of the picture
+
+  /// The unit direction `right` and `up` degrees away from the camera.
+  vtkVector3d Direction(double right, double up) const;
+};
+
+/// A camera in front, a little above and to the left of what looks along `front` ("-y") with its
+/// top at `up` ("+z"). Throws InputError unless these name two different axes.
+ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const std::string& up);
+}
+
+#endif

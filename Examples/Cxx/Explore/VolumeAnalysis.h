@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeAnalysis_h
+#define Explore_VolumeAnalysis_h
+
+#include "vtkImageData.h"
+
+#include <string>
+
+namespace Explore
+{
+enum class VolumeKind
+{
+  CT,       // Hounsfield units
+  EightBit, // 0..255, most often MRI
+  Other
+};
+
+/// What the planner, the materials and the picture need to know about the values.
+struct Analysis
+{
+  VolumeKind Kind = VolumeKind::Other;
+  double Range[2] = { 0, 1 };
+  double Low = 0;             // robust ends of the histogram (0.5 and 99.5 %)
+  double High = 1;
+  double OuterThreshold = 0;  // outside | body
+  double DeepThreshold = 0;   // body | the denser structure inside it
+  double Centre[3] = { 0, 0, 0 }; // of the voxels above the outer threshold, world units
+  double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // of the same voxels, world units
+  double MetersPerWorldUnit = 0.001;
+  std::string KindReason;     // why this kind was chosen, for the summary
+};
+
+/// Looks at all voxels of a large volume sparsely, of a small one exactly.
+Analysis AnalyseVolume(vtkImageData* image);
+}
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeChecks_h
+#define Explore_VolumeChecks_h
+
+#include <string>
+
+namespace Explore
+{
+struct Volume;
+
+/// Throws InputError unless the volume can be touched; on the way it makes the first point array
+/// (or the cells' one) the active scalars and cuts it down to its first component, with a note.
+void CheckVolume(const std::string& path, Volume& volume);
+}
+
+#endif

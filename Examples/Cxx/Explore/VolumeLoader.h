@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeLoader_h
+#define Explore_VolumeLoader_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// A volume ready to be touched: one finite scalar component, at least two voxels along every axis,
+/// lengths in millimetres where the file says so, index axes within 45 degrees of the world's.
+/// World axes of medical formats are the DICOM ones: +x to the patient's left, +y to the back,
+/// +z to the head.
+struct Volume
+{
+  vtkSmartPointer<vtkImageData> Image;
+  std::string Name;               // last part of the path
+  std::string Format;             // e.g. "NIfTI"
+  std::vector<std::string> Notes; // what was assumed or changed on the way in
+};
+
+/// Reads .vti .mhd .mha .nii .nii.gz .nrrd or a folder of DICOM slices. Throws InputError for
+/// anything else, saying what is wrong with it and how to cure it.
+Volume LoadVolume(const std::string& path);
+}
+
+#endif

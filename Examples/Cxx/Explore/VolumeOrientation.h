@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeOrientation_h
+#define Explore_VolumeOrientation_h
+
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace Explore
+{
+/// Places the image's index axes in the world: column c of `axes` (row-major 3x3, any length) is the
+/// direction of index axis c, `origin` the position of voxel (0, 0, 0). The spacing stays.
+void SetFrame(vtkImageData* image, const double axes[9], const double origin[3]);
+
+/// VTK 9.1's MetaImage reader drops the header's TransformMatrix; this puts it back. In ITK's
+/// convention row c of the matrix is the direction of index axis c, in left-posterior-superior.
+void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
+
+/// VTK 9.1's NRRD reader keeps only the lengths of `space directions`; this puts them back and turns
+/// every anatomical space into left-posterior-superior. Returns a note when it turned something.
+std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image);
+
+/// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or
+/// without one, and turns the result to left-posterior-superior.
+void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image);
+
+/// Multiplies every length of the image.
+void ScaleLengths(vtkImageData* image, double factor);
+
+/// The same voxels at the same places, reordered so that index axis c runs along world axis c as
+/// nearly as possible. Nothing is interpolated; the input is returned if nothing is to be done.
+vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image);
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FieldSampler.h"
+
+namespace VolumeHaptics
+{
+
+FieldFunctions SelectBaselineFunctions(const VolumeView&, GradientEstimator, int taps);
+#ifdef VOLUME_HAPTICS_HAS_AVX2
+FieldFunctions SelectAVX2Functions(const VolumeView&, GradientEstimator, int taps);
+#endif
+
+InstructionSet DetectInstructionSet()
+{
+#ifdef VOLUME_HAPTICS_HAS_AVX2
+  static const bool hasAVX2 = __builtin_cpu_supports("avx2");
+  return hasAVX2 ? InstructionSet::AVX2 : InstructionSet::Baseline;
+#else
+  return InstructionSet::Baseline;
+#endif
+}
+
+FieldSampler::FieldSampler(
+  const VolumeView& view, const GradientKernel& kernel, InstructionSet instructions)
+  : View(view)
+  , Kernel(kernel.GetView())
+{
+#ifdef VOLUME_HAPTICS_HAS_AVX2
+  if (instructions == InstructionSet::AVX2)
+  {
+    this->Functions = SelectAVX2Functions(view, kernel.Estimator, kernel.Taps);
+    return;
+  }
+#else
+  static_cast<void>(instructions);
+#endif
+  this->Functions = SelectBaselineFunctions(view, kernel.Estimator, kernel.Taps);
+}
+
+} // namespace VolumeHaptics

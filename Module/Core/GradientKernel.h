@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Gradient estimators and their weights.
+ *
+ * | estimator         | gradient from                                     | V(x) is       |
+ * | ----------------- | ------------------------------------------------- | ------------- |
+ * | CentralDifference | 6 trilinear samples, Radius voxels away           | trilinear     |
+ * | Gaussian          | (2 Radius + 2)^3 taps, derivative of a Gaussian   | trilinear     |
+ * | CubicBSpline      | 64 taps, analytic derivative of the spline        | cubic B-spline|
+ *
+ * All of them are evaluated at the continuous position and reproduce a linear field exactly.
+ *
+ * The Gaussian has the scale s = Radius / 2 voxels and is cut at c = Radius + 1 voxels, where
+ * w(t) = G(t) - G(c) (1 + (c^2 - t^2) / (2 s^2)) brings value and slope to zero: the estimated
+ * gradient has a continuous derivative, and no tap enters or leaves with a step. With m the mean of
+ * the tap offsets t_i under w, the weights along an axis are
+ *   smoothing   w_i / sum w,
+ *   derivative  w_i (t_i - m) / sum w (t - m)^2,
+ * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
+ * interpolated by cubic Hermite polynomials, which keeps the sums that make linear fields exact.
+ */
+#ifndef GradientKernel_h
+#define GradientKernel_h
+
+#include <cstdint>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+enum class GradientEstimator : std::uint8_t
+{
+  CentralDifference,
+  Gaussian,
+  CubicBSpline
+};
+
+/** What a kernel needs at a tick; borrows the table. */
+struct KernelView
+{
+  const double* Table = nullptr;
+  int Radius = 2;
+  int Taps = 6;
+};
+
+struct GradientKernel
+{
+  static constexpr int MaximumRadius = 16;
+  static constexpr int MaximumTaps = 2 * (MaximumRadius + 1);
+  /** Intervals of the sub-voxel fraction: the Hermite error of a weight is below 1e-10. */
+  static constexpr int Intervals = 256;
+
+  GradientEstimator Estimator = GradientEstimator::Gaussian;
+  /** In voxels, 1 to MaximumRadius. */
+  int Radius = 2;
+  /** Taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius + 1. */
+  int Taps = 6;
+  /**
+   * The Gaussian's weights: (Intervals + 1) rows of Taps smoothing weights, Taps derivative
+   * weights, and the same again differentiated by the fraction and scaled by the interval.
+   */
+  std::vector<double> Table;
+
+  GradientKernel() = default;
+  GradientKernel(GradientEstimator estimator, int radius);
+
+  KernelView GetView() const { return { this->Table.data(), this->Radius, this->Taps }; }
+};
+
+/** Smoothing and derivative weights of the Gaussian at a fraction in [0, 1], by the formulas above.
+ */
+void ComputeGaussianWeights(int radius, double fraction, double* smoothing, double* derivative);
+
+} // namespace VolumeHaptics
+
+#endif

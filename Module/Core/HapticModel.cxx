@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticModel.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+double SimilarityScale(const Affine3& map)
+{
+  return std::cbrt(std::abs(Determinant(map.Linear)));
+}
+
+double LargestColumn(const Matrix3& matrix)
+{
+  const Matrix3 columns = Transpose(matrix);
+  return std::max({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
+}
+
+Vector3 MakeFallbackNormal(const HapticModelDescription& d)
+{
+  const Vector3 axis = Transpose(Inverse(d.DeviceToWorld.Linear) * d.IndexToWorld.Linear).Row[2];
+  return (1.0 / Norm(axis)) * axis;
+}
+
+} // namespace
+
+HapticModel::HapticModel(const HapticModelDescription& d)
+  : Settings(d.Settings)
+  , Kernel(d.Estimator, d.KernelRadius)
+  , Field(d.View, this->Kernel)
+  , Materials({ d.Material.Stiffness, d.Material.Friction, d.Material.SurfaceStrength,
+      d.Material.Viscosity, d.Material.ScalarVisibility })
+  , Distinctness({ d.Material.Distinctness, d.Material.GradientVisibility })
+  , DeviceToWorld(d.DeviceToWorld)
+  , WorldToDevice(Inverse(d.DeviceToWorld))
+  , DeviceToIndex(Compose(Inverse(d.IndexToWorld), d.DeviceToWorld))
+  , DeviceToWorldRotation((1.0 / SimilarityScale(d.DeviceToWorld)) * d.DeviceToWorld.Linear)
+  // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.
+  , GradientToDevice(
+      Transpose(this->DeviceToWorldRotation) * Transpose(Inverse(d.IndexToWorld.Linear)))
+  , FallbackNormal(MakeFallbackNormal(d))
+  , KernelLength(
+      this->Kernel.Radius * LargestColumn(d.IndexToWorld.Linear) / SimilarityScale(d.DeviceToWorld))
+  , Samples(d.Samples)
+{
+}
+
+double HapticModel::BorderFade(const Vector3& index) const noexcept
+{
+  const std::int64_t* const n = this->Field.GetView().Dimensions;
+  const double x = std::min(index.X, static_cast<double>(n[0] - 1) - index.X);
+  const double y = std::min(index.Y, static_cast<double>(n[1] - 1) - index.Y);
+  const double z = std::min(index.Z, static_cast<double>(n[2] - 1) - index.Z);
+  const double distance = std::min({ x, y, z }) / this->Kernel.Radius;
+  return std::min(1.0, std::max(0.0, distance));
+}
+
+std::size_t HapticModel::GetMemorySize() const noexcept
+{
+  return sizeof(*this) + this->Kernel.Table.capacity() * sizeof(double) +
+    this->Materials.GetMemorySize() - sizeof(this->Materials) + this->Distinctness.GetMemorySize() -
+    sizeof(this->Distinctness);
+}
+
+} // namespace VolumeHaptics

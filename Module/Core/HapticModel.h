@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The immutable snapshot of everything that a servo tick reads.
+ *
+ * Spaces: *index* (0 ... samples - 1 along each axis of the array), *world* (the units of the
+ * image, mm for CT) and *device* (metres; tip, proxy and force). Device and world differ by a
+ * similarity, so that a volume feels equally stiff at any size on the screen.
+ *
+ * A model is built off the servo thread and never changes afterwards. It keeps the scalar array
+ * alive through HapticModelDescription::Samples and borrows its memory: nothing is copied.
+ */
+#ifndef HapticModel_h
+#define HapticModel_h
+
+#include "FieldSampler.h"
+#include "PiecewiseTable.h"
+
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+enum class HapticMethod : std::uint8_t
+{
+  Proxy,      ///< the paper's section 3
+  ForceField, ///< the paper's eq. 1
+};
+
+/** Which way a structure lies from its surface: where the scalar is higher, lower, or either. */
+enum class SurfaceSide : std::uint8_t
+{
+  Higher,
+  Lower,
+  Both
+};
+
+struct HapticSettings
+{
+  HapticMethod Method = HapticMethod::Proxy;
+  SurfaceSide Side = SurfaceSide::Higher;
+  double TickPeriod = 1e-3;       ///< s
+  double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
+  double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
+  double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
+};
+
+/** Material functions of the scalar, and functions of the gradient magnitude per world unit. */
+struct HapticMaterial
+{
+  Polyline Stiffness = ConstantPolyline(500.0);        ///< k, N/m
+  Polyline Friction = ConstantPolyline(0.0);           ///< mu
+  Polyline SurfaceStrength = ConstantPolyline(2.0);    ///< T_N, N
+  Polyline Viscosity = ConstantPolyline(0.0);          ///< R, N
+  Polyline Distinctness = ConstantPolyline(1.0);       ///< W_d, 0 to 1
+  Polyline ScalarVisibility = ConstantPolyline(1.0);   ///< 0 or 1, scales T_N and R
+  Polyline GradientVisibility = ConstantPolyline(1.0); ///< 0 or 1, scales T_N and R
+};
+
+struct HapticModelDescription
+{
+  VolumeView View;
+  std::shared_ptr<const void> Samples; ///< keeps View.Data alive
+  Affine3 IndexToWorld;                ///< not singular
+  Affine3 DeviceToWorld;               ///< a similarity, world units per metre
+  GradientEstimator Estimator = GradientEstimator::Gaussian;
+  int KernelRadius = 2; ///< voxels
+  HapticMaterial Material;
+  HapticSettings Settings;
+};
+
+class HapticModel
+{
+public:
+  explicit HapticModel(const HapticModelDescription& description);
+  HapticModel(const HapticModel&) = delete;
+  HapticModel& operator=(const HapticModel&) = delete;
+
+  /** Below this stiffness (N/m) nothing is felt: the proxy follows the tip. */
+  static constexpr double MinimumStiffness = 1e-3;
+
+  const HapticSettings Settings;
+  const GradientKernel Kernel;
+  const FieldSampler Field;
+  const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
+  const DistinctnessTable Distinctness; ///< channels W_d, visibility
+  const Affine3 DeviceToWorld;
+  const Affine3 WorldToDevice;
+  const Affine3 DeviceToIndex;
+  const Matrix3 DeviceToWorldRotation;
+  /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
+  const Matrix3 GradientToDevice;
+  /** Stands in for the normal where there is no gradient: the volume's third axis. */
+  const Vector3 FallbackNormal;
+  /** KernelRadius times the largest spacing, in metres: how far x_s and x_v are from the proxy. */
+  const double KernelLength;
+
+  /** 0 at the border, rising to 1 one kernel radius inside. */
+  double BorderFade(const Vector3& index) const noexcept;
+
+  /** V at a device position. */
+  double ValueAtDevice(const Vector3& device) const noexcept
+  {
+    return this->Field.Value(this->DeviceToIndex(device));
+  }
+
+  /** Bytes beyond the image. */
+  std::size_t GetMemorySize() const noexcept;
+
+private:
+  const std::shared_ptr<const void> Samples;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Several piecewise-linear functions of one variable, baked for constant-time lookup.
+ *
+ * A table merges the break points of its channels, so that one search finds all of them: the
+ * material of a scalar value (stiffness, friction, surface strength, viscosity) costs one lookup.
+ * Between its break points a channel is exactly linear, steps included; nothing is resampled to a
+ * grid. What is piecewise linear is therefore reproduced to rounding, however steep its edges.
+ */
+#ifndef PiecewiseTable_h
+#define PiecewiseTable_h
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * A vertex of a piecewise-linear function. Two vertices with the same X make a step; at the step
+ * itself the first of them holds. Outside the vertices the function keeps its end values.
+ */
+struct Vertex
+{
+  double X;
+  double Y;
+};
+
+/** A piecewise-linear function: vertices in ascending order of X, at least one. */
+using Polyline = std::vector<Vertex>;
+
+struct ValueRange
+{
+  double Low;
+  double High;
+};
+
+/** A constant function. */
+inline Polyline ConstantPolyline(double value)
+{
+  return { { 0.0, value } };
+}
+
+template <int Channels>
+class PiecewiseTable
+{
+public:
+  using Values = std::array<double, Channels>;
+
+  PiecewiseTable();
+  explicit PiecewiseTable(const std::array<Polyline, Channels>& functions);
+
+  /** All channels at x, which must not be NaN. */
+  Values operator()(double x) const noexcept
+  {
+    const double position = (x - this->Low) * this->BinsPerUnit;
+    const int bin =
+      position > 0.0 ? static_cast<int>(std::min(position, static_cast<double>(Bins - 1))) : 0;
+    // The bin may be one off by rounding where a break point stands on its edge, hence the two
+    // walks; a bin with a crowd of break points is cut down by bisection first.
+    std::size_t first = this->FirstSegment[bin];
+    std::size_t last = this->FirstSegment[bin + 1];
+    while (last - first > 4)
+    {
+      const std::size_t middle = (first + last) / 2;
+      (x > this->Segments[middle].Begin ? first : last) = middle;
+    }
+    while (first > 0 && !(x > this->Segments[first].Begin))
+    {
+      --first;
+    }
+    while (first + 1 < this->Segments.size() && x > this->Segments[first + 1].Begin)
+    {
+      ++first;
+    }
+    const Segment& segment = this->Segments[first];
+    Values values;
+    for (int c = 0; c < Channels; ++c)
+    {
+      values[c] = segment.Value[c] + segment.Slope[c] * (x - segment.Anchor);
+    }
+    return values;
+  }
+
+  /** The smallest and the largest value of a channel. */
+  const ValueRange& GetRange(int channel) const noexcept { return this->Range[channel]; }
+
+  std::size_t GetMemorySize() const noexcept
+  {
+    return sizeof(*this) + this->Segments.capacity() * sizeof(Segment);
+  }
+
+private:
+  /** Holds for Begin < x, up to the next segment's Begin. */
+  struct Segment
+  {
+    double Begin;
+    double Anchor;
+    Values Value;
+    Values Slope;
+  };
+
+  static constexpr int Bins = 1024;
+
+  std::vector<Segment> Segments;
+  std::array<std::uint32_t, Bins + 1> FirstSegment{};
+  double Low = 0.0;
+  double BinsPerUnit = 0.0;
+  std::array<ValueRange, Channels> Range{};
+};
+
+/** Stiffness, friction, surface strength, viscosity and visibility against the scalar value. */
+using MaterialTable = PiecewiseTable<5>;
+/** Distinctness and visibility (0 or 1) against the gradient magnitude. */
+using DistinctnessTable = PiecewiseTable<2>;
+
+extern template class PiecewiseTable<2>;
+extern template class PiecewiseTable<5>;
+
+} // namespace VolumeHaptics
+
+#endif

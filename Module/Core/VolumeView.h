@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A typed view of somebody else's scalar array: no copy, no ownership.
+ */
+#ifndef VolumeView_h
+#define VolumeView_h
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** The scalar types a volume may have; each VTK scalar type is one of these. */
+enum class ScalarType : std::uint8_t
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Int64,
+  UInt64,
+  Float32,
+  Float64
+};
+
+/**
+ * One component of a structured point array. The sample with index (i, j, k) stands
+ * i*Stride[0] + j*Stride[1] + k*Stride[2] elements of `Type` behind `Data`. Indices run from 0 to
+ * Dimensions - 1, whatever extent the image had: the index-to-space maps account for that.
+ */
+struct VolumeView
+{
+  const void* Data = nullptr;
+  ScalarType Type = ScalarType::Float64;
+  std::int64_t Dimensions[3] = { 0, 0, 0 };
+  std::int64_t Stride[3] = { 0, 0, 0 };
+  /** What counts as the value where a sample is NaN or infinite (SPEC 2, ruling 8). */
+  double BorderValue = 0.0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticModelBuilder.h"
+
+#include "HapticFunctions.h"
+#include "HapticVolumeView.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <limits>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A function of the property, what it is by default, and the values it may have. */
+struct FunctionRule
+{
+  const char* Name;
+  vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
+  Polyline HapticMaterial::*Baked;
+  double Most;
+  const char* Range;
+};
+
+const FunctionRule FunctionRules[] = {
+  { "Stiffness", &vtkHapticProperty::GetStiffness, &HapticMaterial::Stiffness, HUGE_VAL,
+    "0 N/m or more" },
+  { "Friction", &vtkHapticProperty::GetFriction, &HapticMaterial::Friction, HUGE_VAL, "0 or more" },
+  { "SurfaceStrength", &vtkHapticProperty::GetSurfaceStrength, &HapticMaterial::SurfaceStrength,
+    HUGE_VAL, "0 N or more" },
+  { "Viscosity", &vtkHapticProperty::GetViscosity, &HapticMaterial::Viscosity, HUGE_VAL,
+    "0 N or more" },
+  { "Distinctness", &vtkHapticProperty::GetDistinctness, &HapticMaterial::Distinctness, 1.0,
+    "between 0 and 1" },
+};
+
+bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::string& error)
+{
+  for (const FunctionRule& rule : FunctionRules)
+  {
+    Polyline& line = material.*rule.Baked;
+    line = ToPolyline((property->*rule.Get)(), line.front().Y);
+    for (const Vertex& vertex : line)
+    {
+      // Also false for NaN.
+      if (!(vertex.Y >= 0.0 && vertex.Y <= rule.Most && std::isfinite(vertex.Y) &&
+            std::isfinite(vertex.X)))
+      {
+        std::ostringstream message;
+        message << "The function " << rule.Name << " of the haptic property has the value "
+                << vertex.Y << " at " << vertex.X << ": it must be finite and " << rule.Range
+                << ". Correct this point of vtkHapticProperty::Get" << rule.Name << "().";
+        error = message.str();
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/** What the volume property's opacities hide, as masks of the material. */
+void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMaterial& material)
+{
+  vtkVolumeProperty* const volume = property->GetVisibilityFrom();
+  if (!volume)
+  {
+    return;
+  }
+  constexpr int mostComponents = 4; // vtkVolumeProperty's own limit
+  const int component =
+    volume->GetIndependentComponents() ? std::min(property->GetComponent(), mostComponents - 1) : 0;
+  const double* const spacing = image->GetSpacing();
+  const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+  material.ScalarVisibility = PositiveMask(ToPolyline(volume->GetScalarOpacity(component), 1.0));
+  material.GradientVisibility =
+    PositiveMask(ToPolyline(volume->GetGradientOpacity(component), 1.0), 1.0 / average);
+}
+
+/** Holds a reference to the array; made and dropped outside the servo thread. */
+std::shared_ptr<const void> ShareArray(vtkDataArray* array)
+{
+  array->Register(nullptr);
+  return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
+}
+
+} // namespace
+
+std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
+  vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
+{
+  HapticModelDescription d;
+  if (!MakeVolumeView(image, scalars, property->GetComponent(), d.View, error) ||
+    !MakeIndexToWorld(image, d.IndexToWorld, error) || !BakeFunctions(property, d.Material, error))
+  {
+    return nullptr;
+  }
+  const std::int64_t* const n = d.View.Dimensions;
+  const std::int64_t needed = 2 * options.KernelRadius + 1;
+  if (std::min({ n[0], n[1], n[2] }) < needed)
+  {
+    std::ostringstream message;
+    message << "The kernel is larger than the input image: a KernelRadius of "
+            << options.KernelRadius << " needs " << needed
+            << " points along every axis, and the image is " << n[0] << " x " << n[1] << " x "
+            << n[2] << ". Lower KernelRadius or use a larger image.";
+    error = message.str();
+    return nullptr;
+  }
+  BakeVisibility(property, image, d.Material);
+  d.Samples = ShareArray(scalars);
+  d.DeviceToWorld = options.DeviceToWorld;
+  d.Estimator = options.Estimator;
+  d.KernelRadius = options.KernelRadius;
+  d.Settings = options.Settings;
+  d.Settings.Side = static_cast<SurfaceSide>(property->GetSurfaceSide());
+  return std::make_shared<const HapticModel>(d);
+}
+
+} // namespace VolumeHaptics

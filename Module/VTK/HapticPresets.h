@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The named materials of vtkHapticProperty::ApplyPreset.
+ */
+#ifndef HapticPresets_h
+#define HapticPresets_h
+
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <string>
+
+class vtkHapticProperty;
+
+namespace VolumeHaptics
+{
+
+/** False, and nothing changed, where there is no such preset. */
+bool FillFromPreset(const char* name, vtkHapticProperty* property);
+
+vtkSmartPointer<vtkStringArray> MakePresetNames();
+/** The names, quoted and separated by commas. */
+std::string ListPresets();
+
+} // namespace VolumeHaptics
+
+#endif

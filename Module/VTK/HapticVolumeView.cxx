@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticVolumeView.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkSOADataArrayTemplate.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+template <typename T>
+constexpr ScalarType ScalarTypeOf()
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    return sizeof(T) == 4 ? ScalarType::Float32 : ScalarType::Float64;
+  }
+  else if constexpr (sizeof(T) == 1)
+  {
+    return std::is_signed_v<T> ? ScalarType::Int8 : ScalarType::UInt8;
+  }
+  else if constexpr (sizeof(T) == 2)
+  {
+    return std::is_signed_v<T> ? ScalarType::Int16 : ScalarType::UInt16;
+  }
+  else if constexpr (sizeof(T) == 4)
+  {
+    return std::is_signed_v<T> ? ScalarType::Int32 : ScalarType::UInt32;
+  }
+  else
+  {
+    return std::is_signed_v<T> ? ScalarType::Int64 : ScalarType::UInt64;
+  }
+}
+
+/** Address of a component and the step between its tuples; false for other memory layouts. */
+template <typename T>
+bool LocateComponent(vtkDataArray* scalars, int component, VolumeView& view)
+{
+  view.Type = ScalarTypeOf<T>();
+  if (auto* soa = vtkSOADataArrayTemplate<T>::FastDownCast(scalars))
+  {
+    view.Data = soa->GetComponentArrayPointer(component);
+    view.Stride[0] = 1;
+    return true;
+  }
+  if (scalars->HasStandardMemoryLayout())
+  {
+    view.Data = static_cast<const T*>(scalars->GetVoidPointer(0)) + component;
+    view.Stride[0] = scalars->GetNumberOfComponents();
+    return true;
+  }
+  return false;
+}
+
+/** The first finite value among the corners of the volume; 0 where there is none. */
+double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView& view)
+{
+  const std::int64_t* const n = view.Dimensions;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const std::int64_t i = (corner & 1) ? n[0] - 1 : 0;
+    const std::int64_t j = (corner & 2) ? n[1] - 1 : 0;
+    const std::int64_t k = (corner & 4) ? n[2] - 1 : 0;
+    const double value = scalars->GetComponent(i + n[0] * (j + n[1] * k), component);
+    if (std::isfinite(value))
+    {
+      return value;
+    }
+  }
+  return 0.0;
+}
+
+std::string Describe(vtkDataArray* scalars)
+{
+  const char* const name = scalars->GetName();
+  return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
+}
+
+} // namespace
+
+bool MakeVolumeView(
+  vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view, std::string& error)
+{
+  std::ostringstream message;
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  const vtkIdType points = image->GetNumberOfPoints();
+  const int components = scalars->GetNumberOfComponents();
+  if (points == 0)
+  {
+    message
+      << "The input image is empty: its extent holds no points. Update its source, or give it "
+         "dimensions of at least 2 x 2 x 2.";
+  }
+  else if (dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2)
+  {
+    message << "The input image is " << dimensions[0] << " x " << dimensions[1] << " x "
+            << dimensions[2]
+            << " points: one voxel thin, which has no gradient across it. Give it a volume of at "
+               "least 2 points along every axis.";
+  }
+  else if (scalars->GetNumberOfTuples() != points)
+  {
+    message << "The " << Describe(scalars) << " of the input image has "
+            << scalars->GetNumberOfTuples() << " tuples for " << points
+            << " points. Use point scalars with one tuple a point.";
+  }
+  else if (component >= components)
+  {
+    message << "The " << Describe(scalars) << " of the input image has " << components
+            << " component(s), but the property asks for component " << component
+            << ". Lower vtkHapticProperty::SetComponent (it counts from 0).";
+  }
+  else
+  {
+    bool located = false;
+    switch (scalars->GetDataType())
+    {
+      vtkTemplateMacro(located = LocateComponent<VTK_TT>(scalars, component, view));
+      default:
+        break;
+    }
+    if (located)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        view.Dimensions[a] = dimensions[a];
+      }
+      view.Stride[1] = view.Stride[0] * dimensions[0];
+      view.Stride[2] = view.Stride[1] * dimensions[1];
+      view.BorderValue = FirstFiniteCorner(scalars, component, view);
+      return true;
+    }
+    message
+      << "The " << Describe(scalars) << " of the input image has the scalar type "
+      << scalars->GetDataTypeAsString() << " in a " << scalars->GetClassName()
+      << ", which is an unsupported scalar type. Convert it, for example with vtkImageCast to "
+         "short or float.";
+  }
+  error = message.str();
+  return false;
+}
+
+bool MakeIndexToWorld(vtkImageData* image, Affine3& map, std::string& error)
+{
+  const double* const spacing = image->GetSpacing();
+  const double* const origin = image->GetOrigin();
+  const int* const extent = image->GetExtent();
+  const double* const direction = image->GetDirectionMatrix()->GetData();
+  for (int i = 0; i < 3; ++i)
+  {
+    map.Linear.Row[i] = { direction[3 * i] * spacing[0], direction[3 * i + 1] * spacing[1],
+      direction[3 * i + 2] * spacing[2] };
+  }
+  const Vector3 first{ static_cast<double>(extent[0]), static_cast<double>(extent[2]),
+    static_cast<double>(extent[4]) };
+  map.Offset = Vector3{ origin[0], origin[1], origin[2] } + map.Linear * first;
+
+  std::ostringstream message;
+  const Matrix3 d{ { { direction[0], direction[1], direction[2] },
+    { direction[3], direction[4], direction[5] }, { direction[6], direction[7], direction[8] } } };
+  const Matrix3 columns = Transpose(d);
+  const double size = Norm(columns.Row[0]) * Norm(columns.Row[1]) * Norm(columns.Row[2]);
+  constexpr double singular = 1e-9;
+  if (!IsFinite({ spacing[0], spacing[1], spacing[2] }) || spacing[0] == 0.0 || spacing[1] == 0.0 ||
+    spacing[2] == 0.0)
+  {
+    message << "The spacing of the input image is (" << spacing[0] << ", " << spacing[1] << ", "
+            << spacing[2]
+            << "): it must be finite and not zero. Set the distance between voxels with "
+               "vtkImageData::SetSpacing.";
+  }
+  else if (!IsFinite({ origin[0], origin[1], origin[2] }))
+  {
+    message << "The origin of the input image is (" << origin[0] << ", " << origin[1] << ", "
+            << origin[2] << "): it must be finite. Set it with vtkImageData::SetOrigin.";
+  }
+  else if (!(std::abs(Determinant(d)) > singular * size))
+  {
+    message << "The direction matrix of the input image is singular (determinant " << Determinant(d)
+            << "): its axes do not span space. Set three independent axes with "
+               "vtkImageData::SetDirectionMatrix.";
+  }
+  else
+  {
+    return true;
+  }
+  error = message.str();
+  return false;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A VolumeView on the scalars of a vtkImageData, and where the image stands in the world.
+ */
+#ifndef HapticVolumeView_h
+#define HapticVolumeView_h
+
+#include "Vector3.h"
+#include "VolumeView.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** False, with the reason and the cure in `error`, where the array can't be viewed without a copy.
+ */
+bool MakeVolumeView(
+  vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view, std::string& error);
+
+/** From the index that counts from 0 to the world. False, with an error, for a broken geometry. */
+bool MakeIndexToWorld(vtkImageData* image, Affine3& map, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticProperty.h"
+
+#include "HapticPresets.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkStringArray.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHapticProperty);
+
+//------------------------------------------------------------------------------
+#define vtkHapticPropertyFunctionMacro(name)                        \
+  void vtkHapticProperty::Set##name(vtkPiecewiseFunction* function) \
+  {                                                                 \
+    if (this->name != function)                                     \
+    {                                                               \
+      this->name = function;                                        \
+      this->Modified();                                             \
+    }                                                               \
+  }                                                                 \
+  vtkPiecewiseFunction* vtkHapticProperty::Get##name()              \
+  {                                                                 \
+    if (!this->name)                                                \
+    {                                                               \
+      this->name = vtkSmartPointer<vtkPiecewiseFunction>::New();    \
+    }                                                               \
+    return this->name;                                              \
+  }
+
+vtkHapticPropertyFunctionMacro(Stiffness);
+vtkHapticPropertyFunctionMacro(Friction);
+vtkHapticPropertyFunctionMacro(Viscosity);
+vtkHapticPropertyFunctionMacro(SurfaceStrength);
+vtkHapticPropertyFunctionMacro(Distinctness);
+
+//------------------------------------------------------------------------------
+vtkHapticProperty::vtkHapticProperty() = default;
+vtkHapticProperty::~vtkHapticProperty() = default;
+
+//------------------------------------------------------------------------------
+bool vtkHapticProperty::ApplyPreset(const char* name)
+{
+  if (!VolumeHaptics::FillFromPreset(name, this))
+  {
+    vtkErrorMacro(<< "There is no preset \"" << (name ? name : "(null)")
+                  << "\". Use one of: " << VolumeHaptics::ListPresets() << ".");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkHapticProperty::GetPresetNames()
+{
+  static const vtkSmartPointer<vtkStringArray> names = VolumeHaptics::MakePresetNames();
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticProperty::SetVisibilityFrom(vtkVolumeProperty* property)
+{
+  if (this->VisibilityFrom != property)
+  {
+    this->VisibilityFrom = property;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolumeProperty* vtkHapticProperty::GetVisibilityFrom()
+{
+  return this->VisibilityFrom;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticProperty::DeepCopy(vtkHapticProperty* source)
+{
+  if (!source || source == this)
+  {
+    return;
+  }
+  this->GetStiffness()->DeepCopy(source->GetStiffness());
+  this->GetFriction()->DeepCopy(source->GetFriction());
+  this->GetViscosity()->DeepCopy(source->GetViscosity());
+  this->GetSurfaceStrength()->DeepCopy(source->GetSurfaceStrength());
+  this->GetDistinctness()->DeepCopy(source->GetDistinctness());
+  this->SetVisibilityFrom(source->GetVisibilityFrom());
+  this->SetComponent(source->GetComponent());
+  this->SetSurfaceSide(source->GetSurfaceSide());
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHapticProperty::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* owned : std::initializer_list<vtkObject*>{ this->Stiffness, this->Friction,
+         this->Viscosity, this->SurfaceStrength, this->Distinctness, this->VisibilityFrom })
+  {
+    time = owned ? std::max(time, owned->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticProperty::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, vtkObject* object)
+  {
+    os << indent << name << ": ";
+    if (object)
+    {
+      os << "\n";
+      object->PrintSelf(os, indent.GetNextIndent());
+    }
+    else
+    {
+      os << "(none)\n";
+    }
+  };
+  print("Stiffness", this->Stiffness);
+  print("Friction", this->Friction);
+  print("Viscosity", this->Viscosity);
+  print("SurfaceStrength", this->SurfaceStrength);
+  print("Distinctness", this->Distinctness);
+  print("VisibilityFrom", this->VisibilityFrom);
+  os << indent << "Component: " << this->Component << "\n";
+  static const char* const sides[] = { "Higher", "Lower", "Both" };
+  os << indent << "SurfaceSide: " << sides[this->SurfaceSide] << "\n";
+}

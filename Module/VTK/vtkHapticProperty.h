@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticProperty
+ * @brief   what the tissues of a volume feel like
+ *
+ * The haptic sibling of vtkVolumeProperty: transfer functions turn the scalar value into a
+ * material, and the gradient magnitude into how distinct a surface is (table 1 of Lundin, Ynnerman
+ * and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density Data", 2002):
+ *
+ * | function        | of                                | symbol | unit | range  | default |
+ * | --------------- | --------------------------------- | ------ | ---- | ------ | ------- |
+ * | Stiffness       | scalar inside the surface, V(x_s) | k      | N/m  | >= 0   | 500     |
+ * | Friction        | scalar inside the surface, V(x_s) | mu     | -    | >= 0   | 0       |
+ * | SurfaceStrength | scalar inside the surface, V(x_s) | T_N    | N    | >= 0   | 2       |
+ * | Viscosity       | scalar outside it, V(x_v)         | R      | N    | >= 0   | 0       |
+ * | Distinctness    | gradient magnitude at the proxy   | W_d    | -    | 0 to 1 | 1       |
+ *
+ * The gradient magnitude is in scalar units per world unit (HU/mm for CT), never per voxel. A
+ * surface holds the proxy up to T_N W_d newtons; beyond that it is penetrated. A huge T_N makes a
+ * surface impenetrable, 0 makes it penetrable without resistance. The viscosity is a Coulomb drag
+ * ("3-D friction"): R newtons against any motion. Below 0.001 N/m of stiffness nothing is felt.
+ *
+ * A function that has no points stands for its default. vtkPiecewiseFunction's midpoints, sharpness
+ * and clamping are honoured. For the servo they are baked into tables: pieces that are linear, and
+ * steps, are reproduced exactly; curved pieces to within 0.01 % of the piece's height.
+ *
+ * @sa vtkVolumeHapticsFilter, vtkVolumeProperty
+ */
+#ifndef vtkHapticProperty_h
+#define vtkHapticProperty_h
+
+#include "vtkObject.h"
+#include "vtkSmartPointer.h"        // for ivars
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkPiecewiseFunction;
+class vtkStringArray;
+class vtkVolumeProperty;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticProperty : public vtkObject
+{
+public:
+  static vtkHapticProperty* New();
+  vtkTypeMacro(vtkHapticProperty, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Stiffness k (N/m) of the spring between proxy and tip, against the scalar value. Created
+   * without points, clamped at the ends, on first Get; without points it stands for 500 N/m.
+   */
+  void SetStiffness(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetStiffness();
+  ///@}
+
+  ///@{
+  /**
+   * Coefficient of friction mu against the scalar value. Without points: 0.
+   */
+  void SetFriction(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetFriction();
+  ///@}
+
+  ///@{
+  /**
+   * Coulomb drag R (N) of the medium around the proxy (eq. 14), against the scalar value. Without
+   * points: 0 N.
+   */
+  void SetViscosity(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetViscosity();
+  ///@}
+
+  ///@{
+  /**
+   * Surface strength T_N (N): the normal force at which a surface is penetrated (eq. 12), against
+   * the scalar value. Without points: 2 N.
+   */
+  void SetSurfaceStrength(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetSurfaceStrength();
+  ///@}
+
+  ///@{
+  /**
+   * Distinctness W_d (0 to 1), which scales the surface strength (eq. 13), against the gradient
+   * magnitude in scalar units per world unit. Without points: 1.
+   */
+  void SetDistinctness(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetDistinctness();
+  ///@}
+
+  ///@{
+  /**
+   * The component of the scalar array that is touched. Default 0.
+   */
+  vtkSetClampMacro(Component, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Component, int);
+  ///@}
+
+  enum SurfaceSideType
+  {
+    HIGHER = 0,
+    LOWER = 1,
+    BOTH = 2
+  };
+
+  ///@{
+  /**
+   * Which way a structure lies from its surface: towards higher values (default; bone in CT),
+   * towards lower values (lung seen from tissue), or whichever way one pushes (MRI). Surfaces
+   * resist the way in, never the way out.
+   */
+  vtkSetClampMacro(SurfaceSide, int, HIGHER, BOTH);
+  vtkGetMacro(SurfaceSide, int);
+  void SetSurfaceSideToHigher() { this->SetSurfaceSide(HIGHER); }
+  void SetSurfaceSideToLower() { this->SetSurfaceSide(LOWER); }
+  void SetSurfaceSideToBoth() { this->SetSurfaceSide(BOTH); }
+  ///@}
+
+  /**
+   * Fill all five functions, in place, and set the surface side from a named preset:
+   *
+   * - "CT contrast": Hounsfield units; tissues told apart clearly by hand. Bone is impenetrable.
+   * - "CT physical": Hounsfield units; stiffness from published soft-tissue moduli by way of a flat
+   *   punch of 2 mm radius, k = 2 E a / (1 - nu^2) (liver: 28 N/m). Subtle on most devices.
+   * - "MRI": T1-weighted magnitude images with 0 ... 255 grey levels; surfaces on both sides.
+   *
+   * The values are this project's, chosen by hand; they are not measurements. Returns false, with
+   * an error and no change, for any other name.
+   */
+  bool ApplyPreset(const char* name);
+
+  /** The names that ApplyPreset understands. */
+  static vtkStringArray* GetPresetNames();
+
+  ///@{
+  /**
+   * What the opacity functions of this volume property hide is not felt: surface strength and
+   * viscosity are zero where its scalar opacity or its gradient opacity is zero. nullptr (default)
+   * detaches. The opacity of the touched component is used (of component 0 where components are not
+   * independent). As in VTK's volume mappers, gradient opacity is a function of the gradient
+   * magnitude per average voxel spacing.
+   */
+  void SetVisibilityFrom(vtkVolumeProperty* property);
+  vtkVolumeProperty* GetVisibilityFrom();
+  ///@}
+
+  /** Copy everything; the functions point by point, the visibility by reference. */
+  void DeepCopy(vtkHapticProperty* source);
+
+  /** Includes every function and the volume property of the visibility. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkHapticProperty();
+  ~vtkHapticProperty() override;
+
+  vtkSmartPointer<vtkPiecewiseFunction> Stiffness;
+  vtkSmartPointer<vtkPiecewiseFunction> Friction;
+  vtkSmartPointer<vtkPiecewiseFunction> Viscosity;
+  vtkSmartPointer<vtkPiecewiseFunction> SurfaceStrength;
+  vtkSmartPointer<vtkPiecewiseFunction> Distinctness;
+  vtkSmartPointer<vtkVolumeProperty> VisibilityFrom;
+  int Component = 0;
+  int SurfaceSide = HIGHER;
+
+private:
+  vtkHapticProperty(const vtkHapticProperty&) = delete;
+  void operator=(const vtkHapticProperty&) = delete;
+};
+
+#endif

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVolumeHapticsFilter
+ * @brief   what a hand feels that moves a stylus through a volume
+ *
+ * Implements Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density
+ * Data", 2002. A proxy is tied to the stylus' tip by a spring of stiffness k. Virtual surfaces,
+ * perpendicular to the gradient of the volume, hold it back; friction and drag, too. The force on
+ * the hand is k (x_p - x_tip). With the material from vtkHapticProperty, a tick moves the proxy x_p
+ * from x_0 to
+ *
+ *   N = grad V / |grad V|,  d = x_tip - x_p,  T = T_N W_d(|grad V|)
+ *   x_p += N sgn(d.N) (|d.N| - T/k)      if k |d.N| > T; outward with T = 0       (eqs. 12, 13)
+ *   x_p += t/|t| (|t| - mu |d.N|)        if |t| > mu |d.N|, t = d - N (d.N)       (eqs. 8 to 10)
+ *   x_p += (x_0 - x_p) min(1, R / (k |x_0 - x_p|))                                (eq. 14)
+ *
+ * where d is taken anew in each line, k, mu and T_N belong to the value at x_s = x_0 + r N and R to
+ * the value at x_v = x_0 - r N (fig. 4), and r is KernelRadius times the largest spacing. Beyond
+ * the volume the border's value holds and there is no surface; over the last kernel radius inside
+ * it surfaces fade. Samples that are NaN or infinite are felt as the border value, without a
+ * surface. The first tick of a path puts the proxy on the tip, without force.
+ *
+ * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
+ * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is
+ * not copied. Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the
+ * ticks, in order; with a point array `Time` (s) the path is resampled to ServoRate.
+ *
+ * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline, and
+ *
+ * | point array        | unit             | is | | ------------------ | ---------------- |
+ * -------------------------------------------------------- | | Time               | s | of the tick
+ * | | Tip (3)            | world            | the stylus | | Force (3)          | N, world axes |
+ * on the hand                                              | | NormalForce        | N | k abs(d.N)
+ * before the drag                               | | FrictionForce      | N                | k
+ * abs(t) before the drag                                 | | DragForce          | N | k times the
+ * way the drag took the proxy back             | | Normal (3)         | -                | unit,
+ * into the structure, of the tick                    | | Value              | scalar           | V
+ * at the output point                                    | | GradientMagnitude  | scalar per world
+ * | of the tick                                              | | SurfaceValue       | scalar |
+ * V(x_s), of the tick                                      | | MediumValue        | scalar |
+ * V(x_v), of the tick                                      | | Stiffness          | N/m | k | |
+ * Friction           | -                | mu | | Viscosity          | N                | R | |
+ * SurfaceStrength    | N                | T_N W_d | | Contact            | -                | 0
+ * free, 1 sticking, 2 sliding, 3 penetrating             |
+ *
+ * The same input gives the same output, to the bit. Without a path the output is empty. Input that
+ * can't be touched gives one error that names the input and the cure, and an empty output. A long
+ * path reports progress and can be aborted; the output then ends where it was aborted.
+ *
+ * @sa vtkHapticProperty
+ */
+#ifndef vtkVolumeHapticsFilter_h
+#define vtkVolumeHapticsFilter_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"        // for ivars
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkHapticProperty;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkVolumeHapticsFilter* New();
+  vtkTypeMacro(vtkVolumeHapticsFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The materials. Created with its defaults on first Get; nullptr goes back to those.
+   */
+  void SetProperty(vtkHapticProperty* property);
+  vtkHapticProperty* GetProperty();
+  ///@}
+
+  enum MethodType
+  {
+    PROXY = 0,
+    FORCE_FIELD = 1
+  };
+
+  ///@{
+  /**
+   * PROXY (default) is the method above. FORCE_FIELD is the general approach that the paper
+   * compares itself with (eq. 1): f = -ForceFieldGain grad V - ForceFieldDamping v_tip, without a
+   * proxy. Its NormalForce and DragForce are the magnitudes of the two terms.
+   */
+  vtkSetClampMacro(Method, int, PROXY, FORCE_FIELD);
+  vtkGetMacro(Method, int);
+  void SetMethodToProxy() { this->SetMethod(PROXY); }
+  void SetMethodToForceField() { this->SetMethod(FORCE_FIELD); }
+  ///@}
+
+  enum SolverType
+  {
+    PAPER = 0
+  };
+
+  ///@{
+  /**
+   * How PROXY advances the proxy in a tick: PAPER (default) as published, with one gradient a tick.
+   */
+  vtkSetClampMacro(Solver, int, PAPER, PAPER);
+  vtkGetMacro(Solver, int);
+  void SetSolverToPaper() { this->SetSolver(PAPER); }
+  ///@}
+
+  enum GradientEstimatorType
+  {
+    CENTRAL_DIFFERENCE = 0,
+    GAUSSIAN = 1,
+    CUBIC_BSPLINE = 2
+  };
+
+  ///@{
+  /**
+   * How gradients are estimated: CENTRAL_DIFFERENCE of six trilinear samples KernelRadius voxels
+   * away; GAUSSIAN (default), the derivative of a Gaussian of scale KernelRadius / 2 voxels, which
+   * noise disturbs least; CUBIC_BSPLINE, the analytic derivative of a smoothing cubic B-spline over
+   * 64 voxels. Values are trilinear with the first two and B-spline values with the third.
+   */
+  vtkSetClampMacro(GradientEstimator, int, CENTRAL_DIFFERENCE, CUBIC_BSPLINE);
+  vtkGetMacro(GradientEstimator, int);
+  void SetGradientEstimatorToCentralDifference() { this->SetGradientEstimator(CENTRAL_DIFFERENCE); }
+  void SetGradientEstimatorToGaussian() { this->SetGradientEstimator(GAUSSIAN); }
+  void SetGradientEstimatorToCubicBSpline() { this->SetGradientEstimator(CUBIC_BSPLINE); }
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the gradient kernel in voxels, 1 to 16. Times the largest spacing it is the distance
+   * r from the proxy at which materials are picked. Default 2.
+   */
+  vtkSetClampMacro(KernelRadius, int, 1, 16);
+  vtkGetMacro(KernelRadius, int);
+  ///@}
+
+  ///@{
+  /**
+   * Ticks per second (Hz), 1 to 100000. Default 1000.
+   */
+  vtkSetClampMacro(ServoRate, double, 1.0, 1e5);
+  vtkGetMacro(ServoRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Metres of hand motion for one world unit, 1e-12 or more. The default 0.001 means life-size for
+   * data in millimetres; 0.002 means twice life-size, and no stiffer.
+   */
+  vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
+  vtkGetMacro(MetersPerWorldUnit, double);
+  ///@}
+
+  ///@{
+  /**
+   * C1 of eq. 1 (N per scalar unit per world unit), for FORCE_FIELD. Default 0.01.
+   */
+  vtkSetMacro(ForceFieldGain, double);
+  vtkGetMacro(ForceFieldGain, double);
+  ///@}
+
+  ///@{
+  /**
+   * C2 of eq. 1 (N s/m), for FORCE_FIELD. Default 0.
+   */
+  vtkSetMacro(ForceFieldDamping, double);
+  vtkGetMacro(ForceFieldDamping, double);
+  ///@}
+
+  ///@{
+  /**
+   * Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not limit.
+   */
+  vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumForce, double);
+  ///@}
+
+  ///@{
+  /**
+   * The path of the tip, on port 1.
+   */
+  void SetPathConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetPathData(vtkPolyData* path);
+  ///@}
+
+  /** Includes the property and its functions. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkVolumeHapticsFilter();
+  ~vtkVolumeHapticsFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  vtkSmartPointer<vtkHapticProperty> Property;
+  int Method = PROXY;
+  int Solver = PAPER;
+  int GradientEstimator = GAUSSIAN;
+  int KernelRadius = 2;
+  double ServoRate = 1000.0;
+  double MetersPerWorldUnit = 0.001;
+  double ForceFieldGain = 0.01;
+  double ForceFieldDamping = 0.0;
+  double MaximumForce = 0.0;
+
+private:
+  vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;
+  void operator=(const vtkVolumeHapticsFilter&) = delete;
+};
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Scenes no one would think of: random volumes, materials, settings and walks.
+ */
+#ifndef RandomScene_h
+#define RandomScene_h
+
+#include "Random.h"
+#include "SampledImage.h"
+#include "Scene.h"
+
+namespace reference
+{
+enum class Curves
+{
+  Linear, // straight between the points
+  Curved  // midpoints, sharpness, steep edges
+};
+
+/// A smooth random function of the position, in [-1, 1]: waves of 1 to 5 times `shortest` voxels.
+Field RandomField(Random& random, const Geometry& geometry, double shortest = 5.0);
+
+/// Random size, spacing, origin, direction (left-handed too) and first index.
+Geometry RandomGeometry(Random& random, int kernelRadius);
+
+/// A volume of `scalarType`, maybe one component of several in an array that is not the active one.
+void RandomVolume(Scene& scene, Random& random, const Geometry& geometry, int scalarType);
+
+/// Random functions of the scalar for every property of the material.
+void RandomMaterial(Scene& scene, Random& random, Curves curves);
+
+/// A smooth walk that presses, slides, jumps now and then and strays out of the volume.
+void RandomWalk(Scene& scene, Random& random, const Geometry& geometry, int ticks);
+
+/// All of the above.
+void RandomScene(Scene& scene, Random& random, Curves curves, int ticks);
+} // namespace reference
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * One tick of method PROXY with the paper's solver, step by step as the specification lists them,
+ * and one of FORCE_FIELD. Positions given and returned are world units; inside it works in metres.
+ */
+#ifndef ReferenceTick_h
+#define ReferenceTick_h
+
+#include "ReferenceField.h"
+
+namespace reference
+{
+/// `freeNormal` is the unit vector taken where the gradient vanishes.
+TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& proxy, const Vec3& tip,
+  const Vec3& freeNormal);
+
+TickRecord ForceFieldTick(
+  const ReferenceField& field, Scene& scene, const Vec3& previousTip, const Vec3& tip);
+} // namespace reference
+
+#endif

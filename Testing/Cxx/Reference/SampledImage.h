@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Analytic fields sampled to images of any geometry and scalar type.
+ */
+#ifndef SampledImage_h
+#define SampledImage_h
+
+#include "Vec3.h"
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <functional>
+
+namespace reference
+{
+struct Geometry
+{
+  int extent[6] = { 0, 0, 0, 0, 0, 0 };
+  Vec3 spacing = { { 1.0, 1.0, 1.0 } };
+  Vec3 origin;
+  Mat3 direction;
+
+  Vec3 World(const Vec3& index) const;
+  Vec3 Centre() const;
+};
+
+using Field = std::function<double(const Vec3& world)>;
+
+/// A cube of side 2 x `half` around the origin.
+Geometry Cube(double half, double spacing);
+
+/// The same volume somewhere else: world -> rotation * world + translation.
+Geometry Moved(const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
+
+/// An image of this geometry, without scalars.
+vtkSmartPointer<vtkImageData> MakeImage(const Geometry& geometry);
+
+/// The field in component 0 of the active scalars; integer types get the nearest value, saturated.
+vtkSmartPointer<vtkImageData> Sample(
+  const Geometry& geometry, const Field& field, int scalarType = VTK_DOUBLE);
+
+/// Fill one component of an array with a value per voxel, saturated to the array's type.
+void Fill(vtkDataArray* array, int component, const Geometry& geometry, const Field& field);
+} // namespace reference
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * One servo tick as the filter's output reports it, and the names its point arrays go by.
+ */
+#ifndef Trace_h
+#define Trace_h
+
+#include "Vec3.h"
+
+#include <vector>
+
+namespace reference
+{
+struct TickRecord
+{
+  Vec3 proxy; // world units, the output point
+  Vec3 tip;   // world units
+  Vec3 force; // N, on the hand
+  Vec3 normal;
+  double time = 0.0;              // s
+  double normalForce = 0.0;       // N, before the drag step
+  double frictionForce = 0.0;     // N, before the drag step
+  double dragForce = 0.0;         // N
+  double value = 0.0;             // at the proxy at the end of the tick
+  double gradientMagnitude = 0.0; // scalar units per world unit
+  double surfaceValue = 0.0;
+  double mediumValue = 0.0;
+  double stiffness = 0.0; // N/m
+  double friction = 0.0;
+  double viscosity = 0.0;       // N
+  double surfaceStrength = 0.0; // N
+  int contact = 0;
+  // Reference only: the force (N) by which the tick's closest decision was made. A tick decided by
+  // less than rounding may go either way.
+  double margin = 0.0;
+};
+
+using Trace = std::vector<TickRecord>;
+
+struct ScalarArray
+{
+  const char* name;
+  double TickRecord::*member;
+};
+
+inline const ScalarArray ScalarArrays[] = {
+  { "Time", &TickRecord::time },
+  { "NormalForce", &TickRecord::normalForce },
+  { "FrictionForce", &TickRecord::frictionForce },
+  { "DragForce", &TickRecord::dragForce },
+  { "Value", &TickRecord::value },
+  { "GradientMagnitude", &TickRecord::gradientMagnitude },
+  { "SurfaceValue", &TickRecord::surfaceValue },
+  { "MediumValue", &TickRecord::mediumValue },
+  { "Stiffness", &TickRecord::stiffness },
+  { "Friction", &TickRecord::friction },
+  { "Viscosity", &TickRecord::viscosity },
+  { "SurfaceStrength", &TickRecord::surfaceStrength },
+};
+
+struct VectorArray
+{
+  const char* name;
+  Vec3 TickRecord::*member;
+};
+
+inline const VectorArray VectorArrays[] = {
+  { "Tip", &TickRecord::tip },
+  { "Force", &TickRecord::force },
+  { "Normal", &TickRecord::normal },
+};
+} // namespace reference
+
+#endif

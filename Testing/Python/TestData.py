@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""python3 TestData.py DATA_DIR: the committed data are what README.md there says they are."""
+
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
+
+VOLUMES = ("Slab", "Ball", "Cavity", "ThinWall", "HeadPhantom")
+PATHS = ("SlabPress", "SlabSlide", "BallCircle", "CavityCircle")
+
+
+def load(folder):
+    data = {}
+    for name in [f"{volume}.vti" for volume in VOLUMES] + [f"{path}.vtp" for path in PATHS]:
+        assert os.path.exists(os.path.join(folder, name)), f"{name} is missing"
+        reader = vtkXMLGenericDataObjectReader()
+        reader.SetFileName(os.path.join(folder, name))
+        reader.Update()
+        data[name[:-4]] = reader.GetOutput()
+    return data
+
+
+def array_of(data):
+    """The scalars of a volume, the positions of a path."""
+    return vtk_to_numpy(data.GetPointData().GetScalars() or data.GetPoints().GetData())
+
+
+def compare(old, new):
+    for name in VOLUMES + PATHS:
+        a, b = array_of(old[name]), array_of(new[name])
+        assert a.dtype == b.dtype and a.tobytes() == b.tobytes(), f"{name} is out of date"
+    for a, b in ((old[name], new[name]) for name in VOLUMES):
+        assert a.GetExtent() == b.GetExtent() and a.GetBounds() == b.GetBounds()
+        assert a.GetOrigin() == b.GetOrigin() and a.GetSpacing() == b.GetSpacing()
+    for path in (old[name] for name in PATHS):
+        assert path.GetCell(0).GetNumberOfPoints() == path.GetNumberOfPoints()
+
+
+def value(image, position):
+    """Trilinear interpolation, written out."""
+    cell = [(p - o) / s for p, o, s in zip(position, image.GetOrigin(), image.GetSpacing())]
+    low = [min(int(c), n - 2) for c, n in zip(cell, image.GetDimensions())]
+    total = 0.0
+    for corner in range(8):
+        bits = [(corner >> axis) & 1 for axis in range(3)]
+        weight = math.prod(abs(c - i - 1 + b) for c, i, b in zip(cell, low, bits))
+        total += weight * image.GetScalarComponentAsDouble(*map(sum, zip(low, bits)), 0)
+    return total
+
+
+def check_field(image, kind, formula, at_voxels, between, smooth=lambda *p: True):
+    assert array_of(image).dtype == kind
+    box = image.GetBounds()
+    for _ in range(500):
+        voxel = image.GetPoint(random.randrange(image.GetNumberOfPoints()))
+        assert abs(value(image, voxel) - formula(*voxel)) <= at_voxels, voxel
+        position = [random.uniform(a, b) for a, b in zip(box[::2], box[1::2])]
+        if smooth(*position):
+            assert abs(value(image, position) - formula(*position)) <= between, position
+
+
+def wall(x, y, z):
+    return 1000.0 * (math.erf((z + 0.5) / math.sqrt(2.0)) - math.erf((z - 0.5) / math.sqrt(2.0)))
+
+
+def cavity(x, y, z):
+    return 100.0 * max(-8.0, min(8.0, math.hypot(x, y, z) - 20.0))
+
+
+def check_path(points, corners, radius=0.0, ticks=0, turns=0):
+    """Straight lines of 0.1 mm a tick through the corners, then turns of a circle about z."""
+    expected = [corners[0]]
+    for a, b in zip(corners, corners[1:]):
+        n = round(10 * math.dist(a, b))
+        expected += [[s + (e - s) * i / n for s, e in zip(a, b)] for i in range(1, n + 1)]
+    angles = [2.0 * math.pi * i / ticks for i in range(1, turns * ticks + 1)]
+    expected += [(radius * math.cos(a), radius * math.sin(a), 0.0) for a in angles]
+    assert len(points) == len(expected) and abs(points - expected).max() < 1e-8
+
+
+def check_head(image):
+    assert image.GetDimensions() == (64, 64, 64) and image.GetSpacing() == (3.75, 3.75, 3.75)
+    values = array_of(image).reshape(64, 64, 64)
+    assert values.min() == -1000 and 1500 < values.max() < 2300
+    assert (values[-2:] == -1000).all() and (values[0] > -1000).any()  # air above, a cut neck
+    for low, high, few in ((-150, -30, 4000), (-10, 15, 500), (20, 80, 15000), (300, 3000, 9000)):
+        assert ((values >= low) & (values <= high)).sum() > few, (low, high)
+    assert value(image, (0, -95, -25)) > -300 > value(image, (0, 105, -25))  # the nose: -y is front
+    assert value(image, (14, -63, 26)) < value(image, (-14, -63, 26)) - 200  # larger sinus: +x left
+    for a in (i * math.pi / 8 for i in range(16)):  # air, scalp, skull, brain, inwards
+        ray = [value(image, (r * math.cos(a), 8 + r * math.sin(a), 50)) for r in range(105, 30, -1)]
+        bone = next(i for i, hu in enumerate(ray) if hu > 300)
+        assert ray[0] < -990 and max(ray) > 600 and 20 < ray[-1] < 50, a
+        assert sum(-500 < hu < 300 for hu in ray[:bone]) >= 3, a
+
+
+def main(folder):
+    random.seed(1)
+    committed = load(folder)
+    with tempfile.TemporaryDirectory() as fresh:
+        command = [sys.executable, os.path.join(folder, "generate.py"), fresh]
+        subprocess.run(command, check=True)
+        compare(committed, load(fresh))
+        subprocess.run([*command, "--noise", "20"], check=True)
+        noisy, clean = (array_of(d["HeadPhantom"]) for d in (load(fresh), committed))
+    assert 19.5 < (noisy - clean)[clean > -500].std() < 20.5
+    check_field(committed["Slab"], "f8", lambda x, y, z: 100.0 * z, 0.0, 1e-9)
+    # Interpolation errs by at most an eighth of the second derivatives' sum, here 200 / |p|.
+    inside = lambda *p: 14 < math.hypot(*p) < 26
+    check_field(committed["Ball"], "f4", lambda *p: -cavity(*p), 1e-4, 1.8, inside)
+    check_field(committed["Cavity"], "f4", cavity, 1e-4, 1.8, inside)
+    check_field(committed["ThinWall"], "i2", wall, 0.5, 89.0)
+    check_head(committed["HeadPhantom"])
+    press, slide, ball_circle, cavity_circle = (array_of(committed[name]) for name in PATHS)
+    check_path(press, [(0, 0, 0), (0, 0, 10), (0, 0, 0)])
+    check_path(slide, [(0, 0, 0), (0, 0, 3), (10, 0, 3), (0, 0, 3)])
+    check_path(ball_circle, [(20, 0, 0), (18, 0, 0)], 18.0, 1000, 1)
+    check_path(cavity_circle, [(20, 0, 0), (22, 0, 0)], 22.0, 1257, 7)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1]) if len(sys.argv) == 2 else sys.exit(__doc__)
