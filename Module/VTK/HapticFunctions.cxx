@@ -43,17 +43,26 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
   Subdivide(function, middle, b, tolerance, depth - 1, line);
 }
 
+/** Where a piece changes from its first to its second half. */
+double FindMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
+{
+  constexpr double margin = 1e-5; // as in vtkPiecewiseFunction
+  const double midpoint = std::clamp(a.Midpoint, margin, 1.0 - margin);
+  return function->GetUseLogScale() && a.X > 0.0 ? a.X * std::pow(b.X / a.X, midpoint)
+                                                 : a.X + midpoint * (b.X - a.X);
+}
+
 /** The piece between two nodes, without its end vertices. */
 void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Polyline& line)
 {
   // The same limits as in vtkPiecewiseFunction: nearly 0 is linear, nearly 1 is a step.
   constexpr double linear = 0.01;
   constexpr double step = 0.99;
-  const double middle = a.X + a.Midpoint * (b.X - a.X);
   if (!(a.X < b.X) || a.Y == b.Y)
   {
     return;
   }
+  const double middle = FindMiddle(function, a, b);
   if (a.Sharpness > step)
   {
     // At the step itself the function has its right-hand value already.
@@ -62,7 +71,7 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
     line.push_back({ before, b.Y });
     return;
   }
-  if (a.Sharpness < linear)
+  if (a.Sharpness < linear && !function->GetUseLogScale())
   {
     if (a.Midpoint != 0.5)
     {
@@ -104,8 +113,8 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
   }
   if (!function->GetClamping())
   {
-    const double before = std::nextafter(line.front().X, -HUGE_VAL);
-    line.insert(line.begin(), { { before, 0.0 }, { before, line.front().Y } });
+    // vtkPiecewiseFunction counts the first node as outside and the last one as inside.
+    line.insert(line.begin(), { line.front().X, 0.0 });
     line.push_back({ line.back().X, 0.0 });
   }
   return line;

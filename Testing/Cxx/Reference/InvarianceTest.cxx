@@ -9,7 +9,6 @@
 #include "RandomScene.h"
 
 #include <gtest/gtest.h>
-#include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -19,23 +18,6 @@ using namespace reference;
 
 namespace
 {
-// Gentle ramps over the field's values, -1 to 1: a steep edge would multiply the field's rounding.
-void RampMaterial(Scene& scene, bool constant)
-{
-  SetMaterial(scene, 500.0, 0.3, 0.2, 1.2);
-  if (!constant)
-  {
-    scene.property->GetStiffness()->AddPoint(1.0, 900.0);
-    scene.property->GetFriction()->AddPoint(1.0, 0.1);
-    scene.property->GetViscosity()->AddPoint(1.0, 0.4);
-    scene.property->GetSurfaceStrength()->AddPoint(1.0, 2.0);
-  }
-  vtkPiecewiseFunction* distinctness = scene.property->GetDistinctness();
-  distinctness->RemoveAllPoints();
-  distinctness->AddPoint(0.01, 0.1);
-  distinctness->AddPoint(0.2, 1.0);
-}
-
 Trace MovedBack(const Trace& trace, const Mat3& rotation, const Vec3& translation)
 {
   Trace back = trace;
@@ -62,9 +44,9 @@ TEST(Invariance, RigidMotionOfVolumeAndPath)
     scene.estimator = AllEstimators[seed % 3];
     scene.side = Side(seed / 3 % 3);
     const Geometry geometry = RandomGeometry(random, scene.kernelRadius);
-    const Field field = RandomField(random, geometry, 15.0);
+    const Field field = RandomField(random, geometry, 30.0);
     scene.image = Sample(geometry, field);
-    RampMaterial(scene, false);
+    GentleMaterial(scene, -1.0, 1.0);
     RandomWalk(scene, random, geometry, 150);
     const Trace first = RunFilter(scene);
 
@@ -98,8 +80,12 @@ TEST(Invariance, RegriddingALinearField)
     const Field linear = [&](const Vec3& x) { return Dot(slope, x); };
     Scene scene;
     scene.estimator = AllEstimators[seed % 3];
-    RampMaterial(scene, constantMaterial);
     scene.image = Sample(Cube(24.0, 2.0), linear);
+    GentleMaterial(scene, -1.0, 1.0);
+    if (constantMaterial)
+    {
+      SetMaterial(scene, 500.0, 0.3, 0.2, 1.2);
+    }
     Geometry walk = Cube(5.0, 1.0);
     RandomWalk(scene, random, walk, 150);
     for (Vec3& point : scene.path)

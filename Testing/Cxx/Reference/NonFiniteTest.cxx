@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>
-#include <vtkPointData.h>
 
 #include <limits>
 
@@ -33,6 +32,18 @@ bool IsFinite(const TickRecord& tick)
     finite = finite && std::isfinite(tick.*entry.member);
   }
   return finite;
+}
+
+// Not at the border, of which outside samples are made, nor next to it: see AZeroWeightIsNoSample.
+vtkIdType InnerVoxel(Random& random, const Geometry& geometry)
+{
+  vtkIdType id = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    const int size = geometry.extent[2 * axis + 1] - geometry.extent[2 * axis] + 1;
+    id = id * size + random.Integer(2, size - 3);
+  }
+  return id;
 }
 } // namespace
 
@@ -58,14 +69,11 @@ TEST_P(NonFinite, BadVoxelsAreFeltAsNothing)
     RandomVolume(scene, random, geometry, seed % 2 ? VTK_DOUBLE : VTK_FLOAT);
     RandomMaterial(scene, random, Curves::Linear);
     RandomWalk(scene, random, geometry, 150);
-    vtkPointData* pointData = scene.image->GetPointData();
-    vtkDataArray* scalars = scene.arrayName.empty() ? pointData->GetScalars()
-                                                    : pointData->GetArray(scene.arrayName.c_str());
+    vtkDataArray* scalars = FeltScalars(scene);
     for (int n = 0; n < 15; ++n)
     {
       const double bad[] = { NaN, Inf, -Inf };
-      scalars->SetComponent(
-        random.Integer(0, int(scalars->GetNumberOfTuples()) - 1), scene.component, bad[n % 3]);
+      scalars->SetComponent(InnerVoxel(random, geometry), scene.component, bad[n % 3]);
     }
     const Trace actual = RunFilter(scene);
     const Trace expected = RunReference(scene, &actual, true);
@@ -117,6 +125,25 @@ TEST_P(NonFinite, TheBorderValueStandsIn)
     }
     EXPECT_GE(tick.value, 7.0); // a spline may blend it with the neighbours
     EXPECT_LE(tick.value, 100.0);
+  }
+}
+
+// Outside, a trilinear value is that of the border alone, whatever its inner neighbour holds.
+TEST_P(NonFinite, AZeroWeightIsNoSample)
+{
+  if (this->GetParam() == Estimator::CubicBSpline)
+  {
+    GTEST_SKIP() << "a spline's value at the border has its inner neighbour in it";
+  }
+  Scene scene;
+  scene.estimator = this->GetParam();
+  scene.image =
+    Sample(Cube(8.0, 1.0), [](const Vec3& x) { return x[0] == 7.0 ? Inf : 10.0 * x[0]; });
+  SetMaterial(scene, 500.0, 0.0, 0.0, 0.0);
+  scene.path = { { { 9.0, 0.25, 0.5 } }, { { 8.5, 0.25, 0.5 } } };
+  for (const TickRecord& tick : RunFilter(scene))
+  {
+    EXPECT_NEAR(tick.value, 80.0, 1e-9);
   }
 }
 

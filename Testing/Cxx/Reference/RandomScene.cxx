@@ -57,9 +57,17 @@ Geometry RandomGeometry(Random& random, int kernelRadius)
   return geometry;
 }
 
-void RandomVolume(Scene& scene, Random& random, const Geometry& geometry, int scalarType)
+vtkDataArray* FeltScalars(const Scene& scene)
 {
-  const Field smooth = RandomField(random, geometry);
+  vtkPointData* pointData = scene.image->GetPointData();
+  return scene.arrayName.empty() ? pointData->GetScalars()
+                                 : pointData->GetArray(scene.arrayName.c_str());
+}
+
+void RandomVolume(
+  Scene& scene, Random& random, const Geometry& geometry, int scalarType, double shortest)
+{
+  const Field smooth = RandomField(random, geometry, shortest);
   const double noise = random.Chance(0.5) ? 0.03 : 0.0;
   const bool isUnsigned = scalarType == VTK_UNSIGNED_CHAR || scalarType == VTK_UNSIGNED_SHORT;
   const double amplitude = scalarType == VTK_UNSIGNED_CHAR ? 160.0 : 1000.0;
@@ -118,10 +126,7 @@ static void RandomFunction(vtkPiecewiseFunction* function, Random& random, Curve
 void RandomMaterial(Scene& scene, Random& random, Curves curves)
 {
   double range[2];
-  vtkPointData* pointData = scene.image->GetPointData();
-  vtkDataArray* scalars = scene.arrayName.empty() ? pointData->GetScalars()
-                                                  : pointData->GetArray(scene.arrayName.c_str());
-  scalars->GetRange(range, scene.component);
+  FeltScalars(scene)->GetRange(range, scene.component);
   const double* s = scene.image->GetSpacing();
   const double steepest = 0.2 * (range[1] - range[0]) / std::min({ s[0], s[1], s[2] });
   vtkHapticProperty* p = scene.property;
@@ -129,10 +134,31 @@ void RandomMaterial(Scene& scene, Random& random, Curves curves)
   RandomFunction(p->GetStiffness(), random, curves, range[0], range[1], floor, 1500.0);
   RandomFunction(p->GetFriction(), random, curves, range[0], range[1], 0.0, 0.8);
   RandomFunction(p->GetViscosity(), random, curves, range[0], range[1], 0.0, 0.5);
-  RandomFunction(p->GetSurfaceStrength(), random, curves, range[0], range[1], 0.0,
-    random.Chance(0.1) ? 1e6 : 3.0);
+  // A table's error is relative to the height of a function's piece: a curve up to a million
+  // newtons is too coarse for a hand.
+  const bool huge = curves == Curves::Linear && random.Chance(0.1);
+  RandomFunction(
+    p->GetSurfaceStrength(), random, curves, range[0], range[1], 0.0, huge ? 1e6 : 3.0);
   vtkPiecewiseFunction* distinctness = p->GetDistinctness();
   RandomFunction(distinctness, random, curves, 0.0, steepest, 0.0, 1.0);
+}
+
+static void Ramp(vtkPiecewiseFunction* function, double x0, double y0, double x1, double y1)
+{
+  function->RemoveAllPoints();
+  function->AddPoint(x0, y0);
+  function->AddPoint(x1, y1);
+}
+
+void GentleMaterial(Scene& scene, double low, double high)
+{
+  Ramp(scene.property->GetStiffness(), low, 500.0, high, 700.0);
+  Ramp(scene.property->GetFriction(), low, 0.4, high, 0.2);
+  Ramp(scene.property->GetViscosity(), low, 0.1, high, 0.15);
+  Ramp(scene.property->GetSurfaceStrength(), low, 0.3, high, 0.5);
+  const double* s = scene.image->GetSpacing();
+  const double slope = 0.1 * (high - low) / std::max({ s[0], s[1], s[2] });
+  Ramp(scene.property->GetDistinctness(), 0.1 * slope, 0.1, slope, 1.0);
 }
 
 void RandomWalk(Scene& scene, Random& random, const Geometry& geometry, int ticks)

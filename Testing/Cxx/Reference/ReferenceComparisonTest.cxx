@@ -55,13 +55,18 @@ TEST(ReferenceComparison, EveryTickAgrees)
   std::cout << "worst relative difference of a tick: " << worst << std::endl;
 }
 
-// The same over whole walks, where differences could pile up.
+// The same over whole walks, where differences could pile up. The material is
+// gentle, for the paper's tick
+// itself can multiply a difference at every step: its drag does where the stiffness falls steeply.
 TEST(ReferenceComparison, EveryWalkAgrees)
 {
   double worst = 0.0;
   for (int seed = 0; seed < Scenes; ++seed)
   {
     const auto scene = MakeScene(seed, Curves::Linear);
+    double range[2];
+    FeltScalars(*scene)->GetRange(range, scene->component);
+    GentleMaterial(*scene, range[0], range[1]);
     const Trace actual = RunFilter(*scene);
     const Difference difference = CompareTraces(RunReference(*scene, &actual), actual);
     EXPECT_LE(difference.worst, 1e-9) << Describe(seed, *scene) << ": " << difference.text;

@@ -240,7 +240,8 @@ Vec3 ReferenceField::Gradient(const Vec3& world) const
 
 double ReferenceField::GradientFloor(const Vec3& world) const
 {
-  return 1e-12 * std::abs(this->Value(world)) / this->LargestSpacing;
+  const double value = this->Value(world);
+  return std::isfinite(value) ? 1e-12 * std::abs(value) / this->LargestSpacing : 0.0;
 }
 
 double ReferenceField::BorderFade(const Vec3& world) const

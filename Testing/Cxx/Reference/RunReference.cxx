@@ -50,6 +50,8 @@ Trace RunReference(Scene& scene, const Trace* played, bool resume)
     if (tick == 0)
     {
       record.force = Vec3();
+      record.normalForce = 0.0;
+      record.dragForce = 0.0;
     }
     record.time = tick / scene.servoRate;
     trace.push_back(record);

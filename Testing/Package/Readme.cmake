@@ -1,0 +1,20 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The README's examples are the files that the other tests build and run, to the letter.
+cmake_minimum_required(VERSION 3.18)
+get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+file(READ "${root}/README.md" readme)
+foreach (pair IN ITEMS "Examples/Cxx/FirstTouch.cxx|{\n" "Examples/Python/first_touch.py|import vtkLineSource\n")
+  string(REPLACE "|" ";" pair "${pair}")
+  list(GET pair 0 file)
+  list(GET pair 1 start)
+  file(READ "${root}/${file}" code)
+  # What counts is the code behind the includes.
+  string(FIND "${code}" "${start}" from)
+  string(SUBSTRING "${code}" ${from} -1 code)
+  string(FIND "${readme}" "${code}" found)
+  if (from LESS 0 OR found LESS 0)
+    message(SEND_ERROR "README.md does not show ${file} as it is.")
+  endif ()
+endforeach ()

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs a build tree into a fresh prefix, builds Examples/Cxx against it as any other project would,
+# and runs the README's examples from there.
+# usage: install.sh SOURCE_DIR BUILD_DIR WRAPPED_FOR_PYTHON
+set -euo pipefail
+
+source_dir=$1
+build_dir=$2
+python=$3
+work=$build_dir/Testing/Package/install
+prefix=$work/prefix
+head=$source_dir/Data/HeadPhantom.vti
+
+rm -rf "$work"
+mkdir -p "$work"
+cmake --install "$build_dir" --prefix "$prefix" >"$work/install.log"
+config=$(find "$prefix" -name VolumeHapticsConfig.cmake)
+sanitize=$(sed -n 's/^VolumeHaptics_SANITIZE:STRING=//p' "$build_dir/CMakeCache.txt")
+cmake -S "$source_dir/Examples/Cxx" -B "$work/examples" -G Ninja \
+  -DVolumeHaptics_DIR="$(dirname "$config")" -DVolumeHapticsExamples_EXPLORE=OFF \
+  ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure.log"
+cmake --build "$work/examples" >"$work/build.log"
+from_cxx=$("$work/examples/first-touch" "$head")
+echo "C++:    $from_cxx"
+case $from_cxx in
+  0\ N | '') echo "first-touch felt nothing" >&2; exit 1 ;;
+esac
+
+# The headers that are installed are those of the public classes, and nothing internal.
+installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
+expected=$(cd "$source_dir/Module/VTK" && ls vtk*.h | grep -v Compat | sort)
+if [ "$installed" != "$expected" ]; then
+  printf 'installed headers:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
+  exit 1
+fi
+
+if [ "$python" = ON ]; then
+  package=$(find "$prefix" -path '*/volumehaptics/__init__.py')
+  site=$(dirname "$(dirname "$package")")
+  from_python=$(PYTHONPATH=$site /usr/bin/python3 "$source_dir/Examples/Python/first_touch.py" "$head")
+  echo "Python: $from_python"
+  [ "${from_cxx%.*}" = "${from_python%%.*}" ] ||
+    { echo "C++ and Python disagree" >&2; exit 1; }
+fi

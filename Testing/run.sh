@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs what is missing, builds everything and runs every test.
+#
+# usage: Testing/run.sh [--full] [BUILD_DIR]
+#
+# Without --full, a short form of the sanitizer run follows the tests; with it, all C++ tests run under
+# the address and undefined-behaviour sanitizers, and the benchmark prints its ratios.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+full=no
+build_dir=$root/build/test
+for argument in "$@"; do
+  case $argument in
+    --full) full=yes ;;
+    -h | --help) sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    -*) echo "$0: unknown option $argument; try --help" >&2; exit 2 ;;
+    *) build_dir=$argument ;;
+  esac
+done
+
+# shellcheck source=../CMake/install-packages.sh
+source "$root/CMake/install-packages.sh"
+require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
+  libgl1-mesa-dri libgtest-dev libbenchmark-dev
+
+jobs=$(nproc)
+# Without a display, or with somebody's: tests always render off to the side.
+run_tests() { xvfb-run -a ctest --test-dir "$1" --output-on-failure "${@:2}"; }
+
+echo "== Building in $build_dir"
+cmake -S "$root" -B "$build_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
+cmake --build "$build_dir" -j "$jobs"
+
+echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
+cmake -S "$root" -B "$build_dir-sanitize" -G Ninja -DBUILD_TESTING=ON \
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DVolumeHaptics_WRAP_PYTHON=OFF \
+  -DVolumeHaptics_SANITIZE=address,undefined
+if [ $full = yes ]; then
+  cmake --build "$build_dir-sanitize" -j "$jobs"
+  run_tests "$build_dir-sanitize" -LE package
+else
+  cmake --build "$build_dir-sanitize" -j "$jobs" --target VolumeHapticsSanitizerTests
+  run_tests "$build_dir-sanitize" -L sanitizer-short
+fi
+
+if [ $full = yes ]; then
+  echo "== Benchmark"
+  "$build_dir/bin/volumehaptics-benchmark"
+fi
+
+echo "== Tests"
+run_tests "$build_dir"
