@@ -13,6 +13,8 @@
 #include "FieldSampler.h"
 #include "SeparableSum.h"
 
+#include <type_traits>
+
 namespace VolumeHaptics
 {
 namespace
@@ -53,7 +55,26 @@ VOLUME_HAPTICS_INLINE double Trilinear(const VolumeView& view, double x, double 
   };
   const double near = along(p) + ay.Fraction * (along(p + sy) - along(p));
   const double far = along(p + sz) + ay.Fraction * (along(p + sy + sz) - along(p + sz));
-  return near + az.Fraction * (far - near);
+  const double value = near + az.Fraction * (far - near);
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    if (!IsNumber(value))
+    {
+      // A sample that is not a number but has no weight does not count.
+      const double wx[2] = { 1.0 - ax.Fraction, ax.Fraction };
+      const double wy[2] = { 1.0 - ay.Fraction, ay.Fraction };
+      const double wz[2] = { 1.0 - az.Fraction, az.Fraction };
+      double sum = 0.0;
+      for (int i = 0; i < 8; ++i)
+      {
+        const double weight = wx[i & 1] * wy[(i >> 1) & 1] * wz[i >> 2];
+        const T tap = p[(i & 1) * sx + ((i >> 1) & 1) * sy + (i >> 2) * sz];
+        sum += weight == 0.0 ? 0.0 : weight * static_cast<double>(tap);
+      }
+      return sum;
+    }
+  }
+  return value;
 }
 
 template <typename T>
@@ -188,7 +209,9 @@ FieldSample WideGaussianGradient(
       double rowX = 0.0;
       for (int i = 0; i < taps; ++i)
       {
-        const double tap = static_cast<double>(from[offset[0][i]]);
+        const bool counts = HasWeight(smooth[0], slope[0], i) &&
+          HasWeight(smooth[1], slope[1], j) && HasWeight(smooth[2], slope[2], k);
+        const double tap = counts ? static_cast<double>(from[offset[0][i]]) : 0.0;
         rowValue += smooth[0][i] * tap;
         rowX += slope[0][i] * tap;
       }

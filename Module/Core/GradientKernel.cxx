@@ -12,7 +12,7 @@ namespace VolumeHaptics
 void ComputeGaussianWeights(int radius, double fraction, double* smoothing, double* derivative)
 {
   const int taps = 2 * (radius + 1);
-  const double s = 0.5 * radius;
+  const double s = GradientKernel::ScalePerRadius * radius;
   const double cut = radius + 1.0;
   const double scale = 1.0 / (2.0 * s * s);
   const double end = std::exp(-cut * cut * scale);
@@ -22,7 +22,7 @@ void ComputeGaussianWeights(int radius, double fraction, double* smoothing, doub
   for (int i = 0; i < taps; ++i)
   {
     const double t = (i - radius) - fraction;
-    const double w = std::exp(-t * t * scale) - end * (1.0 + (cut * cut - t * t) * scale);
+    const double w = std::exp(-t * t * scale) - end;
     smoothing[i] = w;
     sum += w;
     first += w * t;

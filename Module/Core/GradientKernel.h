@@ -12,10 +12,11 @@
  *
  * All of them are evaluated at the continuous position and reproduce a linear field exactly.
  *
- * The Gaussian has the scale s = Radius / 2 voxels and is cut at c = Radius + 1 voxels, where
- * w(t) = G(t) - G(c) (1 + (c^2 - t^2) / (2 s^2)) brings value and slope to zero: the estimated
- * gradient has a continuous derivative, and no tap enters or leaves with a step. With m the mean of
- * the tap offsets t_i under w, the weights along an axis are
+ * The Gaussian has the scale s = 0.53 Radius voxels and is cut at c = Radius + 1 voxels, where
+ * w(t) = exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero: no tap enters or leaves with a step. The
+ * factor makes up for the cut: at the default radius of 2 white noise of one unit gives a gradient with
+ * a standard deviation of 0.106 units per voxel, as an uncut Gaussian of scale Radius / 2 does. With m
+ * the mean of the tap offsets t_i under w, the weights along an axis are
  *   smoothing   w_i / sum w,
  *   derivative  w_i (t_i - m) / sum w (t - m)^2,
  * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
@@ -48,9 +49,11 @@ struct KernelView
 struct GradientKernel
 {
   static constexpr int MaximumRadius = 16;
+  /** Scale of the Gaussian, in radii. */
+  static constexpr double ScalePerRadius = 0.53;
   static constexpr int MaximumTaps = 2 * (MaximumRadius + 1);
   /** Intervals of the sub-voxel fraction: the Hermite error of a weight is below 1e-10. */
-  static constexpr int Intervals = 256;
+  static constexpr int Intervals = 512;
 
   GradientEstimator Estimator = GradientEstimator::Gaussian;
   /** In voxels, 1 to MaximumRadius. */

@@ -18,32 +18,54 @@ double LargestColumn(const Matrix3& matrix)
   return std::max({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
 }
 
-Vector3 MakeFallbackNormal(const HapticModelDescription& d)
+Vector3 MakeFallbackNormal(const Matrix3& indexToDevice)
 {
-  const Vector3 axis = Transpose(Inverse(d.DeviceToWorld.Linear) * d.IndexToWorld.Linear).Row[2];
+  const Vector3 axis = Transpose(indexToDevice).Row[2];
   return (1.0 / Norm(axis)) * axis;
 }
 
 } // namespace
 
-HapticModel::HapticModel(const HapticModelDescription& d)
-  : Settings(d.Settings)
-  , Kernel(d.Estimator, d.KernelRadius)
+HapticModel::Baked::Baked(const HapticModelDescription& d)
+  : Kernel(d.Estimator, d.KernelRadius)
   , Field(d.View, this->Kernel)
   , Materials({ d.Material.Stiffness, d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })
   , Distinctness({ d.Material.Distinctness, d.Material.GradientVisibility })
-  , DeviceToWorld(d.DeviceToWorld)
-  , WorldToDevice(Inverse(d.DeviceToWorld))
-  , DeviceToIndex(Compose(Inverse(d.IndexToWorld), d.DeviceToWorld))
-  , DeviceToWorldRotation((1.0 / SimilarityScale(d.DeviceToWorld)) * d.DeviceToWorld.Linear)
-  // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.
-  , GradientToDevice(
-      Transpose(this->DeviceToWorldRotation) * Transpose(Inverse(d.IndexToWorld.Linear)))
-  , FallbackNormal(MakeFallbackNormal(d))
-  , KernelLength(
-      this->Kernel.Radius * LargestColumn(d.IndexToWorld.Linear) / SimilarityScale(d.DeviceToWorld))
+  , IndexToWorld(d.IndexToWorld)
+  , Settings(d.Settings)
   , Samples(d.Samples)
+{
+}
+
+HapticModel::HapticModel(const HapticModelDescription& description)
+  : HapticModel(std::make_shared<const Baked>(description), description.DeviceToWorld)
+{
+}
+
+HapticModel::HapticModel(const HapticModel& other, const Affine3& deviceToWorld)
+  : HapticModel(other.Shared, deviceToWorld)
+{
+}
+
+HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& deviceToWorld)
+  : Shared(std::move(baked))
+  , Settings(this->Shared->Settings)
+  , Kernel(this->Shared->Kernel)
+  , Field(this->Shared->Field)
+  , Materials(this->Shared->Materials)
+  , Distinctness(this->Shared->Distinctness)
+  , DeviceToWorld(deviceToWorld)
+  , WorldToDevice(Inverse(deviceToWorld))
+  , DeviceToIndex(Compose(Inverse(this->Shared->IndexToWorld), deviceToWorld))
+  , DeviceToWorldRotation((1.0 / SimilarityScale(deviceToWorld)) * deviceToWorld.Linear)
+  // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.
+  , GradientToDevice(Transpose(this->DeviceToWorldRotation) *
+      Transpose(Inverse(this->Shared->IndexToWorld.Linear)))
+  , FallbackNormal(
+      MakeFallbackNormal(Inverse(deviceToWorld.Linear) * this->Shared->IndexToWorld.Linear))
+  , KernelLength(this->Kernel.Radius * LargestColumn(this->Shared->IndexToWorld.Linear) /
+      SimilarityScale(deviceToWorld))
 {
 }
 
@@ -59,7 +81,7 @@ double HapticModel::BorderFade(const Vector3& index) const noexcept
 
 std::size_t HapticModel::GetMemorySize() const noexcept
 {
-  return sizeof(*this) + this->Kernel.Table.capacity() * sizeof(double) +
+  return sizeof(*this) + sizeof(Baked) + this->Kernel.Table.capacity() * sizeof(double) +
     this->Materials.GetMemorySize() - sizeof(this->Materials) + this->Distinctness.GetMemorySize() -
     sizeof(this->Distinctness);
 }

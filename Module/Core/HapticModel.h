@@ -41,6 +41,7 @@ struct HapticSettings
   HapticMethod Method = HapticMethod::Proxy;
   SurfaceSide Side = SurfaceSide::Higher;
   double TickPeriod = 1e-3;       ///< s
+  double MaximumStiffness = 0.0;  ///< N/m, a cap on k; 0 does not cap
   double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
@@ -74,17 +75,39 @@ class HapticModel
 {
 public:
   explicit HapticModel(const HapticModelDescription& description);
+  /** The same volume, material and settings, with the device placed elsewhere. Bakes nothing anew.
+   */
+  HapticModel(const HapticModel& other, const Affine3& deviceToWorld);
   HapticModel(const HapticModel&) = delete;
   HapticModel& operator=(const HapticModel&) = delete;
 
   /** Below this stiffness (N/m) nothing is felt: the proxy follows the tip. */
   static constexpr double MinimumStiffness = 1e-3;
 
-  const HapticSettings Settings;
-  const GradientKernel Kernel;
-  const FieldSampler Field;
-  const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
-  const DistinctnessTable Distinctness; ///< channels W_d, visibility
+private:
+  /** What does not depend on where the device is. */
+  struct Baked
+  {
+    explicit Baked(const HapticModelDescription& description);
+
+    const GradientKernel Kernel;
+    const FieldSampler Field;
+    const MaterialTable Materials;
+    const DistinctnessTable Distinctness;
+    const Affine3 IndexToWorld;
+    const HapticSettings Settings;
+    const std::shared_ptr<const void> Samples;
+  };
+  HapticModel(std::shared_ptr<const Baked> baked, const Affine3& deviceToWorld);
+
+  const std::shared_ptr<const Baked> Shared;
+
+public:
+  const HapticSettings& Settings;
+  const GradientKernel& Kernel;
+  const FieldSampler& Field;
+  const MaterialTable& Materials;        ///< channels k, mu, T_N, R, visibility
+  const DistinctnessTable& Distinctness; ///< channels W_d, visibility
   const Affine3 DeviceToWorld;
   const Affine3 WorldToDevice;
   const Affine3 DeviceToIndex;
@@ -107,9 +130,6 @@ public:
 
   /** Bytes beyond the image. */
   std::size_t GetMemorySize() const noexcept;
-
-private:
-  const std::shared_ptr<const void> Samples;
 };
 
 } // namespace VolumeHaptics

@@ -24,6 +24,12 @@ namespace VolumeHaptics
 namespace
 {
 
+/** False for NaN and infinities. Not std::isfinite: see FieldKernels.h. */
+VOLUME_HAPTICS_INLINE bool IsNumber(double x)
+{
+  return x - x == 0.0;
+}
+
 #if defined(__GNUC__)
 typedef double Pack4 __attribute__((vector_size(32)));
 

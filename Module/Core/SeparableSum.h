@@ -10,6 +10,8 @@
 #include "FieldSampler.h"
 #include "Pack4.h"
 
+#include <type_traits>
+
 namespace VolumeHaptics
 {
 namespace
@@ -134,30 +136,27 @@ VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axi
   return (tap < 0 ? 0 : (tap < last ? tap : last)) * view.Stride[axis];
 }
 
-template <typename T, int N, Layout L, bool WithGradient>
-VOLUME_HAPTICS_INLINE FieldSample Separable(const VolumeView& view, const Footprint<N>& foot)
+/** Whether a tap of an axis counts: one without weight may be NaN. */
+VOLUME_HAPTICS_INLINE bool HasWeight(const double* smooth, const double* slope, int tap)
 {
-  const T* const data = static_cast<const T*>(view.Data);
-  const std::int64_t* const n = view.Dimensions;
-  const std::int64_t* const first = foot.First;
-  if (first[0] >= 0 && first[1] >= 0 && first[2] >= 0 && first[0] + N <= n[0] &&
-    first[1] + N <= n[1] && first[2] + N <= n[2])
-  {
-    const std::int64_t* const stride = view.Stride;
-    const T* const corner =
-      data + first[0] * stride[0] + first[1] * stride[1] + first[2] * stride[2];
-    return SumRows<N, WithGradient>(foot,
-      [&](int k, int j, Row<N>& row)
-      { LoadRow<T, N, L>(corner + k * stride[2] + j * stride[1], stride[0], row); });
-  }
+  return smooth[tap] != 0.0 || slope[tap] != 0.0;
+}
+
+/** With every tap clamped to the border, and taps without weight left out. */
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_INLINE FieldSample CarefulSum(const VolumeView& view, const Footprint<N>& foot)
+{
   std::int64_t offset[3][N];
+  bool counts[3][N];
   for (int a = 0; a < 3; ++a)
   {
     for (int i = 0; i < N; ++i)
     {
-      offset[a][i] = ClampedOffset(view, a, first[a] + i);
+      offset[a][i] = ClampedOffset(view, a, foot.First[a] + i);
+      counts[a][i] = HasWeight(foot.Smooth[a], foot.Slope[a], i);
     }
   }
+  const T* const data = static_cast<const T*>(view.Data);
   return SumRows<N, WithGradient>(foot,
     [&](int k, int j, Row<N>& row)
     {
@@ -165,10 +164,32 @@ VOLUME_HAPTICS_INLINE FieldSample Separable(const VolumeView& view, const Footpr
       const T* const from = data + offset[2][k] + offset[1][j];
       for (int i = 0; i < N; ++i)
       {
-        taps[i] = from[offset[0][i]];
+        taps[i] = counts[2][k] && counts[1][j] && counts[0][i] ? from[offset[0][i]] : T(0);
       }
       LoadRow<T, N, Layout::Contiguous>(taps, 1, row);
     });
+}
+
+template <typename T, int N, Layout L, bool WithGradient>
+VOLUME_HAPTICS_INLINE FieldSample Separable(const VolumeView& view, const Footprint<N>& foot)
+{
+  const std::int64_t* const n = view.Dimensions;
+  const std::int64_t* const first = foot.First;
+  if (first[0] >= 0 && first[1] >= 0 && first[2] >= 0 && first[0] + N <= n[0] &&
+    first[1] + N <= n[1] && first[2] + N <= n[2])
+  {
+    const std::int64_t* const stride = view.Stride;
+    const T* const corner = static_cast<const T*>(view.Data) + first[0] * stride[0] +
+      first[1] * stride[1] + first[2] * stride[2];
+    const FieldSample sample = SumRows<N, WithGradient>(foot,
+      [&](int k, int j, Row<N>& row)
+      { LoadRow<T, N, L>(corner + k * stride[2] + j * stride[1], stride[0], row); });
+    if (!std::is_floating_point_v<T> || IsNumber(sample.Value))
+    {
+      return sample;
+    }
+  }
+  return CarefulSum<T, N, WithGradient>(view, foot);
 }
 
 } // namespace

@@ -60,7 +60,8 @@ void ReadMaterials(
   const MaterialTable::Values surface = model.Materials(record.SurfaceValue);
   const MaterialTable::Values medium = model.Materials(record.MediumValue);
   const DistinctnessTable::Values distinct = model.Distinctness(record.GradientMagnitude);
-  record.Stiffness = surface[0];
+  const double cap = model.Settings.MaximumStiffness;
+  record.Stiffness = cap > 0.0 ? std::min(surface[0], cap) : surface[0];
   record.Friction = surface[1];
   record.SurfaceStrength = surface[2] * (distinct[0] * fade) * (surface[4] * distinct[1]);
   record.Viscosity = medium[3] * (medium[4] * distinct[1]);
@@ -91,6 +92,12 @@ void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) 
 
   const double push = Dot(tip - proxy, normal);
   const double threshold = push > 0.0 ? record.SurfaceStrength : 0.0;
+  if (threshold == 0.0 && record.Viscosity == 0.0)
+  {
+    // Nothing holds the proxy, and the moves below would bring it to the tip but for rounding.
+    record.Proxy = tip;
+    return;
+  }
   const bool through = k * std::abs(push) > threshold;
   if (through)
   {
@@ -184,6 +191,11 @@ void Tick(
   {
     record.Force = (limit / norm) * record.Force;
   }
+}
+
+void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept
+{
+  state.Proxy = to.WorldToDevice(from.DeviceToWorld(state.Proxy));
 }
 
 } // namespace VolumeHaptics

@@ -60,6 +60,12 @@ struct TickRecord
 void Tick(
   const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept;
 
+/**
+ * Takes the state from one placement of the device to another. The proxy rests on the volume: when the
+ * volume moves under the hand, it goes along.
+ */
+void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept;
+
 } // namespace VolumeHaptics
 
 #endif

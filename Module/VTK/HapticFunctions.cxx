@@ -22,9 +22,14 @@ struct Node
 };
 
 /** Vertices of a curve strictly between two given ones, added where the chord is too far off. */
-void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double tolerance,
+void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
   int depth, Polyline& line)
 {
+  // Below the documented bounds, since the chord is checked at three places only. A value that is tiny
+  // against the piece's height must be right, too, but for the last digits near zero.
+  const double value = std::min(std::abs(a.Y), std::abs(b.Y));
+  const double tolerance =
+    std::clamp(0.25 * CurveValueTolerance * value, 1e-9 * height, 0.25 * CurveTolerance * height);
   const auto at = [&](double share)
   {
     const double x = a.X + share * (b.X - a.X);
@@ -38,9 +43,9 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
   {
     return;
   }
-  Subdivide(function, a, middle, tolerance, depth - 1, line);
+  Subdivide(function, a, middle, height, depth - 1, line);
   line.push_back(middle);
-  Subdivide(function, middle, b, tolerance, depth - 1, line);
+  Subdivide(function, middle, b, height, depth - 1, line);
 }
 
 /** Where a piece changes from its first to its second half. */
@@ -80,12 +85,11 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
     return;
   }
   constexpr int depth = 14;
-  // Below the documented bound, since the chord is checked at three places only.
-  const double tolerance = 0.25 * CurveTolerance * std::abs(b.Y - a.Y);
+  const double height = std::abs(b.Y - a.Y);
   const Vertex kink{ middle, function->GetValue(middle) };
-  Subdivide(function, { a.X, a.Y }, kink, tolerance, depth, line);
+  Subdivide(function, { a.X, a.Y }, kink, height, depth, line);
   line.push_back(kink);
-  Subdivide(function, kink, { b.X, b.Y }, tolerance, depth, line);
+  Subdivide(function, kink, { b.X, b.Y }, height, depth, line);
 }
 
 } // namespace

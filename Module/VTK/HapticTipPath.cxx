@@ -3,6 +3,7 @@
 #include "HapticTipPath.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -90,6 +91,77 @@ void Resample(vtkPolyData* path, const std::vector<double>& times, double period
   }
 }
 
+/** An array of a recording, or null where it is missing or has another shape. */
+vtkDataArray* FindArray(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
+{
+  vtkDataArray* const array = data->GetArray(name);
+  return array && array->GetNumberOfComponents() == components &&
+      (tuples < 0 ? array->GetNumberOfTuples() > 0 : array->GetNumberOfTuples() == tuples)
+    ? array
+    : nullptr;
+}
+
+Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
+{
+  return { array->GetComponent(tuple, first), array->GetComponent(tuple, first + 1),
+    array->GetComponent(tuple, first + 2) };
+}
+
+/** False where the path is not a whole recording. */
+bool ReadRecording(vtkPolyData* path, TipPath& result)
+{
+  constexpr int anyNumber = -1;
+  constexpr int stateSize = 7;
+  constexpr int matrixSize = 16;
+  const vtkIdType n = path->GetNumberOfPoints();
+  vtkPointData* const points = path->GetPointData();
+  vtkDataArray* const tips = FindArray(points, RecordingNames::DeviceTip, 3, n);
+  vtkDataArray* const enabled = FindArray(points, RecordingNames::Enabled, 1, n);
+  vtkDataArray* const placement = FindArray(points, RecordingNames::Placement, 1, n);
+  vtkDataArray* const times = FindArray(points, "Time", 1, n);
+  vtkDataArray* const matrices =
+    FindArray(path->GetFieldData(), RecordingNames::DeviceToWorld, matrixSize, anyNumber);
+  vtkDataArray* const state =
+    FindArray(path->GetFieldData(), RecordingNames::InitialState, stateSize, 1);
+  if (!tips || !enabled || !placement || !times || !matrices || !state)
+  {
+    return false;
+  }
+  result.IsRecording = true;
+  for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
+  {
+    Affine3 map;
+    for (int row = 0; row < 3; ++row)
+    {
+      map.Linear.Row[row] = ReadVector(matrices, i, 4 * row);
+    }
+    map.Offset = { matrices->GetComponent(i, 3), matrices->GetComponent(i, 7),
+      matrices->GetComponent(i, 11) };
+    if (!(Determinant(map.Linear) > 0.0) || !IsFinite(map.Offset))
+    {
+      return false;
+    }
+    result.Placements.push_back(map);
+  }
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const auto index = static_cast<int>(placement->GetComponent(i, 0));
+    const Vector3 tip = ReadVector(tips, i);
+    if (index < 0 || index >= static_cast<int>(result.Placements.size()) || !IsFinite(tip))
+    {
+      return false;
+    }
+    result.Tips.push_back(tip);
+    result.PlacementOf.push_back(index);
+    result.Enabled.push_back(enabled->GetComponent(i, 0) != 0.0);
+    result.Times.push_back(times->GetComponent(i, 0));
+  }
+  result.InitialState.Proxy = ReadVector(state, 0);
+  result.InitialState.PreviousTip = ReadVector(state, 0, 3);
+  result.InitialState.Enabled = state->GetComponent(0, stateSize - 1) != 0.0;
+  return true;
+}
+
 } // namespace
 
 bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string& error)
@@ -107,6 +179,20 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
   vtkDataArray* const array = path->GetPointData()->GetArray("Time");
   if (n == 0)
   {
+    return true;
+  }
+  if (path->GetPointData()->HasArray(RecordingNames::DeviceTip))
+  {
+    result = {};
+    if (!ReadRecording(path, result))
+    {
+      error =
+        "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
+        "it needs the finite point arrays DeviceTip (3), Enabled, Placement and Time, and the "
+        "field arrays DeviceToWorld (16) and InitialState (7). Record again, or remove "
+        "DeviceTip to use the points as a path.";
+      return false;
+    }
     return true;
   }
   if (!array)

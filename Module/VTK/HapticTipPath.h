@@ -7,10 +7,9 @@
 #ifndef HapticTipPath_h
 #define HapticTipPath_h
 
-#include "Vector3.h"
+#include "ServoTick.h"
 
-#include "vtkType.h"
-
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,20 +18,56 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
+/** Names of what a recording carries beyond a trace, so that it can be replayed to the bit. */
+namespace RecordingNames
+{
+constexpr const char* DeviceTip = "DeviceTip";         ///< point array: the tip in device space (m)
+constexpr const char* Enabled = "Enabled";             ///< point array: 1 where the tick enabled
+constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
+constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
+constexpr const char* InitialState = "InitialState";   ///< field array: proxy, last tip, enabled
+} // namespace RecordingNames
+
 struct TipPath
 {
+  std::vector<Vector3> Tips; ///< world; in device space for a recording
   double StartTime = 0.0;    ///< s, of the first tick
-  std::vector<Vector3> Tips; ///< world
+  std::vector<double> Times; ///< s, of every tick; empty where they are evenly spaced
+  bool IsRecording = false;  ///< whether the following hold
+  std::vector<Affine3> Placements;
+  std::vector<int> PlacementOf; ///< per tick
+  std::vector<bool> Enabled;    ///< per tick
+  ServoState InitialState;
 };
 
 /**
  * Reads the points of a path in order. Without a point array `Time` every point is a tick; with it,
  * the path is resampled linearly to one tick every `period` seconds from its first time on (of
  * points with the same time, the last counts; a point whose time is a tick's is taken as it is, to
- * the bit). False, with an error, for coordinates or times that are not finite, and for time that
- * runs backwards.
+ * the bit). A recording of vtkHapticDevice is taken tick by tick, in device space. False, with an
+ * error, for numbers that are not finite, time that runs backwards, and recordings that are not
+ * whole.
  */
 bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string& error);
+
+/** Walks a path tick by tick. */
+class TipPathWalk
+{
+public:
+  TipPathWalk(const TipPath& path, double period);
+
+  /** The next tick, in the model that is returned: the given one, placed as a recording says. */
+  std::shared_ptr<const HapticModel> Tick(
+    std::shared_ptr<const HapticModel> model, TickRecord& record);
+  /** Time of the last tick (s). */
+  double GetTime() const;
+
+private:
+  const TipPath& Path;
+  const double Period;
+  std::size_t Next = 0;
+  ServoState State;
+};
 
 } // namespace VolumeHaptics
 

@@ -14,6 +14,7 @@
 
 class vtkDataArray;
 class vtkImageData;
+class vtkMatrix4x4;
 
 namespace VolumeHaptics
 {
@@ -25,6 +26,12 @@ bool MakeVolumeView(
 
 /** From the index that counts from 0 to the world. False, with an error, for a broken geometry. */
 bool MakeIndexToWorld(vtkImageData* image, Affine3& map, std::string& error);
+
+/**
+ * From the device (m) to the world. False, with an error, unless the matrix is a rotation, a
+ * translation and one uniform, positive scale.
+ */
+bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error);
 
 } // namespace VolumeHaptics
 

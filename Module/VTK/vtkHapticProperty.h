@@ -8,13 +8,11 @@
  * material, and the gradient magnitude into how distinct a surface is (table 1 of Lundin, Ynnerman
  * and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density Data", 2002):
  *
- * | function        | of                                | symbol | unit | range  | default |
- * | --------------- | --------------------------------- | ------ | ---- | ------ | ------- |
- * | Stiffness       | scalar inside the surface, V(x_s) | k      | N/m  | >= 0   | 500     |
- * | Friction        | scalar inside the surface, V(x_s) | mu     | -    | >= 0   | 0       |
- * | SurfaceStrength | scalar inside the surface, V(x_s) | T_N    | N    | >= 0   | 2       |
- * | Viscosity       | scalar outside it, V(x_v)         | R      | N    | >= 0   | 0       |
- * | Distinctness    | gradient magnitude at the proxy   | W_d    | -    | 0 to 1 | 1       |
+ *   Stiffness        k (N/m, >= 0, default 500), of the value inside the surface, V(x_s)
+ *   Friction         mu (>= 0, default 0), of the value inside the surface, V(x_s)
+ *   SurfaceStrength  T_N (N, >= 0, default 2), of the value inside the surface, V(x_s)
+ *   Viscosity        R (N, >= 0, default 0), of the value outside the surface, V(x_v)
+ *   Distinctness     W_d (0 to 1, default 1), of the gradient magnitude at the proxy
  *
  * The gradient magnitude is in scalar units per world unit (HU/mm for CT), never per voxel. A
  * surface holds the proxy up to T_N W_d newtons; beyond that it is penetrated. A huge T_N makes a
@@ -23,7 +21,8 @@
  *
  * A function that has no points stands for its default. vtkPiecewiseFunction's midpoints, sharpness
  * and clamping are honoured. For the servo they are baked into tables: pieces that are linear, and
- * steps, are reproduced exactly; curved pieces to within 0.01 % of the piece's height.
+ * steps, are reproduced exactly; curved pieces to within 0.01 % of the piece's height and 0.1 % of the
+ * value.
  *
  * @sa vtkVolumeHapticsFilter, vtkVolumeProperty
  */

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
+#include "HapticHash.h"
 #include "HapticModelBuilder.h"
 #include "HapticTipPath.h"
 #include "HapticTrace.h"
+#include "HapticVolumeView.h"
 #include "vtkVolumeHapticsCompat.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticProperty.h"
@@ -78,40 +81,89 @@ int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
+  vtkImageData* image, double rate, double maximumStiffness, vtkMatrix4x4* deviceToWorld,
+  std::string& error)
+{
+  using namespace VolumeHaptics;
+
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image, association);
+  if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    error = "The input image has no point scalars to touch. Give its point data active scalars, or "
+            "name a numeric point array with SetInputArrayToProcess(0, 0, 0, "
+            "vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
+    return nullptr;
+  }
+  HapticModelOptions options;
+  if (!deviceToWorld)
+  {
+    options.DeviceToWorld.Linear = (1.0 / this->MetersPerWorldUnit) * Matrix3{};
+  }
+  else if (!ReadSimilarity(deviceToWorld, options.DeviceToWorld, error))
+  {
+    return nullptr;
+  }
+  options.Estimator = static_cast<VolumeHaptics::GradientEstimator>(this->GradientEstimator);
+  options.KernelRadius = this->KernelRadius;
+  options.Settings.Method = static_cast<HapticMethod>(this->Method);
+  options.Settings.TickPeriod = 1.0 / rate;
+  options.Settings.MaximumForce = this->MaximumForce;
+  options.Settings.MaximumStiffness = maximumStiffness;
+  options.Settings.ForceFieldGain = this->ForceFieldGain;
+  options.Settings.ForceFieldDamping = this->ForceFieldDamping;
+  return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
+  double rate, double maximumStiffness, vtkMatrix4x4* deviceToWorld)
+{
+  std::string error;
+  vtkAlgorithm* const source = this->GetInputAlgorithm(0, 0);
+  if (source)
+  {
+    source->Update(this->GetInputConnection(0, 0)->GetIndex());
+  }
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!image)
+  {
+    vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0.");
+    return nullptr;
+  }
+  const double cap = this->MaximumStiffness > 0.0 && maximumStiffness > 0.0
+    ? std::min(this->MaximumStiffness, maximumStiffness)
+    : std::max(this->MaximumStiffness, maximumStiffness);
+  auto model = this->BakeImage(image, rate, cap, deviceToWorld, error);
+  if (!model)
+  {
+    vtkErrorMacro(<< error);
+  }
+  return model;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::HashScalars()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
+  return scalars ? VolumeHaptics::HashArray(scalars, image->GetDimensions()) : std::string();
+}
+
+//------------------------------------------------------------------------------
 int vtkVolumeHapticsFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using namespace VolumeHaptics;
 
-  vtkImageData* const image = vtkImageData::GetData(inputs[0]);
   vtkPolyData* const path = vtkPolyData::GetData(inputs[1]);
-  vtkPolyData* const output = vtkPolyData::GetData(outputs);
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* const scalars = this->GetInputArrayToProcess(0, inputs, association);
-  if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    vtkErrorMacro("The input image has no point scalars to touch. Give its point data active "
-                  "scalars, or name a numeric point array with SetInputArrayToProcess(0, 0, 0, "
-                  "vtkDataObject::FIELD_ASSOCIATION_POINTS, name).");
-    return 0;
-  }
-
-  HapticModelOptions options;
-  options.Estimator = static_cast<VolumeHaptics::GradientEstimator>(this->GradientEstimator);
-  options.KernelRadius = this->KernelRadius;
-  // Device space is the world in metres; only its scale matters to an offline trace.
-  options.DeviceToWorld.Linear = (1.0 / this->MetersPerWorldUnit) * Matrix3{};
-  options.Settings.Method = static_cast<HapticMethod>(this->Method);
-  options.Settings.TickPeriod = 1.0 / this->ServoRate;
-  options.Settings.MaximumForce = this->MaximumForce;
-  options.Settings.ForceFieldGain = this->ForceFieldGain;
-  options.Settings.ForceFieldDamping = this->ForceFieldDamping;
-
   std::string error;
-  const std::shared_ptr<const HapticModel> model =
-    BuildHapticModel(image, scalars, this->GetProperty(), options, error);
+  std::shared_ptr<const HapticModel> model = this->BakeImage(
+    vtkImageData::GetData(inputs[0]), this->ServoRate, this->MaximumStiffness, nullptr, error);
+  const double period = 1.0 / this->ServoRate;
   TipPath tips;
-  if (!model || (path && !ReadTipPath(path, options.Settings.TickPeriod, tips, error)))
+  if (!model || (path && !ReadTipPath(path, period, tips, error)))
   {
     vtkErrorMacro(<< error);
     return 0;
@@ -121,7 +173,7 @@ int vtkVolumeHapticsFilter::RequestData(
   const vtkIdType progressStep = std::max<vtkIdType>(1000, ticks / 100);
   HapticTrace trace;
   trace.Reserve(ticks);
-  ServoState state;
+  TipPathWalk walk(tips, period);
   TickRecord record;
   for (vtkIdType i = 0; i < ticks; ++i)
   {
@@ -133,10 +185,10 @@ int vtkVolumeHapticsFilter::RequestData(
         break;
       }
     }
-    Tick(*model, state, model->WorldToDevice(tips.Tips[i]), record);
-    trace.Append(*model, tips.StartTime + i * options.Settings.TickPeriod, record);
+    model = walk.Tick(model, record);
+    trace.Append(*model, walk.GetTime(), record);
   }
-  trace.WriteTo(output);
+  trace.WriteTo(vtkPolyData::GetData(outputs));
   return 1;
 }
 
@@ -144,6 +196,12 @@ int vtkVolumeHapticsFilter::RequestData(
 void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->PrintSettings(os, indent);
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::PrintSettings(ostream& os, vtkIndent indent)
+{
   os << indent << "Property: ";
   if (this->Property)
   {
@@ -164,4 +222,5 @@ void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ForceFieldGain: " << this->ForceFieldGain << "\n";
   os << indent << "ForceFieldDamping: " << this->ForceFieldDamping << "\n";
   os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
+  os << indent << "MaximumStiffness: " << this->MaximumStiffness << " N/m\n";
 }

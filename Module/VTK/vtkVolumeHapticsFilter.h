@@ -6,9 +6,9 @@
  *
  * Implements Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density
  * Data", 2002. A proxy is tied to the stylus' tip by a spring of stiffness k. Virtual surfaces,
- * perpendicular to the gradient of the volume, hold it back; friction and drag, too. The force on
- * the hand is k (x_p - x_tip). With the material from vtkHapticProperty, a tick moves the proxy x_p
- * from x_0 to
+ * perpendicular to the gradient of the volume, hold it back; friction and drag, too. The force on the
+ * hand is k (x_p - x_tip). With the material from vtkHapticProperty, a tick moves the proxy x_p from
+ * x_0 to
  *
  *   N = grad V / |grad V|,  d = x_tip - x_p,  T = T_N W_d(|grad V|)
  *   x_p += N sgn(d.N) (|d.N| - T/k)      if k |d.N| > T; outward with T = 0       (eqs. 12, 13)
@@ -16,39 +16,45 @@
  *   x_p += (x_0 - x_p) min(1, R / (k |x_0 - x_p|))                                (eq. 14)
  *
  * where d is taken anew in each line, k, mu and T_N belong to the value at x_s = x_0 + r N and R to
- * the value at x_v = x_0 - r N (fig. 4), and r is KernelRadius times the largest spacing. Beyond
- * the volume the border's value holds and there is no surface; over the last kernel radius inside
- * it surfaces fade. Samples that are NaN or infinite are felt as the border value, without a
- * surface. The first tick of a path puts the proxy on the tip, without force.
+ * the value at x_v = x_0 - r N (fig. 4), and r is KernelRadius times the largest spacing. Beyond the
+ * volume the border's value holds and there is no surface; over the last KernelRadius voxels inside
+ * it surfaces fade. Where a sample is NaN or infinite there is no surface, and the value of the first
+ * finite corner of the volume stands in (0 where all corners are not finite). The first tick of a
+ * path puts the proxy on the tip, without force.
  *
  * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
- * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is
- * not copied. Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the
- * ticks, in order; with a point array `Time` (s) the path is resampled to ServoRate.
+ * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is not
+ * copied.
  *
- * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline, and
+ * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
+ * order; with a point array "Time" (s) the path is resampled to ServoRate. A recording of
+ * vtkHapticDevice is replayed tick by tick, to the bit.
  *
- * | point array        | unit             | is | | ------------------ | ---------------- |
- * -------------------------------------------------------- | | Time               | s | of the tick
- * | | Tip (3)            | world            | the stylus | | Force (3)          | N, world axes |
- * on the hand                                              | | NormalForce        | N | k abs(d.N)
- * before the drag                               | | FrictionForce      | N                | k
- * abs(t) before the drag                                 | | DragForce          | N | k times the
- * way the drag took the proxy back             | | Normal (3)         | -                | unit,
- * into the structure, of the tick                    | | Value              | scalar           | V
- * at the output point                                    | | GradientMagnitude  | scalar per world
- * | of the tick                                              | | SurfaceValue       | scalar |
- * V(x_s), of the tick                                      | | MediumValue        | scalar |
- * V(x_v), of the tick                                      | | Stiffness          | N/m | k | |
- * Friction           | -                | mu | | Viscosity          | N                | R | |
- * SurfaceStrength    | N                | T_N W_d | | Contact            | -                | 0
- * free, 1 sticking, 2 sliding, 3 penetrating             |
+ * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline, and the
+ * point arrays
+ *
+ *   Time               s; of the tick
+ *   Tip (3)            world; the stylus
+ *   Force (3)          N, world axes; on the hand
+ *   NormalForce        N; k |d.N| before the drag
+ *   FrictionForce      N; k |t| before the drag
+ *   DragForce          N; k times the way that the drag took the proxy back
+ *   Normal (3)         unit; into the structure, as the tick used it
+ *   Value              scalar; V at the output point
+ *   GradientMagnitude  scalar per world unit; as the tick used it
+ *   SurfaceValue       scalar; V(x_s), as the tick used it
+ *   MediumValue        scalar; V(x_v), as the tick used it
+ *   Stiffness          N/m; k
+ *   Friction           mu
+ *   Viscosity          N; R
+ *   SurfaceStrength    N; T_N W_d
+ *   Contact            0 free, 1 sticking, 2 sliding, 3 penetrating
  *
  * The same input gives the same output, to the bit. Without a path the output is empty. Input that
  * can't be touched gives one error that names the input and the cure, and an empty output. A long
  * path reports progress and can be aborted; the output then ends where it was aborted.
  *
- * @sa vtkHapticProperty
+ * @sa vtkHapticProperty, vtkHapticDevice
  */
 #ifndef vtkVolumeHapticsFilter_h
 #define vtkVolumeHapticsFilter_h
@@ -57,7 +63,20 @@
 #include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
 
+#include <memory> // for std::shared_ptr
+#include <string> // for std::string
+
 class vtkHapticProperty;
+class vtkImageData;
+class vtkInformation;
+class vtkMatrix4x4;
+
+#ifndef __VTK_WRAP__
+namespace VolumeHaptics
+{
+class HapticModel;
+}
+#endif
 
 class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsFilter : public vtkPolyDataAlgorithm
 {
@@ -116,7 +135,7 @@ public:
   ///@{
   /**
    * How gradients are estimated: CENTRAL_DIFFERENCE of six trilinear samples KernelRadius voxels
-   * away; GAUSSIAN (default), the derivative of a Gaussian of scale KernelRadius / 2 voxels, which
+   * away; GAUSSIAN (default), the derivative of a Gaussian of scale 0.53 KernelRadius voxels, which
    * noise disturbs least; CUBIC_BSPLINE, the analytic derivative of a smoothing cubic B-spline over
    * 64 voxels. Values are trilinear with the first two and B-spline values with the third.
    */
@@ -179,6 +198,15 @@ public:
 
   ///@{
   /**
+   * Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can hold
+   * stable. 0 (default) does not cap.
+   */
+  vtkSetClampMacro(MaximumStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumStiffness, double);
+  ///@}
+
+  ///@{
+  /**
    * The path of the tip, on port 1.
    */
   void SetPathConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
@@ -187,6 +215,26 @@ public:
 
   /** Includes the property and its functions. */
   vtkMTimeType GetMTime() override;
+
+  /** Print the settings and the property, without the pipeline around them: for recordings. */
+  void PrintSettings(ostream& os, vtkIndent indent);
+
+  /**
+   * MD5 of the scalars that are touched and of their shape, as a recording carries it; empty where
+   * there are none.
+   */
+  std::string HashScalars();
+
+#ifndef __VTK_WRAP__
+  /**
+   * Bring port 0 up to date and bake it, with the property and all settings, for a servo that ticks
+   * at a rate (Hz). The matrix takes the servo's device space (m) to the world; nullptr stands for
+   * the world scaled by MetersPerWorldUnit. Returns null after an error. For vtkHapticDevice and
+   * the like; in C++ only.
+   */
+  std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
+    double rate, double maximumStiffness, vtkMatrix4x4* deviceToWorld);
+#endif
 
 protected:
   vtkVolumeHapticsFilter();
@@ -205,8 +253,14 @@ protected:
   double ForceFieldGain = 0.01;
   double ForceFieldDamping = 0.0;
   double MaximumForce = 0.0;
+  double MaximumStiffness = 0.0;
 
 private:
+#ifndef __VTK_WRAP__
+  std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image, double rate,
+    double maximumStiffness, vtkMatrix4x4* deviceToWorld, std::string& error);
+#endif
+
   vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;
   void operator=(const vtkVolumeHapticsFilter&) = delete;
 };

@@ -13,6 +13,7 @@ set(Explore_VTK_COMPONENTS
   IOImage
   IOXML
   ImagingCore
+  ImagingMorphological
   RenderingAnnotation
   RenderingContext2D
   RenderingContextOpenGL2
@@ -25,6 +26,7 @@ set(Explore_VTK_COMPONENTS
 
 # Everything but main(), relative to this folder: the image tests compile it, too.
 set(Explore_SOURCES
+  BodyIsolation.cxx
   DicomFolder.cxx
   Explorer.cxx
   ExplorerScene.cxx

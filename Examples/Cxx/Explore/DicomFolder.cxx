@@ -31,7 +31,8 @@ struct Slice
   double Along; // position along the normal, mm
 };
 
-// Uncompressed little endian, implicit and explicit, and explicit big endian: all the reader can do.
+// Uncompressed little endian, implicit and explicit, and explicit big endian: all the reader can
+// do.
 bool IsReadable(const std::string& transferSyntax)
 {
   return transferSyntax.empty() || transferSyntax == "1.2.840.10008.1.2" ||
@@ -120,8 +121,8 @@ void CheckSeries(const std::string& folder, std::vector<Slice>& slices, Volume& 
         "put the slices of one series into a folder of their own");
     }
   }
-  std::sort(slices.begin(), slices.end(),
-    [](const Slice& a, const Slice& b) { return a.Along < b.Along; });
+  std::sort(
+    slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.Along < b.Along; });
   double smallest = VTK_DOUBLE_MAX, largest = 0.0;
   for (std::size_t i = 1; i < slices.size(); ++i)
   {
@@ -157,7 +158,7 @@ void Place(const std::vector<Slice>& slices, vtkImageData* image)
   }
   Explore::SetFrame(image, axes, origin);
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -185,4 +186,4 @@ Volume ReadDicomFolder(const std::string& path)
   volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");
   return volume;
 }
-}
+} // namespace Explore

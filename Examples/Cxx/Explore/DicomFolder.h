@@ -12,6 +12,6 @@ namespace Explore
 /// Reads one series of uncompressed DICOM slices, sorted by their position, with the rescale to
 /// Hounsfield units applied. Throws InputError when the folder holds something else.
 Volume ReadDicomFolder(const std::string& path);
-}
+} // namespace Explore
 
 #endif

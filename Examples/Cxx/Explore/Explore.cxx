@@ -38,7 +38,7 @@ std::string Caption(const Explore::Exploration& exploration)
   const int* size = exploration.Input.Image->GetDimensions();
   std::ostringstream text;
   text << exploration.Input.Name << ", " << size[0] << " x " << size[1] << " x " << size[2]
-       << " voxels\nproxy's trail, coloured by the force on the hand\nmaterials: "
+       << " voxels\nTrail of the proxy, coloured by the force on the hand\nMaterials: "
        << exploration.Materials;
   return text.str();
 }
@@ -89,7 +89,7 @@ int Run(const Explore::Options& options)
   WritePictures(exploration, options);
   return DONE;
 }
-}
+} // namespace
 
 int main(int argc, char* argv[])
 {

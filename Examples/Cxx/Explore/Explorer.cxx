@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Explorer.h"
 
+#include "BodyIsolation.h"
 #include "InputError.h"
 #include "MessageCapture.h"
 #include "SurfaceMap.h"
@@ -32,7 +33,7 @@ std::string SetEstimator(vtkVolumeHapticsFilter* filter, Estimator estimator)
       return "derivative of a Gaussian";
   }
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -41,6 +42,8 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   Exploration result;
   result.Input = volume;
   result.Values = AnalyseVolume(volume.Image);
+  result.Body = IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
+  MeasureBody(result.Values, result.Body);
   result.View = MakeViewFrame(result.Values.Centre, settings.Front, settings.Up);
 
   vtkNew<vtkVolumeHapticsFilter> filter;
@@ -50,14 +53,13 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   result.ServoRate = filter->GetServoRate();
   filter->SetMetersPerWorldUnit(result.Values.MetersPerWorldUnit);
 
-  const SurfaceMap map(volume.Image, result.Values, result.View);
+  const SurfaceMap map(result.Body, result.Values, result.View);
   if (map.IsEmpty())
   {
-    throw InputError(volume.Name, "has no surface that faces the camera",
-      "--front and --up turn the volume; so does another threshold-free export of it");
+    throw InputError(
+      volume.Name, "has no surface that faces the camera", "turn it with --front and --up");
   }
-  result.Tip =
-    PlanTipPath(map, result.View, result.Values.MetersPerWorldUnit, result.ServoRate);
+  result.Tip = PlanTipPath(map, result.View, result.Values.MetersPerWorldUnit, result.ServoRate);
 
   filter->SetInputData(0, volume.Image);
   filter->SetInputData(1, result.Tip.Path);
@@ -74,4 +76,4 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   result.Trace = filter->GetOutput();
   return result;
 }
-}
+} // namespace Explore

@@ -35,19 +35,20 @@ struct Settings
 struct Exploration
 {
   Volume Input;
+  vtkSmartPointer<vtkImageData> Body; // the input without what is not connected with the body
   Analysis Values;
   ViewFrame View;
   TipPath Tip;
   vtkSmartPointer<vtkPolyData> Trace; // of vtkVolumeHapticsFilter
   std::string Materials;              // name of the preset that was applied
   std::string Estimator;
-  int KernelRadius = 0;     // voxels
-  double ServoRate = 0.0;   // Hz
+  int KernelRadius = 0;   // voxels
+  double ServoRate = 0.0; // Hz
   double FilterSeconds = 0.0;
 };
 
 /// Looks at the values, plans a tip path and feels its way along it. Throws InputError.
 Exploration ExploreVolume(const Volume& volume, const Settings& settings);
-}
+} // namespace Explore
 
 #endif

@@ -9,7 +9,7 @@
 #include "vtkAnnotatedCubeActor.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkGPUVolumeRayCastMapper.h"
-#include "vtkLightKit.h"
+#include "vtkLight.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
@@ -71,8 +71,8 @@ bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property)
   return mapper->IsRenderSupported(window, property);
 }
 
-void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysis& analysis,
-  MapperChoice choice)
+void AddVolume(
+  ExplorerScene& scene, vtkImageData* image, const Explore::Analysis& analysis, MapperChoice choice)
 {
   vtkNew<vtkVolumeProperty> property;
   Explore::SetVolumeLook(analysis, property);
@@ -104,21 +104,31 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   cube->SetYMinusFaceText(text[3]);
   cube->SetZPlusFaceText(text[4]);
   cube->SetZMinusFaceText(text[5]);
-  // The rotations that make the letters upright for someone who looks at the patient's face.
-  cube->SetXFaceTextRotation(90.0);
-  cube->SetYFaceTextRotation(180.0);
-  cube->SetZFaceTextRotation(-90.0);
   cube->SetFaceTextScale(anatomical ? 0.6 : 0.4);
   cube->GetCubeProperty()->SetColor(0.32, 0.40, 0.52);
   cube->GetTextEdgesProperty()->SetColor(1.0, 1.0, 1.0);
   cube->GetTextEdgesProperty()->SetLineWidth(1.0f);
   scene.Marker->SetViewport(0.0, 0.0, 0.16, 0.20);
-  scene.Marker->SetLayer(1);
+  scene.Marker->SetLayer(2);
   scene.Marker->InteractiveOff();
   scene.Marker->AddActor(cube);
   Explore::ViewFrame centred = view;
   centred.Centre = vtkVector3d(0.0, 0.0, 0.0);
   Explore::AimCamera(scene.Marker, centred, 5.0);
+}
+
+/// A lamp from the upper left of the camera, and light from everywhere so that no side is black.
+void AddLights(vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> lamp, fill;
+  lamp->SetLightTypeToCameraLight();
+  lamp->SetPosition(-0.45, 0.65, 1.0);
+  lamp->SetIntensity(1.2);
+  fill->SetLightTypeToCameraLight();
+  fill->SetPosition(0.8, -0.3, 0.6);
+  fill->SetIntensity(0.35);
+  renderer->AddLight(lamp);
+  renderer->AddLight(fill);
 }
 
 void AddCaption(vtkRenderer* renderer, const std::string& caption, int height)
@@ -133,35 +143,35 @@ void AddCaption(vtkRenderer* renderer, const std::string& caption, int height)
   text->GetPositionCoordinate()->SetValue(0.02, 0.975);
   renderer->AddActor2D(text);
 }
-}
+} // namespace
 
 namespace Explore
 {
-void BuildScene(
-  ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options)
+void BuildScene(ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options)
 {
   const Analysis& analysis = exploration.Values;
   scene.Window->SetOffScreenRendering(1);
   scene.Window->SetMultiSamples(0);
   scene.Window->SetSize(options.Width, options.Height);
-  scene.Window->SetNumberOfLayers(2);
+  scene.Window->SetNumberOfLayers(3);
   scene.Window->AddRenderer(scene.Renderer);
+  scene.Window->AddRenderer(scene.Overlay);
   scene.Window->AddRenderer(scene.Marker);
+  scene.Overlay->SetLayer(1);
+  scene.Overlay->InteractiveOff();
+  scene.Overlay->SetActiveCamera(scene.Renderer->GetActiveCamera());
   scene.Renderer->GradientBackgroundOn();
   scene.Renderer->SetBackground(0.07, 0.09, 0.12);
   scene.Renderer->SetBackground2(0.24, 0.29, 0.36);
 
-  AddVolume(scene, exploration.Input.Image, analysis, options.Mapper);
-  AddTrail(scene.Renderer, exploration.Trace, analysis.MetersPerWorldUnit, options.Height);
+  AddLights(scene.Renderer); // before anything renders, or VTK adds one of its own
+  AddVolume(scene, exploration.Body, analysis, options.Mapper);
+  AddTrail(
+    scene.Renderer, scene.Overlay, exploration.Trace, analysis.MetersPerWorldUnit, options.Height);
   AddMarker(scene, exploration.View, options.Anatomical);
   AddCaption(scene.Renderer, options.Caption, options.Height);
-
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.95);
-  lights->SetKeyToFillRatio(2.6);
-  lights->AddLightsToRenderer(scene.Renderer);
 
   FitCamera(scene.Renderer, exploration.View, analysis.BodyBounds,
     static_cast<double>(options.Width) / options.Height);
 }
-}
+} // namespace Explore

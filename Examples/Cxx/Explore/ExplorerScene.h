@@ -35,13 +35,13 @@ struct ExplorerScene
 {
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer; // volume and trail
+  vtkNew<vtkRenderer> Overlay;  // the hidden parts of the trail, through the same camera
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
   std::string MapperName;
 };
 
 /// Fills the scene.
-void BuildScene(
-  ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options);
-}
+void BuildScene(ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options);
+} // namespace Explore
 
 #endif

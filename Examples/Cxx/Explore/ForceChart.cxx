@@ -24,6 +24,8 @@ namespace
 using Explore::ChartOptions;
 using Explore::Phase;
 
+constexpr int LEFT_TOP = 3; // vtkChartXY's number for a plot on the left and the top axis
+
 struct Curve
 {
   const char* Array;
@@ -56,8 +58,9 @@ vtkSmartPointer<vtkTable> MakeTable(vtkPolyData* trace, double& largest)
     column->SetNumberOfTuples(source->GetNumberOfTuples());
     for (vtkIdType i = 0; i < source->GetNumberOfTuples(); ++i)
     {
-      const double value = source->GetNumberOfComponents() == 3 ? vtkMath::Norm(source->GetTuple3(i))
-                                                                : source->GetComponent(i, 0);
+      const double value = source->GetNumberOfComponents() == 3
+        ? vtkMath::Norm(source->GetTuple3(i))
+        : source->GetComponent(i, 0);
       column->SetValue(i, value);
       largest = std::max(largest, value);
     }
@@ -125,6 +128,7 @@ void AddPhaseLines(
     table->AddColumn(x);
     table->AddColumn(y);
     vtkPlot* line = chart->AddPlot(vtkChart::LINE);
+    chart->SetPlotCorner(line, LEFT_TOP); // a chart shows an axis only if a plot belongs to it
     line->SetInputData(table, 0, 1);
     line->SetLegendVisibility(false);
     line->SetSelectable(false);
@@ -133,7 +137,7 @@ void AddPhaseLines(
     line->SetWidth(1.0f);
   }
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -151,7 +155,6 @@ void BuildForceChart(ForceChart& chart, vtkPolyData* trace, const std::vector<Ph
   plot->SetTitle(options.Title);
   SetFont(plot->GetTitleProperties(), fontSize + 3);
   plot->SetShowLegend(true);
-  AddPhaseLines(plot, phases, time, top);
   for (int i = 0; i < 4; ++i)
   {
     vtkPlot* line = plot->AddPlot(vtkChart::LINE);
@@ -165,6 +168,7 @@ void BuildForceChart(ForceChart& chart, vtkPolyData* trace, const std::vector<Ph
   SetAxis(plot->GetAxis(vtkAxis::TOP), "", 0.0, end, fontSize);
   if (!phases.empty())
   {
+    AddPhaseLines(plot, phases, time, top);
     SetPhaseAxis(plot->GetAxis(vtkAxis::TOP), phases, time, fontSize);
   }
   vtkChartLegend* legend = plot->GetLegend();
@@ -182,4 +186,4 @@ void BuildForceChart(ForceChart& chart, vtkPolyData* trace, const std::vector<Ph
   chart.Window->SetSize(options.Width, options.Height);
   chart.Window->AddRenderer(chart.Renderer);
 }
-}
+} // namespace Explore

@@ -32,6 +32,6 @@ struct ForceChart
 /// Fills the chart from the output of vtkVolumeHapticsFilter.
 void BuildForceChart(ForceChart& chart, vtkPolyData* trace, const std::vector<Phase>& phases,
   const ChartOptions& options);
-}
+} // namespace Explore
 
 #endif

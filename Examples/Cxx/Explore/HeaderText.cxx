@@ -18,7 +18,7 @@ std::string Trim(const std::string& text)
   const std::size_t end = text.find_last_not_of(" \t\r");
   return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -79,4 +79,4 @@ std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) co
   }
   return numbers;
 }
-}
+} // namespace Explore

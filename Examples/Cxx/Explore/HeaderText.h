@@ -24,6 +24,6 @@ public:
 private:
   std::map<std::string, std::string> Fields;
 };
-}
+} // namespace Explore
 
 #endif

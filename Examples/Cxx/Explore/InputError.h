@@ -17,6 +17,6 @@ public:
   {
   }
 };
-}
+} // namespace Explore
 
 #endif

@@ -8,6 +8,8 @@
 
 namespace
 {
+constexpr const char* ENDS_EARLY = "the file ends before the last voxel";
+
 class ErrorCollector : public vtkOutputWindow
 {
 public:
@@ -17,13 +19,13 @@ public:
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
   void DisplayErrorText(const char* text) override { this->Keep(text); }
-  void DisplayGenericWarningText(const char*) override {}
-  void DisplayWarningText(const char* text) override
+  void DisplayWarningText(const char* text) override { this->DisplayGenericWarningText(text); }
+  void DisplayGenericWarningText(const char* text) override
   {
-    // vtkImageReader2 only warns when a file is too short.
+    // vtkImageReader only warns when a file is too short.
     if (std::string(text).find("File operation failed") != std::string::npos)
     {
-      this->Keep("the file ends before the last voxel");
+      this->Keep(ENDS_EARLY);
     }
   }
 
@@ -55,22 +57,25 @@ std::string OneLine(std::string text)
   }
   return text;
 }
-}
+} // namespace
 
 namespace Explore
 {
 MessageCapture::MessageCapture()
   : Previous(vtkOutputWindow::GetInstance())
   , Window(vtkSmartPointer<ErrorCollector>::New())
+  , Verbosity(vtkLogger::GetCurrentVerbosityCutoff())
   , Cerr(std::cerr.rdbuf(this->Stream.rdbuf()))
   , Cout(std::cout.rdbuf(this->Stream.rdbuf()))
 {
   vtkOutputWindow::SetInstance(this->Window);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // since VTK 9 it gets a copy
 }
 
 MessageCapture::~MessageCapture()
 {
   vtkOutputWindow::SetInstance(this->Previous);
+  vtkLogger::SetStderrVerbosity(this->Verbosity);
   std::cerr.rdbuf(this->Cerr);
   std::cout.rdbuf(this->Cout);
 }
@@ -82,10 +87,15 @@ bool MessageCapture::HasErrors() const
 
 std::string MessageCapture::FirstError() const
 {
-  if (this->Stream.str().find("not read completely") != std::string::npos)
+  const std::string metaIO = this->Stream.str();
+  if (metaIO.find("not read completely") != std::string::npos)
   {
-    return "the file ends before the last voxel";
+    return ENDS_EARLY;
+  }
+  if (metaIO.find("Cannot open data file") != std::string::npos)
+  {
+    return "the file of voxels that its header names is missing";
   }
   return OneLine(static_cast<ErrorCollector*>(this->Window.Get())->First);
 }
-}
+} // namespace Explore

@@ -3,6 +3,7 @@
 #ifndef Explore_MessageCapture_h
 #define Explore_MessageCapture_h
 
+#include "vtkLogger.h"
 #include "vtkOutputWindow.h"
 #include "vtkSmartPointer.h"
 
@@ -32,10 +33,11 @@ public:
 private:
   vtkSmartPointer<vtkOutputWindow> Previous;
   vtkSmartPointer<vtkOutputWindow> Window;
+  vtkLogger::Verbosity Verbosity;
   std::ostringstream Stream;
   std::streambuf* Cerr;
   std::streambuf* Cout;
 };
-}
+} // namespace Explore
 
 #endif

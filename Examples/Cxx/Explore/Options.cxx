@@ -49,8 +49,8 @@ int ParseWidth(const std::string& text)
   const long width = std::strtol(text.c_str(), &end, 10);
   if (text.empty() || *end != '\0' || width < SMALLEST_WIDTH || width > LARGEST_WIDTH)
   {
-    throw InputError("--size '" + text + "'", "is not a width in pixels",
-      "take a whole number from 100 to 8000");
+    throw InputError(
+      "--size '" + text + "'", "is not a width in pixels", "take a whole number from 100 to 8000");
   }
   return static_cast<int>(width);
 }
@@ -90,7 +90,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     throw InputError(name, "is not an option", "--help lists the options");
   }
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -111,8 +111,7 @@ Options ParseOptions(int argc, char* argv[])
       {
         throw InputError(word, "needs a value", "--help lists the options");
       }
-      const std::string value =
-        equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
+      const std::string value = equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
       SetOption(options, word.substr(0, equals), value);
     }
     else if (options.VolumePath.empty())
@@ -161,4 +160,4 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
 Exit status: 0 done, 1 the computation failed, 2 the input or an option is wrong, 3 no display.
 )";
 }
-}
+} // namespace Explore

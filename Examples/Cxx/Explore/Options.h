@@ -25,6 +25,6 @@ Options ParseOptions(int argc, char* argv[]);
 
 /// What --help prints.
 std::string HelpText();
-}
+} // namespace Explore
 
 #endif

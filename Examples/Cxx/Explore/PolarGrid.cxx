@@ -17,7 +17,7 @@ void CubicWeights(double t, double weights[4])
   weights[2] = 0.5 * t * (t * (4.0 - 3.0 * t) + 1.0);
   weights[3] = 0.5 * t * t * (t - 1.0);
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -57,10 +57,12 @@ void PolarGrid::Fill(std::vector<double>& map) const
       }
       double sum = 0.0;
       int count = 0;
-      this->VisitNeighbours(node, [&](int other) {
-        sum += before[other] > 0.0 ? before[other] : 0.0;
-        count += before[other] > 0.0 ? 1 : 0;
-      });
+      this->VisitNeighbours(node,
+        [&](int other)
+        {
+          sum += before[other] > 0.0 ? before[other] : 0.0;
+          count += before[other] > 0.0 ? 1 : 0;
+        });
       map[node] = count > 0 ? sum / count : map[node];
       hole = hole || count == 0;
     }
@@ -74,10 +76,12 @@ void PolarGrid::Smooth(std::vector<double>& map) const
   {
     double sum = 0.0;
     int count = 0;
-    this->VisitNeighbours(node, [&](int other) {
-      sum += before[other];
-      count += 1;
-    });
+    this->VisitNeighbours(node,
+      [&](int other)
+      {
+        sum += before[other];
+        count += 1;
+      });
     map[node] = sum / count;
   }
 }
@@ -118,4 +122,4 @@ double PolarGrid::Interpolate(const std::vector<double>& map, double right, doub
   }
   return sum;
 }
-}
+} // namespace Explore

@@ -35,6 +35,6 @@ private:
   double RightLimit, UpLimit;
   int Columns, Rows;
 };
-}
+} // namespace Explore
 
 #endif

@@ -12,8 +12,8 @@
 namespace
 {
 constexpr double VIEW_ANGLE = 24.0; // degrees: a long lens, so that a head is not distorted
-constexpr double MARGIN = 1.0;      // of the distance; a box is roomier than what is in it
-}
+constexpr double MARGIN = 0.88;     // of the distance: a box is roomier than what is in it
+} // namespace
 
 namespace Explore
 {
@@ -21,19 +21,18 @@ void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetViewAngle(VIEW_ANGLE);
-  camera->SetFocalPoint(view.Centre[0], view.Centre[1], view.Centre[2]);
-  camera->SetPosition(view.Centre[0] + distance * view.Toward[0],
-    view.Centre[1] + distance * view.Toward[1], view.Centre[2] + distance * view.Toward[2]);
-  camera->SetViewUp(view.Up[0], view.Up[1], view.Up[2]);
+  const vtkVector3d position = view.Centre + distance * view.Toward;
+  camera->SetFocalPoint(view.Centre.GetData());
+  camera->SetPosition(position.GetData());
+  camera->SetViewUp(view.Up.GetData());
   renderer->ResetCameraClippingRange();
 }
 
-void FitCamera(
-  vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect)
+void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect)
 {
   ViewFrame middle = view;
-  middle.Centre = vtkVector3d(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-    0.5 * (bounds[4] + bounds[5]));
+  middle.Centre = vtkVector3d(
+    0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]));
   const double slope = std::tan(0.5 * vtkMath::RadiansFromDegrees(VIEW_ANGLE));
   double distance = 0.0;
   for (int corner = 0; corner < 8; ++corner)
@@ -47,4 +46,4 @@ void FitCamera(
   }
   AimCamera(renderer, middle, MARGIN * distance);
 }
-}
+} // namespace Explore

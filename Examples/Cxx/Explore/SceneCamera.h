@@ -14,8 +14,7 @@ void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
 
 /// The same at the middle of the box, from where all of it is just seen in a picture of this aspect
 /// (width / height).
-void FitCamera(
-  vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect);
-}
+void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect);
+} // namespace Explore
 
 #endif

@@ -12,10 +12,11 @@
 
 namespace
 {
-constexpr double SURE_DEPTH = 0.003;   // m: a surface must go on this far, or it was noise or hair
+constexpr double SURE_DEPTH =
+  0.004; // m: a surface must go on this far, or it was noise, hair, a sinus
 constexpr double THINNEST = 0.002;     // m: the deep surface is at least this far below the outer
 constexpr double DEFAULT_DEEP = 0.010; // m below the outer one, where no deep surface is found
-}
+} // namespace
 
 namespace Explore
 {
@@ -35,11 +36,10 @@ SurfaceMap::SurfaceMap(vtkImageData* image, const Analysis& analysis, const View
   this->QualityMap.resize(grid.Size());
   for (int node = 0; node < grid.Size(); ++node)
   {
-    const Ray ray =
-      this->Cast(image, analysis, view.Direction(grid.Right(node), grid.Up(node)));
+    const Ray ray = this->Cast(image, analysis, view.Direction(grid.Right(node), grid.Up(node)));
     this->OuterMap[node] = ray.Outer;
     this->DeepMap[node] = ray.Deep;
-    this->QualityMap[node] = (ray.Clean ? 0.5 : 0.0) + (ray.Deep > 0.0 ? 0.5 : 0.0);
+    this->QualityMap[node] = (ray.Clean ? 0.5 : 0.0) + (ray.Solid ? 0.5 : 0.0);
     this->Hits += ray.Outer > 0.0 ? 1 : 0;
   }
   if (this->IsEmpty())
@@ -69,18 +69,17 @@ SurfaceMap::Ray SurfaceMap::Cast(
   vtkImageData* image, const Analysis& analysis, const vtkVector3d& direction) const
 {
   const ValueProbe probe(image, analysis.Range[0]);
-  const int sure = std::max(
-    2, static_cast<int>(SURE_DEPTH / analysis.MetersPerWorldUnit / this->Step));
+  const int sure =
+    std::max(2, static_cast<int>(SURE_DEPTH / analysis.MetersPerWorldUnit / this->Step));
   const double thinnest = THINNEST / analysis.MetersPerWorldUnit;
   Ray ray;
   bool wasInside = false, dipped = false;
   int run = 0;
   for (double distance = this->Start; distance > 0.0; distance -= this->Step)
   {
-    const double position[3] = { this->Centre[0] + distance * direction[0],
-      this->Centre[1] + distance * direction[1], this->Centre[2] + distance * direction[2] };
+    const vtkVector3d position = this->Centre + distance * direction;
     bool inside = false;
-    const double value = probe.Value(position, inside);
+    const double value = probe.Value(position.GetData(), inside);
     if (ray.Outer < 0.0)
     {
       if (value > analysis.OuterThreshold)
@@ -97,17 +96,32 @@ SurfaceMap::Ray SurfaceMap::Cast(
     }
     else if (ray.Outer - distance > thinnest)
     {
-      // A rise, not a height: fat is as bright as brain in T1 MRI, with the dark skull between them.
+      // A rise, not a height: fat is as bright as brain in T1 MRI, with the dark skull between
+      // them.
       dipped = dipped || value < analysis.DeepThreshold;
       if (dipped && value > analysis.DeepThreshold)
       {
         ray.Deep = distance;
+        ray.Solid = this->IsSolid(probe, analysis.DeepThreshold, distance, sure, direction);
         break;
       }
     }
     wasInside = inside;
   }
   return ray;
+}
+
+bool SurfaceMap::IsSolid(const ValueProbe& probe, double threshold, double distance, int steps,
+  const vtkVector3d& direction) const
+{
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const vtkVector3d position = this->Centre + (distance - i * this->Step) * direction;
+    bool inside = false;
+    sum += probe.Value(position.GetData(), inside);
+  }
+  return sum > steps * threshold;
 }
 
 double SurfaceMap::Interpolate(const std::vector<double>& map, double right, double up) const
@@ -129,4 +143,4 @@ double SurfaceMap::Quality(double right, double up) const
 {
   return this->Interpolate(this->QualityMap, right, up);
 }
-}
+} // namespace Explore

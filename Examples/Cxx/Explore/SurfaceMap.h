@@ -12,6 +12,8 @@
 
 namespace Explore
 {
+class ValueProbe;
+
 /// Two surfaces as distances from the centre, over the directions around the camera: the outer one
 /// (skin) and, beneath it, the next rise to dense values (skull). Found by rays that come from
 /// outside, cleaned of outliers and smoothed, so that a path on them is one that a hand can follow.
@@ -40,9 +42,12 @@ private:
     double Outer = -1.0;
     double Deep = -1.0;
     bool Clean = false; // entered from the outside, not through a cut face of the volume
+    bool Solid = false; // the deep structure is thick enough to press on
   };
 
   Ray Cast(vtkImageData* image, const Analysis& analysis, const vtkVector3d& direction) const;
+  bool IsSolid(const ValueProbe& probe, double threshold, double distance, int steps,
+    const vtkVector3d& direction) const;
   double Interpolate(const std::vector<double>& map, double right, double up) const;
 
   vtkVector3d Centre;
@@ -51,6 +56,6 @@ private:
   int Hits = 0;
   std::vector<double> OuterMap, DeepMap, QualityMap;
 };
-}
+} // namespace Explore
 
 #endif

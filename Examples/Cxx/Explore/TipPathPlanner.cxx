@@ -15,15 +15,15 @@ namespace
 using Explore::SurfaceMap;
 
 // The hand's habits, in metres, seconds and degrees.
-constexpr double HOVER = 0.015;      // above the surface, before and after
+constexpr double HOVER = 0.015;        // above the surface, before and after
 constexpr double OUTER_PRESS = 0.0025; // below the outer surface
-constexpr double DEEP_PRESS = 0.003;   // below the deep one
+constexpr double DEEP_PRESS = 0.0015;  // below the deep one
 constexpr double TOP_SPEED = 0.1;
 constexpr double SHORTEST = 0.6; // a movement
 constexpr double REST = 0.15;    // between movements
-constexpr double HALF_ARC = 32.0;
-constexpr double ARC_DISTANCE = 18.0; // between the outer and the deep stroke
-constexpr double WANTED_UP = 20.0;    // the outer stroke, above the middle of the picture
+constexpr double HALF_ARC = 28.0;
+constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer one
+constexpr double WANTED_UP = 20.0;     // the outer stroke, above the middle of the picture
 
 /// Where the strokes are: the angles of the middle of the outer one.
 struct Stroke
@@ -42,9 +42,8 @@ double Badness(const SurfaceMap& map, const Stroke& stroke)
     for (const bool deep : { false, true })
     {
       const double up = deep ? stroke.Up - ARC_DISTANCE : stroke.Up;
-      const auto distance = [&](double right) {
-        return deep ? map.Deep(stroke.Right + right, up) : map.Outer(stroke.Right + right, up);
-      };
+      const auto distance = [&](double right)
+      { return deep ? map.Deep(stroke.Right + right, up) : map.Outer(stroke.Right + right, up); };
       const double bend = distance(a - step) - 2.0 * distance(a) + distance(a + step);
       badness += std::abs(bend) / std::max(distance(a), 1e-9) * 40.0;
       badness += 2.0 * (1.0 - map.Quality(stroke.Right + a, up));
@@ -58,7 +57,7 @@ Stroke ChooseStroke(const SurfaceMap& map)
 {
   Stroke best;
   double least = Badness(map, best);
-  for (double up = -20.0; up <= 44.0; up += 4.0)
+  for (double up = -24.0; up <= 36.0; up += 4.0)
   {
     for (double right = -24.0; right <= 24.0; right += 4.0)
     {
@@ -87,19 +86,42 @@ double Mix(double from, double to, double t)
 
 using Curve = std::function<vtkVector3d(double)>;
 
-double Length(const Curve& curve)
+/// A curve walked by its length: the hand's speed is then what its timing says, whatever the
+/// curve's own parameter does.
+class Walk
 {
-  constexpr int PIECES = 200;
-  double length = 0.0;
-  vtkVector3d last = curve(0.0);
-  for (int i = 1; i <= PIECES; ++i)
+public:
+  explicit Walk(const Curve& curve)
+    : Points(curve)
+    , Lengths{ 0.0 }
   {
-    const vtkVector3d next = curve(static_cast<double>(i) / PIECES);
-    length += (next - last).Norm();
-    last = next;
+    for (int i = 1; i <= PIECES; ++i)
+    {
+      const double step = (this->At(i) - this->At(i - 1)).Norm();
+      this->Lengths.push_back(this->Lengths.back() + step);
+    }
   }
-  return length;
-}
+
+  double Length() const { return this->Lengths.back(); }
+
+  /// The place at a share (0 to 1) of the length.
+  vtkVector3d Place(double share) const
+  {
+    const double length = share * this->Length();
+    const auto end = std::lower_bound(this->Lengths.begin() + 1, this->Lengths.end() - 1, length);
+    const double before = *(end - 1), piece = *end - before;
+    const double index = static_cast<double>(end - 1 - this->Lengths.begin());
+    return this->At(index + (piece > 0.0 ? (length - before) / piece : 0.0));
+  }
+
+private:
+  static constexpr int PIECES = 1000;
+
+  vtkVector3d At(double index) const { return this->Points(index / PIECES); }
+
+  Curve Points;
+  std::vector<double> Lengths;
+};
 
 /// Collects the ticks of one movement after the other.
 class Recorder
@@ -115,18 +137,19 @@ public:
   void Move(const std::string& name, const Curve& curve)
   {
     // The eased movement is 15/8 times as fast in the middle as on the average.
-    const double length = Length(curve) * this->MetersPerWorldUnit;
+    const Walk walk(curve);
+    const double length = walk.Length() * this->MetersPerWorldUnit;
     const double duration = std::max(SHORTEST, 1.875 * length / TOP_SPEED);
     const auto ticks = static_cast<vtkIdType>(std::ceil(duration * this->TicksPerSecond));
     const vtkIdType first = this->Points->GetNumberOfPoints();
     for (vtkIdType i = 0; i < ticks; ++i)
     {
-      this->Add(curve(Ease(static_cast<double>(i) / ticks)));
+      this->Add(walk.Place(Ease(static_cast<double>(i) / ticks)));
     }
     const auto rest = static_cast<vtkIdType>(REST * this->TicksPerSecond);
     for (vtkIdType i = 0; i < rest; ++i)
     {
-      this->Add(curve(1.0));
+      this->Add(walk.Place(1.0));
     }
     this->Result.Phases.push_back({ name, first, this->Points->GetNumberOfPoints() });
   }
@@ -147,17 +170,14 @@ public:
   }
 
 private:
-  void Add(const vtkVector3d& point)
-  {
-    this->Points->InsertNextPoint(point.GetData());
-  }
+  void Add(const vtkVector3d& point) { this->Points->InsertNextPoint(point.GetData()); }
 
   double MetersPerWorldUnit;
   double TicksPerSecond;
   vtkNew<vtkPoints> Points;
   Explore::TipPath Result;
 };
-}
+} // namespace
 
 namespace Explore
 {
@@ -170,31 +190,29 @@ TipPath PlanTipPath(
   const double hover = HOVER / metersPerWorldUnit;
   const double outerPress = OUTER_PRESS / metersPerWorldUnit;
   const double deepPress = DEEP_PRESS / metersPerWorldUnit;
-  const auto place = [&](double right, double up, double distance) {
-    const vtkVector3d direction = view.Direction(right, up);
-    return vtkVector3d(view.Centre[0] + distance * direction[0],
-      view.Centre[1] + distance * direction[1], view.Centre[2] + distance * direction[2]);
-  };
-  const auto outer = [&](double right, double up, double below) {
-    return place(right, up, map.Outer(right, up) - below);
-  };
+  const auto place = [&](double right, double up, double distance)
+  { return view.Centre + distance * view.Direction(right, up); };
+  const auto outer = [&](double right, double up, double below)
+  { return place(right, up, map.Outer(right, up) - below); };
 
   Recorder recorder(metersPerWorldUnit, ticksPerSecond);
   recorder.Move("approach", [&](double t) { return outer(from, outerUp, Mix(-hover, 0.0, t)); });
   recorder.Move("press", [&](double t) { return outer(from, outerUp, Mix(0.0, outerPress, t)); });
   recorder.Move(
-    "drag outside", [&](double t) { return outer(Mix(from, to, t), outerUp, outerPress); });
+    "slide outside", [&](double t) { return outer(Mix(from, to, t), outerUp, outerPress); });
   const double through = map.Outer(to, outerUp) - map.Deep(to, outerUp) + deepPress;
-  recorder.Move("press through",
-    [&](double t) { return outer(to, outerUp, Mix(outerPress, through, t)); });
-  recorder.Move("drag inside", [&](double t) {
-    const double right = Mix(to, from, t);
-    // The stroke back leaves the stroke out within its first third.
-    const double up = Mix(outerUp, deepUp, Ease(std::min(1.0, 3.0 * t)));
-    return place(right, up, map.Deep(right, up) - deepPress);
-  });
+  recorder.Move(
+    "press through", [&](double t) { return outer(to, outerUp, Mix(outerPress, through, t)); });
+  recorder.Move("slide inside",
+    [&](double t)
+    {
+      const double right = Mix(to, from, t);
+      // The stroke back leaves the stroke out within its first half.
+      const double up = Mix(outerUp, deepUp, Ease(std::min(1.0, 2.0 * t)));
+      return place(right, up, map.Deep(right, up) - deepPress);
+    });
   const double back = map.Outer(from, deepUp) - map.Deep(from, deepUp) + deepPress;
   recorder.Move("retract", [&](double t) { return outer(from, deepUp, Mix(back, -hover, t)); });
   return recorder.Finish();
 }
-}
+} // namespace Explore

@@ -58,7 +58,7 @@ std::string PresetForKind(VolumeKind kind)
       return "histogram";
   }
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -108,4 +108,4 @@ std::string ApplyMaterials(
   property->ApplyPreset(name.c_str());
   return name;
 }
-}
+} // namespace Explore

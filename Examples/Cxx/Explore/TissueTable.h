@@ -31,6 +31,6 @@ std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 /// Returns the name of what was applied.
 std::string ApplyMaterials(
   const std::string& preset, const Analysis& analysis, vtkHapticProperty* property);
-}
+} // namespace Explore
 
 #endif

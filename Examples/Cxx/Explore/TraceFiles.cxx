@@ -4,20 +4,21 @@
 
 #include "InputError.h"
 
-#include "vtkDelimitedTextWriter.h"
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkRenderWindow.h"
-#include "vtkTable.h"
 #include "vtkWindowToImageFilter.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
+#include <iomanip>
 #include <map>
+#include <vector>
 
 namespace
 {
@@ -43,24 +44,23 @@ std::string Unit(const std::string& array)
   return unit == units.end() ? std::string() : unit->second;
 }
 
-void AddColumns(vtkTable* table, const std::string& name, vtkDataArray* values)
+struct Column
+{
+  std::string Title;
+  vtkDataArray* Values;
+  int Component;
+};
+
+void AddColumns(std::vector<Column>& columns, const std::string& name, vtkDataArray* values)
 {
   static const char* const axes[] = { " x", " y", " z" };
   const int components = values->GetNumberOfComponents();
   for (int c = 0; c < components; ++c)
   {
-    const std::string part = components == 3 ? axes[c]
-      : components > 1                       ? " " + std::to_string(c)
-                                             : std::string();
-    // A copy of the array's own type: the contact state stays a whole number.
-    auto column = vtk::TakeSmartPointer(values->NewInstance());
-    column->SetName((name + part + Unit(name)).c_str());
-    column->SetNumberOfTuples(values->GetNumberOfTuples());
-    column->CopyComponent(0, values, c);
-    table->AddColumn(column);
+    columns.push_back({ name + (components == 3 ? axes[c] : "") + Unit(name), values, c });
   }
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -83,22 +83,36 @@ void WriteTrace(vtkPolyData* trace, const std::string& file)
 
 void WriteTable(vtkPolyData* trace, const std::string& file)
 {
-  vtkNew<vtkTable> table;
+  std::vector<Column> columns;
   vtkPointData* arrays = trace->GetPointData();
-  AddColumns(table, "Time", arrays->GetArray("Time"));
-  AddColumns(table, "Proxy", trace->GetPoints()->GetData());
+  AddColumns(columns, "Time", arrays->GetArray("Time"));
+  AddColumns(columns, "Proxy", trace->GetPoints()->GetData());
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = arrays->GetArray(i);
     if (array && array->GetName() && std::string(array->GetName()) != "Time")
     {
-      AddColumns(table, array->GetName(), array);
+      AddColumns(columns, array->GetName(), array);
     }
   }
-  vtkNew<vtkDelimitedTextWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(table);
-  Check(writer->Write() != 0 && vtksys::SystemTools::FileLength(file) > 0, file);
+  // Not vtkDelimitedTextWriter: it writes six digits, and the contact state as a character.
+  vtksys::ofstream stream(file.c_str());
+  stream << std::setprecision(10);
+  for (const Column& column : columns)
+  {
+    stream << (&column == columns.data() ? "" : ",") << column.Title;
+  }
+  for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
+  {
+    for (const Column& column : columns)
+    {
+      stream << (&column == columns.data() ? '\n' : ',')
+             << column.Values->GetComponent(i, column.Component);
+    }
+  }
+  stream << '\n';
+  stream.close();
+  Check(stream.good(), file);
 }
 
 void WritePicture(vtkRenderWindow* window, const std::string& file)
@@ -122,4 +136,4 @@ void WriteText(const std::string& text, const std::string& file)
   stream.close();
   Check(stream.good(), file);
 }
-}
+} // namespace Explore

@@ -25,6 +25,6 @@ void WritePicture(vtkRenderWindow* window, const std::string& file);
 
 /// Writes text.
 void WriteText(const std::string& text, const std::string& file);
-}
+} // namespace Explore
 
 #endif

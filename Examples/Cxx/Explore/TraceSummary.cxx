@@ -87,7 +87,8 @@ void WriteRow(
 
 void WriteHeader(std::ostream& out, const std::string& title)
 {
-  out << "\n" << std::left << std::setw(30) << title << std::right << std::setw(10) << "time"
+  out << "\n"
+      << std::left << std::setw(30) << title << std::right << std::setw(10) << "time"
       << std::setw(10) << "share" << std::setw(12) << "mean force" << std::setw(12) << "largest"
       << "\n";
 }
@@ -98,9 +99,10 @@ void WriteVolume(std::ostream& out, const Exploration& e)
   const double* spacing = e.Input.Image->GetSpacing();
   out << "Volume\n  " << e.Input.Name << " (" << e.Input.Format << "), " << size[0] << " x "
       << size[1] << " x " << size[2] << " voxels of " << spacing[0] << " x " << spacing[1] << " x "
-      << spacing[2] << " world units (mm), " << e.Input.Image->GetScalarTypeAsString() << "\n  "
-      << e.Values.KindReason << "\n  outer surface above " << e.Values.OuterThreshold
-      << ", dense structure above " << e.Values.DeepThreshold << "\n";
+      << spacing[2] << (e.Values.MetersPerWorldUnit == 0.001 ? " mm, " : " world units, ")
+      << e.Input.Image->GetScalarTypeAsString() << "\n  " << e.Values.KindReason
+      << "\n  outer surface above " << e.Values.OuterThreshold << ", dense structure above "
+      << e.Values.DeepThreshold << "\n";
   for (const std::string& note : e.Input.Notes)
   {
     out << "  " << note << "\n";
@@ -111,12 +113,12 @@ void WriteSettings(std::ostream& out, const Exploration& e, const Columns& colum
 {
   const double scale = e.Values.MetersPerWorldUnit;
   out << "\nHaptics\n  proxy method, materials \"" << e.Materials << "\", gradient by "
-      << e.Estimator << ", kernel radius " << e.KernelRadius << " voxels\n  "
-      << scale * 1000.0 << " mm of hand movement per world unit"
-      << (scale == 0.001 ? " (life-size)" : "") << ", servo rate " << e.ServoRate << " Hz\n  "
-      << columns.Count << " ticks: " << columns.Count / e.ServoRate << " s, tip moved "
-      << std::fixed << std::setprecision(0) << 1000.0 * scale * PathLength(columns.Tip)
-      << " mm, proxy " << 1000.0 * scale * PathLength(e.Trace->GetPoints()->GetData()) << " mm\n"
+      << e.Estimator << ", kernel radius " << e.KernelRadius << " voxels\n  " << scale * 1000.0
+      << " mm of hand movement per world unit" << (scale == 0.001 ? " (life-size)" : "")
+      << ", servo rate " << e.ServoRate << " Hz\n  " << columns.Count
+      << " ticks: " << columns.Count / e.ServoRate << " s, tip moved " << std::fixed
+      << std::setprecision(0) << 1000.0 * scale * PathLength(columns.Tip) << " mm, proxy "
+      << 1000.0 * scale * PathLength(e.Trace->GetPoints()->GetData()) << " mm\n"
       << std::defaultfloat << std::setprecision(6);
 }
 
@@ -187,7 +189,7 @@ void WriteLargest(std::ostream& out, const Exploration& e, const Columns& column
       << tissues[Explore::FindTissue(tissues, value)].Name << " (value " << std::setprecision(0)
       << value << ")\n";
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -203,7 +205,7 @@ std::string Summarise(const Exploration& e)
   const double rate = columns.Count / std::max(e.FilterSeconds, 1e-9);
   out << "\nSpeed\n  " << std::fixed << std::setprecision(0) << rate << " ticks per second, "
       << std::setprecision(1) << rate / e.ServoRate
-      << " times the servo rate: computed offline, setting up and writing the trace included\n";
+      << " times the servo rate (computed offline, setting up included)\n";
   return out.str();
 }
-}
+} // namespace Explore

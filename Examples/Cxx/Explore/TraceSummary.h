@@ -11,6 +11,6 @@ namespace Explore
 {
 /// A page for a person: the volume, the settings, what was touched and how hard, how fast it went.
 std::string Summarise(const Exploration& exploration);
-}
+} // namespace Explore
 
 #endif

@@ -71,27 +71,33 @@ vtkSmartPointer<vtkColorTransferFunction> ForceColours(double largest)
   return colours;
 }
 
-/// The end of the scale: the largest force, rounded up to a number that reads well.
-double RoundUp(double largest)
+/// The scale's labels: 0, Step, 2 Step ... up to the largest force or just beyond.
+struct Scale
 {
-  const double unit = std::pow(10.0, std::floor(std::log10(std::max(largest, 0.01))));
-  for (const double factor : { 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0 })
+  double Step;
+  int Steps;
+};
+
+Scale ChooseScale(double largest)
+{
+  const double wanted = std::max(largest, 0.01) / 5.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(wanted)));
+  double step = 10.0 * unit;
+  for (const double factor : { 5.0, 2.0, 1.0 })
   {
-    if (largest <= factor * unit)
-    {
-      return factor * unit;
-    }
+    step = wanted <= factor * unit ? factor * unit : step;
   }
-  return 10.0 * unit;
+  return { step, std::max(1, static_cast<int>(std::ceil(largest / step - 1e-6))) };
 }
 
-void AddScalarBar(vtkRenderer* renderer, vtkScalarsToColors* colours, int pictureHeight)
+void AddScalarBar(
+  vtkRenderer* renderer, vtkScalarsToColors* colours, const Scale& scale, int pictureHeight)
 {
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(colours);
   bar->SetTitle(FORCE_NAME);
-  bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat("%.1f");
+  bar->SetNumberOfLabels(scale.Steps + 1);
+  bar->SetLabelFormat(scale.Step < 0.1 ? "%.2f" : scale.Step < 1.0 ? "%.1f" : "%.0f");
   bar->UnconstrainedFontSizeOn();
   bar->SetPosition(0.86, 0.22);
   bar->SetWidth(0.11);
@@ -109,17 +115,18 @@ void AddScalarBar(vtkRenderer* renderer, vtkScalarsToColors* colours, int pictur
   }
   renderer->AddActor2D(bar);
 }
-}
+} // namespace
 
 namespace Explore
 {
-void AddTrail(
-  vtkRenderer* renderer, vtkPolyData* trace, double metersPerWorldUnit, int pictureHeight)
+void AddTrail(vtkRenderer* renderer, vtkRenderer* overlay, vtkPolyData* trace,
+  double metersPerWorldUnit, int pictureHeight)
 {
   vtkSmartPointer<vtkPolyData> thinned = Thin(trace, SPACING / metersPerWorldUnit);
   double range[2];
   thinned->GetPointData()->GetScalars()->GetRange(range);
-  auto colours = ForceColours(RoundUp(range[1]));
+  const Scale scale = ChooseScale(range[1]);
+  auto colours = ForceColours(scale.Step * scale.Steps);
 
   vtkNew<vtkTubeFilter> tube;
   tube->SetInputData(thinned);
@@ -130,7 +137,6 @@ void AddTrail(
   mapper->SetInputConnection(tube->GetOutputPort());
   mapper->SetLookupTable(colours);
   mapper->UseLookupTableScalarRangeOn();
-  mapper->InterpolateScalarsBeforeMappingOff();
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetAmbient(0.35);
@@ -138,6 +144,11 @@ void AddTrail(
   actor->GetProperty()->SetSpecular(0.25);
   actor->GetProperty()->SetSpecularPower(25.0);
   renderer->AddActor(actor);
-  AddScalarBar(renderer, colours, pictureHeight);
+  vtkNew<vtkActor> ghost;
+  ghost->SetMapper(mapper);
+  ghost->GetProperty()->LightingOff();
+  ghost->GetProperty()->SetOpacity(0.3);
+  overlay->AddActor(ghost);
+  AddScalarBar(renderer, colours, scale, pictureHeight);
 }
-}
+} // namespace Explore

@@ -10,8 +10,10 @@ class vtkRenderer;
 namespace Explore
 {
 /// Adds a tube along the proxy's way, coloured by the magnitude of the force, and its scalar bar.
-void AddTrail(
-  vtkRenderer* renderer, vtkPolyData* trace, double metersPerWorldUnit, int pictureHeight);
-}
+/// `overlay`, drawn over the renderer's picture, gets a faint copy: where the volume hides the
+/// tube, one still sees where it goes on.
+void AddTrail(vtkRenderer* renderer, vtkRenderer* overlay, vtkPolyData* trace,
+  double metersPerWorldUnit, int pictureHeight);
+} // namespace Explore
 
 #endif

@@ -31,8 +31,7 @@ double ValueProbe::Value(const double position[3], bool& inside) const
     {
       return this->Outside;
     }
-    base[axis] =
-      std::min(static_cast<int>(std::floor(index[axis])), extent[2 * axis + 1] - 1);
+    base[axis] = std::min(static_cast<int>(std::floor(index[axis])), extent[2 * axis + 1] - 1);
     fraction[axis] = index[axis] - base[axis];
   }
   double sum = 0.0;
@@ -51,4 +50,4 @@ double ValueProbe::Value(const double position[3], bool& inside) const
   }
   return sum;
 }
-}
+} // namespace Explore

@@ -22,6 +22,6 @@ private:
   vtkDataArray* Scalars;
   double Outside;
 };
-}
+} // namespace Explore
 
 #endif

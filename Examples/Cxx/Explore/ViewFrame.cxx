@@ -13,13 +13,6 @@ namespace
 constexpr double AZIMUTH = 38.0;   // degrees, from the front to the left side
 constexpr double ELEVATION = 20.0; // degrees, above the horizon
 
-vtkVector3d Combine(
-  double a, const vtkVector3d& x, double b, const vtkVector3d& y, double c, const vtkVector3d& z)
-{
-  return vtkVector3d(a * x[0] + b * y[0] + c * z[0], a * x[1] + b * y[1] + c * z[1],
-    a * x[2] + b * y[2] + c * z[2]);
-}
-
 vtkVector3d ParseAxis(const std::string& option, const std::string& text)
 {
   vtkVector3d axis(0.0, 0.0, 0.0);
@@ -33,15 +26,15 @@ vtkVector3d ParseAxis(const std::string& option, const std::string& text)
   axis[letter - 'x'] = text[0] == '+' ? 1.0 : -1.0;
   return axis;
 }
-}
+} // namespace
 
 namespace Explore
 {
 vtkVector3d ViewFrame::Direction(double right, double up) const
 {
   const double a = vtkMath::RadiansFromDegrees(right), b = vtkMath::RadiansFromDegrees(up);
-  return Combine(std::cos(b) * std::cos(a), this->Toward, std::cos(b) * std::sin(a), this->Right,
-    std::sin(b), this->Up);
+  return std::cos(b) * (std::cos(a) * this->Toward + std::sin(a) * this->Right) +
+    std::sin(b) * this->Up;
 }
 
 ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const std::string& up)
@@ -59,10 +52,9 @@ ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const 
   const double e = vtkMath::RadiansFromDegrees(ELEVATION);
   ViewFrame frame;
   frame.Centre = vtkVector3d(centre[0], centre[1], centre[2]);
-  frame.Toward = Combine(
-    std::cos(e) * std::cos(a), forward, std::cos(e) * std::sin(a), side, std::sin(e), top);
+  frame.Toward = std::cos(e) * (std::cos(a) * forward + std::sin(a) * side) + std::sin(e) * top;
   frame.Right = top.Cross(frame.Toward).Normalized();
   frame.Up = frame.Toward.Cross(frame.Right);
   return frame;
 }
-}
+} // namespace Explore

@@ -3,7 +3,7 @@
 #ifndef Explore_ViewFrame_h
 #define Explore_ViewFrame_h
 
-#include "vtkVector.h"
+#include "vtkVectorOperators.h"
 
 #include <string>
 
@@ -25,6 +25,6 @@ struct ViewFrame
 /// A camera in front, a little above and to the left of what looks along `front` ("-y") with its
 /// top at `up` ("+z"). Throws InputError unless these name two different axes.
 ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const std::string& up);
-}
+} // namespace Explore
 
 #endif

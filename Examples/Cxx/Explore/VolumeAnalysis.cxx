@@ -122,7 +122,40 @@ void SetKind(Explore::Analysis& analysis, int scalarType)
   analysis.KindReason = reason.str();
 }
 
-void SetBody(Explore::Analysis& analysis, vtkImageData* image)
+void SetScale(Explore::Analysis& analysis, vtkImageData* image)
+{
+  // Life-size when the edges look like millimetres of something a hand can hold; else 20 cm.
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max(largest, image->GetSpacing()[axis] * (image->GetDimensions()[axis] - 1));
+  }
+  analysis.MetersPerWorldUnit = largest > 50.0 && largest < 1000.0 ? 0.001 : 0.2 / largest;
+}
+} // namespace
+
+namespace Explore
+{
+Analysis AnalyseVolume(vtkImageData* image)
+{
+  Analysis analysis;
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  scalars->GetFiniteRange(analysis.Range, 0);
+  SetKind(analysis, scalars->GetDataType());
+  std::vector<float> values = SampleValues(scalars);
+  analysis.Low = Percentile(values, 0.005);
+  analysis.High = Percentile(values, 0.995);
+  if (!(analysis.Low < analysis.High))
+  {
+    analysis.Low = analysis.Range[0];
+    analysis.High = analysis.Range[1];
+  }
+  SetThresholds(analysis, values);
+  SetScale(analysis, image);
+  return analysis;
+}
+
+void MeasureBody(Analysis& analysis, vtkImageData* image)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const int* size = image->GetDimensions();
@@ -161,39 +194,4 @@ void SetBody(Explore::Analysis& analysis, vtkImageData* image)
     analysis.Centre[axis] = sum[axis] / count;
   }
 }
-
-void SetScale(Explore::Analysis& analysis, vtkImageData* image)
-{
-  // Life-size when the edges look like millimetres of something a hand can hold; else 20 cm.
-  double largest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    largest =
-      std::max(largest, image->GetSpacing()[axis] * (image->GetDimensions()[axis] - 1));
-  }
-  analysis.MetersPerWorldUnit = largest > 50.0 && largest < 1000.0 ? 0.001 : 0.2 / largest;
-}
-}
-
-namespace Explore
-{
-Analysis AnalyseVolume(vtkImageData* image)
-{
-  Analysis analysis;
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  scalars->GetFiniteRange(analysis.Range, 0);
-  SetKind(analysis, scalars->GetDataType());
-  std::vector<float> values = SampleValues(scalars);
-  analysis.Low = Percentile(values, 0.005);
-  analysis.High = Percentile(values, 0.995);
-  if (!(analysis.Low < analysis.High))
-  {
-    analysis.Low = analysis.Range[0];
-    analysis.High = analysis.Range[1];
-  }
-  SetThresholds(analysis, values);
-  SetBody(analysis, image);
-  SetScale(analysis, image);
-  return analysis;
-}
-}
+} // namespace Explore

@@ -21,18 +21,21 @@ struct Analysis
 {
   VolumeKind Kind = VolumeKind::Other;
   double Range[2] = { 0, 1 };
-  double Low = 0;             // robust ends of the histogram (0.5 and 99.5 %)
+  double Low = 0; // robust ends of the histogram (0.5 and 99.5 %)
   double High = 1;
-  double OuterThreshold = 0;  // outside | body
-  double DeepThreshold = 0;   // body | the denser structure inside it
+  double OuterThreshold = 0;      // outside | body
+  double DeepThreshold = 0;       // body | the denser structure inside it
   double Centre[3] = { 0, 0, 0 }; // of the voxels above the outer threshold, world units
   double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // of the same voxels, world units
   double MetersPerWorldUnit = 0.001;
-  std::string KindReason;     // why this kind was chosen, for the summary
+  std::string KindReason; // why this kind was chosen, for the summary
 };
 
-/// Looks at all voxels of a large volume sparsely, of a small one exactly.
+/// Everything but where the body is. A large volume is looked at sparsely.
 Analysis AnalyseVolume(vtkImageData* image);
-}
+
+/// Adds where the voxels above the outer threshold are: Centre and BodyBounds.
+void MeasureBody(Analysis& analysis, vtkImageData* image);
+} // namespace Explore
 
 #endif

@@ -87,9 +87,8 @@ void FindScalars(const std::string& path, Volume& volume)
     if (points->GetArray(i) && points->GetArray(i)->GetName())
     {
       points->SetActiveScalars(points->GetArray(i)->GetName());
-      volume.Notes.push_back(
-        std::string("no active scalars: point array '") + points->GetArray(i)->GetName() +
-        "' used");
+      volume.Notes.push_back(std::string("no active scalars: point array '") +
+        points->GetArray(i)->GetName() + "' used");
     }
   }
   if (!points->GetScalars())
@@ -130,7 +129,7 @@ void CheckRange(const std::string& path, vtkImageData* image)
       "check the export, in particular its rescale slope and window");
   }
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -141,4 +140,4 @@ void CheckVolume(const std::string& path, Volume& volume)
   UseFirstComponent(volume);
   CheckRange(path, volume.Image);
 }
-}
+} // namespace Explore

@@ -12,6 +12,6 @@ struct Volume;
 /// Throws InputError unless the volume can be touched; on the way it makes the first point array
 /// (or the cells' one) the active scalars and cuts it down to its first component, with a note.
 void CheckVolume(const std::string& path, Volume& volume);
-}
+} // namespace Explore
 
 #endif

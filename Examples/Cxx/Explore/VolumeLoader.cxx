@@ -34,8 +34,8 @@ bool EndsWith(const std::string& text, const std::string& ending)
 template <typename Reader>
 vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const char* format)
 {
-  const std::string cure = std::string("export it again as ") + format +
-    ", and check that the copy is complete";
+  const std::string cure =
+    std::string("export it again as ") + format + ", and check that the copy is complete";
   reader->SetFileName(path.c_str());
   Explore::MessageCapture capture;
   if (!reader->CanReadFile(path.c_str()))
@@ -95,16 +95,15 @@ Volume ReadNifti(const std::string& path)
   }
   Explore::ApplyNiftiOrientation(matrix, volume.Image);
   volume.Notes.push_back(matrix ? std::string("orientation from the NIfTI ") + form +
-      ", turned from right-anterior-superior to left-posterior-superior"
+        ", turned from right-anterior-superior to left-posterior-superior"
                                 : "no NIfTI orientation: index axes taken as right, anterior, "
                                   "superior");
   const int units = reader->GetNIFTIHeader()->GetXYZTUnits() & 7;
   if (units == 1 || units == 3)
   {
     Explore::ScaleLengths(volume.Image, units == 1 ? 1000.0 : 0.001);
-    volume.Notes.push_back(
-      std::string("lengths turned from ") + (units == 1 ? "metres" : "micrometres") +
-      " into millimetres");
+    volume.Notes.push_back(std::string("lengths turned from ") +
+      (units == 1 ? "metres" : "micrometres") + " into millimetres");
   }
   return volume;
 }
@@ -136,7 +135,7 @@ Volume ReadFile(const std::string& path)
   throw InputError(path, "has an ending that is not known here",
     std::string("convert it to one of the known: ") + KNOWN);
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -171,4 +170,4 @@ Volume LoadVolume(const std::string& path)
   volume.Image = AlignToAxes(volume.Image);
   return volume;
 }
-}
+} // namespace Explore

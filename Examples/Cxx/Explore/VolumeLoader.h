@@ -26,6 +26,6 @@ struct Volume
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd or a folder of DICOM slices. Throws InputError for
 /// anything else, saying what is wrong with it and how to cure it.
 Volume LoadVolume(const std::string& path);
-}
+} // namespace Explore
 
 #endif

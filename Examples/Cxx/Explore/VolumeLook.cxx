@@ -7,6 +7,8 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
+
 namespace
 {
 using Explore::Analysis;
@@ -36,11 +38,11 @@ void LookLikeCT(vtkVolumeProperty* property)
 {
   const Stop stops[] = {
     { -1024, 0.00, { 0.85, 0.60, 0.47 } },
-    { -500, 0.00, { 0.85, 0.60, 0.47 } },
-    { -300, 0.16, { 0.90, 0.66, 0.53 } },
-    { -100, 0.16, { 0.92, 0.68, 0.55 } },
-    { 0, 0.05, { 0.86, 0.50, 0.42 } },
-    { 130, 0.03, { 0.90, 0.70, 0.60 } },
+    { -600, 0.00, { 0.85, 0.60, 0.47 } },
+    { -400, 0.35, { 0.93, 0.69, 0.56 } },
+    { -100, 0.35, { 0.93, 0.69, 0.56 } },
+    { 0, 0.16, { 0.86, 0.52, 0.44 } },
+    { 130, 0.14, { 0.90, 0.66, 0.56 } },
     { 260, 0.50, { 0.95, 0.90, 0.80 } },
     { 500, 0.98, { 0.98, 0.95, 0.88 } },
     { 3000, 1.00, { 1.00, 1.00, 0.98 } },
@@ -53,18 +55,16 @@ void LookByThresholds(const Analysis& analysis, vtkVolumeProperty* property)
   const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
   const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
   const Stop stops[] = {
-    { analysis.Range[0] < outer - edge ? analysis.Range[0] : outer - 2.0 * edge, 0.0,
-      { 0.55, 0.42, 0.38 } },
-    { outer - edge, 0.00, { 0.62, 0.48, 0.43 } },
-    { outer + edge, 0.10, { 0.80, 0.62, 0.53 } },
-    { deep - edge, 0.12, { 0.90, 0.76, 0.66 } },
-    { deep + edge, 0.55, { 0.96, 0.90, 0.82 } },
-    { analysis.High > deep + edge ? analysis.High + edge : deep + 2.0 * edge, 0.80,
-      { 1.00, 0.98, 0.94 } },
+    { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, { 0.70, 0.48, 0.40 } },
+    { outer - edge, 0.00, { 0.70, 0.48, 0.40 } },
+    { outer + edge, 0.30, { 0.86, 0.62, 0.51 } },
+    { deep, 0.30, { 0.88, 0.66, 0.56 } },
+    { deep + edge, 0.55, { 0.92, 0.76, 0.67 } },
+    { std::max(analysis.High, deep + 2.0 * edge), 0.80, { 0.98, 0.90, 0.82 } },
   };
   Apply(stops, property);
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -81,9 +81,9 @@ void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)
   property->SetScalarOpacityUnitDistance(0.004 / analysis.MetersPerWorldUnit);
   property->SetInterpolationTypeToLinear();
   property->ShadeOn();
-  property->SetAmbient(0.22);
-  property->SetDiffuse(0.75);
-  property->SetSpecular(0.25);
+  property->SetAmbient(0.2);
+  property->SetDiffuse(0.85);
+  property->SetSpecular(0.2);
   property->SetSpecularPower(18.0);
 }
-}
+} // namespace Explore

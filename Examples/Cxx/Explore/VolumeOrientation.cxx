@@ -50,7 +50,7 @@ std::array<int, 3> BestPermutation(const double axes[9])
   } while (std::next_permutation(order.begin(), order.end()));
   return best;
 }
-}
+} // namespace
 
 namespace Explore
 {
@@ -232,4 +232,4 @@ vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image)
   aligned->GetPointData()->SetScalars(target);
   return aligned;
 }
-}
+} // namespace Explore

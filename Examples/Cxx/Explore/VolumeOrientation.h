@@ -11,16 +11,17 @@
 
 namespace Explore
 {
-/// Places the image's index axes in the world: column c of `axes` (row-major 3x3, any length) is the
-/// direction of index axis c, `origin` the position of voxel (0, 0, 0). The spacing stays.
+/// Places the image's index axes in the world: column c of `axes` (row-major 3x3, any length) is
+/// the direction of index axis c, `origin` the position of voxel (0, 0, 0). The spacing stays.
 void SetFrame(vtkImageData* image, const double axes[9], const double origin[3]);
 
 /// VTK 9.1's MetaImage reader drops the header's TransformMatrix; this puts it back. In ITK's
 /// convention row c of the matrix is the direction of index axis c, in left-posterior-superior.
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 
-/// VTK 9.1's NRRD reader keeps only the lengths of `space directions`; this puts them back and turns
-/// every anatomical space into left-posterior-superior. Returns a note when it turned something.
+/// VTK 9.1's NRRD reader keeps only the lengths of `space directions`; this puts them back and
+/// turns every anatomical space into left-posterior-superior. Returns a note when it turned
+/// something.
 std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image);
 
 /// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or
@@ -33,6 +34,6 @@ void ScaleLengths(vtkImageData* image, double factor);
 /// The same voxels at the same places, reordered so that index axis c runs along world axis c as
 /// nearly as possible. Nothing is interpolated; the input is returned if nothing is to be done.
 vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image);
-}
+} // namespace Explore
 
 #endif

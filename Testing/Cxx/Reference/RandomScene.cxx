@@ -130,13 +130,13 @@ void RandomMaterial(Scene& scene, Random& random, Curves curves)
   const double* s = scene.image->GetSpacing();
   const double steepest = 0.2 * (range[1] - range[0]) / std::min({ s[0], s[1], s[2] });
   vtkHapticProperty* p = scene.property;
-  const double floor = random.Chance(0.2) ? 0.0 : 50.0;
+  // A table's error is relative to the height of a function's piece, so curves neither rise from
+  // nothing, where that is a large part of the stiffness, nor to a million newtons.
+  const double floor = curves == Curves::Linear && random.Chance(0.2) ? 0.0 : 50.0;
+  const bool huge = curves == Curves::Linear && random.Chance(0.1);
   RandomFunction(p->GetStiffness(), random, curves, range[0], range[1], floor, 1500.0);
   RandomFunction(p->GetFriction(), random, curves, range[0], range[1], 0.0, 0.8);
   RandomFunction(p->GetViscosity(), random, curves, range[0], range[1], 0.0, 0.5);
-  // A table's error is relative to the height of a function's piece: a curve up to a million
-  // newtons is too coarse for a hand.
-  const bool huge = curves == Curves::Linear && random.Chance(0.1);
   RandomFunction(
     p->GetSurfaceStrength(), random, curves, range[0], range[1], 0.0, huge ? 1e6 : 3.0);
   vtkPiecewiseFunction* distinctness = p->GetDistinctness();

@@ -144,7 +144,7 @@ double ReferenceField::Spline(const Vec3& index, int derivativeAxis) const
 void ReferenceField::GaussianWeights(
   int radius, double f, std::vector<double>& smoothing, std::vector<double>& derivative)
 {
-  const double s = radius / 2.0;
+  const double s = 0.53 * radius;
   const double c = radius + 1.0;
   const double end = std::exp(-c * c / (2.0 * s * s));
   const int taps = 2 * (radius + 1);
@@ -155,8 +155,7 @@ void ReferenceField::GaussianWeights(
   for (int i = 0; i < taps; ++i)
   {
     t[i] = i - radius - f;
-    w[i] =
-      std::exp(-t[i] * t[i] / (2.0 * s * s)) - end * (1.0 + (c * c - t[i] * t[i]) / (2.0 * s * s));
+    w[i] = std::exp(-t[i] * t[i] / (2.0 * s * s)) - end;
     sum += w[i];
     mean += w[i] * t[i];
   }

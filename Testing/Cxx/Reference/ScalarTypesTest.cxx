@@ -22,28 +22,23 @@ namespace
 {
 enum class Layout
 {
-  OfStructures, // the usual one
+  OfStructures,
   OfArrays
 };
 
 vtkSmartPointer<vtkDataArray> MakeArray(int scalarType, Layout layout)
 {
-  vtkDataArray* array = nullptr;
-  if (layout == Layout::OfStructures)
-  {
-    array = vtkDataArray::CreateDataArray(scalarType);
-  }
-  else
+  if (layout == Layout::OfArrays)
   {
     switch (scalarType)
     {
-      vtkTemplateMacro(array = vtkSOADataArrayTemplate<VTK_TT>::New());
+      vtkTemplateMacro(return vtkSmartPointer<vtkSOADataArrayTemplate<VTK_TT>>::New());
     }
   }
-  return vtkSmartPointer<vtkDataArray>::Take(array);
+  return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalarType));
 }
 
-// A volume of whole numbers from -`low` to `high` in one of `components`, and a walk through it.
+// Whole numbers around `middle` in the last of some components, and a walk through them.
 void Begin(Scene& scene, Estimator estimator, vtkDataArray* array, int components, double middle)
 {
   Random random(77);
@@ -68,8 +63,7 @@ void Begin(Scene& scene, Estimator estimator, vtkDataArray* array, int component
 
 void ExpectSameAsDouble(int scalarType, Layout layout, double middle)
 {
-  SCOPED_TRACE(std::string(vtkImageScalarTypeNameMacro(scalarType)) + ", layout " +
-    std::to_string(int(layout)) + ", around " + std::to_string(middle));
+  SCOPED_TRACE("layout " + std::to_string(int(layout)) + ", around " + std::to_string(middle));
   for (Estimator estimator : AllEstimators)
   {
     Scene expected;

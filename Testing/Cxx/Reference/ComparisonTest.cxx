@@ -21,7 +21,7 @@ using namespace reference;
 
 namespace
 {
-constexpr int Scenes = 120;
+constexpr int Scenes = 300;
 constexpr int Ticks = 150;
 
 std::unique_ptr<Scene> MakeScene(int seed, Curves curves)
@@ -55,9 +55,8 @@ TEST(ReferenceComparison, EveryTickAgrees)
   std::cout << "worst relative difference of a tick: " << worst << std::endl;
 }
 
-// The same over whole walks, where differences could pile up. The material is
-// gentle, for the paper's tick
-// itself can multiply a difference at every step: its drag does where the stiffness falls steeply.
+// The same over whole walks, where differences could pile up. The material is gentle, for the
+// paper's tick can itself multiply a difference: its drag does where the stiffness falls steeply.
 TEST(ReferenceComparison, EveryWalkAgrees)
 {
   double worst = 0.0;

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# shellcheck shell=bash
+# Sourced by the scripts that a person starts, so that each can bring along what it needs:
+#
+#   source CMake/install-packages.sh
+#   require_packages cmake ninja-build
+
+# Installs those of the named Debian packages that are missing, and nothing else. Returns 1, naming
+# them and the command that would help, where it cannot.
+require_packages()
+{
+  local package
+  local missing=()
+  if ! command -v dpkg-query > /dev/null
+  then
+    echo "This is not a Debian system, so nothing can be installed here." >&2
+    echo "Cure: install by hand what these Debian packages hold: $*" >&2
+    return 1
+  fi
+  for package in "$@"
+  do
+    if [[ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2> /dev/null)" != installed ]]
+    then
+      missing+=("$package")
+    fi
+  done
+  if [[ ${#missing[@]} -eq 0 ]]
+  then
+    return 0
+  fi
+
+  local cure="apt-get install --no-install-recommends ${missing[*]}"
+  local as_root=()
+  if [[ "$(id -u)" -ne 0 ]]
+  then
+    if ! command -v sudo > /dev/null
+    then
+      echo "Missing Debian packages: ${missing[*]}" >&2
+      echo "Cure: there is no sudo here; as root, run: $cure" >&2
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  echo "Installing the missing Debian packages: ${missing[*]}"
+  # An update that fails is no reason to give up: the lists may be good enough.
+  "${as_root[@]}" apt-get update -qq || echo "The package lists could not be brought up to date."
+  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}"
+  then
+    echo "Debian packages could not be installed: ${missing[*]}" >&2
+    echo "Cure: look at apt-get's message above; as root, run: $cure" >&2
+    return 1
+  fi
+}

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_BodyIsolation_h
+#define Explore_BodyIsolation_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+namespace Explore
+{
+/// The image with everything outside its largest connected region above `threshold`, and everything
+/// that is not finite, set to `fill`: head rests, tables and cables hide a patient from the eye and
+/// from the planner's rays. The soft edge of the region stays. What is felt is never this copy but
+/// the image itself.
+vtkSmartPointer<vtkImageData> IsolateBody(vtkImageData* image, double threshold, double fill);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The only way from a computed force to a device.
+ *
+ * In the order in which a force passes:
+ * 1. A force or a tip that is not finite gives zero and a fault.
+ * 2. The norm is clamped to the smaller of the device's and the user's maximum.
+ * 3. The change from the last force is limited (the slew limit).
+ * 4. The stiffness is capped where the force is computed: see HapticSettings::MaximumStiffness.
+ * 5. Joint commands are scaled down together, by the back end: SaturateTogether.
+ * 6. A tip faster than the limit gives zero and a fault.
+ * 7. After arming, and after every gap in the tip's samples, forces rise from zero over RampTime.
+ *
+ * The ramp is applied before the slew limit, so that nothing that leaves breaks the limit, except
+ * on its way to zero: a fault and disarming cut the force at once. Without fresh samples for
+ * WatchdogTime the force goes down to zero within the slew limit. A fault holds until Rearm.
+ */
+#ifndef SafetyStage_h
+#define SafetyStage_h
+
+#include "Vector3.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+enum class SafetyFault : std::uint8_t
+{
+  None,
+  NotFinite,
+  OverSpeed,
+  DeviceLost
+};
+
+struct SafetyLimits
+{
+  double MaximumForce = 0.0;       ///< N; nothing leaves at 0
+  double MaximumForceRate = 500.0; ///< N/s
+  double MaximumSpeed = 0.0;       ///< m/s; 0 does not limit
+  double RampTime = 0.5;           ///< s
+  double WatchdogTime = 0.03;      ///< s
+};
+
+/** What the stage needs to know of a tick. */
+struct SafetyInput
+{
+  Vector3 Force;        ///< N, as computed
+  Vector3 Tip;          ///< m
+  double Period = 1e-3; ///< s, nominal: what the slew limit and the ramp go by
+  double Elapsed = 0.0; ///< s since the last tick, measured
+  bool Fresh = false;   ///< the tip was measured for this tick
+  bool Lost = false;    ///< the device is gone
+};
+
+class SafetyStage
+{
+public:
+  /** The force to send. */
+  Vector3 Apply(const SafetyInput& input, const SafetyLimits& limits) noexcept;
+
+  /** Forget a fault and start the ramp. */
+  void Arm() noexcept;
+  /** No force from the next Apply on. */
+  void Disarm() noexcept { this->Armed = false; }
+
+  bool IsArmed() const noexcept { return this->Armed; }
+  SafetyFault GetFault() const noexcept { return this->Fault; }
+  /** Whether the last samples are older than the watchdog allows. */
+  bool IsStale() const noexcept { return this->Stale; }
+
+private:
+  Vector3 Cut() noexcept;
+  double MeasureSpeed(const SafetyInput& input) noexcept;
+
+  Vector3 Last;
+  Vector3 LastTip;
+  double SampleAge = 0.0;
+  double Ramp = 0.0;
+  bool HasTip = false;
+  bool Armed = false;
+  bool Stale = false;
+  SafetyFault Fault = SafetyFault::None;
+};
+
+/** Scales commands down together until the largest is within the limit: the direction is kept. */
+void SaturateTogether(double* commands, int count, double limit) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

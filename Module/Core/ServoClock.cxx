@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ServoClock.h"
+
+#if defined(__unix__)
+#include <cerrno>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <time.h>
+#else
+#include <chrono>
+#include <thread>
+#endif
+
+namespace VolumeHaptics
+{
+namespace ServoClock
+{
+
+#if defined(__unix__)
+
+namespace
+{
+constexpr std::int64_t Second = 1000000000;
+}
+
+std::int64_t Now() noexcept
+{
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * Second + now.tv_nsec;
+}
+
+void SleepUntil(std::int64_t time) noexcept
+{
+  timespec wake{};
+  wake.tv_sec = time / Second;
+  wake.tv_nsec = time % Second;
+  // A signal that is handled on this thread must not shorten a tick.
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) == EINTR)
+  {
+  }
+}
+
+bool RaisePriority() noexcept
+{
+  // Below 50, where the kernel's own interrupt threads run.
+  sched_param parameters{};
+  parameters.sched_priority = 40;
+  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
+}
+
+bool LockMemory() noexcept
+{
+  return mlockall(MCL_CURRENT) == 0;
+}
+
+#else
+
+std::int64_t Now() noexcept
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+void SleepUntil(std::int64_t time) noexcept
+{
+  std::this_thread::sleep_until(
+    std::chrono::steady_clock::time_point(std::chrono::nanoseconds(time)));
+}
+
+bool RaisePriority() noexcept
+{
+  return false;
+}
+
+bool LockMemory() noexcept
+{
+  return false;
+}
+
+#endif
+
+} // namespace ServoClock
+} // namespace VolumeHaptics

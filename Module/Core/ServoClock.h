@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The clock of the servo loop, and the privileges that keep it on time.
+ */
+#ifndef ServoClock_h
+#define ServoClock_h
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+namespace ServoClock
+{
+
+/** Monotonic time in ns. */
+std::int64_t Now() noexcept;
+/** Sleeps until a time of Now(); returns at once where that has passed. */
+void SleepUntil(std::int64_t time) noexcept;
+/** Asks for a real-time scheduling class (SCHED_FIFO, below 50) for the calling thread. */
+bool RaisePriority() noexcept;
+/** Asks that the pages which the process has now stay in memory. */
+bool LockMemory() noexcept;
+
+} // namespace ServoClock
+} // namespace VolumeHaptics
+
+#endif

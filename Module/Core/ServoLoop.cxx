@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ServoLoop.h"
+
+#include "ServoClock.h"
+
+#include <cstring>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double NanosecondsPerSecond = 1e9;
+/** A little over a minute at 1 kHz, should the recorder be kept from draining. */
+constexpr std::size_t TraceCapacity = 1 << 16;
+/** The rate is averaged over at least this long (ns). */
+constexpr std::int64_t RateWindow = 100000000;
+
+std::uint64_t Mix(std::uint64_t seal, std::uint64_t word) noexcept
+{
+  seal = (seal ^ word) * 0x9E3779B97F4A7C15ULL;
+  return seal ^ (seal >> 29);
+}
+
+std::uint64_t Mix(std::uint64_t seal, double number) noexcept
+{
+  std::uint64_t word;
+  std::memcpy(&word, &number, sizeof(word));
+  return Mix(seal, word);
+}
+
+std::uint64_t Mix(std::uint64_t seal, const Vector3& v) noexcept
+{
+  return Mix(Mix(Mix(seal, v.X), v.Y), v.Z);
+}
+
+} // namespace
+
+std::uint64_t ComputeSeal(const ServoSnapshot& s) noexcept
+{
+  std::uint64_t seal = Mix(Mix(s.Tick, s.Time), s.Generation);
+  seal = Mix(Mix(Mix(seal, s.Record.Tip), s.Record.Proxy), s.Record.Force);
+  seal = Mix(Mix(seal, s.Record.Normal), s.Command);
+  seal = Mix(Mix(seal, s.Record.GradientMagnitude), s.Record.SurfaceValue);
+  seal = Mix(Mix(seal, s.Record.Stiffness), s.Record.SurfaceStrength);
+  return Mix(seal, static_cast<std::uint64_t>(s.Buttons));
+}
+
+ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
+  : Backend(backend)
+  , Period(static_cast<std::int64_t>(NanosecondsPerSecond / rate + 0.5))
+  , Trace(TraceCapacity)
+{
+  this->Kept.push_back(std::make_unique<const Published>());
+  this->Next.store(this->Kept.back().get());
+}
+
+ServoLoop::~ServoLoop() = default;
+
+std::uint64_t ServoLoop::Publish(std::shared_ptr<const HapticModel> model)
+{
+  this->Kept.push_back(
+    std::make_unique<const Published>(Published{ std::move(model), ++this->Generation }));
+  this->Next.store(this->Kept.back().get(), std::memory_order_release);
+  this->Collect();
+  return this->Generation;
+}
+
+void ServoLoop::Collect()
+{
+  const std::uint64_t inUse = this->GetAcknowledged();
+  const auto first = std::find_if(this->Kept.begin(), this->Kept.end(),
+    [&](const std::unique_ptr<const Published>& kept) { return kept->Generation >= inUse; });
+  this->Kept.erase(this->Kept.begin(), first);
+}
+
+void ServoLoop::AskForRealTime() noexcept
+{
+  const auto answer = [](bool granted)
+  { return granted ? Privilege::Granted : Privilege::Refused; };
+  this->RealTimePriority.store(answer(ServoClock::RaisePriority()));
+  this->LockedMemory.store(answer(ServoClock::LockMemory()));
+}
+
+void ServoLoop::FollowModel() noexcept
+{
+  const Published* const next = this->Next.load(std::memory_order_acquire);
+  if (next == this->Current)
+  {
+    return;
+  }
+  const HapticModel* const before = this->Current ? this->Current->Model.get() : nullptr;
+  const HapticModel* const after = next->Model.get();
+  if (before && after)
+  {
+    CarryState(*before, *after, this->State);
+  }
+  else
+  {
+    this->State.Enabled = false;
+  }
+  this->Current = next;
+  this->Acknowledged.store(next->Generation, std::memory_order_release);
+}
+
+void ServoLoop::FollowCommands() noexcept
+{
+  const std::uint64_t command = this->ArmCommand.load(std::memory_order_acquire);
+  if (command != this->ArmCommandSeen)
+  {
+    this->ArmCommandSeen = command;
+    if (command & 1)
+    {
+      // Re-entry after a fault starts from the tip, without force.
+      this->State.Enabled = this->State.Enabled && this->Safety.GetFault() == SafetyFault::None;
+      this->Safety.Arm();
+    }
+    else
+    {
+      this->Safety.Disarm();
+    }
+  }
+  if (this->ResetRequested.exchange(false, std::memory_order_acq_rel))
+  {
+    this->TickCost.Reset();
+    this->WakeLatency.Reset();
+    this->MissedTicks.store(0, std::memory_order_relaxed);
+    this->StatisticsStart = 0;
+  }
+  this->Limits.Update();
+}
+
+void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
+{
+  const double period = static_cast<double>(this->Period) / NanosecondsPerSecond;
+  ServoSnapshot& s = this->Snapshot;
+  DeviceSample sample;
+  sample.Tip = s.Record.Tip;
+  s.Device = this->Backend.Read(period, sample);
+  s.Buttons = sample.Buttons;
+  s.Before = this->State;
+  const HapticModel* const model = this->Current->Model.get();
+  if (model)
+  {
+    VolumeHaptics::Tick(*model, this->State, sample.Tip, s.Record);
+  }
+  else
+  {
+    s.Record = TickRecord{};
+    s.Record.Tip = s.Record.Proxy = sample.Tip;
+    this->State.Enabled = false;
+  }
+
+  SafetyInput input;
+  input.Force = s.Record.Force;
+  input.Tip = sample.Tip;
+  input.Period = period;
+  input.Elapsed = elapsed;
+  input.Fresh = sample.Fresh;
+  input.Lost = s.Device == DeviceState::Lost;
+  s.Command = this->Safety.Apply(input, this->Limits.Read());
+  if (this->Backend.Write(s.Command) == DeviceState::Lost)
+  {
+    s.Device = DeviceState::Lost;
+  }
+  if (this->Safety.IsStale())
+  {
+    // Nobody knows where the hand went meanwhile.
+    this->State.Enabled = false;
+  }
+
+  s.Time = static_cast<double>(start) / NanosecondsPerSecond;
+  s.Tick = this->TickCount.load(std::memory_order_relaxed);
+  s.Generation = this->Current->Generation;
+  s.Armed = this->Safety.IsArmed();
+  s.Stale = this->Safety.IsStale();
+  s.Fault = this->Safety.GetFault();
+  s.Seal = ComputeSeal(s);
+  this->Latest.Write(s);
+  if (this->Recording.load(std::memory_order_acquire))
+  {
+    this->Trace.Push(s);
+  }
+  this->TickCount.store(s.Tick + 1, std::memory_order_relaxed);
+}
+
+void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept
+{
+  this->WakeLatency.Add(woken - planned);
+  this->TickCost.Add(done - woken);
+  const std::uint64_t ticks = this->TickCount.load(std::memory_order_relaxed);
+  if (this->StatisticsStart == 0)
+  {
+    this->StatisticsStart = done;
+    this->StatisticsTicks = ticks;
+  }
+  const std::int64_t time = done - this->StatisticsStart;
+  if (time >= RateWindow)
+  {
+    this->TickRate.store(static_cast<double>(ticks - this->StatisticsTicks) * NanosecondsPerSecond /
+        static_cast<double>(time),
+      std::memory_order_relaxed);
+  }
+}
+
+void ServoLoop::Run() noexcept
+{
+  this->AskForRealTime();
+  const std::int64_t begin = ServoClock::Now();
+  std::int64_t planned = begin;
+  std::int64_t last = begin - this->Period;
+  while (!this->StopRequested.load(std::memory_order_acquire))
+  {
+    const std::int64_t woken = ServoClock::Now();
+    this->FollowModel();
+    this->FollowCommands();
+    this->TickOnce(woken - begin, static_cast<double>(woken - last) / NanosecondsPerSecond);
+    const std::int64_t done = ServoClock::Now();
+    this->CountTime(planned, woken, done);
+    last = woken;
+
+    planned += this->Period;
+    if (done > planned)
+    {
+      // Too late for the next tick: go on in step with the clock instead of catching up in a burst.
+      const std::int64_t missed = (done - planned) / this->Period + 1;
+      this->MissedTicks.store(
+        this->MissedTicks.load(std::memory_order_relaxed) + static_cast<std::uint64_t>(missed),
+        std::memory_order_relaxed);
+      planned += missed * this->Period;
+    }
+    ServoClock::SleepUntil(planned);
+  }
+  this->Backend.Write({});
+}
+
+} // namespace VolumeHaptics

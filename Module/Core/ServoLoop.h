@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The servo loop: one tick after the other at a fixed rate, on a thread of its own.
+ *
+ * What goes in and out never makes the loop wait:
+ * - a model is published by swapping a pointer. The loop acknowledges the generation that it uses
+ * from now on; only the publishing thread frees what is older (Collect);
+ * - the latest state leaves through a triple buffer, every state through a ring while recording;
+ * - commands (arm, disarm, stop) and limits are single atomics.
+ *
+ * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; ReadState
+ * to one reader; Drain to one recorder; everything else to the owner (the GUI thread).
+ */
+#ifndef ServoLoop_h
+#define ServoLoop_h
+
+#include "DeviceBackend.h"
+#include "SafetyStage.h"
+#include "ServoTick.h"
+#include "TimeHistogram.h"
+#include "TraceRing.h"
+#include "TripleBuffer.h"
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** Everything about one tick, for displays and recordings. */
+struct ServoSnapshot
+{
+  TickRecord Record;            ///< what the tick computed, before the safety stage
+  ServoState Before;            ///< the state that the tick started from; not enabled: f = 0
+  Vector3 Command;              ///< N, what went to the device
+  double Time = 0.0;            ///< s since the loop started
+  std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
+  std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
+  std::uint64_t Seal = 0;       ///< a checksum of all of the above: see IsWhole
+  std::uint32_t Buttons = 0;
+  bool Armed = false;
+  bool Stale = false;
+  SafetyFault Fault = SafetyFault::None;
+  DeviceState Device = DeviceState::Running;
+};
+
+/** A checksum over the numbers of a snapshot, without the seal itself. */
+std::uint64_t ComputeSeal(const ServoSnapshot& snapshot) noexcept;
+/** False where a snapshot mixes two ticks, which the hand-off must never let happen. */
+inline bool IsWhole(const ServoSnapshot& snapshot) noexcept
+{
+  return snapshot.Seal == ComputeSeal(snapshot);
+}
+
+class ServoLoop
+{
+public:
+  /** The back end must be open, and outlive the loop. */
+  ServoLoop(DeviceBackend& backend, double rate);
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
+
+  /** The worker: returns after RequestStop, with zero force sent. */
+  void Run() noexcept;
+  void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
+
+  /** Uses a model from the next tick on; nullptr stops touching. Returns its generation. */
+  std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
+  /** Frees the models that the loop no longer uses. */
+  void Collect();
+  /** The generation that the loop has seen. */
+  std::uint64_t GetAcknowledged() const noexcept
+  {
+    return this->Acknowledged.load(std::memory_order_acquire);
+  }
+
+  /** Force may flow, after a ramp; forgets a fault. */
+  void Arm() noexcept { this->Command(true); }
+  /** No force from the next tick on. */
+  void Disarm() noexcept { this->Command(false); }
+
+  void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
+
+  bool ReadState() noexcept { return this->Latest.Update(); }
+  const ServoSnapshot& GetState() const noexcept { return this->Latest.Read(); }
+
+  void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
+  bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
+  std::uint64_t GetLostRecords() const noexcept { return this->Trace.GetLost(); }
+
+  /** Ticks executed since the start: a heartbeat for watchdogs. */
+  std::uint64_t GetTickCount() const noexcept
+  {
+    return this->TickCount.load(std::memory_order_relaxed);
+  }
+
+  ///@{
+  /** Time keeping since the last ResetStatistics. */
+  const TimeHistogram& GetTickCost() const noexcept { return this->TickCost; }
+  const TimeHistogram& GetWakeLatency() const noexcept { return this->WakeLatency; }
+  std::uint64_t GetMissedTicks() const noexcept
+  {
+    return this->MissedTicks.load(std::memory_order_relaxed);
+  }
+  double GetTickRate() const noexcept { return this->TickRate.load(std::memory_order_relaxed); }
+  void ResetStatistics() noexcept { this->ResetRequested.store(true, std::memory_order_release); }
+  ///@}
+
+  enum class Privilege : std::uint8_t
+  {
+    Unknown,
+    Granted,
+    Refused
+  };
+  Privilege GetRealTimePriority() const noexcept { return this->RealTimePriority.load(); }
+  Privilege GetLockedMemory() const noexcept { return this->LockedMemory.load(); }
+
+private:
+  /** What the pointer that is swapped points to. */
+  struct Published
+  {
+    std::shared_ptr<const HapticModel> Model;
+    std::uint64_t Generation = 0;
+  };
+
+  /** From any thread. */
+  void Command(bool arm) noexcept
+  {
+    std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
+    while (!this->ArmCommand.compare_exchange_weak(
+      last, ((last >> 1) + 1) << 1 | (arm ? 1 : 0), std::memory_order_release))
+    {
+    }
+  }
+  void AskForRealTime() noexcept;
+  void FollowModel() noexcept;
+  void FollowCommands() noexcept;
+  void TickOnce(std::int64_t start, double elapsed) noexcept;
+  void CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept;
+
+  DeviceBackend& Backend;
+  const std::int64_t Period; // ns
+
+  std::atomic<const Published*> Next;
+  std::atomic<std::uint64_t> Acknowledged{ 0 };
+  std::vector<std::unique_ptr<const Published>> Kept; // the owner's, oldest first
+  std::uint64_t Generation = 0;                       // the owner's
+
+  std::atomic<bool> StopRequested{ false };
+  std::atomic<bool> Recording{ false };
+  std::atomic<bool> ResetRequested{ false };
+  std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bit whether to arm
+  TripleBuffer<SafetyLimits> Limits;
+  TripleBuffer<ServoSnapshot> Latest;
+  TraceRing<ServoSnapshot> Trace;
+
+  // The servo's own.
+  const Published* Current = nullptr;
+  ServoState State;
+  SafetyStage Safety;
+  ServoSnapshot Snapshot;
+  std::uint64_t ArmCommandSeen = 0;
+  std::int64_t StatisticsStart = 0;
+  std::uint64_t StatisticsTicks = 0;
+
+  TimeHistogram TickCost;
+  TimeHistogram WakeLatency;
+  std::atomic<std::uint64_t> TickCount{ 0 };
+  std::atomic<std::uint64_t> MissedTicks{ 0 };
+  std::atomic<double> TickRate{ 0.0 };
+  std::atomic<Privilege> RealTimePriority{ Privilege::Unknown };
+  std::atomic<Privilege> LockedMemory{ Privilege::Unknown };
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Durations, counted in fixed buckets: written by one thread, read by any, without waiting.
+ *
+ * Eight buckets an octave, from 1 ns to more than an hour: a percentile is within 1/8 of the
+ * duration that it stands for.
+ */
+#ifndef TimeHistogram_h
+#define TimeHistogram_h
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+class TimeHistogram
+{
+public:
+  /** The one writer's side. */
+  void Add(std::int64_t nanoseconds) noexcept
+  {
+    std::atomic<std::uint64_t>& bucket = this->Count[Bucket(nanoseconds)];
+    bucket.store(bucket.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
+
+  /**
+   * The duration in ns below which a share (0 to 1) of the durations lie: the upper edge of the
+   * bucket in which it falls. 0 where nothing was counted.
+   */
+  double GetPercentile(double share) const noexcept;
+
+  std::uint64_t GetTotal() const noexcept;
+
+  /** The writer's side, too. */
+  void Reset() noexcept;
+
+private:
+  static constexpr int Shift = 3;
+  static constexpr int PerOctave = 1 << Shift;
+  static constexpr int Octaves = 42;
+
+  static int Bucket(std::int64_t nanoseconds) noexcept;
+  static double UpperEdge(int bucket) noexcept;
+
+  std::array<std::atomic<std::uint64_t>, PerOctave * Octaves> Count{};
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The latest value from one thread to another, without waiting on either side.
+ *
+ * Three slots: one that the writer fills, one that the reader reads, and a spare in between that
+ * holds the latest complete value. Each side swaps its own slot with the spare in one atomic
+ * exchange, so that neither ever touches the slot that the other is in.
+ */
+#ifndef TripleBuffer_h
+#define TripleBuffer_h
+
+#include <atomic>
+#include <cstdint>
+#include <type_traits>
+
+namespace VolumeHaptics
+{
+
+template <typename T>
+class TripleBuffer
+{
+  static_assert(std::is_trivially_copyable_v<T>, "values are copied while the other side runs");
+
+public:
+  TripleBuffer() = default;
+  TripleBuffer(const TripleBuffer&) = delete;
+  TripleBuffer& operator=(const TripleBuffer&) = delete;
+
+  /** The writer's side. */
+  void Write(const T& value) noexcept
+  {
+    this->Slot[this->Writing].Value = value;
+    const std::uint8_t spare = this->Spare.exchange(
+      static_cast<std::uint8_t>(this->Writing | Fresh), std::memory_order_acq_rel);
+    this->Writing = spare & Index;
+  }
+
+  /** The reader's side: whether a value came since the last call. The value stays readable. */
+  bool Update() noexcept
+  {
+    if (!(this->Spare.load(std::memory_order_relaxed) & Fresh))
+    {
+      return false;
+    }
+    const std::uint8_t spare = this->Spare.exchange(this->Reading, std::memory_order_acq_rel);
+    this->Reading = spare & Index;
+    return true;
+  }
+
+  /** The reader's side: the value that the last Update found. */
+  const T& Read() const noexcept { return this->Slot[this->Reading].Value; }
+
+private:
+  static constexpr std::uint8_t Index = 3;
+  static constexpr std::uint8_t Fresh = 4;
+
+  // A cache line each, so that the two sides do not slow each other down.
+  struct alignas(64) Padded
+  {
+    T Value{};
+  };
+
+  Padded Slot[3];
+  alignas(64) std::uint8_t Writing = 0;
+  alignas(64) std::atomic<std::uint8_t> Spare{ 1 };
+  alignas(64) std::uint8_t Reading = 2;
+};
+
+} // namespace VolumeHaptics
+
+#endif

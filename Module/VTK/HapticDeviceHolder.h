@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What stands behind vtkHapticDevice: the open back end, its session, and the latest state.
+ */
+#ifndef HapticDeviceHolder_h
+#define HapticDeviceHolder_h
+
+#include "HapticSession.h"
+#include "HapticTraceFiles.h"
+#include "VirtualDevice.h"
+
+namespace VolumeHaptics
+{
+
+class HapticDeviceHolder
+{
+public:
+  ~HapticDeviceHolder() { this->Close(); }
+
+  bool Open(const std::string& id, std::string& error);
+  void Close();
+  bool IsOpen() const { return this->Backend != nullptr; }
+  const std::string& GetId() const { return this->Id; }
+  DeviceLimits GetLimits() const
+  {
+    return this->Backend ? this->Backend->GetLimits() : DeviceLimits{};
+  }
+  /** The back end, where it is the virtual one. */
+  VirtualDevice* GetVirtual() const { return this->Virtual; }
+
+  /** Starts a session; the placement tells where a replay of world positions is. */
+  void Start(double rate, const SafetyLimits& limits, std::shared_ptr<const HapticModel> model,
+    const Affine3& deviceToWorld);
+  void Stop();
+  /** Null where the servo does not run. */
+  HapticSession* GetSession() const { return this->Session.get(); }
+
+  void Arm(bool on);
+
+  /** Takes the latest state; the placement is used where there is no model. */
+  bool Update(const Affine3& deviceToWorld);
+  const ServoSnapshot& GetState() const { return this->State; }
+  int GetButtons() const { return static_cast<int>(this->State.Buttons); }
+  int GetContact() const { return static_cast<int>(this->State.Record.Contact); }
+  long long GetTick() const { return static_cast<long long>(this->State.Tick); }
+
+  /** As vtkHapticDevice::StatusType. */
+  int GetStatus() const;
+  std::string GetStatusText() const;
+
+  ///@{
+  /** Of the latest state, in the world. */
+  double Tip[3] = {};
+  double Proxy[3] = {};
+  double Force[3] = {};
+  double ComputedForce[3] = {};
+  ///@}
+
+private:
+  std::string Id;
+  std::unique_ptr<DeviceBackend> Backend;
+  VirtualDevice* Virtual = nullptr;
+  RecordedTips Replay;
+  std::unique_ptr<HapticSession> Session;
+  ServoSnapshot State;
+  bool ArmWanted = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticSession.h"
+
+#include "ServoClock.h"
+
+#include <chrono>
+#include <thread>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** How often the keeper looks (ns), and how long the loop may be silent before it is quenched (ns).
+ */
+constexpr std::int64_t KeeperPeriod = 5000000;
+constexpr std::int64_t MostSilence = 40000000;
+
+template <typename T>
+T* UserData(void* info)
+{
+  return static_cast<T*>(static_cast<vtkMultiThreader::ThreadInfo*>(info)->UserData);
+}
+
+} // namespace
+
+HapticSession::HapticSession(DeviceBackend& backend, double rate, const SafetyLimits& limits,
+  std::shared_ptr<const HapticModel> model, bool armed)
+  : Backend(backend)
+  , Loop(backend, rate)
+{
+  this->Loop.SetLimits(limits);
+  if (model)
+  {
+    this->Publish(std::move(model));
+  }
+  if (armed)
+  {
+    this->Loop.Arm();
+  }
+  this->LoopThread = this->Threader->SpawnThread(&HapticSession::RunLoop, this);
+  this->KeeperThread = this->Threader->SpawnThread(&HapticSession::RunKeeper, this);
+}
+
+HapticSession::~HapticSession()
+{
+  // Our own flags stop the threads; TerminateThread only joins them.
+  this->Loop.RequestStop();
+  this->Threader->TerminateThread(this->LoopThread);
+  this->KeeperStop.store(true);
+  this->Threader->TerminateThread(this->KeeperThread);
+}
+
+VTK_THREAD_RETURN_TYPE HapticSession::RunLoop(void* info)
+{
+  UserData<HapticSession>(info)->Loop.Run();
+  return VTK_THREAD_RETURN_VALUE;
+}
+
+VTK_THREAD_RETURN_TYPE HapticSession::RunKeeper(void* info)
+{
+  UserData<HapticSession>(info)->Keep();
+  return VTK_THREAD_RETURN_VALUE;
+}
+
+void HapticSession::Keep()
+{
+  std::uint64_t seen = this->Loop.GetTickCount();
+  std::int64_t seenAt = ServoClock::Now();
+  while (!this->KeeperStop.load())
+  {
+    const std::int64_t now = ServoClock::Now();
+    const std::uint64_t count = this->Loop.GetTickCount();
+    if (count != seen)
+    {
+      seen = count;
+      seenAt = now;
+    }
+    else if (now - seenAt > MostSilence)
+    {
+      this->Backend.Quench();
+    }
+    this->Drain();
+    ServoClock::SleepUntil(now + KeeperPeriod);
+  }
+}
+
+void HapticSession::Drain()
+{
+  const std::lock_guard<std::mutex> lock(this->RecordingMutex);
+  ServoSnapshot snapshot;
+  while (this->Loop.Drain(snapshot))
+  {
+    if (this->Recording)
+    {
+      this->Recording->Append(snapshot);
+    }
+  }
+}
+
+void HapticSession::Publish(std::shared_ptr<const HapticModel> model)
+{
+  const std::lock_guard<std::mutex> lock(this->RecordingMutex);
+  const std::uint64_t generation = this->Loop.Publish(model);
+  if (this->Recording)
+  {
+    this->Recording->AddModel(generation, model);
+  }
+  this->Models[generation] = std::move(model);
+}
+
+const HapticModel* HapticSession::FindModel(std::uint64_t generation)
+{
+  // States come in order: what is older than this one is not asked for again.
+  this->Models.erase(this->Models.begin(), this->Models.lower_bound(generation));
+  const auto found = this->Models.find(generation);
+  return found == this->Models.end() ? nullptr : found->second.get();
+}
+
+void HapticSession::StartRecording(std::unique_ptr<HapticRecording> recording)
+{
+  const std::lock_guard<std::mutex> lock(this->RecordingMutex);
+  recording->LostTicks = this->Loop.GetLostRecords();
+  for (const auto& [generation, model] : this->Models)
+  {
+    recording->AddModel(generation, model);
+  }
+  this->Recording = std::move(recording);
+  this->Loop.SetRecording(true);
+}
+
+std::unique_ptr<HapticRecording> HapticSession::StopRecording()
+{
+  this->Loop.SetRecording(false);
+  // What the loop is in the middle of belongs to it, too.
+  const std::uint64_t last = this->Loop.GetTickCount();
+  for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  this->Drain();
+  const std::lock_guard<std::mutex> lock(this->RecordingMutex);
+  std::unique_ptr<HapticRecording> recording = std::move(this->Recording);
+  if (recording)
+  {
+    recording->LostTicks = this->Loop.GetLostRecords() - recording->LostTicks;
+  }
+  return recording;
+}
+
+void HapticSession::Quench() noexcept
+{
+  this->Loop.Disarm();
+  this->Backend.Quench();
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A running servo: the loop on a thread of its own, and a keeper beside it.
+ *
+ * The keeper thread does what must neither be done in the loop nor wait for the GUI: it collects
+ * the ticks of a recording, and quenches the device when the loop does not answer.
+ */
+#ifndef HapticSession_h
+#define HapticSession_h
+
+#include "HapticRecording.h"
+
+#include "vtkMultiThreader.h"
+#include "vtkNew.h"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+namespace VolumeHaptics
+{
+
+class HapticSession
+{
+public:
+  /** Starts the threads. The back end must be open and outlive the session. */
+  HapticSession(DeviceBackend& backend, double rate, const SafetyLimits& limits,
+    std::shared_ptr<const HapticModel> model, bool armed);
+  /** Stops the loop, with zero force sent, and joins the threads. */
+  ~HapticSession();
+  HapticSession(const HapticSession&) = delete;
+  HapticSession& operator=(const HapticSession&) = delete;
+
+  ServoLoop& GetLoop() { return this->Loop; }
+
+  void Publish(std::shared_ptr<const HapticModel> model);
+  /** The model of a generation that the owner may still see in a state; null before the first. */
+  const HapticModel* FindModel(std::uint64_t generation);
+
+  ///@{
+  /** The recording is filled by the keeper until it is handed back. */
+  void StartRecording(std::unique_ptr<HapticRecording> recording);
+  std::unique_ptr<HapticRecording> StopRecording();
+  bool IsRecording() const { return this->Recording != nullptr; }
+  ///@}
+
+  /** From any thread: no force from now on. */
+  void Quench() noexcept;
+
+private:
+  static VTK_THREAD_RETURN_TYPE RunLoop(void* info);
+  static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
+  void Keep();
+  void Drain();
+
+  DeviceBackend& Backend;
+  ServoLoop Loop;
+  vtkNew<vtkMultiThreader> Threader;
+  int LoopThread = -1;
+  int KeeperThread = -1;
+  std::atomic<bool> KeeperStop{ false };
+  std::mutex RecordingMutex; // between the owner and the keeper; the loop never takes it
+  std::unique_ptr<HapticRecording> Recording;
+  /** The owner's: models by generation, from the one of the last state that was asked for. */
+  std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Zero force when the process is told to end.
+ *
+ * While a session is guarded, SIGINT, SIGTERM and SIGHUP first quench every session, on a thread of
+ * its own that a pipe wakes (a signal handler may not touch a device), and are then delivered to
+ * whatever handled them before. exit() quenches, too. For a crash there are only the device's own
+ * watchdogs.
+ */
+#ifndef HapticSignals_h
+#define HapticSignals_h
+
+namespace VolumeHaptics
+{
+
+class HapticSession;
+
+/** From the owner's thread; a session must be released before it is destroyed. */
+void GuardSession(HapticSession* session);
+void ReleaseSession(HapticSession* session);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Traces in files: .vtp (everything) and .csv (the point arrays, one line a tick).
+ */
+#ifndef HapticTraceFiles_h
+#define HapticTraceFiles_h
+
+#include "Vector3.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+
+/** ".vtp" or ".csv"; empty for any other file. */
+std::string GetTraceEnding(const std::string& file);
+
+/** By the file's ending. False, with the reason and the cure, where it can't be written. */
+bool WriteTraceFile(vtkPolyData* trace, const std::string& file, std::string& error);
+
+/** The tips of a trace or a recording. */
+struct RecordedTips
+{
+  std::vector<Vector3> Tips;
+  bool InDeviceSpace = false; ///< else in world units
+};
+
+/**
+ * Reads the tips of a .vtp or .csv, from DeviceTip where it has that, else from Tip, else from the
+ * points. False, with an error that names the file, for anything that is not a whole trace:
+ * missing, truncated, foreign, empty, with numbers that are not finite, or with times or ticks that
+ * run backwards.
+ */
+bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticDevice.h"
+
+#include "vtkHapticDeviceInternals.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHapticDevice);
+
+using namespace VolumeHaptics;
+
+//------------------------------------------------------------------------------
+vtkHapticDevice::vtkHapticDevice()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice::~vtkHapticDevice()
+{
+  this->Close();
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkHapticDevice::EnumerateDevices()
+{
+  static const vtkSmartPointer<vtkStringArray> ids = []
+  {
+    auto array = vtkSmartPointer<vtkStringArray>::New();
+    array->InsertNextValue("virtual");
+    return array;
+  }();
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::Open(const char* id)
+{
+  std::string error;
+  auto& holder = this->Internals->Holder;
+  this->Close();
+  if (!holder.Open(id ? id : "", error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  this->MaximumForce = 0.5 * holder.GetLimits().MaximumForce;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Close()
+{
+  this->Stop();
+  if (this->Internals->Holder.IsOpen())
+  {
+    this->Internals->Holder.Close();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::IsOpen()
+{
+  return this->Internals->Holder.IsOpen();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
+{
+  if (this->Internals->Filter != filter)
+  {
+    this->Internals->Filter = filter;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolumeHapticsFilter* vtkHapticDevice::GetVolumeHaptics()
+{
+  return this->Internals->Filter;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetDeviceToWorld(vtkMatrix4x4* matrix)
+{
+  if (this->Internals->DeviceToWorld != matrix)
+  {
+    this->Internals->DeviceToWorld = matrix;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkHapticDevice::GetDeviceToWorld()
+{
+  return this->Internals->DeviceToWorld;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::Publish()
+{
+  auto& d = *this->Internals;
+  std::shared_ptr<const HapticModel> model;
+  if (!d.Bake(this->ServoRate, model))
+  {
+    return false;
+  }
+  if (HapticSession* session = d.Holder.GetSession())
+  {
+    session->Publish(std::move(model));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::Start()
+{
+  auto& d = *this->Internals;
+  if (d.Holder.GetSession())
+  {
+    return true;
+  }
+  if (!d.Holder.IsOpen())
+  {
+    vtkErrorMacro("No device is open. Open one first, for example with Open(\"virtual\").");
+    return false;
+  }
+  std::shared_ptr<const HapticModel> model;
+  if (!d.Bake(this->ServoRate, model))
+  {
+    return false;
+  }
+  const Affine3 placement = model ? model->DeviceToWorld : d.GetPlacement();
+  d.Holder.Start(this->ServoRate, d.MakeLimits(this), std::move(model), placement);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Stop()
+{
+  if (!this->Internals->RecordingFile.empty())
+  {
+    this->StopRecording();
+  }
+  this->Internals->Holder.Stop();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::IsRunning()
+{
+  return this->Internals->Holder.GetSession() != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Arm()
+{
+  this->Internals->Holder.Arm(true);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Disarm()
+{
+  this->Internals->Holder.Arm(false);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticDevice::GetStatus()
+{
+  return this->Internals->Holder.GetStatus();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticDevice::GetStatusText()
+{
+  return this->Internals->Holder.GetStatusText();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualTip(double x, double y, double z)
+{
+  const Vector3 world{ x, y, z };
+  VirtualDevice* const device = this->Internals->Holder.GetVirtual();
+  if (!device || !IsFinite(world))
+  {
+    vtkErrorMacro(<< (device ? "The virtual tip must be finite; it stays where it was."
+                             : "There is no virtual device to lead: Open(\"virtual\") first."));
+    return;
+  }
+  device->Lead(Inverse(this->Internals->GetPlacement())(world));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualTip(const double x[3])
+{
+  this->SetVirtualTip(x[0], x[1], x[2]);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualButtons(int buttons)
+{
+  if (VirtualDevice* device = this->Internals->Holder.GetVirtual())
+  {
+    device->SetButtons(static_cast<std::uint32_t>(buttons));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualDynamics(
+  double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay)
+{
+  VirtualDevice* const device = this->Internals->Holder.GetVirtual();
+  if (!device || this->IsRunning())
+  {
+    vtkErrorMacro("Dynamics are set between Open(\"virtual\") and Start().");
+    return;
+  }
+  VirtualDynamics dynamics;
+  dynamics.Mass = std::max(0.0, mass);
+  dynamics.Damping = std::max(0.0, damping);
+  dynamics.HandStiffness = std::max(0.0, handStiffness);
+  dynamics.EncoderQuantum = std::max(0.0, encoderQuantum);
+  dynamics.ForceDelay = std::clamp(forceDelay, 0, VirtualDynamics::MaximumDelay);
+  device->SetDynamics(dynamics);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::UpdateState()
+{
+  return this->Internals->Holder.Update(this->Internals->GetPlacement());
+}
+
+//------------------------------------------------------------------------------
+#define vtkHapticDeviceStateMacro(type, name, value) \
+  type vtkHapticDevice::Get##name()                  \
+  {                                                  \
+    return this->Internals->Holder.value;            \
+  }
+
+vtkHapticDeviceStateMacro(double*, TipPosition, Tip);
+vtkHapticDeviceStateMacro(double*, ProxyPosition, Proxy);
+vtkHapticDeviceStateMacro(double*, Force, Force);
+vtkHapticDeviceStateMacro(double*, ComputedForce, ComputedForce);
+vtkHapticDeviceStateMacro(int, Buttons, GetButtons());
+vtkHapticDeviceStateMacro(int, Contact, GetContact());
+vtkHapticDeviceStateMacro(double, SurfaceValue, GetState().Record.SurfaceValue);
+vtkHapticDeviceStateMacro(vtkIdType, Tick, GetTick());

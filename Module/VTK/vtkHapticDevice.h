@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticDevice
+ * @brief   a stylus in a hand, and the servo loop that makes it feel a volume
+ *
+ * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with
+ * exactly the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither
+ * locks, allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands
+ * it immutable snapshots of the filter with Publish, and takes the latest state with UpdateState.
+ *
+ *   device->Open("virtual");
+ *   device->SetVolumeHaptics(filter);
+ *   device->Start();                  // ticks; the proxy moves, no force yet
+ *   device->Arm();                    // force rises over half a second
+ *   ... in the GUI's timer: device->UpdateState(); render with GetProxyPosition() ...
+ *   device->Stop();                   // zero force, thread joined
+ *
+ * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and
+ * to the device's own maximum, and changes by at most MaximumForceRate; after Arm and after every
+ * gap it rises from zero over half a second. A tip that is not finite, that moves faster than a
+ * hand can hold the device, or a device that is lost, cuts the force and latches a fault until Arm
+ * is called again. Without fresh samples for 30 ms the force goes to zero. Stop, Close, deletion,
+ * exit() and SIGINT, SIGTERM and SIGHUP send zero force. Stiffness is capped at what the device can
+ * hold.
+ *
+ * Positions are in world units and forces in newtons along the world's axes, except where said.
+ *
+ * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a
+ * recording
+ * (.vtp or .csv), tick by tick.
+ *
+ * @sa vtkVolumeHapticsFilter
+ */
+#ifndef vtkHapticDevice_h
+#define vtkHapticDevice_h
+
+#include "vtkObject.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkMatrix4x4;
+class vtkStringArray;
+class vtkVolumeHapticsFilter;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticDevice : public vtkObject
+{
+public:
+  static vtkHapticDevice* New();
+  vtkTypeMacro(vtkHapticDevice, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The ids of the devices that Open can be given now; "replay:FILE" is not among them. */
+  static vtkStringArray* EnumerateDevices();
+
+  /**
+   * Open a device by its id. False, with an error that says what to do, where that is not possible.
+   * Closes the one that was open.
+   */
+  bool Open(const char* id);
+  /** Stop, and let go of the device. */
+  void Close();
+  bool IsOpen();
+
+  ///@{
+  /**
+   * What is felt. Takes effect with Publish or Start. The filter is kept by reference; the servo
+   * never touches it.
+   */
+  void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
+  vtkVolumeHapticsFilter* GetVolumeHaptics();
+  ///@}
+
+  /**
+   * Bring the filter's image up to date and hand the servo a snapshot of everything: image,
+   * materials, settings, DeviceToWorld. Used from the next tick on; a change of force that follows
+   * is slewed. Without a running servo only checks. False, with an error, where the input can't be
+   * touched; the servo then goes on with what it has.
+   */
+  bool Publish();
+
+  ///@{
+  /**
+   * From the device's space (m) to the world: a rotation, a translation and one uniform, positive
+   * scale. Takes effect with Publish. nullptr (default): the world scaled by the filter's
+   * MetersPerWorldUnit.
+   */
+  void SetDeviceToWorld(vtkMatrix4x4* matrix);
+  vtkMatrix4x4* GetDeviceToWorld();
+  ///@}
+
+  ///@{
+  /**
+   * Ticks per second, 100 to 10000. Default 1000. Takes effect with Start.
+   */
+  vtkSetClampMacro(ServoRate, double, 100.0, 10000.0);
+  vtkGetMacro(ServoRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Start the servo, with the filter as it is now (without one the tip just moves), and stop it
+   * with zero force. Start is false, with an error, where no device is open or the filter can't be
+   * touched.
+   */
+  bool Start();
+  void Stop();
+  bool IsRunning();
+  ///@}
+
+  ///@{
+  /**
+   * Let force through, or not. Arm forgets a fault; Disarm cuts the force at once. Stop disarms.
+   */
+  void Arm();
+  void Disarm();
+  ///@}
+
+  enum StatusType
+  {
+    CLOSED = 0,
+    OPEN = 1,
+    FIRMWARE = 2, ///< waits for its firmware
+    HOMING = 3,   ///< waits for its encoders to be homed
+    READY = 4,    ///< can be started, or runs unarmed
+    ARMED = 5,    ///< armed; no force yet, since the servo does not run or gets no samples
+    ACTIVE = 6,   ///< force flows
+    FAULT = 7     ///< cut off until armed again
+  };
+
+  ///@{
+  /**
+   * Where the device stands, as of the last UpdateState; the text says what is wrong, and the cure.
+   */
+  int GetStatus();
+  std::string GetStatusText();
+  ///@}
+
+  ///@{
+  /**
+   * Where the hand leads the tip of the virtual device (world). Without simulated dynamics the tip
+   * goes there at 2 m/s or less; the first call puts it there.
+   */
+  void SetVirtualTip(double x, double y, double z);
+  void SetVirtualTip(const double x[3]) VTK_SIZEHINT(3);
+  void SetVirtualButtons(int buttons);
+  ///@}
+
+  /**
+   * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -
+   * damping x' with mass in kg (0: none, the default), damping in N s/m and the hand's stiffness in
+   * N/m, positions rounded to an encoder's quantum (m, 0: not) and forces delayed by ticks (0 to
+   * 16). Before Start.
+   */
+  void SetVirtualDynamics(
+    double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
+
+  /** Take the latest state from the servo; true if it is a new one. What follows belongs to one
+   * tick. */
+  bool UpdateState();
+
+  ///@{
+  /** Of the latest state, in world units. */
+  double* GetTipPosition() VTK_SIZEHINT(3);
+  double* GetProxyPosition() VTK_SIZEHINT(3);
+  ///@}
+  ///@{
+  /**
+   * Of the latest state (N, world axes): what went to the device, and what the tick computed before
+   * the safety stage.
+   */
+  double* GetForce() VTK_SIZEHINT(3);
+  double* GetComputedForce() VTK_SIZEHINT(3);
+  ///@}
+  /** Of the latest state: bit 0 is the main button. */
+  int GetButtons();
+  /** Of the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
+  int GetContact();
+  /** Of the latest state: the value in the surface, V(x_s). */
+  double GetSurfaceValue();
+  /** Of the latest state: its number since Start. */
+  vtkIdType GetTick();
+
+  ///@{
+  /**
+   * Longest force (N) on the hand. At most the device's own maximum; opening a device sets it to
+   * half of that.
+   */
+  void SetMaximumForce(double force);
+  vtkGetMacro(MaximumForce, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest change of force (N/s). Default 500, that is, 0.5 N/ms.
+   */
+  void SetMaximumForceRate(double rate);
+  vtkGetMacro(MaximumForceRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
+   * writes it to a .vtp or .csv. A recording on port 1 of vtkVolumeHapticsFilter gives the same
+   * forces to the bit, as long as nothing but the placement of the device changed while it was
+   * made. Needs a running servo.
+   */
+  bool StartRecording(const char* file);
+  bool StopRecording();
+  ///@}
+
+  ///@{
+  /**
+   * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration
+   * (s) that a percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to
+   * 1/8 of it; and ticks that were left out because the loop was late.
+   */
+  double GetTickRate();
+  double GetTickPercentile(double p);
+  double GetWakePercentile(double p);
+  vtkIdType GetMissedTicks();
+  void ResetStatistics();
+  ///@}
+
+protected:
+  vtkHapticDevice();
+  ~vtkHapticDevice() override;
+
+  double ServoRate = 1000.0;
+  double MaximumForce = 0.0;
+  double MaximumForceRate = 500.0;
+
+private:
+  vtkHapticDevice(const vtkHapticDevice&) = delete;
+  void operator=(const vtkHapticDevice&) = delete;
+
+  void SendLimits();
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

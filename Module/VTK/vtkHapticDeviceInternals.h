@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The private side of vtkHapticDevice.
+ */
+#ifndef vtkHapticDeviceInternals_h
+#define vtkHapticDeviceInternals_h
+
+#include "vtkHapticDevice.h"
+
+#include "HapticDeviceHolder.h"
+#include "HapticVolumeView.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+struct vtkHapticDevice::vtkInternals
+{
+  VolumeHaptics::HapticDeviceHolder Holder;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
+  std::string RecordingFile;
+
+  /** A snapshot of the filter; null without a filter. False after an error. */
+  bool Bake(double rate, std::shared_ptr<const VolumeHaptics::HapticModel>& model)
+  {
+    if (this->Filter)
+    {
+      const double cap = this->Holder.GetLimits().MaximumStiffness;
+      model = this->Filter->Bake(rate, cap, this->DeviceToWorld);
+    }
+    return !this->Filter || model;
+  }
+
+  /** Where the device is, as far as that can be said without a model. */
+  VolumeHaptics::Affine3 GetPlacement()
+  {
+    VolumeHaptics::Affine3 map;
+    std::string error;
+    if (!this->DeviceToWorld || !ReadSimilarity(this->DeviceToWorld, map, error))
+    {
+      const double meters = this->Filter ? this->Filter->GetMetersPerWorldUnit() : 1e-3;
+      map = {};
+      map.Linear = (1.0 / meters) * VolumeHaptics::Matrix3{};
+    }
+    return map;
+  }
+
+  VolumeHaptics::SafetyLimits MakeLimits(vtkHapticDevice* self)
+  {
+    VolumeHaptics::SafetyLimits limits;
+    limits.MaximumForce = self->GetMaximumForce();
+    limits.MaximumForceRate = self->GetMaximumForceRate();
+    limits.MaximumSpeed = this->Holder.GetLimits().MaximumSpeed;
+    return limits;
+  }
+};
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkHapticDevice that limits, records and measures.
+#include "vtkHapticDeviceInternals.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <sstream>
+
+using namespace VolumeHaptics;
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SendLimits()
+{
+  auto& d = *this->Internals;
+  if (HapticSession* session = d.Holder.GetSession())
+  {
+    session->GetLoop().SetLimits(d.MakeLimits(this));
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetMaximumForce(double force)
+{
+  auto& holder = this->Internals->Holder;
+  const double most = holder.IsOpen() ? holder.GetLimits().MaximumForce : VTK_DOUBLE_MAX;
+  // False for NaN, too: no force is the safe answer.
+  const double clamped = force > 0.0 ? std::min(force, most) : 0.0;
+  if (clamped != this->MaximumForce)
+  {
+    this->MaximumForce = clamped;
+    this->SendLimits();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetMaximumForceRate(double rate)
+{
+  const double clamped = rate > 0.0 ? rate : 0.0;
+  if (clamped != this->MaximumForceRate)
+  {
+    this->MaximumForceRate = clamped;
+    this->SendLimits();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::StartRecording(const char* file)
+{
+  auto& d = *this->Internals;
+  HapticSession* const session = d.Holder.GetSession();
+  const std::string name = file ? file : "";
+  if (!session || session->IsRecording())
+  {
+    vtkErrorMacro(<< (session ? "A recording is under way: StopRecording() it first."
+                              : "There is nothing to record: Start() the servo first."));
+    return false;
+  }
+  if (GetTraceEnding(name).empty())
+  {
+    vtkErrorMacro("The recording \"" << name << "\" has an unknown ending: name it .vtp or .csv.");
+    return false;
+  }
+  auto recording = std::make_unique<HapticRecording>();
+  recording->DeviceId = d.Holder.GetId();
+  if (d.Filter)
+  {
+    std::ostringstream settings;
+    d.Filter->PrintSettings(settings, vtkIndent());
+    settings << "ServoRate of the device: " << this->ServoRate << " Hz\n";
+    recording->Settings = settings.str();
+    recording->VolumeHash = d.Filter->HashScalars();
+  }
+  d.RecordingFile = name;
+  session->StartRecording(std::move(recording));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::StopRecording()
+{
+  auto& d = *this->Internals;
+  HapticSession* const session = d.Holder.GetSession();
+  std::unique_ptr<HapticRecording> recording = session ? session->StopRecording() : nullptr;
+  if (!recording)
+  {
+    vtkErrorMacro("No recording is under way: StartRecording() first.");
+    return false;
+  }
+  const std::string file = std::move(d.RecordingFile);
+  d.RecordingFile.clear();
+  if (recording->LostTicks > 0)
+  {
+    vtkWarningMacro(<< recording->LostTicks << " ticks are missing from the recording " << file
+                    << ": the machine was too busy to collect them. Its forces can't be replayed "
+                       "beyond the first gap.");
+  }
+  std::string error;
+  if (!WriteTraceFile(recording->MakeTrace(), file, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetTickRate()
+{
+  HapticSession* const session = this->Internals->Holder.GetSession();
+  return session ? session->GetLoop().GetTickRate() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetTickPercentile(double p)
+{
+  HapticSession* const session = this->Internals->Holder.GetSession();
+  return session ? 1e-9 * session->GetLoop().GetTickCost().GetPercentile(p / 100.0) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetWakePercentile(double p)
+{
+  HapticSession* const session = this->Internals->Holder.GetSession();
+  return session ? 1e-9 * session->GetLoop().GetWakeLatency().GetPercentile(p / 100.0) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticDevice::GetMissedTicks()
+{
+  HapticSession* const session = this->Internals->Holder.GetSession();
+  return session ? static_cast<vtkIdType>(session->GetLoop().GetMissedTicks()) : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::ResetStatistics()
+{
+  if (HapticSession* session = this->Internals->Holder.GetSession())
+  {
+    session->GetLoop().ResetStatistics();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto& d = *this->Internals;
+  const std::string& id = d.Holder.GetId();
+  os << indent << "Device: " << (id.empty() ? "(none)" : id.c_str()) << "\n";
+  os << indent << "Status: " << this->GetStatusText() << "\n";
+  os << indent << "VolumeHaptics: " << d.Filter.GetPointer() << "\n";
+  os << indent << "DeviceToWorld: " << d.DeviceToWorld.GetPointer() << "\n";
+  os << indent << "ServoRate: " << this->ServoRate << " Hz\n";
+  os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
+  os << indent << "MaximumForceRate: " << this->MaximumForceRate << " N/s\n";
+  os << indent << "Recording: " << (d.RecordingFile.empty() ? "(none)" : d.RecordingFile.c_str())
+     << "\n";
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The volumes that are touched, and models of them.
+ */
+#ifndef BallVolume_h
+#define BallVolume_h
+
+#include "HapticModel.h"
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+
+namespace benchmarks
+{
+
+/** Radius in voxels (and mm) of the level that the slide runs along. */
+constexpr double BallRadius = 100.0;
+
+/**
+ * An int16 volume whose value falls with the squared distance from its centre: every level is a
+ * ball, there is a gradient everywhere, and filling it is cheap. Voxels of 1 mm.
+ */
+struct BallVolume
+{
+  std::string Name;
+  vtkSmartPointer<vtkImageData> Image;
+  VolumeHaptics::VolumeView View;
+
+  BallVolume(const std::string& name, int nx, int ny, int nz);
+
+  VolumeHaptics::Vector3 GetCentre() const;
+};
+
+struct Estimator
+{
+  std::string Name;
+  VolumeHaptics::GradientEstimator Kind;
+  int Radius;
+  /** Taps along an axis of the sum that its gradient is; 0 when it is not such a sum. */
+  int Taps;
+};
+
+/** All that are measured. */
+const std::vector<Estimator>& GetEstimators();
+
+/** A model in life size with a material table like that of a CT. Borrows the volume. */
+std::unique_ptr<VolumeHaptics::HapticModel> MakeModel(const BallVolume& volume,
+  const Estimator& estimator,
+  VolumeHaptics::HapticMethod method = VolumeHaptics::HapticMethod::Proxy);
+
+} // namespace benchmarks
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BareGather.h"
+
+namespace benchmarks
+{
+namespace
+{
+
+template <int N>
+std::int32_t Sum(const std::int16_t* corner, std::int64_t line, std::int64_t plane)
+{
+  std::int32_t sum = 0;
+  for (int k = 0; k < N; ++k)
+  {
+    for (int j = 0; j < N; ++j)
+    {
+      const std::int16_t* const row = corner + k * plane + j * line;
+      for (int i = 0; i < N; ++i)
+      {
+        sum += row[i];
+      }
+    }
+  }
+  return sum;
+}
+
+} // namespace
+
+Gather SelectGather(int taps)
+{
+  return taps == 4 ? Sum<4> : (taps == 6 ? Sum<6> : Sum<8>);
+}
+
+} // namespace benchmarks

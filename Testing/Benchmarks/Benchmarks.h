@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is measured. Each registration borrows its volume.
+ */
+#ifndef Benchmarks_h
+#define Benchmarks_h
+
+#include "BallVolume.h"
+
+namespace benchmarks
+{
+
+/**
+ * slide:  along a level of the ball, as a hand does it: what is read is in the cache.
+ * random: somewhere else every time, and waiting for each result before the next.
+ */
+inline std::string NameOf(const std::string& subject, const std::string& variant,
+  const std::string& motion, const std::string& volume)
+{
+  return subject + "/" + variant + "/" + motion + "/" + volume;
+}
+
+/** Whole servo ticks: the paper's proxy with each estimator, and the force field. */
+void RegisterTickBenchmarks(const BallVolume& volume);
+
+/** Gradients and values alone, with each instruction set, beside a bare gather of the taps. */
+void RegisterFieldBenchmarks(const BallVolume& volume);
+
+/** VTK's own ways to a value and its surroundings. */
+void RegisterPeerBenchmarks(const BallVolume& volume);
+
+} // namespace benchmarks
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * volumehaptics-benchmark [--quick] [Google Benchmark's own options]
+ *
+ * Measures what a servo tick costs, beside what else one could do, in repetitions that are shuffled
+ * over the whole run, and prints medians and their ratios. Asserts nothing. --quick leaves out the
+ * volume of 1 GiB and most repetitions: it shows that everything runs, its figures are rough.
+ */
+#include "Benchmarks.h"
+#include "Medians.h"
+#include "RatioTable.h"
+
+#include <cstring>
+#include <vector>
+
+int main(int argc, char* argv[])
+{
+  using namespace benchmarks;
+  bool isQuick = false;
+  std::vector<char*> arguments = { argv[0] };
+  // Defaults go first, so that options on the command line override them.
+  char interleaved[] = "--benchmark_enable_random_interleaving=true";
+  char repetitions[] = "--benchmark_repetitions=21";
+  char time[] = "--benchmark_min_time=0.02";
+  char fewRepetitions[] = "--benchmark_repetitions=3";
+  char shortTime[] = "--benchmark_min_time=0.002";
+  for (int i = 1; i < argc; ++i)
+  {
+    isQuick = isQuick || std::strcmp(argv[i], "--quick") == 0;
+  }
+  arguments.push_back(interleaved);
+  arguments.push_back(isQuick ? fewRepetitions : repetitions);
+  arguments.push_back(isQuick ? shortTime : time);
+  for (int i = 1; i < argc; ++i)
+  {
+    if (std::strcmp(argv[i], "--quick") != 0)
+    {
+      arguments.push_back(argv[i]);
+    }
+  }
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
+  {
+    return 1;
+  }
+
+  std::vector<BallVolume> volumes = { BallVolume("256^3", 256, 256, 256) };
+  if (!isQuick)
+  {
+    volumes.emplace_back("1GiB", 1024, 1024, 512);
+  }
+  for (const BallVolume& volume : volumes)
+  {
+    RegisterTickBenchmarks(volume);
+    RegisterFieldBenchmarks(volume);
+    RegisterPeerBenchmarks(volume);
+  }
+  Medians medians;
+  benchmark::RunSpecifiedBenchmarks(&medians);
+  PrintRatios(medians);
+  PrintMemory(volumes.front());
+  benchmark::Shutdown();
+  return 0;
+}

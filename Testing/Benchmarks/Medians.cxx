@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Medians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace benchmarks
+{
+
+bool Medians::ReportContext(const Context& context)
+{
+  PrintBasicContext(&this->GetErrorStream(), context);
+  std::printf("%-48s %10s %10s %10s\n", "ns an iteration", "median", "least", "most");
+  return true;
+}
+
+void Medians::ReportRuns(const std::vector<Run>& runs)
+{
+  std::vector<double> times;
+  for (const Run& run : runs)
+  {
+    if (run.error_occurred)
+    {
+      std::printf("%-48s ERROR: %s\n", run.run_name.function_name.c_str(),
+        run.error_message.c_str());
+    }
+    else if (run.run_type == Run::RT_Iteration)
+    {
+      times.push_back(1e9 * run.cpu_accumulated_time / static_cast<double>(run.iterations));
+    }
+  }
+  if (times.empty())
+  {
+    return;
+  }
+  std::sort(times.begin(), times.end());
+  const std::string& name = runs.front().run_name.function_name;
+  const std::size_t half = times.size() / 2;
+  const double median = 0.5 * (times[half] + times[times.size() - 1 - half]);
+  this->Nanoseconds[name] = median;
+  std::printf("%-48s %10.1f %10.1f %10.1f\n", name.c_str(), median, times.front(), times.back());
+}
+
+double Medians::operator[](const std::string& name) const
+{
+  const auto found = this->Nanoseconds.find(name);
+  return found == this->Nanoseconds.end() ? NAN : found->second;
+}
+
+} // namespace benchmarks

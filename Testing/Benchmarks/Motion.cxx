@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Motion.h"
+
+#include <random>
+
+using namespace VolumeHaptics;
+
+namespace benchmarks
+{
+
+Positions SlideAt(const BallVolume& volume, double radius)
+{
+  const double pi = std::acos(-1.0);
+  const Vector3 pole = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };
+  const Vector3 across = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, -1.0, 0.0 };
+  const Vector3 along = Cross(pole, across);
+  const int steps = static_cast<int>(2.0 * pi * radius / 0.1);
+  Positions positions;
+  for (int step = 0; step < steps; ++step)
+  {
+    const double angle = 2.0 * pi * step / steps;
+    positions.push_back(
+      volume.GetCentre() + radius * (std::cos(angle) * across + std::sin(angle) * along));
+  }
+  return positions;
+}
+
+Positions Scattered(const BallVolume& volume)
+{
+  constexpr double margin = 8.0;
+  std::mt19937 random(2002);
+  const auto along = [&](int axis)
+  {
+    const double last = static_cast<double>(volume.View.Dimensions[axis] - 1);
+    return std::uniform_real_distribution<double>(margin, last - margin)(random);
+  };
+  Positions positions(1 << 16);
+  for (Vector3& position : positions)
+  {
+    position.X = along(0);
+    position.Y = along(1);
+    position.Z = along(2);
+  }
+  return positions;
+}
+
+} // namespace benchmarks

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where the volumes are touched.
+ */
+#ifndef Motion_h
+#define Motion_h
+
+#include "BallVolume.h"
+
+#include <vector>
+
+namespace benchmarks
+{
+
+/** Continuous indices, which are also mm. */
+using Positions = std::vector<VolumeHaptics::Vector3>;
+
+/**
+ * Once around the volume's centre on a great circle oblique to all axes, 0.1 mm a step, which is
+ * 0.1 m/s at 1 kHz.
+ */
+Positions SlideAt(const BallVolume& volume, double radius);
+
+/** Anywhere, but clear of the border. Touches far more memory than a cache holds. */
+Positions Scattered(const BallVolume& volume);
+
+/** Goes through positions again and again. */
+class Cycle
+{
+public:
+  explicit Cycle(const Positions& positions)
+    : All(positions)
+  {
+  }
+
+  const VolumeHaptics::Vector3& Next()
+  {
+    this->Step = this->Step + 1 < this->All.size() ? this->Step + 1 : 0;
+    return this->All[this->Step];
+  }
+  bool IsAtStart() const { return this->Step == 0; }
+
+private:
+  const Positions& All;
+  std::size_t Step = 0;
+};
+
+/**
+ * A zero that depends on a result. Added to the next position it keeps the processor from starting
+ * on that one early: out of the cache a servo waits for every one of its ticks.
+ */
+inline double Wait(double result)
+{
+  return 0.0 * result;
+}
+
+} // namespace benchmarks
+
+#endif

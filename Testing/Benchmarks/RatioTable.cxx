@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RatioTable.h"
+
+#include "Benchmarks.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace benchmarks
+{
+namespace
+{
+
+constexpr double NoTarget = 0.0;
+/** Warm ticks in a volume 32 times as large should cost the same; this allows for noise. */
+constexpr double SameCost = 1.15;
+
+void PrintTitle(const char* title)
+{
+  std::printf("\n%-64s %8s %8s\n", title, "ratio", "target");
+}
+
+void PrintRatio(
+  const Medians& medians, const std::string& over, const std::string& under, double target)
+{
+  const double ratio = medians[over] / medians[under];
+  if (!std::isfinite(ratio))
+  {
+    return;
+  }
+  std::printf("  %-62s %8.2f", (over + " : " + under).c_str(), ratio);
+  if (target > NoTarget)
+  {
+    std::printf(" <= %5.2f  %s", target, ratio <= target ? "reached" : "NOT reached");
+  }
+  std::printf("\n");
+}
+
+/** The whole tick beside seven linear interpolations of VTK's. */
+double TickTarget(const Estimator& estimator)
+{
+  if (estimator.Kind == VolumeHaptics::GradientEstimator::CubicBSpline)
+  {
+    return 1.4;
+  }
+  const bool isDefault = estimator.Kind == VolumeHaptics::GradientEstimator::Gaussian &&
+    estimator.Radius == 2;
+  return isDefault ? 2.1 : NoTarget;
+}
+
+} // namespace
+
+void PrintRatios(const Medians& medians)
+{
+  const char* const volumes[] = { "256^3", "1GiB" };
+  const char* const motions[] = { "slide", "random" };
+  const auto forEach = [&](const auto& print)
+  {
+    for (const char* motion : motions)
+    {
+      for (const char* volume : volumes)
+      {
+        for (const Estimator& estimator : GetEstimators())
+        {
+          print(estimator, motion, volume);
+        }
+      }
+    }
+  };
+
+  PrintTitle("Tick beside vtkImageInterpolator, value and 6 taps");
+  forEach(
+    [&](const Estimator& estimator, const std::string& motion, const std::string& volume)
+    {
+      const bool isTarget = motion == "slide" && volume == "256^3";
+      PrintRatio(medians, NameOf("tick", estimator.Name, motion, volume),
+        NameOf("InterpolateIJK", "value+6", motion, volume),
+        isTarget ? TickTarget(estimator) : NoTarget);
+    });
+  PrintTitle("Gradient beside a bare gather of its taps");
+  forEach(
+    [&](const Estimator& estimator, const std::string& motion, const std::string& volume)
+    {
+      PrintRatio(medians, NameOf("gradient", estimator.Name, motion, volume),
+        NameOf("gather", estimator.Name, motion, volume), NoTarget);
+    });
+  PrintTitle("Cost independent of the volume's size when warm");
+  for (const Estimator& estimator : GetEstimators())
+  {
+    PrintRatio(medians, NameOf("tick", estimator.Name, "slide", "1GiB"),
+      NameOf("tick", estimator.Name, "slide", "256^3"), SameCost);
+  }
+  PrintTitle("vtkProbeFilter, value and 6 taps, beside a tick");
+  for (const Estimator& estimator : GetEstimators())
+  {
+    PrintRatio(medians, NameOf("vtkProbeFilter", "value+6", "slide", "256^3"),
+      NameOf("tick", estimator.Name, "slide", "256^3"), NoTarget);
+  }
+  PrintTitle("Gradient with the best instruction set beside the baseline's");
+  for (const Estimator& estimator : GetEstimators())
+  {
+    PrintRatio(medians, NameOf("gradient", estimator.Name, "slide", "256^3"),
+      NameOf("baseline_gradient", estimator.Name, "slide", "256^3"), NoTarget);
+  }
+}
+
+void PrintMemory(const BallVolume& volume)
+{
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  std::printf("\n%-64s %8s %8s\n", "Memory beyond the image", "MiB", "target");
+  for (const Estimator& estimator : GetEstimators())
+  {
+    const double size = static_cast<double>(MakeModel(volume, estimator)->GetMemorySize());
+    std::printf("  %-62s %8.3f <  %5.2f  %s\n", estimator.Name.c_str(), size / mebibyte, 1.0,
+      size < mebibyte ? "reached" : "NOT reached");
+  }
+}
+
+} // namespace benchmarks

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks.h"
+#include "Motion.h"
+#include "ServoTick.h"
+
+#include <benchmark/benchmark.h>
+
+using namespace VolumeHaptics;
+
+namespace benchmarks
+{
+namespace
+{
+
+/** How deep the tip is held below the surface, mm. */
+constexpr double Depth = 2.0;
+
+/** What a model is made of, so that only what runs takes memory and caches. */
+struct Scene
+{
+  const BallVolume& Volume;
+  Estimator Gradient;
+  HapticMethod Method;
+};
+
+void Slide(benchmark::State& bench, const Scene& scene)
+{
+  const auto model = MakeModel(scene.Volume, scene.Gradient, scene.Method);
+  Positions tips = SlideAt(scene.Volume, BallRadius - Depth);
+  for (Vector3& tip : tips)
+  {
+    tip = 0.001 * tip;
+  }
+  const bool isProxy = scene.Method == HapticMethod::Proxy;
+  ServoState start;
+  start.Proxy = 0.001 * SlideAt(scene.Volume, BallRadius).front();
+  start.PreviousTip = tips.front();
+  start.Enabled = true;
+
+  ServoState state = start;
+  TickRecord record;
+  Cycle tip(tips);
+  for (auto _ : bench)
+  {
+    Tick(*model, state, tip.Next(), record);
+    benchmark::DoNotOptimize(record);
+    if (tip.IsAtStart())
+    {
+      state = start; // else the proxy drifts away from its level in thousands of turns
+    }
+  }
+  if (isProxy && bench.iterations() > 1000 && record.Contact != ContactState::Sliding)
+  {
+    bench.SkipWithError("the proxy does not slide");
+  }
+}
+
+void Jump(benchmark::State& bench, const Scene& scene)
+{
+  const auto model = MakeModel(scene.Volume, scene.Gradient, scene.Method);
+  const Positions positions = Scattered(scene.Volume);
+  const Vector3 lag = 0.001 * Depth / std::sqrt(3.0) * Vector3{ 1.0, 1.0, 1.0 };
+  ServoState state;
+  state.Enabled = true;
+  TickRecord record;
+  Cycle proxy(positions);
+  for (auto _ : bench)
+  {
+    state.Proxy = 0.001 * proxy.Next();
+    state.Proxy.X += Wait(record.Force.X);
+    Tick(*model, state, state.Proxy + lag, record);
+    benchmark::DoNotOptimize(record);
+  }
+}
+
+} // namespace
+
+void RegisterTickBenchmarks(const BallVolume& volume)
+{
+  for (const Estimator& estimator : GetEstimators())
+  {
+    const Scene scene{ volume, estimator, HapticMethod::Proxy };
+    benchmark::RegisterBenchmark(
+      NameOf("tick", estimator.Name, "slide", volume.Name).c_str(), Slide, scene);
+    benchmark::RegisterBenchmark(
+      NameOf("tick", estimator.Name, "random", volume.Name).c_str(), Jump, scene);
+    benchmark::RegisterBenchmark(
+      NameOf("force_field_tick", estimator.Name, "slide", volume.Name).c_str(), Slide,
+      Scene{ volume, estimator, HapticMethod::ForceField });
+  }
+}
+
+} // namespace benchmarks

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A filter on a small volume with a path through it, and everything that it says recorded.
+ */
+#ifndef ApiRig_h
+#define ApiRig_h
+
+#include <gtest/gtest.h>
+
+#include <vtkCallbackCommand.h>
+#include <vtkHapticProperty.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolumeHapticsFilter.h>
+#include <vtkWeakPointer.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace apitest
+{
+using Point = std::array<double, 3>;
+
+/// The errors and warnings of an object, instead of on the console.
+class MessageLog
+{
+public:
+  explicit MessageLog(vtkObject* watched);
+  ~MessageLog();
+  MessageLog(const MessageLog&) = delete;
+  MessageLog& operator=(const MessageLog&) = delete;
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+private:
+  vtkWeakPointer<vtkObject> Watched;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+/// An image of n^3 voxels of 1 world unit, from the origin on; its scalars are called "Density".
+vtkSmartPointer<vtkImageData> MakeImage(
+  int n, int scalarType, const std::function<double(const Point&)>& value);
+
+/// V = 100 z.
+vtkSmartPointer<vtkImageData> MakeRamp(int n = 16, int scalarType = VTK_DOUBLE);
+
+/// One point a tick, or with `times` (s) in a point array "Time".
+vtkSmartPointer<vtkPolyData> MakePath(
+  const std::vector<Point>& points, const std::vector<double>& times = {});
+
+/// From a to b, both included, in `steps` steps.
+std::vector<Point> Line(const Point& a, const Point& b, int steps);
+
+/// Remove all points and add one: a constant.
+void SetConstant(vtkPiecewiseFunction* function, double value);
+
+/// Entry of a point array of an output; fails the test where there is no such array.
+double Get(vtkPolyData* output, const char* array, vtkIdType tick, int component = 0);
+
+/// Whether points, lines and all point arrays of the first `ticks` ticks (all: -1) are the same to
+/// the bit.
+bool IsSame(vtkPolyData* a, vtkPolyData* b, vtkIdType ticks = -1);
+
+/// A copy of a filter's output that outlives the next update.
+vtkSmartPointer<vtkPolyData> Keep(vtkVolumeHapticsFilter* filter);
+
+/// The ramp, pushed 5 mm along z from z = 5 in 50 ticks: T1 of the specification.
+class ApiTest : public testing::Test
+{
+protected:
+  ApiTest();
+
+  /// Update, expecting no message and `ticks` points; returns the output.
+  vtkPolyData* Run(vtkIdType ticks);
+  /// Update, expecting one error with all these words in it, and an empty output.
+  void ExpectError(const std::vector<std::string>& words);
+
+  vtkSmartPointer<vtkImageData> Image = MakeRamp();
+  vtkSmartPointer<vtkPolyData> Path = MakePath(Line({ 7, 7, 5 }, { 7, 7, 10 }, 50));
+  vtkNew<vtkVolumeHapticsFilter> Filter;
+  vtkHapticProperty* const Property = this->Filter->GetProperty();
+  MessageLog Log{ this->Filter };
+  /// VTK's executive complains, too, where a filter fails; that is not the filter's word.
+  MessageLog ExecutiveLog;
+};
+} // namespace apitest
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Images without extent or with a place in the world that makes no sense.
+ */
+
+#include "BadImage.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <limits>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Inf = std::numeric_limits<double>::infinity();
+
+void Reshape(vtkImageData* image, int x, int y, int z)
+{
+  image->SetDimensions(x, y, z);
+  image->AllocateScalars(VTK_SHORT, 1);
+  image->GetPointData()->GetScalars()->Fill(0.0);
+}
+
+const BadImage BadGeometries[] = {
+  { "Empty", [](auto* image, auto*) { image->SetExtent(0, -1, 0, -1, 0, -1); },
+    { "input image", "empty", "dimensions" } },
+  { "ThinAlongX", [](auto* image, auto*) { Reshape(image, 1, 9, 9); },
+    { "input image", "one voxel thin", "1 x 9 x 9" } },
+  { "ThinAlongY", [](auto* image, auto*) { Reshape(image, 9, 1, 9); },
+    { "input image", "one voxel thin", "9 x 1 x 9" } },
+  { "ThinAlongZ", [](auto* image, auto*) { Reshape(image, 9, 9, 1); },
+    { "input image", "one voxel thin", "9 x 9 x 1" } },
+  { "SpacingNaN", [](auto* image, auto*) { image->SetSpacing(1, NaN, 1); },
+    { "input image", "spacing", "finite", "SetSpacing" } },
+  { "SpacingInfinite", [](auto* image, auto*) { image->SetSpacing(Inf, 1, 1); },
+    { "input image", "spacing", "finite", "SetSpacing" } },
+  { "SpacingZero", [](auto* image, auto*) { image->SetSpacing(1, 1, 0); },
+    { "input image", "spacing", "not zero", "SetSpacing" } },
+  { "OriginNaN", [](auto* image, auto*) { image->SetOrigin(0, 0, NaN); },
+    { "input image", "origin", "finite", "SetOrigin" } },
+  { "SingularDirection",
+    [](auto* image, auto*) { image->SetDirectionMatrix(1, 0, 1, 0, 1, 0, 1, 0, 1); },
+    { "input image", "direction matrix", "singular", "SetDirectionMatrix" } },
+  { "DirectionNaN",
+    [](auto* image, auto*) { image->SetDirectionMatrix(1, 0, 0, 0, NaN, 0, 0, 0, 1); },
+    { "input image", "direction matrix", "SetDirectionMatrix" } },
+  { "KernelTooLarge", [](auto*, auto* filter) { filter->SetKernelRadius(8); },
+    { "input image", "KernelRadius of 8", "16 x 16 x 16", "Lower KernelRadius" } },
+};
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(BadGeometry, BadImageTest, testing::ValuesIn(BadGeometries), NameOf);

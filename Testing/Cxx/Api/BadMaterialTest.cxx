@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Material functions with values that no material has.
+ */
+
+#include "ApiRig.h"
+
+#include <limits>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Inf = std::numeric_limits<double>::infinity();
+
+struct BadValue
+{
+  const char* Function;
+  vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
+  double X;
+  double Y;
+};
+
+const BadValue BadValues[] = {
+  { "Stiffness", &vtkHapticProperty::GetStiffness, 300.0, -1e-9 },
+  { "Stiffness", &vtkHapticProperty::GetStiffness, 300.0, NaN },
+  { "Stiffness", &vtkHapticProperty::GetStiffness, 300.0, Inf },
+  { "Friction", &vtkHapticProperty::GetFriction, 300.0, -0.1 },
+  { "Friction", &vtkHapticProperty::GetFriction, 300.0, Inf },
+  { "Viscosity", &vtkHapticProperty::GetViscosity, 300.0, -1.0 },
+  { "SurfaceStrength", &vtkHapticProperty::GetSurfaceStrength, 300.0, -1e6 },
+  { "SurfaceStrength", &vtkHapticProperty::GetSurfaceStrength, Inf, 2.0 },
+  { "Distinctness", &vtkHapticProperty::GetDistinctness, 300.0, 1.001 },
+  { "Distinctness", &vtkHapticProperty::GetDistinctness, 300.0, -0.001 },
+  { "Distinctness", &vtkHapticProperty::GetDistinctness, 300.0, NaN },
+};
+
+class BadValueTest
+  : public ApiTest
+  , public testing::WithParamInterface<BadValue>
+{
+};
+} // namespace
+
+TEST_P(BadValueTest, GivesOneErrorAndRecovers)
+{
+  const BadValue& bad = this->GetParam();
+  vtkPiecewiseFunction* const function = (this->Property->*bad.Get)();
+  function->AddPoint(200.0, 0.5);
+  this->Run(51);
+  function->AddPoint(bad.X, bad.Y);
+  this->ExpectError({ "haptic property", bad.Function, std::string("Get") + bad.Function + "()" });
+  SetConstant(function, 0.5);
+  this->Run(51);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadValueTest, testing::ValuesIn(BadValues));

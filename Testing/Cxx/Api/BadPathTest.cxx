@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Paths that make no sense: one error each, and recovery.
+ */
+
+#include "ApiRig.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+
+#include <limits>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Inf = std::numeric_limits<double>::infinity();
+
+const std::vector<Point> Three = { { 7, 7, 5 }, { 7, 7, 6 }, { 7, 7, 7 } };
+
+struct BadPath
+{
+  const char* Name;
+  std::function<vtkSmartPointer<vtkPolyData>()> Make;
+  std::vector<std::string> Words;
+};
+
+vtkSmartPointer<vtkPolyData> WithTimeArray(int components, int tuples)
+{
+  auto path = MakePath(Three);
+  vtkNew<vtkDoubleArray> times;
+  times->SetName("Time");
+  times->SetNumberOfComponents(components);
+  times->SetNumberOfTuples(tuples);
+  times->Fill(0.0);
+  path->GetPointData()->AddArray(times);
+  return path;
+}
+
+const BadPath BadPaths[] = {
+  { "NaN",
+    [] {
+      return MakePath({ { 7, 7, 5 }, { 7, NaN, 6 } });
+    },
+    { "tip path", "NaN", "point 1", "Replace or remove" } },
+  { "Infinite",
+    [] {
+      return MakePath({ { -Inf, 7, 5 }, { 7, 7, 6 } });
+    },
+    { "tip path", "infinite", "point 0", "Replace or remove" } },
+  { "TimeDecreasing",
+    [] {
+      return MakePath(Three, { 0.0, 0.002, 0.001 });
+    },
+    { "tip path", "\"Time\"", "decreases", "point 2", "Sort" } },
+  { "TimeNaN",
+    [] {
+      return MakePath(Three, { 0.0, NaN, 0.002 });
+    },
+    { "tip path", "\"Time\"", "not finite", "point 1" } },
+  { "TimeInfinite",
+    [] {
+      return MakePath(Three, { 0.0, 0.001, Inf });
+    },
+    { "tip path", "\"Time\"", "not finite", "point 2" } },
+  { "TimeVectors", [] { return WithTimeArray(3, 3); },
+    { "tip path", "\"Time\"", "3 component", "one number of seconds a point" } },
+  { "TimeTooShort", [] { return WithTimeArray(1, 2); },
+    { "tip path", "\"Time\"", "2 tuples", "3 points" } },
+  { "TimeInMicroseconds",
+    [] {
+      return MakePath(Three, { 0.0, 1e6, 1e9 });
+    },
+    { "tip path", "\"Time\"", "ticks", "seconds" } },
+};
+
+class BadPathTest
+  : public ApiTest
+  , public testing::WithParamInterface<BadPath>
+{
+};
+} // namespace
+
+TEST_P(BadPathTest, GivesOneErrorAndRecovers)
+{
+  this->Run(51);
+  this->Filter->SetPathData(this->GetParam().Make());
+  this->ExpectError(this->GetParam().Words);
+  this->Filter->SetPathData(this->Path);
+  this->Run(51);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadPathTest, testing::ValuesIn(BadPaths),
+  [](const auto& info) { return std::string(info.param.Name); });

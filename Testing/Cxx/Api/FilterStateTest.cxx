@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The filter's settings: defaults, limits, what is printed and what counts as a modification.
+ */
+
+#include "ApiRig.h"
+
+#include <sstream>
+
+using namespace apitest;
+
+TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
+  EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PAPER);
+  EXPECT_EQ(filter->GetGradientEstimator(), vtkVolumeHapticsFilter::GAUSSIAN);
+  EXPECT_EQ(filter->GetKernelRadius(), 2);
+  EXPECT_EQ(filter->GetServoRate(), 1000.0);
+  EXPECT_EQ(filter->GetMetersPerWorldUnit(), 0.001);
+  EXPECT_EQ(filter->GetForceFieldDamping(), 0.0);
+  EXPECT_EQ(filter->GetMaximumForce(), 0.0);
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
+  ASSERT_NE(filter->GetProperty(), nullptr);
+  EXPECT_EQ(filter->GetProperty(), filter->GetProperty());
+}
+
+TEST(FilterState, EverySetterModifiesOnChangeOnly)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  vtkNew<vtkHapticProperty> property;
+  const std::pair<const char*, std::function<void()>> changes[] = {
+    { "Method", [&] { filter->SetMethodToForceField(); } },
+    { "Method back", [&] { filter->SetMethodToProxy(); } },
+    { "Estimator 0", [&] { filter->SetGradientEstimatorToCentralDifference(); } },
+    { "Estimator 2", [&] { filter->SetGradientEstimatorToCubicBSpline(); } },
+    { "Estimator 1", [&] { filter->SetGradientEstimatorToGaussian(); } },
+    { "KernelRadius", [&] { filter->SetKernelRadius(3); } },
+    { "ServoRate", [&] { filter->SetServoRate(500.0); } },
+    { "MetersPerWorldUnit", [&] { filter->SetMetersPerWorldUnit(0.002); } },
+    { "ForceFieldGain", [&] { filter->SetForceFieldGain(0.5); } },
+    { "ForceFieldDamping", [&] { filter->SetForceFieldDamping(0.5); } },
+    { "MaximumForce", [&] { filter->SetMaximumForce(3.0); } },
+    { "Property", [&] { filter->SetProperty(property); } },
+    { "no Property", [&] { filter->SetProperty(nullptr); } },
+  };
+  for (const auto& [name, change] : changes)
+  {
+    vtkMTimeType before = filter->GetMTime();
+    change();
+    EXPECT_GT(filter->GetMTime(), before) << name;
+    before = filter->GetMTime();
+    change();
+    EXPECT_EQ(filter->GetMTime(), before) << name << " again";
+  }
+  EXPECT_NE(filter->GetProperty(), property.Get());
+}
+
+TEST(FilterState, MTimeFollowsTheProperty)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->GetProperty()->GetFriction();
+  const vtkMTimeType before = filter->GetMTime();
+  filter->GetProperty()->GetFriction()->AddPoint(1.0, 0.5);
+  EXPECT_GT(filter->GetMTime(), before);
+}
+
+TEST(FilterState, SettingsAreKeptInTheirRange)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetKernelRadius(0);
+  EXPECT_EQ(filter->GetKernelRadius(), 1);
+  filter->SetKernelRadius(1000);
+  EXPECT_EQ(filter->GetKernelRadius(), 16);
+  filter->SetMethod(99);
+  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::FORCE_FIELD);
+  filter->SetGradientEstimator(-1);
+  EXPECT_EQ(filter->GetGradientEstimator(), vtkVolumeHapticsFilter::CENTRAL_DIFFERENCE);
+  filter->SetSolver(99);
+  filter->SetSolverToPaper();
+  EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PAPER);
+  filter->SetServoRate(0.0);
+  EXPECT_EQ(filter->GetServoRate(), 1.0);
+  filter->SetMetersPerWorldUnit(-1.0);
+  EXPECT_GT(filter->GetMetersPerWorldUnit(), 0.0);
+  filter->SetMaximumForce(-1.0);
+  EXPECT_EQ(filter->GetMaximumForce(), 0.0);
+}
+
+TEST(FilterState, PrintsEveryMember)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  for (const bool withProperty : { false, true })
+  {
+    if (withProperty)
+    {
+      filter->GetProperty();
+    }
+    std::ostringstream text;
+    filter->Print(text);
+    for (const char* const member :
+      { "Property:", "Method:", "Solver:", "GradientEstimator:", "KernelRadius:", "ServoRate:",
+        "MetersPerWorldUnit:", "ForceFieldGain:", "ForceFieldDamping:", "MaximumForce:" })
+    {
+      EXPECT_NE(text.str().find(member), std::string::npos) << member;
+    }
+  }
+}

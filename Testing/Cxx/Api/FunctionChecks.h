@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * How far from a vtkPiecewiseFunction a baked value may be.
+ */
+#ifndef FunctionChecks_h
+#define FunctionChecks_h
+
+#include <vtkPiecewiseFunction.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace apitest
+{
+/// Documented in vtkHapticProperty.h: a curved piece is off by 0.01 % of its height at most.
+inline constexpr double CurveBound = 1e-4;
+
+struct Node
+{
+  double X, Y, Midpoint, Sharpness;
+};
+
+inline std::vector<Node> NodesOf(vtkPiecewiseFunction* function)
+{
+  std::vector<Node> nodes(function->GetSize());
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    function->GetNodeValue(i, &nodes[i].X);
+  }
+  return nodes;
+}
+
+/// The largest error that baking may cause at x: rounding on linear pieces and plateaus.
+inline double AllowedError(vtkPiecewiseFunction* function, double x)
+{
+  const std::vector<Node> nodes = NodesOf(function);
+  double size = 0.0;
+  for (const Node& node : nodes)
+  {
+    size = std::max(size, std::abs(node.Y));
+  }
+  const double rounding = 1e-11 * size;
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+  {
+    if (x > nodes[i - 1].X && x <= nodes[i].X)
+    {
+      const double sharpness = nodes[i - 1].Sharpness;
+      const bool curved = (sharpness >= 0.01 && sharpness <= 0.99) || function->GetUseLogScale();
+      return rounding + (curved ? CurveBound * std::abs(nodes[i].Y - nodes[i - 1].Y) : 0.0);
+    }
+  }
+  return rounding;
+}
+
+/// What the function gives at x, or a few roundings of x (or of its logarithm) beside it.
+inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, double x)
+{
+  const double value = function->GetValue(x);
+  std::pair<double, double> range = { value, value };
+  for (const Node& node : NodesOf(function))
+  {
+    if (node.X == x)
+    {
+      return range; // at a node there is nothing to round
+    }
+  }
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(x);
+  for (const double beside : { x - rounding, x + rounding })
+  {
+    range.first = std::min(range.first, function->GetValue(beside));
+    range.second = std::max(range.second, function->GetValue(beside));
+  }
+  return range;
+}
+} // namespace apitest
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * vtkPiecewiseFunctions of every kind, and arguments that are hard on them.
+ */
+#ifndef RandomFunctions_h
+#define RandomFunctions_h
+
+#include "FunctionChecks.h"
+
+#include <vtkSmartPointer.h>
+
+#include <random>
+
+namespace apitest
+{
+struct Shape
+{
+  double Sharpness; ///< of every piece; negative: random, often exactly 0 or 1
+  bool Duplicates;
+  bool Clamping;
+  bool LogScale;
+};
+
+/// Values from 0 to `height` over [low, low + width]; low has to be positive with a log scale.
+inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
+  std::mt19937_64& engine, const Shape& shape, double low, double width, double height)
+{
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const auto corner = [&](double x) { return x < 0.2 ? 0.0 : (x > 0.8 ? 1.0 : uniform(engine)); };
+  auto function = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  function->SetAllowDuplicateScalars(shape.Duplicates);
+  function->SetClamping(shape.Clamping);
+  function->SetUseLogScale(shape.LogScale);
+  const int nodes = 1 + static_cast<int>(engine() % 8);
+  for (int i = 0; i < nodes; ++i)
+  {
+    // On a grid, so that duplicates and steep edges occur. (VTK's own difference of two logarithms
+    // has no digits left for edges as steep as the others.)
+    double share = std::floor(8.0 * uniform(engine)) / 8.0;
+    share += uniform(engine) < 0.3 ? (shape.LogScale ? 1e-3 : 1e-6) * uniform(engine) : 0.0;
+    const double sharpness = shape.Sharpness < 0.0 ? corner(uniform(engine)) : shape.Sharpness;
+    function->AddPoint(
+      low + share * width, height * uniform(engine), corner(uniform(engine)), sharpness);
+  }
+  return function;
+}
+
+/// Nodes, their neighbours, positions all over the pieces, and outside.
+inline std::vector<double> ArgumentsOf(vtkPiecewiseFunction* function, std::mt19937_64& engine)
+{
+  const std::vector<Node> nodes = NodesOf(function);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<double> arguments = { nodes.front().X - 1e6, nodes.back().X + 1e6 };
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const Node& a = nodes[i];
+    const double width = nodes[std::min(i + 1, nodes.size() - 1)].X - a.X;
+    arguments.insert(
+      arguments.end(), { a.X, std::nextafter(a.X, -HUGE_VAL), std::nextafter(a.X, HUGE_VAL) });
+    for (int n = 0; n < 300; ++n)
+    {
+      // Half of them crowd around the ends and the midpoint.
+      const double far = n % 2 ? std::pow(uniform(engine), 12.0) : 1.0;
+      const double anchor = n % 2 ? std::vector<double>{ 0.0, 1.0, a.Midpoint }[engine() % 3] : 0.0;
+      const double share = anchor + (anchor > 0.5 ? -far : far) * uniform(engine);
+      arguments.push_back(a.X + share * width);
+    }
+  }
+  return arguments;
+}
+} // namespace apitest
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "AllocationCounter.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <malloc.h>
+#include <new>
+
+namespace
+{
+std::atomic<std::size_t> Calls{ 0 };
+std::atomic<std::size_t> LiveBytes{ 0 };
+
+void* Allocate(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t))
+{
+  void* memory = nullptr;
+  if (posix_memalign(&memory, alignment, bytes ? bytes : 1) != 0)
+  {
+    throw std::bad_alloc();
+  }
+  ++Calls;
+  LiveBytes += malloc_usable_size(memory);
+  return memory;
+}
+
+void Release(void* memory) noexcept
+{
+  if (memory)
+  {
+    LiveBytes -= malloc_usable_size(memory);
+    std::free(memory);
+  }
+}
+} // namespace
+
+namespace coretest
+{
+Allocations CountAllocations()
+{
+  return { Calls, LiveBytes };
+}
+} // namespace coretest
+
+// operator new[] and the variants without exceptions come down to these.
+void* operator new(std::size_t bytes)
+{
+  return Allocate(bytes);
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment)
+{
+  return Allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept
+{
+  Release(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept
+{
+  Release(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept
+{
+  Release(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
+{
+  Release(memory);
+}
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+extern "C"
+{
+  void* __libc_malloc(std::size_t);
+  void* __libc_calloc(std::size_t, std::size_t);
+  void* __libc_realloc(void*, std::size_t);
+
+  void* malloc(std::size_t bytes)
+  {
+    ++Calls;
+    return __libc_malloc(bytes);
+  }
+  void* calloc(std::size_t count, std::size_t bytes)
+  {
+    ++Calls;
+    return __libc_calloc(count, bytes);
+  }
+  void* realloc(void* memory, std::size_t bytes)
+  {
+    ++Calls;
+    return __libc_realloc(memory, bytes);
+  }
+}
+bool coretest::CountsMalloc()
+{
+  return true;
+}
+#else
+bool coretest::CountsMalloc()
+{
+  return false;
+}
+#endif

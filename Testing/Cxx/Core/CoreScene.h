@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Models on small volumes, with millimetres for the world and a tip that wanders through them.
+ */
+#ifndef CoreScene_h
+#define CoreScene_h
+
+#include "ServoTick.h"
+#include "TestVolume.h"
+
+namespace coretest
+{
+/// A world of millimetres around a volume of 1 mm voxels; its material is the default one.
+inline HapticModelDescription Describe(const TestVolume& volume)
+{
+  HapticModelDescription description;
+  description.View = volume.View;
+  description.DeviceToWorld.Linear = 1000.0 * Matrix3{};
+  return description;
+}
+
+/// V = 100 z: a surface everywhere, whose normal is z.
+inline TestVolume MakeRamp(std::int64_t samples = 24)
+{
+  TestVolume volume(ScalarType::Float64, { samples, samples, samples });
+  volume.Fill<double>([](std::int64_t, std::int64_t, std::int64_t k) { return 100.0 * double(k); });
+  return volume;
+}
+
+/// A random walk that also leaves the volume. In metres, for a volume of `size` voxels of 1 mm.
+class Wanderer
+{
+public:
+  explicit Wanderer(double size, unsigned seed = 1)
+    : Size(size)
+    , Engine(seed)
+  {
+  }
+
+  Vector3 Next()
+  {
+    for (double* x : { &this->Tip.X, &this->Tip.Y, &this->Tip.Z })
+    {
+      *x += 2e-4 * (this->Uniform() - 0.5);
+      // Reflected 5 mm outside the volume; some ticks jump.
+      const double low = -0.005;
+      const double high = 0.001 * this->Size + 0.005;
+      *x = *x < low ? 2.0 * low - *x : (*x > high ? 2.0 * high - *x : *x);
+      *x = this->Uniform() < 0.002 ? low + this->Uniform() * (high - low) : *x;
+    }
+    return this->Tip;
+  }
+
+  double Uniform() { return static_cast<double>(this->Engine() >> 11) * 0x1p-53; }
+
+private:
+  double Size;
+  std::mt19937_64 Engine;
+  Vector3 Tip{ 0.001, 0.001, 0.001 };
+};
+} // namespace coretest
+
+#endif

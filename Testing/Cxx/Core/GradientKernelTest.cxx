@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The Gaussian's weights, read off the sampler by means of an impulse: tabulated and interpolated,
+ * they must be those of the documented formula.
+ */
+
+#include "NaiveField.h"
+
+#include <gtest/gtest.h>
+
+using namespace coretest;
+
+namespace
+{
+class GradientKernelOf : public testing::TestWithParam<int>
+{
+protected:
+  const int Radius = this->GetParam();
+  const int Taps = 2 * (this->Radius + 1);
+  const std::int64_t Size = 2 * this->Taps;
+};
+
+/// Fractions of a voxel: dense ones, table rows, and just beside them.
+std::vector<double> Fractions()
+{
+  std::vector<double> fractions;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    fractions.push_back(i / 1001.0);
+  }
+  for (int row = 0; row < GradientKernel::Intervals; row += 5)
+  {
+    const double edge = static_cast<double>(row) / GradientKernel::Intervals;
+    fractions.insert(fractions.end(), { edge, std::nextafter(edge, 1.0) });
+  }
+  return fractions;
+}
+} // namespace
+
+TEST_P(GradientKernelOf, WeightsAreThoseOfTheFormula)
+{
+  const GradientKernel kernel(GradientEstimator::Gaussian, this->Radius);
+  ASSERT_EQ(kernel.Taps, this->Taps);
+  double worst = 0.0;
+  for (const double fraction : Fractions())
+  {
+    const double middle = static_cast<double>(this->Size / 2) + fraction;
+    const AxisKernel expected = NaiveGaussian(this->Radius, middle);
+    std::vector<double> smooth(this->Taps);
+    std::vector<double> slope(this->Taps);
+    ComputeGaussianWeights(this->Radius, fraction, smooth.data(), slope.data());
+    for (int i = 0; i < this->Taps; ++i)
+    {
+      EXPECT_NEAR(smooth[i], expected.Smooth[i], 1e-14);
+      EXPECT_NEAR(slope[i], expected.Slope[i], 1e-13);
+    }
+  }
+  // A plane of ones: the smoothing weights across it add up to one, so that a tap's weight is left.
+  for (int tap = 0; tap < this->Taps; ++tap)
+  {
+    TestVolume volume(ScalarType::UInt8, { this->Size, this->Size, this->Size });
+    const std::int64_t plane = this->Size / 2 - this->Radius + tap;
+    const int axis = tap % 3;
+    volume.Fill<std::uint8_t>(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k)
+      {
+        const std::int64_t at[3] = { i, j, k };
+        return at[axis] == plane;
+      });
+    const FieldSampler sampler(volume.View, kernel);
+    // The wide kernels take thousands of taps a sample.
+    const std::size_t stride = this->Radius > 6 ? 37 : 1;
+    const std::vector<double> fractions = Fractions();
+    for (std::size_t f = 0; f < fractions.size(); f += stride)
+    {
+      const double middle = static_cast<double>(this->Size / 2) + fractions[f];
+      const AxisKernel expected = NaiveGaussian(this->Radius, middle);
+      const FieldSample sample = sampler.Gradient({ middle, middle, middle });
+      const double slopes[3] = { sample.Gradient.X, sample.Gradient.Y, sample.Gradient.Z };
+      worst = std::max(worst, std::abs(sample.Value - expected.Smooth[tap]));
+      worst = std::max(worst, std::abs(slopes[axis] - expected.Slope[tap]));
+      // Across the plane nothing changes.
+      EXPECT_NEAR(slopes[(axis + 1) % 3], 0.0, 1e-13);
+    }
+  }
+  EXPECT_LT(worst, 1e-10);
+}
+
+TEST_P(GradientKernelOf, EveryRowSumsUpSoThatLinearFieldsAreExact)
+{
+  const GradientKernel kernel(GradientEstimator::Gaussian, this->Radius);
+  ASSERT_EQ(kernel.Table.size(), std::size_t(4 * (GradientKernel::Intervals + 1) * this->Taps));
+  for (int row = 0; row <= GradientKernel::Intervals; ++row)
+  {
+    const double fraction = static_cast<double>(row) / GradientKernel::Intervals;
+    const double* const weights = &kernel.Table[static_cast<std::size_t>(row) * 4 * this->Taps];
+    // Smoothing weights, derivative weights, and both differentiated by the fraction.
+    double sum[4] = {};
+    double moment[4] = {};
+    for (int set = 0; set < 4; ++set)
+    {
+      for (int i = 0; i < this->Taps; ++i)
+      {
+        sum[set] += weights[set * this->Taps + i];
+        moment[set] += weights[set * this->Taps + i] * (i - this->Radius - fraction);
+      }
+    }
+    EXPECT_NEAR(sum[0], 1.0, 1e-13);
+    EXPECT_NEAR(sum[1], 0.0, 1e-13);
+    EXPECT_NEAR(moment[1], 1.0, 1e-13);
+    EXPECT_NEAR(sum[2], 0.0, 1e-11);
+    EXPECT_NEAR(sum[3], 0.0, 1e-11);
+    EXPECT_NEAR(moment[3], 0.0, 1e-11);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Radius, GradientKernelOf, testing::Range(1, GradientKernel::MaximumRadius + 1));
+
+TEST(GradientKernel, RadiusIsLimited)
+{
+  EXPECT_EQ(GradientKernel(GradientEstimator::Gaussian, 0).Radius, 1);
+  EXPECT_EQ(GradientKernel(GradientEstimator::Gaussian, 99).Radius, GradientKernel::MaximumRadius);
+  EXPECT_TRUE(GradientKernel(GradientEstimator::CentralDifference, 3).Table.empty());
+}

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Piecewise-linear functions, evaluated the obvious way and compared with their baked table.
+ */
+#ifndef PolylineChecks_h
+#define PolylineChecks_h
+
+#include "PiecewiseTable.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace coretest
+{
+using namespace VolumeHaptics;
+
+/// The function as documented: left value at a step, end values outside.
+inline double Evaluate(const Polyline& line, double x)
+{
+  if (x <= line.front().X)
+  {
+    return line.front().Y;
+  }
+  for (std::size_t i = 1; i < line.size(); ++i)
+  {
+    if (x <= line[i].X)
+    {
+      const long double share = (static_cast<long double>(x) - line[i - 1].X) /
+        (static_cast<long double>(line[i].X) - line[i - 1].X);
+      return static_cast<double>(line[i - 1].Y + share * (line[i].Y - line[i - 1].Y));
+    }
+  }
+  return line.back().Y;
+}
+
+/// Break points, their neighbours, the middles between them, and random ones.
+inline std::vector<double> Arguments(const std::array<Polyline, 5>& lines, std::mt19937_64& engine)
+{
+  std::vector<double> breaks;
+  for (const Polyline& line : lines)
+  {
+    for (const Vertex& v : line)
+    {
+      breaks.push_back(v.X);
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  std::vector<double> arguments = breaks;
+  const double width = breaks.back() - breaks.front();
+  std::uniform_real_distribution<double> share(-0.1, 1.1);
+  for (std::size_t i = 0; i < breaks.size(); ++i)
+  {
+    arguments.push_back(std::nextafter(breaks[i], -HUGE_VAL));
+    arguments.push_back(std::nextafter(breaks[i], HUGE_VAL));
+    arguments.push_back(breaks[i] / 2.0 + breaks[(i + 1) % breaks.size()] / 2.0);
+    arguments.push_back(breaks.front() + share(engine) * width);
+  }
+  arguments.insert(arguments.end(), { -1e308, 1e308, 0.0 });
+  return arguments;
+}
+
+inline void ExpectExact(const std::array<Polyline, 5>& lines, std::mt19937_64& engine)
+{
+  const MaterialTable table(lines);
+  for (const double x : Arguments(lines, engine))
+  {
+    const MaterialTable::Values values = table(x);
+    for (int c = 0; c < 5; ++c)
+    {
+      const ValueRange& range = table.GetRange(c);
+      const double size = std::max(std::abs(range.Low), std::abs(range.High));
+      EXPECT_NEAR(values[c], Evaluate(lines[c], x), 1e-12 * size) << "channel " << c << " at " << x;
+    }
+  }
+}
+
+inline Polyline RandomLine(std::mt19937_64& engine, double low, double width, int vertices)
+{
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Polyline line(vertices);
+  for (Vertex& v : line)
+  {
+    // On a grid of 64, so that channels share break points and steps occur.
+    const double share =
+      uniform(engine) < 0.5 ? std::floor(64.0 * uniform(engine)) / 64.0 : uniform(engine);
+    v = { low + share * width, 2000.0 * uniform(engine) };
+  }
+  std::sort(line.begin(), line.end(), [](const Vertex& a, const Vertex& b) { return a.X < b.X; });
+  return line;
+}
+} // namespace coretest
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The plot of the force: three components and the whole, units on the axes, what the hand did on
+// top.
+#include "ForceChart.h"
+#include "HeadExploration.h"
+
+#include "vtkRegressionTestImage.h"
+
+int TestExploreForceChart(int argc, char* argv[])
+{
+  const Explore::Exploration exploration = ExploreHead(argc, argv);
+  Explore::ChartOptions options;
+  options.Width = 500;
+  options.Height = 300;
+  Explore::ForceChart chart;
+  Explore::BuildForceChart(chart, exploration.Trace, exploration.Tip.Phases, options);
+  chart.Window->Render();
+  return vtkRegressionTestImage(chart.Window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever cannot be explored gets one message that says what is wrong and how to cure it.
+#include "HeadExploration.h"
+#include "InputError.h"
+
+#include "vtkExtractVOI.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <iostream>
+
+namespace
+{
+int failures = 0;
+std::string folder;
+
+std::string Text(const std::string& name, const std::string& content)
+{
+  const std::string path = folder + "/" + name;
+  vtksys::ofstream(path.c_str()) << content;
+  return path;
+}
+
+std::string Image(const std::string& name, vtkImageData* image)
+{
+  const std::string path = folder + "/" + name;
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  return path;
+}
+
+void Expect(const std::string& path, const std::string& fault)
+{
+  std::string message = "nothing";
+  try
+  {
+    Explore::ExploreVolume(Explore::LoadVolume(path), Explore::Settings());
+  }
+  catch (const Explore::InputError& error)
+  {
+    message = error.what();
+  }
+  if (message.find(fault) == std::string::npos || message.find("Cure: ") == std::string::npos ||
+    message.find(path) == std::string::npos)
+  {
+    std::cerr << path << " should say '" << fault << "', but said: " << message << "\n";
+    ++failures;
+  }
+}
+} // namespace
+
+int TestExploreInputErrors(int argc, char* argv[])
+{
+  folder = MakeTestFolder(argc, argv, "ExploreInputErrors");
+  vtksys::SystemTools::MakeDirectory(folder + "/empty");
+  const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
+
+  Expect(folder + "/missing.vti", "no such file");
+  Expect(folder + "/empty", "without a single DICOM slice");
+  Expect(Text("notes.txt", "hello"), "ending that is not known");
+  Expect(Text("slice.dcm", "hello"), "one DICOM slice");
+  Expect(Text("nothing.nrrd", ""), "is empty");
+  for (const char* name : { "text.vti", "text.mha", "text.nii", "text.nii.gz", "text.nrrd" })
+  {
+    Expect(Text(name, "this is not an image\n"), "whatever its name says");
+  }
+  const std::string header = "ObjectType = Image\nNDims = 3\nDimSize = 9 9 9\nElementType = "
+                             "MET_SHORT\nElementSpacing = 1 1 1\nElementDataFile = ";
+  Expect(Text("headless.mhd", header + "missing.raw\n"), "is missing");
+  Expect(Text("short.mha", header + "LOCAL\nxyz"), "ends before the last voxel");
+  Expect(Text("short.nrrd",
+           "NRRD0004\ntype: short\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n"
+           "endian: little\n\nxyz"),
+    "ends before the last voxel");
+
+  vtkNew<vtkImageData> bare;
+  bare->CopyStructure(head);
+  Expect(Image("bare.vti", bare), "has no scalars");
+  vtkNew<vtkImageData> uniform;
+  uniform->DeepCopy(head);
+  uniform->GetPointData()->GetScalars()->Fill(7.0);
+  Expect(Image("uniform.vti", uniform), "is uniform");
+  vtkNew<vtkExtractVOI> slice;
+  slice->SetInputData(head);
+  slice->SetVOI(0, 63, 0, 63, 30, 30);
+  slice->Update();
+  Expect(Image("slice.vti", slice->GetOutput()), "single slice (64 x 64 x 1 voxels)");
+  slice->SetVOI(0, 63, 0, 63, 30, 32);
+  slice->Update();
+  Expect(Image("thin.vti", slice->GetOutput()), "too thin");
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

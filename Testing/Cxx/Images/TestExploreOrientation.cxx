@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The head comes out of every format the same way up, at the same place, whatever the order of its
+// voxels in the file.
+#include "HeadExploration.h"
+#include "ShuffledHead.h"
+#include "VolumeOrientation.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+int failures = 0;
+
+void Expect(const std::string& what, vtkImageData* head, vtkImageData* image)
+{
+  // Headers and NIfTI's single precision keep fewer digits than a double.
+  constexpr double tolerance = 1e-4;
+  bool same = head->GetNumberOfPoints() == image->GetNumberOfPoints();
+  for (int i = 0; same && i < head->GetDimensions()[0]; i += 3)
+  {
+    for (int j = 0; j < head->GetDimensions()[1]; j += 3)
+    {
+      for (int k = 0; k < head->GetDimensions()[2]; k += 3)
+      {
+        same = same &&
+          head->GetScalarComponentAsDouble(i, j, k, 0) ==
+            image->GetScalarComponentAsDouble(i, j, k, 0);
+      }
+    }
+  }
+  double wanted[3], found[3];
+  for (const int corner : { 0, 63 })
+  {
+    head->TransformIndexToPhysicalPoint(corner, 6, 7, wanted);
+    image->TransformIndexToPhysicalPoint(corner, 6, 7, found);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      same = same && std::abs(wanted[axis] - found[axis]) < tolerance;
+    }
+  }
+  if (!same)
+  {
+    std::cerr << what << ": the head is not where it was\n";
+    ++failures;
+  }
+}
+} // namespace
+
+int TestExploreOrientation(int argc, char* argv[])
+{
+  const std::string folder = MakeTestFolder(argc, argv, "ExploreOrientation");
+  const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
+  const vtkSmartPointer<vtkImageData> shuffled = ShuffleHead(head);
+
+  Expect("a left-handed frame", head, Explore::AlignToAxes(shuffled));
+  Expect("MetaImage", head, Explore::LoadVolume(WriteMetaImage(folder, shuffled)).Image);
+  Expect("NIfTI", head, Explore::LoadVolume(WriteNifti(folder, shuffled)).Image);
+  for (const char* space :
+    { "left-posterior-superior", "right-anterior-superior", "left-anterior-superior" })
+  {
+    Expect(std::string("NRRD ") + space, head,
+      Explore::LoadVolume(WriteNrrd(folder, shuffled, space)).Image);
+  }
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

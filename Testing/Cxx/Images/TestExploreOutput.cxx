@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the program prints and writes beside the pictures: the summary and the table of the trace.
+#include "HeadExploration.h"
+#include "TraceFiles.h"
+#include "TraceSummary.h"
+
+#include "vtkPointData.h"
+
+#include <vtksys/FStream.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+int failures = 0;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "Not so: " << what << "\n";
+    ++failures;
+  }
+}
+} // namespace
+
+int TestExploreOutput(int argc, char* argv[])
+{
+  const Explore::Exploration exploration = ExploreHead(argc, argv);
+  const std::string summary = Explore::Summarise(exploration);
+  for (const char* words : { "HeadPhantom.vti", "64 x 64 x 64 voxels", "Hounsfield",
+         "\"CT contrast\"", "derivative of a Gaussian", "life-size", "sliding", "bone",
+         "Largest force", "ticks per second" })
+  {
+    Expect(summary.find(words) != std::string::npos, std::string("the summary says ") + words);
+  }
+
+  const std::string folder = MakeTestFolder(argc, argv, "ExploreOutput");
+  Explore::WriteTable(exploration.Trace, folder + "/trace.csv");
+  vtksys::ifstream table((folder + "/trace.csv").c_str());
+  std::string header, row, last;
+  std::getline(table, header);
+  for (const char* title : { "Time (s)", "Proxy x (world)", "Tip z (world)", "Force y (N)",
+         "NormalForce (N)", "Stiffness (N/m)", "Friction", "Contact" })
+  {
+    Expect(("," + header + ",").find(std::string(",") + title + ",") != std::string::npos,
+      std::string("the table has a column ") + title);
+  }
+  const auto columns = std::count(header.begin(), header.end(), ',');
+  vtkIdType rows = 0;
+  while (std::getline(table, row))
+  {
+    Expect(std::count(row.begin(), row.end(), ',') == columns, "every row is complete");
+    last = row;
+    ++rows;
+  }
+  Expect(rows == exploration.Trace->GetNumberOfPoints(), "the table has a row a tick");
+  const double seconds = (rows - 1) / exploration.ServoRate;
+  Expect(std::abs(std::stod(last) - seconds) < 1e-6, "the first column is the time");
+  Expect(exploration.Trace->GetPointData()->GetArray("Force") != nullptr, "the trace is whole");
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
