@@ -44,7 +44,7 @@ if [ $full = yes ]; then
   run_tests "$build_dir-sanitize" -LE package
 else
   cmake --build "$build_dir-sanitize" -j "$jobs" --target VolumeHapticsSanitizerTests
-  run_tests "$build_dir-sanitize" -L sanitizer-short
+  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Api|Core|Servo)[.]'
 fi
 
 if [ $full = yes ]; then

@@ -108,6 +108,10 @@ void HapticSession::Publish(std::shared_ptr<const HapticModel> model)
     this->Recording->AddModel(generation, model);
   }
   this->Models[generation] = std::move(model);
+  // Where nobody asks for states, models must not pile up either. The latest state may be one tick older
+  // than what the loop has acknowledged, hence what it had acknowledged the time before.
+  this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->AcknowledgedBefore));
+  this->AcknowledgedBefore = this->Loop.GetAcknowledged();
 }
 
 const HapticModel* HapticSession::FindModel(std::uint64_t generation)

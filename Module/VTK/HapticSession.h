@@ -65,6 +65,7 @@ private:
   std::unique_ptr<HapticRecording> Recording;
   /** The owner's: models by generation, from the one of the last state that was asked for. */
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
+  std::uint64_t AcknowledgedBefore = 0;
 };
 
 } // namespace VolumeHaptics

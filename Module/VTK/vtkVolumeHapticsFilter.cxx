@@ -81,6 +81,19 @@ int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::ReadPlacement(
+  vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error)
+{
+  if (deviceToWorld)
+  {
+    return VolumeHaptics::ReadSimilarity(deviceToWorld, placement, error);
+  }
+  placement = {};
+  placement.Linear = (1.0 / this->MetersPerWorldUnit) * VolumeHaptics::Matrix3{};
+  return true;
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
   vtkImageData* image, double rate, double maximumStiffness, vtkMatrix4x4* deviceToWorld,
   std::string& error)
@@ -97,11 +110,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
     return nullptr;
   }
   HapticModelOptions options;
-  if (!deviceToWorld)
-  {
-    options.DeviceToWorld.Linear = (1.0 / this->MetersPerWorldUnit) * Matrix3{};
-  }
-  else if (!ReadSimilarity(deviceToWorld, options.DeviceToWorld, error))
+  if (!this->ReadPlacement(deviceToWorld, options.DeviceToWorld, error))
   {
     return nullptr;
   }
@@ -135,11 +144,30 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   const double cap = this->MaximumStiffness > 0.0 && maximumStiffness > 0.0
     ? std::min(this->MaximumStiffness, maximumStiffness)
     : std::max(this->MaximumStiffness, maximumStiffness);
-  auto model = this->BakeImage(image, rate, cap, deviceToWorld, error);
-  if (!model)
+  // Where only the device has moved, as it does with every frame while it follows the camera, what is
+  // baked is shared.
+  vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
+  const vtkMTimeType time =
+    std::max({ this->GetMTime(), image->GetMTime(), scalars ? scalars->GetMTime() : 0 });
+  VolumeHaptics::Affine3 placement;
+  auto model = this->LastBaked.lock();
+  const bool isCurrent = model && time == this->LastBakedTime &&
+    model->Settings.TickPeriod == 1.0 / rate && model->Settings.MaximumStiffness == cap;
+  if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
+  {
+    model = std::make_shared<const VolumeHaptics::HapticModel>(*model, placement);
+  }
+  else if (error.empty())
+  {
+    model = this->BakeImage(image, rate, cap, deviceToWorld, error);
+  }
+  if (!error.empty())
   {
     vtkErrorMacro(<< error);
+    return nullptr;
   }
+  this->LastBaked = model;
+  this->LastBakedTime = time;
   return model;
 }
 

@@ -75,7 +75,8 @@ class vtkMatrix4x4;
 namespace VolumeHaptics
 {
 class HapticModel;
-}
+struct Affine3;
+} // namespace VolumeHaptics
 #endif
 
 class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsFilter : public vtkPolyDataAlgorithm
@@ -257,8 +258,13 @@ protected:
 
 private:
 #ifndef __VTK_WRAP__
+  bool ReadPlacement(
+    vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image, double rate,
     double maximumStiffness, vtkMatrix4x4* deviceToWorld, std::string& error);
+
+  std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
+  vtkMTimeType LastBakedTime = 0;
 #endif
 
   vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;
