@@ -64,9 +64,11 @@ const std::vector<Preset>& Presets()
         { 310, 3071, 1000, 0.32, 0.00, Impenetrable }, // bone
       },
       8, 40, vtkHapticProperty::HIGHER },
+    // Surfaces are felt from both sides here, so that the background can be inside of one: it is as stiff as
+    // fluid, since the drag of tissue on a soft spring would leave the proxy far behind.
     { "MRI",
       {
-        { 0, 15, 0, 0.00, 0.00, 0.0 },      // background
+        { 0, 15, 100, 0.00, 0.00, 0.0 },    // background
         { 30, 60, 100, 0.05, 0.30, 0.2 },   // fluid
         { 80, 115, 300, 0.20, 0.30, 1.0 },  // grey matter, muscle
         { 130, 165, 450, 0.25, 0.40, 1.5 }, // white matter

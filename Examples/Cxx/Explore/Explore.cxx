@@ -51,6 +51,7 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   look.Height = options.Width * 7 / 9;
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
+  look.Anatomical = exploration.Values.Kind != Explore::VolumeKind::Other;
   Explore::ExplorerScene scene;
   Explore::BuildScene(scene, exploration, look);
   Explore::WritePicture(scene.Window, options.Folder + "/explore.png");

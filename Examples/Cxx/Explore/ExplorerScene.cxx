@@ -12,9 +12,11 @@
 #include "vtkLight.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -64,11 +66,15 @@ vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance)
   return mapper;
 }
 
-bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property)
+bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageData* image)
 {
-  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
   window->Render(); // only a window that has a context can tell
-  return mapper->IsRenderSupported(window, property);
+  auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
+  const int* size = image->GetDimensions();
+  const bool fits = !context ||
+    std::max({ size[0], size[1], size[2] }) <= vtkTextureObject::GetMaximumTextureSize3D(context);
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  return fits && mapper->IsRenderSupported(window, property);
 }
 
 void AddVolume(
@@ -77,7 +83,7 @@ void AddVolume(
   vtkNew<vtkVolumeProperty> property;
   Explore::SetVolumeLook(analysis, property);
   const bool gpu = choice == MapperChoice::GPU ||
-    (choice == MapperChoice::Auto && IsGPUUsable(scene.Window, property));
+    (choice == MapperChoice::Auto && IsGPUUsable(scene.Window, property, image));
   const double* spacing = image->GetSpacing();
   const double sample = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
 

@@ -12,10 +12,10 @@
 
 namespace
 {
-constexpr double SURE_DEPTH =
-  0.004; // m: a surface must go on this far, or it was noise, hair, a sinus
-constexpr double THINNEST = 0.002;     // m: the deep surface is at least this far below the outer
-constexpr double DEFAULT_DEEP = 0.010; // m below the outer one, where no deep surface is found
+// In metres.
+constexpr double SURE_DEPTH = 0.004;   // that a surface goes on, or it was noise, hair, a sinus
+constexpr double THINNEST = 0.002;     // from the outer to the deep surface
+constexpr double DEFAULT_DEEP = 0.010; // the same, where no deep surface is found
 } // namespace
 
 namespace Explore
@@ -96,8 +96,7 @@ SurfaceMap::Ray SurfaceMap::Cast(
     }
     else if (ray.Outer - distance > thinnest)
     {
-      // A rise, not a height: fat is as bright as brain in T1 MRI, with the dark skull between
-      // them.
+      // A rise, not a height: in T1 MRI fat is as bright as brain, and the dark skull between.
       dipped = dipped || value < analysis.DeepThreshold;
       if (dipped && value > analysis.DeepThreshold)
       {

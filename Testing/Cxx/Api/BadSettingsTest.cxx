@@ -26,6 +26,7 @@ const BadSetting BadSettings[] = {
   { "ForceFieldGain", &vtkVolumeHapticsFilter::SetForceFieldGain },
   { "ForceFieldDamping", &vtkVolumeHapticsFilter::SetForceFieldDamping },
   { "MaximumForce", &vtkVolumeHapticsFilter::SetMaximumForce },
+  { "MaximumStiffness", &vtkVolumeHapticsFilter::SetMaximumStiffness },
 };
 
 class BadSettingTest

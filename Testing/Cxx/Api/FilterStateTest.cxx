@@ -22,6 +22,7 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetMetersPerWorldUnit(), 0.001);
   EXPECT_EQ(filter->GetForceFieldDamping(), 0.0);
   EXPECT_EQ(filter->GetMaximumForce(), 0.0);
+  EXPECT_EQ(filter->GetMaximumStiffness(), 0.0);
   EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
   ASSERT_NE(filter->GetProperty(), nullptr);
@@ -44,6 +45,7 @@ TEST(FilterState, EverySetterModifiesOnChangeOnly)
     { "ForceFieldGain", [&] { filter->SetForceFieldGain(0.5); } },
     { "ForceFieldDamping", [&] { filter->SetForceFieldDamping(0.5); } },
     { "MaximumForce", [&] { filter->SetMaximumForce(3.0); } },
+    { "MaximumStiffness", [&] { filter->SetMaximumStiffness(800.0); } },
     { "Property", [&] { filter->SetProperty(property); } },
     { "no Property", [&] { filter->SetProperty(nullptr); } },
   };
@@ -88,6 +90,8 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   EXPECT_GT(filter->GetMetersPerWorldUnit(), 0.0);
   filter->SetMaximumForce(-1.0);
   EXPECT_EQ(filter->GetMaximumForce(), 0.0);
+  filter->SetMaximumStiffness(-1.0);
+  EXPECT_EQ(filter->GetMaximumStiffness(), 0.0);
 }
 
 TEST(FilterState, PrintsEveryMember)
@@ -101,9 +105,9 @@ TEST(FilterState, PrintsEveryMember)
     }
     std::ostringstream text;
     filter->Print(text);
-    for (const char* const member :
-      { "Property:", "Method:", "Solver:", "GradientEstimator:", "KernelRadius:", "ServoRate:",
-        "MetersPerWorldUnit:", "ForceFieldGain:", "ForceFieldDamping:", "MaximumForce:" })
+    for (const char* const member : { "Property:", "Method:", "Solver:", "GradientEstimator:",
+           "KernelRadius:", "ServoRate:", "MetersPerWorldUnit:", "ForceFieldGain:",
+           "ForceFieldDamping:", "MaximumForce:", "MaximumStiffness:" })
     {
       EXPECT_NE(text.str().find(member), std::string::npos) << member;
     }

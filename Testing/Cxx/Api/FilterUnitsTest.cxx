@@ -110,3 +110,13 @@ TEST_F(FilterUnits, MaximumForceInNewtons)
   EXPECT_NEAR(Get(output, "NormalForce", 40), 2.0, 1e-9) << "what the surface pushes with";
   EXPECT_NEAR(output->GetPoint(50)[2], 6.0, 1e-9) << "the proxy does not care";
 }
+
+TEST_F(FilterUnits, MaximumStiffnessCapsTheMaterial)
+{
+  this->Filter->SetMaximumStiffness(200.0);
+  vtkPolyData* const output = this->Run(51);
+  EXPECT_EQ(Get(output, "Stiffness", 10), 200.0);
+  EXPECT_NEAR(this->Force(10), -0.2, 1e-9);
+  this->Filter->SetMaximumStiffness(600.0);
+  EXPECT_EQ(Get(this->Run(51), "Stiffness", 10), 500.0);
+}

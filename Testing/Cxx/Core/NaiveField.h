@@ -27,11 +27,11 @@ inline double Clamp(double x, std::int64_t samples)
   return std::max(0.0, std::min(x, static_cast<double>(samples - 1)));
 }
 
-/// w(t) = G(t) - G(c) (1 + (c^2 - t^2) / (2 s^2)), with s = r / 2 and c = r + 1.
+/// w(t) = G(t) - G(c), with G of the scale s = 0.53 r and c = r + 1.
 inline AxisKernel NaiveGaussian(int r, double x)
 {
   AxisKernel kernel{ static_cast<std::int64_t>(std::floor(x)) - r, {}, {} };
-  const double s = 0.5 * r;
+  const double s = 0.53 * r;
   const double c = r + 1.0;
   const auto gauss = [&](double t) { return std::exp(-t * t / (2.0 * s * s)); };
   double sum = 0.0;
@@ -39,7 +39,7 @@ inline AxisKernel NaiveGaussian(int r, double x)
   for (int i = 0; i < 2 * (r + 1); ++i)
   {
     const double t = static_cast<double>(kernel.First + i) - x;
-    const double w = gauss(t) - gauss(c) * (1.0 + (c * c - t * t) / (2.0 * s * s));
+    const double w = gauss(t) - gauss(c);
     kernel.Smooth.push_back(w);
     sum += w;
     mean += w * t;

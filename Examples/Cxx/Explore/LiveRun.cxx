@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LiveRun.h"
+
+#include "MessageCapture.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticDevice.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <thread>
+
+namespace
+{
+void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
+{
+  if (!done)
+  {
+    throw std::runtime_error(std::string(what) + ": " + capture.FirstError());
+  }
+}
+
+/// The hand: follows the path by the clock, as fast as the display of an application would be at best.
+void FollowPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const vtkIdType last = path->GetNumberOfPoints() - 1;
+  vtkIdType now = 0;
+  while (now < last)
+  {
+    const std::chrono::duration<double> time = Clock::now() - start;
+    now = std::min(last, static_cast<vtkIdType>(time.count() * rate));
+    device->SetVirtualTip(path->GetPoint(now));
+    device->UpdateState();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+std::string TimeKeeping(vtkHapticDevice* device)
+{
+  constexpr double micro = 1e6;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "Live, in real time\n  " << device->GetTickRate()
+       << " ticks per second, " << device->GetMissedTicks()
+       << " missed\n  tick cost (microseconds) " << micro * device->GetTickPercentile(50)
+       << " median, " << micro * device->GetTickPercentile(99)
+       << " at 99 %\n  wake-up latency (microseconds) " << micro * device->GetWakePercentile(50)
+       << " median, " << micro * device->GetWakePercentile(99) << " at 99 %\n  "
+       << device->GetStatusText() << "\n";
+  return text.str();
+}
+
+/// The first tick whose force differs, or -1.
+vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
+{
+  vtkDataArray* const fa = a->GetPointData()->GetArray("Force");
+  vtkDataArray* const fb = b->GetPointData()->GetArray("Force");
+  const vtkIdType ticks = fa ? fa->GetNumberOfTuples() : 0;
+  if (!fb || fb->GetNumberOfTuples() != ticks)
+  {
+    return 0;
+  }
+  for (vtkIdType i = 0; i < ticks; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      if (fa->GetComponent(i, c) != fb->GetComponent(i, c))
+      {
+        return i;
+      }
+    }
+  }
+  return -1;
+}
+} // namespace
+
+namespace Explore
+{
+LiveRun RunLive(const Exploration& exploration, const std::string& file)
+{
+  vtkVolumeHapticsFilter* const filter = exploration.Filter;
+  vtkPolyData* const path = exploration.Tip.Path;
+  const MessageCapture capture;
+  vtkNew<vtkHapticDevice> device;
+  Demand(device->Open("virtual"), "the virtual device does not open", capture);
+  device->SetVolumeHaptics(filter);
+  device->SetServoRate(exploration.ServoRate);
+  device->SetVirtualTip(path->GetPoint(0));
+  Demand(device->Start(), "the servo does not start", capture);
+  device->Arm();
+  Demand(device->StartRecording(file.c_str()), "the recording does not start", capture);
+  FollowPath(device, path, exploration.ServoRate);
+  LiveRun run;
+  run.Report = TimeKeeping(device);
+  Demand(device->StopRecording(), "the recording can't be written", capture);
+  device->Stop();
+
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  run.Trace = reader->GetOutput();
+  filter->SetPathData(run.Trace);
+  filter->Update();
+  const vtkIdType differs = FirstDifference(run.Trace, filter->GetOutput());
+  filter->SetPathData(path);
+  run.IsReproduced = differs < 0;
+  run.Report += run.IsReproduced
+    ? "  the offline filter gives the same forces on the recording, bit for bit\n"
+    : "  the offline filter gives another force on the recording in tick " +
+      std::to_string(differs) + "\n";
+  return run;
+}
+} // namespace Explore

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What is no recording is refused, with one error and without force.
+ */
+
+#include "ReplayRig.h"
+
+using namespace devicetest;
+
+TEST_F(Replay, RefusesEverythingElseWithOneClearError)
+{
+  for (const char* id : { "", "nothing", "replay:", "replay:/nowhere/at/all.vtp", "replay:a.txt" })
+  {
+    EXPECT_FALSE(this->Device->Open(id)) << id;
+    this->ExpectError("");
+  }
+  EXPECT_FALSE(this->Device->Open(nullptr));
+  this->ExpectError("virtual");
+  for (const char* ending : { ".vtp", ".csv" })
+  {
+    const std::string file = this->File("Good") + ending;
+    this->Record(file);
+    const std::string good = Load(file);
+    this->ExpectRefused(ending, "");
+    this->ExpectRefused(ending, "\x89PNG\r\n\x1a\n no recording at all");
+    for (const double share : { 0.01, 0.3, 0.6, 0.95 })
+    {
+      const auto cut = static_cast<std::size_t>(share * static_cast<double>(good.size()));
+      this->ExpectRefused(ending, good.substr(0, cut));
+    }
+  }
+}
+
+TEST_F(Replay, RefusesTablesWithBadNumbers)
+{
+  const std::string head = "Time (s),Tip x (world),Tip y (world),Tip z (world)\n";
+  this->ExpectRefused(".csv", head);
+  this->ExpectRefused(".csv", head + "0,1,2,3\n0.001,1,nan,3\n0.002,1,2,3\n");
+  this->ExpectRefused(".csv", head + "0,1,2,3\n0.001,1,inf,3\n0.002,1,2,3\n");
+  this->ExpectRefused(".csv", head + "0,1,2,3\n0.002,1,2,3\n0.001,1,2,3\n");
+  this->ExpectRefused(".csv", head + "0,1,2,3\n0.001,1,2\n");
+  this->ExpectRefused(".csv", head + "0,1,2,3\n0.001,one,2,3\n");
+  this->ExpectRefused(".csv", "a,b\n1,2\n3,4\n");
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The loop: when things take effect, and that force only flows where it may.
+ */
+
+#include "PlayedDevice.h"
+
+using namespace servotest;
+
+namespace
+{
+class Servo : public testing::Test
+{
+protected:
+  /// Force flows on a ramp.
+  void Activate(RunningLoop& loop)
+  {
+    loop->Publish(this->Model);
+    loop->Arm();
+    ASSERT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.5; }));
+  }
+  bool IsCut(RunningLoop& loop)
+  {
+    const std::uint64_t from = this->Device.Writes.load() + 2;
+    return Eventually([&] { return this->Device.Writes.load() > from; }) &&
+      this->StaysZero(loop, 3000);
+  }
+  /// Over so many ticks, in which the path goes through contact.
+  bool StaysZero(RunningLoop&, std::uint64_t ticks)
+  {
+    this->Device.LargestForce.store(0.0);
+    const std::uint64_t end = this->Device.Writes.load() + ticks;
+    return Eventually([&] { return this->Device.Writes.load() > end; }) &&
+      this->Device.LargestForce.load() == 0.0;
+  }
+  SafetyFault FaultOf(RunningLoop& loop)
+  {
+    loop->ReadState();
+    return loop->GetState().Fault;
+  }
+
+  TestVolume Volume = MakeRamp();
+  std::shared_ptr<const HapticModel> Model = std::make_shared<HapticModel>(Describe(this->Volume));
+  PlayedDevice Device;
+};
+} // namespace
+
+TEST_F(Servo, AModelTakesEffectWithinTwoTicks)
+{
+  RunningLoop loop(this->Device);
+  loop->SetRecording(true);
+  ServoSnapshot s;
+  for (int i = 0; i < 50; ++i)
+  {
+    const std::uint64_t generation = loop->Publish(i % 10 == 9 ? nullptr : this->Model);
+    // The tick of this number may have begun with the old model; the next one may not.
+    const std::uint64_t underWay = loop->GetTickCount();
+    ASSERT_TRUE(
+      Eventually([&] { return loop->Drain(s) && s.Generation == generation; })) << generation;
+    EXPECT_LE(s.Tick, underWay + 1);
+    EXPECT_GE(loop->GetAcknowledged(), generation);
+  }
+}
+
+TEST_F(Servo, ForceFlowsOnlyWhileArmedAndNeverAtTheEnd)
+{
+  for (int round = 0; round < 5; ++round)
+  {
+    {
+      RunningLoop loop(this->Device);
+      loop->Publish(this->Model);
+      EXPECT_TRUE(this->StaysZero(loop, 3500)) << "not armed";
+      this->Activate(loop);
+      loop->Disarm();
+      EXPECT_TRUE(this->IsCut(loop)) << "disarmed";
+      this->Activate(loop);
+    }
+    EXPECT_EQ(this->Device.Force.load(), 0.0) << "stopped";
+  }
+}
+
+TEST_F(Servo, WithoutAModelThereIsNoForce)
+{
+  RunningLoop loop(this->Device);
+  this->Activate(loop);
+  loop->Publish(nullptr);
+  EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() == 0.0; }));
+  EXPECT_TRUE(this->StaysZero(loop, 3500));
+}
+
+TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
+{
+  SafetyLimits limits = QuickLimits();
+  limits.WatchdogTime = 0.5;
+  RunningLoop loop(this->Device, 5000.0, limits);
+  this->Activate(loop);
+  this->Device.Frozen.store(true);
+  EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() == 0.0; }));
+  EXPECT_TRUE(this->StaysZero(loop, 1000));
+  EXPECT_EQ(this->FaultOf(loop), SafetyFault::None);
+  EXPECT_TRUE(loop->GetState().Stale);
+  this->Device.Frozen.store(false);
+  EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.5; }));
+}
+
+TEST_F(Servo, ADeviceThatIsLostInReadOrWriteStaysCutUntilArmed)
+{
+  for (std::atomic<bool>* lost : { &this->Device.ReadLost, &this->Device.WriteLost })
+  {
+    RunningLoop loop(this->Device);
+    this->Activate(loop);
+    lost->store(true);
+    EXPECT_TRUE(this->IsCut(loop)) << (lost == &this->Device.ReadLost ? "Read" : "Write");
+    EXPECT_EQ(this->FaultOf(loop), SafetyFault::DeviceLost);
+    lost->store(false);
+    EXPECT_TRUE(this->StaysZero(loop, 3500)) << "it must not resume by itself";
+    this->Activate(loop);
+  }
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Clamp, slew limit, ramp and watchdog.
+ */
+
+#include "SafetyRig.h"
+
+#include <cmath>
+#include <random>
+
+using namespace servotest;
+
+namespace
+{
+class Safety : public SafetyTest
+{
+};
+} // namespace
+
+TEST_F(Safety, ClampsTheNormAndKeepsTheDirection)
+{
+  this->Stage.Arm();
+  const Vector3 output = this->Repeat({ 30.0, 0.0, -40.0 }, 1000);
+  EXPECT_NEAR(output.X, 2.4, 1e-12);
+  EXPECT_EQ(output.Y, 0.0);
+  EXPECT_NEAR(output.Z, -3.2, 1e-12);
+}
+
+TEST_F(Safety, NothingLeavesWithoutAMaximum)
+{
+  this->Limits.MaximumForce = 0.0;
+  this->Stage.Arm();
+  EXPECT_TRUE(IsZero(this->Repeat({ 1.0, 1.0, 1.0 }, 1000)));
+}
+
+TEST_F(Safety, EnormousForcesStayFinite)
+{
+  this->Stage.Arm();
+  this->Repeat({ 1e300, -1e300, 1e308 }, 1000); // watched by Apply
+}
+
+TEST_F(Safety, SlewsAtTheLimit)
+{
+  this->Activate({ 0.0, 0.0, 4.0 });
+  // To the other side: 8 N at 0.5 N a tick.
+  for (int i = 1; i <= 16; ++i)
+  {
+    EXPECT_NEAR(this->Apply({ 0.0, 0.0, -4.0 }).Z, 4.0 - 0.5 * i, 1e-12);
+  }
+  EXPECT_NEAR(this->Apply({ 0.0, 0.0, -4.0 }).Z, -4.0, 1e-12);
+}
+
+TEST_F(Safety, SlewsStraightAndNeverTooFastWhateverIsWanted)
+{
+  this->Limits.MaximumForceRate = 130.0;
+  this->Activate({});
+  std::mt19937_64 engine(5);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const auto draw = [&engine] { return static_cast<double>(engine() % 2001) / 100.0 - 10.0; };
+    this->Apply({ draw(), draw(), draw() }); // watched by Apply
+  }
+}
+
+TEST_F(Safety, RampsInOverTheRampTime)
+{
+  this->Limits.MaximumForceRate = 1e6;
+  for (const double time : { 0.1, 0.5 })
+  {
+    this->Limits.RampTime = time;
+    this->Stage.Arm();
+    const int ticks = static_cast<int>(std::lround(time / this->Input.Period));
+    for (int i = 0; i < ticks; ++i)
+    {
+      EXPECT_NEAR(this->Apply({ 0.0, 3.0, 0.0 }).Y, 3.0 * i / ticks, 1e-9);
+    }
+    EXPECT_NEAR(this->Apply({ 0.0, 3.0, 0.0 }).Y, 3.0, 1e-9);
+  }
+}
+
+TEST_F(Safety, StaleSamplesLeadToZeroAndRampInAgain)
+{
+  const Vector3 force{ 3.0, 0.0, 0.0 };
+  this->Activate(force);
+  this->Input.Fresh = false;
+  // Up to the watchdog's time the last force is held.
+  EXPECT_EQ(Norm(this->Repeat(force, 29)), 3.0);
+  EXPECT_FALSE(this->Stage.IsStale());
+  this->Repeat(force, 2);
+  EXPECT_TRUE(this->Stage.IsStale());
+  double last = Norm(this->Output);
+  EXPECT_LT(last, 3.0);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_LE(Norm(this->Apply(force)), last);
+    last = Norm(this->Output);
+  }
+  EXPECT_EQ(last, 0.0);
+  EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+  this->Repeat(force, 1000);
+  EXPECT_TRUE(IsZero(this->Output));
+
+  this->Input.Fresh = true;
+  for (int i = 0; i < 500; ++i)
+  {
+    EXPECT_NEAR(this->Apply(force).X, 3.0 * i / 500, 1e-9);
+  }
+  EXPECT_FALSE(this->Stage.IsStale());
+}
+
+TEST_F(Safety, AGapInTheLoopItselfRampsInAgain)
+{
+  this->Activate({ 3.0, 0.0, 0.0 });
+  this->Input.Elapsed = 0.05;
+  this->Apply({ 3.0, 0.0, 0.0 });
+  this->Input.Elapsed = this->Input.Period;
+  EXPECT_LT(Norm(this->Repeat({ 3.0, 0.0, 0.0 }, 20)), 0.2);
+  EXPECT_NEAR(Norm(this->Repeat({ 3.0, 0.0, 0.0 }, 600)), 3.0, 1e-9);
+}

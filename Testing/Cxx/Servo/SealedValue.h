@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A value of several cache lines, in which a mix of two writes shows.
+ */
+#ifndef SealedValue_h
+#define SealedValue_h
+
+#include <cstdint>
+
+namespace servotest
+{
+class SealedValue
+{
+public:
+  SealedValue() = default;
+  explicit SealedValue(std::uint64_t number)
+  {
+    for (std::uint64_t i = 0; i < Words; ++i)
+    {
+      this->Word[i] = number * (2 * i + 1);
+    }
+  }
+
+  std::uint64_t Number() const { return this->Word[0]; }
+  bool IsWhole() const
+  {
+    for (std::uint64_t i = 0; i < Words; ++i)
+    {
+      if (this->Word[i] != this->Word[0] * (2 * i + 1))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  static constexpr std::uint64_t Words = 61;
+  std::uint64_t Word[Words] = {};
+};
+} // namespace servotest
+
+#endif

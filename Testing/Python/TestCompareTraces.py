@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""compare_traces.py finds the first difference, and says what it is."""
+
+import contextlib
+import io
+import math
+import os
+import sys
+import tempfile
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import compare_traces  # noqa: E402
+
+TICKS = 50
+FOLDER = tempfile.mkdtemp()
+
+
+def make_trace(change=None, ticks=TICKS, extra=None, name="Force"):
+    """A trace whose Force at (tick, component) of `change` has its value added."""
+    trace = vtkPolyData()
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    force = vtkDoubleArray()
+    force.SetName(name)
+    force.SetNumberOfComponents(3)
+    for tick in range(ticks):
+        points.InsertNextPoint(0.1 * tick, 1.0 / 3.0, -tick)
+        value = [math.sin(0.1 * tick), 0.0, 2.0]
+        for at, component, added in change or []:
+            if at == tick:
+                value[component] += added
+        force.InsertNextTuple3(*value)
+    trace.SetPoints(points)
+    trace.GetPointData().AddArray(force)
+    if extra:
+        array = vtkDoubleArray()
+        array.SetName(extra)
+        array.SetNumberOfTuples(ticks)
+        array.Fill(1.0)
+        trace.GetPointData().AddArray(array)
+    return trace
+
+
+def write(name, trace):
+    path = os.path.join(FOLDER, name)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(trace)
+    assert writer.Write()
+    return path
+
+
+def run(*arguments):
+    """Exit code and everything that was printed."""
+    text = io.StringIO()
+    with contextlib.redirect_stdout(text), contextlib.redirect_stderr(text):
+        code = compare_traces.main(list(arguments))
+    return code, text.getvalue()
+
+
+def expect(code, words, *arguments):
+    result, text = run(*arguments)
+    assert result == code, (result, text)
+    for word in words:
+        assert word in text, (word, text)
+
+
+baseline = write("baseline.vtp", make_trace())
+expect(0, ["the same", "50 ticks"], baseline, baseline)
+expect(0, ["the same"], write("more.vtp", make_trace(extra="Command")), baseline)
+expect(2, ["no array Command"], baseline, os.path.join(FOLDER, "more.vtp"))
+
+# The last bit of one number, then a larger difference later.
+bit = write("bit.vtp", make_trace([(17, 2, 4.5e-16), (30, 0, -0.25)]))
+expect(1, ["first difference in tick 17: Force[2]", "instead of 2.0", "0.25"], bit, baseline)
+expect(1, ["tick 30: Force[0]", "1 value(s)"], bit, baseline, "--tolerance", "1e-9")
+expect(0, ["the same"], bit, baseline, "--tolerance", "0.2")
+expect(0, ["the same"], bit, baseline, "--arrays", "Proxy")
+
+expect(1, ["Force[1]", "nan"], write("nan.vtp", make_trace([(3, 1, math.nan)])), baseline)
+expect(1, ["40 ticks", "the baseline 50"], write("short.vtp", make_trace(ticks=40)), baseline)
+expect(2, ["no array Force"], write("other.vtp", make_trace(name="Kraft")), baseline)
+
+# The module gives the differences in the order of their ticks.
+found = compare_traces.compare(make_trace([(5, 0, 1.0), (9, 1, 3.0)]), make_trace())
+assert [(d.tick, d.array, d.component, d.count, d.largest) for d in found] == [
+    (5, "Force", 0, 2, 3.0)
+], [str(d) for d in found]
+
+# Files that can't be compared.
+broken = os.path.join(FOLDER, "broken.vtp")
+with open(baseline, "rb") as whole, open(broken, "wb") as part:
+    part.write(whole.read()[:400])
+empty = os.path.join(FOLDER, "empty.vtp")
+with open(empty, "wb"):
+    pass
+for bad in (broken, empty, os.path.join(FOLDER, "missing.vtp"), __file__):
+    expect(2, [bad], bad, baseline)
+    expect(2, [bad], baseline, bad)

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The public names are there, and help() explains them with their units."""
+
+import pydoc
+
+from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
+
+# A name, and words that its documentation has to contain. For Set... the getter must exist, too.
+PROPERTY = {
+    "SetStiffness": ("N/m", "500"),
+    "SetFriction": ("friction", "0"),
+    "SetViscosity": ("(N)", "eq. 14"),
+    "SetSurfaceStrength": ("(N)", "2", "eq. 12"),
+    "SetDistinctness": ("0 to 1", "world", "eq."),
+    "SetComponent": ("component", "Default 0"),
+    "SetSurfaceSide": ("higher", "lower", "default"),
+    "SetVisibilityFrom": ("opacity", "nullptr"),
+    "ApplyPreset": ("CT contrast", "CT physical", "MRI"),
+    "GetPresetNames": ("ApplyPreset",),
+    "DeepCopy": ("Copy",),
+    "GetMTime": ("function",),
+}
+PROPERTY_PLAIN = ("SetSurfaceSideToHigher", "SetSurfaceSideToLower", "SetSurfaceSideToBoth")
+FILTER = {
+    "SetProperty": ("material",),
+    "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1"),
+    "SetSolver": ("PAPER", "default"),
+    "SetGradientEstimator": ("CENTRAL_DIFFERENCE", "GAUSSIAN", "CUBIC_BSPLINE"),
+    "SetKernelRadius": ("voxels", "Default 2"),
+    "SetServoRate": ("(Hz)", "1000"),
+    "SetMetersPerWorldUnit": ("Metres", "0.001"),
+    "SetForceFieldGain": ("(N per scalar unit per world unit)", "eq. 1", "Default"),
+    "SetForceFieldDamping": ("(N s/m)", "eq. 1", "Default 0"),
+    "SetMaximumForce": ("(N)", "0 (default)"),
+    "SetPathConnection": ("path", "port 1"),
+}
+FILTER_PLAIN = (
+    "SetMethodToProxy",
+    "SetMethodToForceField",
+    "SetSolverToPaper",
+    "SetGradientEstimatorToCentralDifference",
+    "SetGradientEstimatorToGaussian",
+    "SetGradientEstimatorToCubicBSpline",
+    "SetPathData",
+    "SetInputArrayToProcess",
+)
+NO_GETTER = ("SetPathConnection",)
+ARRAYS = {
+    "Time": "s",
+    "Tip": "world",
+    "Force": "N",
+    "NormalForce": "N",
+    "FrictionForce": "N",
+    "DragForce": "N",
+    "Normal": "unit",
+    "Value": "scalar",
+    "GradientMagnitude": "scalar per world",
+    "SurfaceValue": "x_s",
+    "MediumValue": "x_v",
+    "Stiffness": "N/m",
+    "Friction": "mu",
+    "Viscosity": "N",
+    "SurfaceStrength": "T_N W_d",
+    "Contact": "penetrating",
+}
+
+
+def check(cls, documented, plain):
+    # pydoc is what help() prints; it breaks lines where it likes.
+    text = " ".join(pydoc.render_doc(cls, renderer=pydoc.plaintext).replace("|", " ").split())
+    for name, words in documented.items():
+        assert name in text, f"help({cls.__name__}) lacks {name}"
+        doc = " ".join(getattr(cls, name).__doc__.split())
+        for word in words:
+            assert word in doc, f"{cls.__name__}.{name} does not mention {word!r}: {doc}"
+        if name.startswith("Set") and name not in NO_GETTER:
+            assert callable(getattr(cls, "G" + name[1:])), name
+    for name in plain:
+        assert callable(getattr(cls, name)), name
+
+
+def check_array_table():
+    """Every point array has a line of its own in the class documentation, with its unit."""
+    lines = vtkVolumeHapticsFilter.__doc__.splitlines()
+    for array, unit in ARRAYS.items():
+        heads = [i for i, line in enumerate(lines) if line.strip(" |-*").startswith(array)]
+        heads = [i for i in heads if lines[i].strip(" |-*")[len(array) :][:1] in (" ", "(", ",", "")]
+        assert heads, f"no line of the class documentation begins with {array}"
+        assert any(unit in " ".join(lines[i : i + 2]) for i in heads), f"no {unit} with {array}"
+
+
+def main():
+    check(vtkHapticProperty, PROPERTY, PROPERTY_PLAIN)
+    check(vtkVolumeHapticsFilter, FILTER, FILTER_PLAIN)
+    for constant, value in (("PROXY", 0), ("FORCE_FIELD", 1), ("PAPER", 0), ("GAUSSIAN", 1)):
+        assert getattr(vtkVolumeHapticsFilter, constant) == value
+    assert vtkHapticProperty.BOTH == 2
+    assert "volume" in vtkVolumeHapticsFilter.__doc__ and "2002" in vtkVolumeHapticsFilter.__doc__
+    assert "N/m" in vtkHapticProperty.__doc__
+    check_array_table()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,109 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkHapticDevice from Python: a push on a ramp, recorded, replayed and compared."""
+
+import math
+import os
+import sys
+import tempfile
+import time
+
+from vtkmodules.vtkCommonCore import VTK_DOUBLE
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from volumehaptics import vtkHapticDevice, vtkVolumeHapticsFilter
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import compare_traces  # noqa: E402
+
+
+def make_ramp():
+    """V = 100 z on 16^3 voxels of 1 world unit."""
+    image = vtkImageData()
+    image.SetDimensions(16, 16, 16)
+    image.AllocateScalars(VTK_DOUBLE, 1)
+    scalars = image.GetPointData().GetScalars()
+    for i in range(image.GetNumberOfPoints()):
+        scalars.SetTuple1(i, 100.0 * image.GetPoint(i)[2])
+    return image
+
+
+def wait(device, holds):
+    """Polls the device; no test depends on how long it takes."""
+    end = time.monotonic() + 30.0
+    while not (device.UpdateState() and holds()):
+        assert time.monotonic() < end, device.GetStatusText()
+        time.sleep(0.001)
+
+
+class Errors:
+    """The errors of an object, instead of on the console."""
+
+    def __init__(self, watched):
+        self.count = 0
+        watched.AddObserver("ErrorEvent", self)
+
+    def __call__(self, *_):
+        self.count += 1
+
+
+folder = tempfile.mkdtemp()
+haptics = vtkVolumeHapticsFilter()
+haptics.SetInputData(0, make_ramp())
+device = vtkHapticDevice()
+errors = Errors(device)
+
+ids = vtkHapticDevice.EnumerateDevices()
+assert "virtual" in [ids.GetValue(i) for i in range(ids.GetNumberOfValues())]
+assert device.GetStatus() == vtkHapticDevice.CLOSED and "Open" in device.GetStatusText()
+for bad in ("", "nothing", "replay:" + os.path.join(folder, "missing.vtp"), None):
+    assert not device.Open(bad), bad
+assert errors.count == 4 and not device.Start() and errors.count == 5
+
+assert device.Open("virtual") and device.GetStatus() == vtkHapticDevice.READY
+assert device.GetMaximumForce() > 0.0 and device.GetMaximumForceRate() == 500.0
+device.SetVolumeHaptics(haptics)
+device.SetVirtualTip(7.0, 7.0, 5.0)
+assert device.Start() and device.IsRunning()
+recording = os.path.join(folder, "push.vtp")
+assert device.StartRecording(recording)
+device.Arm()
+device.SetVirtualTip((7.0, 7.0, 8.0))
+wait(device, lambda: device.GetForce()[2] < -1.49)
+assert device.GetStatus() == vtkHapticDevice.ACTIVE
+assert abs(device.GetComputedForce()[2] + 1.5) < 1e-6
+assert math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-9
+assert math.dist(device.GetProxyPosition(), (7.0, 7.0, 5.0)) < 1e-6
+assert device.GetContact() == 1 and device.GetButtons() == 0 and device.GetTick() > 0
+
+# Turned by a quarter and published while it records.
+matrix = vtkMatrix4x4()
+matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
+device.SetDeviceToWorld(matrix)
+assert device.Publish()
+for z in (9.0, 6.0, 8.0):
+    device.SetVirtualTip(7.0, 7.0, z)
+    wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, z)) < 1e-6)
+assert device.GetTickRate() >= 0.0 and device.GetMissedTicks() >= 0
+assert device.GetTickPercentile(50) <= device.GetTickPercentile(99)
+assert device.GetWakePercentile(50) <= device.GetWakePercentile(99)
+device.ResetStatistics()
+assert device.StopRecording()
+device.Stop()
+assert device.GetForce() == (0.0, 0.0, 0.0) and not device.IsRunning()
+
+# Offline, the recording gives the same trace.
+haptics.SetInputData(1, compare_traces.read_trace(recording))
+haptics.Update()
+recorded = compare_traces.read_trace(recording)
+differences = compare_traces.compare(recorded, haptics.GetOutput())
+assert not differences, [str(d) for d in differences]
+
+# Played back by the servo, the tip ends where it ended.
+assert device.Open("replay:" + recording)
+assert device.Start()
+wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-6)
+assert device.GetDeviceToWorld() is matrix
+device.Arm()
+del device  # armed: it stops by itself
+assert errors.count == 5

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Errors reach Python: as ErrorEvent where the data are wrong, as exceptions where a call is."""
+
+import math
+
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
+from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
+
+
+class Log(list):
+    """The error texts of an object, instead of on the console."""
+
+    def __init__(self, watched):
+        super().__init__()
+
+        def note(_caller, _event, text):
+            self.append(text)
+
+        note.CallDataType = VTK_STRING
+        watched.AddObserver("ErrorEvent", note)
+
+
+def make_image(n=12):
+    image = vtkImageData()
+    image.SetDimensions(n, n, n)
+    image.AllocateScalars(10, 1)  # VTK_FLOAT
+    image.GetPointData().GetScalars().Fill(100.0)
+    return image
+
+
+def make_path(*points):
+    path = vtkPolyData()
+    path.SetPoints(vtkPoints())
+    for point in points:
+        path.GetPoints().InsertNextPoint(point)
+    return path
+
+
+def check_bad_data():
+    haptics = vtkVolumeHapticsFilter()
+    log = Log(haptics)
+    quiet = Log(haptics.GetExecutive())
+    image, path = make_image(), make_path((5, 5, 5), (5, 5, 6))
+    haptics.SetInputData(image)
+    haptics.SetPathData(path)
+    haptics.Update()
+    assert haptics.GetOutput().GetNumberOfPoints() == 2 and not log and not quiet
+
+    cases = (
+        ("spacing", lambda: image.SetSpacing(1, math.nan, 1), lambda: image.SetSpacing(1, 1, 1)),
+        ("tip path", lambda: haptics.SetPathData(make_path((math.nan, 5, 5))),
+         lambda: haptics.SetPathData(path)),
+        ("KernelRadius", lambda: haptics.SetKernelRadius(9), lambda: haptics.SetKernelRadius(2)),
+        ("Stiffness", lambda: haptics.GetProperty().GetStiffness().AddPoint(0, -1),
+         lambda: haptics.GetProperty().GetStiffness().RemoveAllPoints()),
+    )
+    for word, spoil, mend in cases:
+        spoil()
+        haptics.Update()
+        assert len(log) == 1 and word in log[0], (word, log)
+        assert haptics.GetOutput().GetNumberOfPoints() == 0
+        mend()
+        log.clear()
+        haptics.Update()
+        assert not log and haptics.GetOutput().GetNumberOfPoints() == 2, word
+
+
+def expect(error, call, *arguments):
+    try:
+        call(*arguments)
+    except error:
+        return
+    raise AssertionError(f"no {error.__name__} from {call.__name__}{arguments}")
+
+
+def check_bad_calls():
+    haptics, prop = vtkVolumeHapticsFilter(), vtkHapticProperty()
+    expect(TypeError, haptics.SetKernelRadius, "two")
+    expect(TypeError, haptics.SetKernelRadius)
+    expect(TypeError, haptics.SetProperty, vtkPiecewiseFunction())
+    expect(TypeError, prop.SetStiffness, 500.0)
+    expect(TypeError, prop.SetVisibilityFrom, prop)
+    expect(TypeError, haptics.SetPathData, make_image())
+    # None is the C++ nullptr: the defaults come back.
+    prop.GetStiffness().AddPoint(0.0, 5.0)
+    prop.SetStiffness(None)
+    assert prop.GetStiffness().GetSize() == 0
+    haptics.SetProperty(prop)
+    haptics.SetProperty(None)
+    assert haptics.GetProperty() is not None and haptics.GetProperty() is not prop
+
+
+def check_unknown_preset():
+    prop = vtkHapticProperty()
+    log = Log(prop)
+    for name in ("bones", None):
+        assert prop.ApplyPreset(name) is False
+    assert len(log) == 2 and '"bones"' in log[0] and '"MRI"' in log[0], log
+
+
+if __name__ == "__main__":
+    check_bad_data()
+    check_bad_calls()
+    check_unknown_preset()

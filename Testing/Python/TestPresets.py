@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Presets from Python: names, effect, and that a filter notices."""
+
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
+from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
+
+
+def names():
+    array = vtkHapticProperty.GetPresetNames()
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def make_filter(hounsfield):
+    """A tip that goes 3 mm down into a ramp that ends at one tissue."""
+    image = vtkImageData()
+    image.SetDimensions(16, 16, 16)
+    image.AllocateScalars(4, 1)  # VTK_SHORT
+    scalars = image.GetPointData().GetScalars()
+    for i in range(image.GetNumberOfPoints()):
+        z = i // 256
+        scalars.SetTuple1(i, max(-1000, hounsfield - 100 * max(0, 8 - z)))
+    path = vtkPolyData()
+    path.SetPoints(vtkPoints())
+    for tick in range(31):
+        path.GetPoints().InsertNextPoint(7, 7, 6 + 0.1 * tick)
+    haptics = vtkVolumeHapticsFilter()
+    haptics.SetInputData(image)
+    haptics.SetPathData(path)
+    return haptics
+
+
+def last(haptics, name):
+    haptics.Update()
+    array = haptics.GetOutput().GetPointData().GetArray(name)
+    return array.GetComponent(array.GetNumberOfTuples() - 1, array.GetNumberOfComponents() - 1)
+
+
+def main():
+    assert names() == ["CT contrast", "CT physical", "MRI"], names()
+    prop = vtkHapticProperty()
+    for name in names():
+        assert prop.ApplyPreset(name) is True
+        assert prop.GetStiffness().GetSize() > 4
+    assert prop.GetSurfaceSide() == vtkHapticProperty.BOTH
+
+    # Deeper than the ramp everything is one tissue: muscle, then bone.
+    for hounsfield, stiffness, friction in ((50, 350.0, 0.25), (900, 1000.0, 0.30)):
+        haptics = make_filter(hounsfield)
+        haptics.GetProperty().ApplyPreset("CT contrast")
+        assert abs(last(haptics, "Stiffness") - stiffness) < 1e-9
+        assert abs(last(haptics, "Friction") - friction) < 1e-9
+    assert last(haptics, "Force") < -0.5, "bone pushes back"
+    haptics.GetProperty().ApplyPreset("CT physical")
+    assert abs(last(haptics, "Friction") - 0.32) < 1e-9, "the filter runs again by itself"
+
+    # What is not seen is not felt.
+    volume = vtkVolumeProperty()
+    volume.GetScalarOpacity().RemoveAllPoints()
+    volume.GetScalarOpacity().AddPoint(0.0, 0.0)
+    haptics.GetProperty().SetVisibilityFrom(volume)
+    assert last(haptics, "Force") == 0.0
+    volume.GetScalarOpacity().AddPoint(0.0, 0.5)
+    assert last(haptics, "Force") < -0.5
+    haptics.GetProperty().SetVisibilityFrom(None)
+    assert haptics.GetProperty().GetVisibilityFrom() is None
+
+
+if __name__ == "__main__":
+    main()
