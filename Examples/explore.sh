@@ -25,6 +25,7 @@ Some options, passed on to volumehaptics-explore, which lists all of them with -
   --preset NAME     materials, such as "CT contrast", "CT physical", "MRI"
   --estimator NAME  gradient: central, gaussian, bspline
   --size PX         width of the picture
+  --live            run the same path through the servo loop, too, at 1 kHz in real time
 EOF
 }
 

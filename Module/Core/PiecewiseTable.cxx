@@ -69,7 +69,8 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
 
   this->Segments.reserve(breaks.size() + 1);
-  Segment leftmost{ -std::numeric_limits<double>::infinity(), breaks.front(), {}, {} };
+  // Constant, so that its far end only has to be finite.
+  Segment leftmost{ std::numeric_limits<double>::lowest(), {}, {} };
   for (int c = 0; c < Channels; ++c)
   {
     leftmost.Value[c] = functions[c].front().Y;
@@ -77,7 +78,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   this->Segments.push_back(leftmost);
   for (const double x : breaks)
   {
-    Segment segment{ x, x, {}, {} };
+    Segment segment{ x, {}, {} };
     for (int c = 0; c < Channels; ++c)
     {
       const Line line = LineRightOf(functions[c], x);

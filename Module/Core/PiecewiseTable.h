@@ -83,7 +83,7 @@ public:
     Values values;
     for (int c = 0; c < Channels; ++c)
     {
-      values[c] = segment.Value[c] + segment.Slope[c] * (x - segment.Anchor);
+      values[c] = segment.Value[c] + segment.Slope[c] * (x - segment.Begin);
     }
     return values;
   }
@@ -101,7 +101,6 @@ private:
   struct Segment
   {
     double Begin;
-    double Anchor;
     Values Value;
     Values Slope;
   };

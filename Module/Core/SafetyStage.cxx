@@ -36,7 +36,8 @@ Vector3 SafetyStage::Cut() noexcept
 
 double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
 {
-  const double time = this->SampleAge;
+  // A wake-up on time after a late one comes early: the device has moved for a whole period.
+  const double time = std::max(this->SampleAge, input.Period);
   const double speed = this->HasTip && time > 0.0 ? Norm(input.Tip - this->LastTip) / time : 0.0;
   this->LastTip = input.Tip;
   this->HasTip = true;
@@ -89,11 +90,17 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
 void SaturateTogether(double* commands, int count, double limit) noexcept
 {
   double largest = 0.0;
+  bool sound = limit >= 0.0;
   for (int i = 0; i < count; ++i)
   {
     largest = std::max(largest, std::abs(commands[i]));
+    sound = sound && std::isfinite(commands[i]);
   }
-  if (largest > limit)
+  if (!sound)
+  {
+    std::fill(commands, commands + count, 0.0);
+  }
+  else if (largest > limit)
   {
     for (int i = 0; i < count; ++i)
     {

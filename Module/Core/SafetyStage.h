@@ -15,7 +15,7 @@
  *
  * The ramp is applied before the slew limit, so that nothing that leaves breaks the limit, except
  * on its way to zero: a fault and disarming cut the force at once. Without fresh samples for
- * WatchdogTime the force goes down to zero within the slew limit. A fault holds until Rearm.
+ * WatchdogTime the force goes down to zero within the slew limit. A fault holds until Arm.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h
@@ -85,7 +85,10 @@ private:
   SafetyFault Fault = SafetyFault::None;
 };
 
-/** Scales commands down together until the largest is within the limit: the direction is kept. */
+/**
+ * Scales commands down together until the largest is within the limit: the direction is kept. All
+ * are zero where one is not finite.
+ */
 void SaturateTogether(double* commands, int count, double limit) noexcept;
 
 } // namespace VolumeHaptics

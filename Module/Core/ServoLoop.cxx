@@ -4,6 +4,7 @@
 
 #include "ServoClock.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace VolumeHaptics
@@ -12,8 +13,8 @@ namespace
 {
 
 constexpr double NanosecondsPerSecond = 1e9;
-/** A little over a minute at 1 kHz, should the recorder be kept from draining. */
-constexpr std::size_t TraceCapacity = 1 << 16;
+/** 16 s at 1 kHz, should the recorder be kept from draining; every start has to clear it. */
+constexpr std::size_t TraceCapacity = 1 << 14;
 /** The rate is averaged over at least this long (ns). */
 constexpr std::int64_t RateWindow = 100000000;
 
@@ -158,9 +159,11 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   input.Period = period;
   input.Elapsed = elapsed;
   input.Fresh = sample.Fresh;
-  input.Lost = s.Device == DeviceState::Lost;
+  // What Write found counts from the next tick on.
+  input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   s.Command = this->Safety.Apply(input, this->Limits.Read());
-  if (this->Backend.Write(s.Command) == DeviceState::Lost)
+  this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
+  if (this->WriteLost)
   {
     s.Device = DeviceState::Lost;
   }
@@ -178,6 +181,7 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   s.Fault = this->Safety.GetFault();
   s.Seal = ComputeSeal(s);
   this->Latest.Write(s);
+  this->WrittenGeneration.store(s.Generation, std::memory_order_release);
   if (this->Recording.load(std::memory_order_acquire))
   {
     this->Trace.Push(s);

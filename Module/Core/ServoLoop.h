@@ -78,6 +78,12 @@ public:
     return this->Acknowledged.load(std::memory_order_acquire);
   }
 
+  /** No state that is yet to be read or drained is of an older generation. */
+  std::uint64_t GetWrittenGeneration() const noexcept
+  {
+    return this->WrittenGeneration.load(std::memory_order_acquire);
+  }
+
   /** Force may flow, after a ramp; forgets a fault. */
   void Arm() noexcept { this->Command(true); }
   /** No force from the next tick on. */
@@ -147,6 +153,7 @@ private:
 
   std::atomic<const Published*> Next;
   std::atomic<std::uint64_t> Acknowledged{ 0 };
+  std::atomic<std::uint64_t> WrittenGeneration{ 0 };
   std::vector<std::unique_ptr<const Published>> Kept; // the owner's, oldest first
   std::uint64_t Generation = 0;                       // the owner's
 
@@ -164,6 +171,7 @@ private:
   SafetyStage Safety;
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
+  bool WriteLost = false;
   std::int64_t StatisticsStart = 0;
   std::uint64_t StatisticsTicks = 0;
 

@@ -12,6 +12,8 @@ constexpr double RelativeGradientEpsilon = 1e-12;
 /** Distances (m) and forces (N) below these are zero. */
 constexpr double DistanceEpsilon = 1e-15;
 constexpr double ForceEpsilon = 1e-9;
+/** No hand is farther away (m); squares of what is nearer do not overflow. */
+constexpr double FarthestTip = 1e9;
 
 /**
  * Ascending normal and gradient magnitude at a position, written into the record. Returns by how
@@ -162,7 +164,10 @@ void Tick(
 {
   record = TickRecord{};
   record.Tip = tip;
-  if (!IsFinite(tip))
+  // Also false for NaN.
+  const bool isSomewhere =
+    std::abs(tip.X) < FarthestTip && std::abs(tip.Y) < FarthestTip && std::abs(tip.Z) < FarthestTip;
+  if (!isSomewhere)
   {
     record.Proxy = state.Proxy;
     state.Enabled = false;

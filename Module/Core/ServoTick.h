@@ -54,8 +54,8 @@ struct TickRecord
 /**
  * Advances the state by one tick and writes what happened.
  *
- * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not finite
- * gives zero force and disables the state.
+ * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not finite, or a
+ * million kilometres away, gives zero force and disables the state.
  */
 void Tick(
   const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept;

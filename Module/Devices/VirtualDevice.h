@@ -61,7 +61,10 @@ public:
   ///@}
 
   /** The force that acts on the hand now; any thread, for one component at a time. */
-  double GetActingForce(int axis) const noexcept { return this->Acting[axis].load(); }
+  double GetActingForce(int axis) const noexcept
+  {
+    return this->Quenched.load(std::memory_order_acquire) ? 0.0 : this->Acting[axis].load();
+  }
 
 private:
   void Integrate(double period, const Vector3& force) noexcept;

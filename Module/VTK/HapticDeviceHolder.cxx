@@ -103,6 +103,8 @@ void HapticDeviceHolder::Close()
     this->Backend.reset();
   }
   this->Virtual = nullptr;
+  // Arming is for the device that is at hand, not for the next one.
+  this->ArmWanted = false;
   this->Replay = {};
   this->Id.clear();
 }
@@ -147,6 +149,10 @@ void HapticDeviceHolder::Arm(bool on)
   this->ArmWanted = on;
   if (this->Session)
   {
+    if (on)
+    {
+      GuardSession(this->Session.get());
+    }
     on ? this->Session->GetLoop().Arm() : this->Session->GetLoop().Disarm();
   }
 }
@@ -211,7 +217,11 @@ std::string HapticDeviceHolder::GetStatusText() const
     return "Ready: " + this->Id + ". Start() the servo.";
   }
   std::string text;
-  if (this->State.Device == DeviceState::Finished)
+  if (this->State.Device == DeviceState::Lost)
+  {
+    text = "Lost: " + this->Id + " is gone. Plug it in, Open() and Start() it.";
+  }
+  else if (this->State.Device == DeviceState::Finished)
   {
     text = "Finished: " + this->Id + " has come to its end.";
   }

@@ -27,17 +27,18 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
 {
   // Below the documented bounds, since the chord is checked at three places only. A value that is tiny
   // against the piece's height must be right, too, but for the last digits near zero.
+  constexpr double share = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
   const double tolerance =
-    std::clamp(0.25 * CurveValueTolerance * value, 1e-9 * height, 0.25 * CurveTolerance * height);
-  const auto at = [&](double share)
+    std::clamp(share * CurveValueTolerance * value, 1e-9 * height, share * CurveTolerance * height);
+  const auto at = [&](double s)
   {
-    const double x = a.X + share * (b.X - a.X);
+    const double x = a.X + s * (b.X - a.X);
     return Vertex{ x, function->GetValue(x) };
   };
   const Vertex middle = at(0.5);
-  const auto isOff = [&](const Vertex& v, double share)
-  { return std::abs(v.Y - (a.Y + share * (b.Y - a.Y))) > tolerance; };
+  const auto isOff = [&](const Vertex& v, double s)
+  { return std::abs(v.Y - (a.Y + s * (b.Y - a.Y))) > tolerance; };
   const bool split = isOff(middle, 0.5) || isOff(at(0.25), 0.25) || isOff(at(0.75), 0.75);
   if (!split || depth == 0 || !(a.X < middle.X && middle.X < b.X))
   {
@@ -84,7 +85,7 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
     }
     return;
   }
-  constexpr int depth = 14;
+  constexpr int depth = 24; // a logarithmic scale packs decades at the low end
   const double height = std::abs(b.Y - a.Y);
   const Vertex kink{ middle, function->GetValue(middle) };
   Subdivide(function, { a.X, a.Y }, kink, height, depth, line);

@@ -79,10 +79,16 @@ const std::vector<Preset>& Presets()
   return presets;
 }
 
-void Fill(vtkPiecewiseFunction* function, const Preset& preset, double Tissue::*quantity)
+void Empty(vtkPiecewiseFunction* function)
 {
   function->RemoveAllPoints();
   function->ClampingOn();
+  function->UseLogScaleOff();
+}
+
+void Fill(vtkPiecewiseFunction* function, const Preset& preset, double Tissue::*quantity)
+{
+  Empty(function);
   for (const Tissue& tissue : preset.Tissues)
   {
     function->AddPoint(tissue.Low, tissue.*quantity);
@@ -103,8 +109,7 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
       Fill(property->GetViscosity(), preset, &Tissue::Viscosity);
       Fill(property->GetSurfaceStrength(), preset, &Tissue::SurfaceStrength);
       vtkPiecewiseFunction* const distinctness = property->GetDistinctness();
-      distinctness->RemoveAllPoints();
-      distinctness->ClampingOn();
+      Empty(distinctness);
       distinctness->AddPoint(preset.DistinctnessStart, 0.0);
       distinctness->AddPoint(preset.DistinctnessFull, 1.0);
       property->SetSurfaceSide(preset.Side);

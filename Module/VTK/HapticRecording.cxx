@@ -84,6 +84,7 @@ vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
   const auto fault = NewArray<vtkUnsignedCharArray>(points, "Fault", 1);
   const auto matrices = NewArray<vtkDoubleArray>(fields, RecordingNames::DeviceToWorld, 16);
   const auto initial = NewArray<vtkDoubleArray>(fields, RecordingNames::InitialState, 7);
+  const auto period = NewArray<vtkDoubleArray>(fields, RecordingNames::TickPeriod, 1);
   const auto lost = NewArray<vtkIdTypeArray>(fields, "LostTicks", 1);
   lost->InsertNextValue(static_cast<vtkIdType>(this->LostTicks));
   AddText(fields, "DeviceId", this->DeviceId);
@@ -115,6 +116,7 @@ vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
       const double state[7] = { proxy.X, proxy.Y, proxy.Z, last.X, last.Y, last.Z,
         s.Before.Enabled ? 1.0 : 0.0 };
       initial->InsertNextTuple(state);
+      period->InsertNextValue(model.Settings.TickPeriod);
     }
     basics.Append(model, s.Time, s.Record);
     AddVector(tip, s.Record.Tip);

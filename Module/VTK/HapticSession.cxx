@@ -16,6 +16,8 @@ namespace
  */
 constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;
+/** How often Quench looks whether the loop has got it (ns). */
+constexpr std::int64_t QuenchPoll = 200000;
 
 template <typename T>
 T* UserData(void* info)
@@ -108,10 +110,9 @@ void HapticSession::Publish(std::shared_ptr<const HapticModel> model)
     this->Recording->AddModel(generation, model);
   }
   this->Models[generation] = std::move(model);
-  // Where nobody asks for states, models must not pile up either. The latest state may be one tick older
-  // than what the loop has acknowledged, hence what it had acknowledged the time before.
-  this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->AcknowledgedBefore));
-  this->AcknowledgedBefore = this->Loop.GetAcknowledged();
+  // Where nobody asks for states, models must not pile up either.
+  this->Models.erase(
+    this->Models.begin(), this->Models.lower_bound(this->Loop.GetWrittenGeneration()));
 }
 
 const HapticModel* HapticSession::FindModel(std::uint64_t generation)
@@ -156,6 +157,15 @@ std::unique_ptr<HapticRecording> HapticSession::StopRecording()
 void HapticSession::Quench() noexcept
 {
   this->Loop.Disarm();
+  this->Backend.Quench();
+  // A tick that is under way may still write a force after that. The second one from here has seen
+  // Disarm; a loop that does not get there does not write either.
+  const std::uint64_t end = this->Loop.GetTickCount() + 2;
+  const std::int64_t latest = ServoClock::Now() + MostSilence;
+  while (this->Loop.GetTickCount() < end && ServoClock::Now() < latest)
+  {
+    ServoClock::SleepUntil(ServoClock::Now() + QuenchPoll);
+  }
   this->Backend.Quench();
 }
 

@@ -46,7 +46,7 @@ public:
   bool IsRecording() const { return this->Recording != nullptr; }
   ///@}
 
-  /** From any thread: no force from now on. */
+  /** From any thread: no force once this returns, until armed again. Waits for the loop, shortly. */
   void Quench() noexcept;
 
 private:
@@ -65,7 +65,6 @@ private:
   std::unique_ptr<HapticRecording> Recording;
   /** The owner's: models by generation, from the one of the last state that was asked for. */
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
-  std::uint64_t AcknowledgedBefore = 0;
 };
 
 } // namespace VolumeHaptics

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <mutex>
 #include <vector>
 
@@ -51,10 +52,21 @@ const int Signals[] = { SIGINT, SIGTERM, SIGHUP };
 constexpr int SignalCount = 3;
 struct sigaction Before[SignalCount];
 int Pipe[2] = { -1, -1 };
+pid_t Owner = 0;
 
 extern "C" void OnSignal(int signal)
 {
   const int keep = errno;
+  if (getpid() != Owner)
+  {
+    // A forked child shares the pipe, but the devices and the thread at its other end are the
+    // parent's. The signal comes again when this handler returns.
+    const auto at = std::find(std::begin(Signals), std::end(Signals), signal);
+    sigaction(signal, &Before[at - std::begin(Signals)], nullptr);
+    raise(signal);
+    errno = keep;
+    return;
+  }
   const auto byte = static_cast<unsigned char>(signal);
   const ssize_t written = write(Pipe[1], &byte, 1);
   static_cast<void>(written);
@@ -106,7 +118,10 @@ void Watch()
     if (got == 1)
     {
       QuenchAll();
-      Uninstall();
+      {
+        const std::lock_guard<std::mutex> lock(GetGuarded().Mutex);
+        Uninstall();
+      }
       kill(getpid(), signal);
     }
     else if (got == 0 || errno != EINTR)
@@ -122,6 +137,7 @@ bool StartWatching()
   {
     return false;
   }
+  Owner = getpid();
   fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
   fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
   // A handler never blocks: with the pipe full a signal is on its way anyway.
@@ -150,7 +166,11 @@ void GuardSession(HapticSession* session)
   static_cast<void>(atExit);
   Guarded& guarded = GetGuarded();
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
-  guarded.Sessions.push_back(session);
+  auto& sessions = guarded.Sessions;
+  if (std::find(sessions.begin(), sessions.end(), session) == sessions.end())
+  {
+    sessions.push_back(session);
+  }
   if (watching)
   {
     Install();

@@ -17,7 +17,10 @@ namespace VolumeHaptics
 
 class HapticSession;
 
-/** From the owner's thread; a session must be released before it is destroyed. */
+/**
+ * From the owner's thread, when a session starts and each time it is armed, since a signal that the
+ * process outlives takes the guard away. A session must be released before it is destroyed.
+ */
 void GuardSession(HapticSession* session);
 void ReleaseSession(HapticSession* session);
 

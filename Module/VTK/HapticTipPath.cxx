@@ -123,7 +123,9 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
     FindArray(path->GetFieldData(), RecordingNames::DeviceToWorld, matrixSize, anyNumber);
   vtkDataArray* const state =
     FindArray(path->GetFieldData(), RecordingNames::InitialState, stateSize, 1);
-  if (!tips || !enabled || !placement || !times || !matrices || !state)
+  vtkDataArray* const period = FindArray(path->GetFieldData(), RecordingNames::TickPeriod, 1, 1);
+  if (!tips || !enabled || !placement || !times || !matrices || !state || !period ||
+    !(period->GetComponent(0, 0) > 0.0))
   {
     return false;
   }
@@ -156,6 +158,7 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
     result.Enabled.push_back(enabled->GetComponent(i, 0) != 0.0);
     result.Times.push_back(times->GetComponent(i, 0));
   }
+  result.TickPeriod = period->GetComponent(0, 0);
   result.InitialState.Proxy = ReadVector(state, 0);
   result.InitialState.PreviousTip = ReadVector(state, 0, 3);
   result.InitialState.Enabled = state->GetComponent(0, stateSize - 1) != 0.0;
@@ -189,7 +192,7 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
       error =
         "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
         "it needs the finite point arrays DeviceTip (3), Enabled, Placement and Time, and the "
-        "field arrays DeviceToWorld (16) and InitialState (7). Record again, or remove "
+        "field arrays DeviceToWorld (16), InitialState (7) and TickPeriod. Record again, or remove "
         "DeviceTip to use the points as a path.";
       return false;
     }

@@ -25,6 +25,7 @@ constexpr const char* DeviceTip = "DeviceTip";         ///< point array: the tip
 constexpr const char* Enabled = "Enabled";             ///< point array: 1 where the tick enabled
 constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
+constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
 constexpr const char* InitialState = "InitialState";   ///< field array: proxy, last tip, enabled
 } // namespace RecordingNames
 
@@ -38,6 +39,7 @@ struct TipPath
   std::vector<int> PlacementOf; ///< per tick
   std::vector<bool> Enabled;    ///< per tick
   ServoState InitialState;
+  double TickPeriod = 0.0; ///< s, of the servo that recorded
 };
 
 /**

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
 
 #include <cmath>
@@ -106,6 +107,8 @@ Contents ReadPolyData(const std::string& file, bool& failed)
   };
   vtkNew<Observer> observer;
   observer->Failed = &failed;
+  reader->SetReaderErrorObserver(observer);
+  reader->SetParserErrorObserver(observer);
   reader->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->SetFileName(file.c_str());
@@ -133,6 +136,14 @@ Contents ReadTable(const std::string& file)
   vtkTable* const table = reader->GetOutput();
   return { ReadVectors(table, RecordingNames::DeviceTip), ReadVectors(table, "Tip"),
     ReadColumn(table, "Time") };
+}
+
+/** A table that was cut off shows in its last line, which has no end. */
+bool EndsWithLine(const std::string& file)
+{
+  vtksys::ifstream stream(file.c_str(), std::ios::binary);
+  stream.seekg(-1, std::ios::end);
+  return stream.get() == '\n';
 }
 
 /** What is wrong with the contents; empty where nothing is. */
@@ -179,6 +190,10 @@ bool ReadTraceFile(const std::string& file, RecordedTips& result, std::string& e
   else if (vtksys::SystemTools::FileLength(file) == 0)
   {
     error = "is empty";
+  }
+  else if (ending == ".csv" && !EndsWithLine(file))
+  {
+    error = "is cut off: its last line has no end";
   }
   else
   {

@@ -14,6 +14,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <iomanip>
+#include <locale>
 
 namespace VolumeHaptics
 {
@@ -71,6 +72,8 @@ bool WriteTable(vtkPolyData* trace, const std::string& file)
   }
   // Not vtkDelimitedTextWriter, which writes six digits: a trace has to come back to the bit.
   vtksys::ofstream stream(file.c_str());
+  // An application's locale must not turn points into commas.
+  stream.imbue(std::locale::classic());
   stream << std::setprecision(17);
   for (const Column& column : columns)
   {

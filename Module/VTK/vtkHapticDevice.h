@@ -95,7 +95,7 @@ public:
   /**
    * Ticks per second, 100 to 10000. Default 1000. Takes effect with Start.
    */
-  vtkSetClampMacro(ServoRate, double, 100.0, 10000.0);
+  void SetServoRate(double rate);
   vtkGetMacro(ServoRate, double);
   ///@}
 

@@ -24,6 +24,18 @@ void vtkHapticDevice::SendLimits()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::SetServoRate(double rate)
+{
+  // The comparison is false for NaN, which the clamp would let through.
+  const double clamped = rate > 100.0 ? std::min(rate, 10000.0) : 100.0;
+  if (clamped != this->ServoRate)
+  {
+    this->ServoRate = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumForce(double force)
 {
   auto& holder = this->Internals->Holder;

@@ -20,6 +20,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkVolumeHapticsFilter);
 
@@ -95,7 +97,7 @@ bool vtkVolumeHapticsFilter::ReadPlacement(
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
-  vtkImageData* image, double rate, double maximumStiffness, vtkMatrix4x4* deviceToWorld,
+  vtkImageData* image, double tickPeriod, double maximumStiffness, vtkMatrix4x4* deviceToWorld,
   std::string& error)
 {
   using namespace VolumeHaptics;
@@ -104,10 +106,25 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image, association);
   if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    error = "The input image has no point scalars to touch. Give its point data active scalars, or "
-            "name a numeric point array with SetInputArrayToProcess(0, 0, 0, "
-            "vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
+    const char* const name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+    error = (name ? "The input image has no numeric point array \"" + std::string(name) + "\"."
+                  : std::string("The input image has no point scalars to touch.")) +
+      " Give its point data active scalars, or name a numeric point array with "
+      "SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
     return nullptr;
+  }
+  const std::pair<const char*, double> settings[] = { { "ServoRate", 1.0 / tickPeriod },
+    { "MetersPerWorldUnit", this->MetersPerWorldUnit }, { "ForceFieldGain", this->ForceFieldGain },
+    { "ForceFieldDamping", this->ForceFieldDamping }, { "MaximumForce", this->MaximumForce },
+    { "MaximumStiffness", maximumStiffness } };
+  for (const auto& [setting, value] : settings)
+  {
+    if (!std::isfinite(value))
+    {
+      error = std::string("The setting ") + setting +
+        " of vtkVolumeHapticsFilter is not a finite number. Set" + setting + "() to one.";
+      return nullptr;
+    }
   }
   HapticModelOptions options;
   if (!this->ReadPlacement(deviceToWorld, options.DeviceToWorld, error))
@@ -117,7 +134,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Estimator = static_cast<VolumeHaptics::GradientEstimator>(this->GradientEstimator);
   options.KernelRadius = this->KernelRadius;
   options.Settings.Method = static_cast<HapticMethod>(this->Method);
-  options.Settings.TickPeriod = 1.0 / rate;
+  options.Settings.TickPeriod = tickPeriod;
   options.Settings.MaximumForce = this->MaximumForce;
   options.Settings.MaximumStiffness = maximumStiffness;
   options.Settings.ForceFieldGain = this->ForceFieldGain;
@@ -159,7 +176,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   }
   else if (error.empty())
   {
-    model = this->BakeImage(image, rate, cap, deviceToWorld, error);
+    model = this->BakeImage(image, 1.0 / rate, cap, deviceToWorld, error);
   }
   if (!error.empty())
   {
@@ -187,12 +204,15 @@ int vtkVolumeHapticsFilter::RequestData(
 
   vtkPolyData* const path = vtkPolyData::GetData(inputs[1]);
   std::string error;
-  std::shared_ptr<const HapticModel> model = this->BakeImage(
-    vtkImageData::GetData(inputs[0]), this->ServoRate, this->MaximumStiffness, nullptr, error);
   const double period = 1.0 / this->ServoRate;
   TipPath tips;
-  if (!model || (path && !ReadTipPath(path, period, tips, error)))
+  const bool readable = !path || ReadTipPath(path, period, tips, error);
+  std::string imageError;
+  std::shared_ptr<const HapticModel> model = this->BakeImage(vtkImageData::GetData(inputs[0]),
+    tips.IsRecording ? tips.TickPeriod : period, this->MaximumStiffness, nullptr, imageError);
+  if (!model || !readable)
   {
+    error = model ? error : imageError;
     vtkErrorMacro(<< error);
     return 0;
   }

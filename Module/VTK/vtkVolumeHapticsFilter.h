@@ -260,8 +260,8 @@ private:
 #ifndef __VTK_WRAP__
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
-  std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image, double rate,
-    double maximumStiffness, vtkMatrix4x4* deviceToWorld, std::string& error);
+  std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
+    double tickPeriod, double maximumStiffness, vtkMatrix4x4* deviceToWorld, std::string& error);
 
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
   vtkMTimeType LastBakedTime = 0;

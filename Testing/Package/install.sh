@@ -31,7 +31,7 @@ esac
 
 # The headers that are installed are those of the public classes, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
-expected=$(cd "$source_dir/Module/VTK" && ls vtk*.h | grep -v Compat | sort)
+expected=$(cd "$source_dir/Module/VTK" && ls vtk*.h | grep -vE 'Compat|Internals' | sort)
 if [ "$installed" != "$expected" ]; then
   printf 'installed headers:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
   exit 1

@@ -32,6 +32,7 @@ set(Explore_SOURCES
   ExplorerScene.cxx
   ForceChart.cxx
   HeaderText.cxx
+  LiveRun.cxx
   MessageCapture.cxx
   Options.cxx
   PolarGrid.cxx

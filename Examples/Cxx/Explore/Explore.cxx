@@ -4,6 +4,7 @@
 #include "ExplorerScene.h"
 #include "ForceChart.h"
 #include "InputError.h"
+#include "LiveRun.h"
 #include "Options.h"
 #include "TraceFiles.h"
 #include "TraceSummary.h"
@@ -76,6 +77,15 @@ int Run(const Explore::Options& options)
   std::cout << "\n" << summary << std::endl;
 
   Explore::MakeFolder(options.Folder);
+  bool isReproduced = true;
+  if (options.Live)
+  {
+    const Explore::LiveRun live = Explore::RunLive(exploration, options.Folder + "/live.vtp");
+    std::cout << live.Report << std::endl;
+    isReproduced = live.IsReproduced;
+    // The pictures show what was felt live.
+    exploration.Trace = live.Trace;
+  }
   Explore::WriteText(summary, options.Folder + "/summary.txt");
   Explore::WriteTrace(exploration.Trace, options.Folder + "/trace.vtp");
   Explore::WriteTable(exploration.Trace, options.Folder + "/trace.csv");
@@ -88,7 +98,7 @@ int Run(const Explore::Options& options)
     return NO_DISPLAY;
   }
   WritePictures(exploration, options);
-  return DONE;
+  return isReproduced ? DONE : FAILED;
 }
 } // namespace
 

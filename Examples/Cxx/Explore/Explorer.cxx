@@ -73,7 +73,9 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
     }
   }
   result.FilterSeconds = vtkTimerLog::GetUniversalTime() - start;
-  result.Trace = filter->GetOutput();
+  result.Filter = filter;
+  result.Trace = vtkSmartPointer<vtkPolyData>::New();
+  result.Trace->ShallowCopy(filter->GetOutput());
   return result;
 }
 } // namespace Explore

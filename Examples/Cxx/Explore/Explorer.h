@@ -10,6 +10,7 @@
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <string>
 
@@ -39,7 +40,8 @@ struct Exploration
   Analysis Values;
   ViewFrame View;
   TipPath Tip;
-  vtkSmartPointer<vtkPolyData> Trace; // of vtkVolumeHapticsFilter
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  vtkSmartPointer<vtkPolyData> Trace; // of the filter
   std::string Materials;              // name of the preset that was applied
   std::string Estimator;
   int KernelRadius = 0;   // voxels

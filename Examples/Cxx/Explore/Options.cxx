@@ -104,6 +104,10 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.Help = true;
     }
+    else if (word == "--live")
+    {
+      options.Live = true;
+    }
     else if (word.size() > 1 && word[0] == '-')
     {
       const std::size_t equals = word.find('=');
@@ -155,6 +159,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --mapper NAME     volume rendering: auto (default), gpu, cpu
   --front AXIS      where a face looks: -y (default), +y, +x, -x, +z, -z
   --up AXIS         where the top is: +z (default), ...
+  --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt
+                    there is recorded in live.vtp and shown in the pictures
   --help            this text
 
 Exit status: 0 done, 1 the computation failed, 2 the input or an option is wrong, 3 no display.

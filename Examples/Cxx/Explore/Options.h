@@ -13,6 +13,7 @@ namespace Explore
 struct Options
 {
   bool Help = false;
+  bool Live = false; // in real time through the servo loop, too
   std::string VolumePath;
   std::string Folder = "explore-pictures";
   Settings How;

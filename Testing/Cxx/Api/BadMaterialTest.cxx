@@ -48,7 +48,8 @@ class BadValueTest
 TEST_P(BadValueTest, GivesOneErrorAndRecovers)
 {
   const BadValue& bad = this->GetParam();
-  vtkPiecewiseFunction* const function = (this->Property->*bad.Get)();
+  vtkHapticProperty* const property = this->Property;
+  vtkPiecewiseFunction* const function = (property->*bad.Get)();
   function->AddPoint(200.0, 0.5);
   this->Run(51);
   function->AddPoint(bad.X, bad.Y);

@@ -57,8 +57,14 @@ TEST_F(Servo, AModelTakesEffectWithinTwoTicks)
     const std::uint64_t generation = loop->Publish(i % 10 == 9 ? nullptr : this->Model);
     // The tick of this number may have begun with the old model; the next one may not.
     const std::uint64_t underWay = loop->GetTickCount();
-    ASSERT_TRUE(
-      Eventually([&] { return loop->Drain(s) && s.Generation == generation; })) << generation;
+    const auto arrived = [&]
+    {
+      while (loop->Drain(s) && s.Generation != generation)
+      {
+      }
+      return s.Generation == generation;
+    };
+    ASSERT_TRUE(Eventually(arrived)) << generation;
     EXPECT_LE(s.Tick, underWay + 1);
     EXPECT_GE(loop->GetAcknowledged(), generation);
   }
