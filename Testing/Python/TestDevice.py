@@ -65,6 +65,7 @@ assert device.GetMaximumForce() > 0.0 and device.GetMaximumForceRate() == 500.0
 device.SetVolumeHaptics(haptics)
 device.SetVirtualTip(7.0, 7.0, 5.0)
 assert device.Start() and device.IsRunning()
+wait(device, lambda: device.GetTick() > 1)  # the first lead is where the tip begins
 recording = os.path.join(folder, "push.vtp")
 assert device.StartRecording(recording)
 device.Arm()

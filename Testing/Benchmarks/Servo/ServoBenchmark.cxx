@@ -112,8 +112,9 @@ void PrintCost(const std::shared_ptr<const HapticModel>& model, double seconds)
   };
   const double all = cost(model);
   const double servo = cost(nullptr);
-  std::printf("Cost of a tick at 10 kHz, recording, p50 to 1/8: %.0f ns; without a model, that is, the "
-              "servo beyond the solver: %.0f ns (wanted: 1000 or less)\n",
+  std::printf(
+    "Cost of a tick at 10 kHz, recording, p50 to 1/8: %.0f ns; without a model, that is, the "
+    "servo beyond the solver: %.0f ns (wanted: 1000 or less)\n",
     all, servo);
 }
 
@@ -172,9 +173,9 @@ void PrintTimeKeeping(const std::shared_ptr<const HapticModel>& model, double se
       const auto missed = static_cast<double>(loop->GetMissedTicks());
       const TimeHistogram& wake = loop->GetWakeLatency();
       std::printf("%8.0f  %-22s %7.3f %% %8.1f %8.1f %8.1f %8.1f\n", rate,
-        plain         ? "SCHED_OTHER"
-          : granted   ? "SCHED_FIFO"
-                      : "SCHED_FIFO is refused",
+        plain       ? "SCHED_OTHER"
+          : granted ? "SCHED_FIFO"
+                    : "SCHED_FIFO is refused",
         100.0 * missed / (missed + ticks), 1e-3 * wake.GetPercentile(0.5),
         1e-3 * wake.GetPercentile(0.9), 1e-3 * wake.GetPercentile(0.99),
         1e-3 * wake.GetPercentile(0.999));

@@ -59,3 +59,16 @@ TEST_P(BadValueTest, GivesOneErrorAndRecovers)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadValueTest, testing::ValuesIn(BadValues));
+
+TEST_F(ApiTest, LogarithmicScaleNeedsPositiveNodes)
+{
+  // vtkPiecewiseFunction has no number to say between such nodes.
+  vtkPiecewiseFunction* const function = this->Property->GetStiffness();
+  function->UseLogScaleOn();
+  function->AddPoint(-100.0, 100.0);
+  function->AddPoint(2000.0, 500.0);
+  this->ExpectError({ "haptic property", "Stiffness", "GetStiffness()" });
+  function->AddPoint(1.0, 100.0);
+  function->RemovePoint(-100.0);
+  this->Run(51);
+}

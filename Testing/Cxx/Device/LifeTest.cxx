@@ -105,7 +105,7 @@ TEST_F(DeviceLife, PublishingManyTimesWithoutLookingKeepsNoImages)
   {
     kept += image ? 1 : 0;
   }
-  EXPECT_LT(kept, 100) << "only UpdateState lets go of them";
+  EXPECT_LT(kept, 200) << "only UpdateState lets go of them";
 }
 
 TEST_F(DeviceLife, MayBeDeletedWhileArmedAndRecording)

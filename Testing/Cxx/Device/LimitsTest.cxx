@@ -95,8 +95,7 @@ TEST_F(DeviceLimits, AnOverspeedLatchesUntilArmed)
   ASSERT_TRUE(this->WaitTicks(2000));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT);
   this->Device->Arm();
-  EXPECT_TRUE(
-    this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
 }
 
 TEST_F(DeviceLimits, AFastHandAtItsOwnSpeedIsNoFault)

@@ -33,8 +33,7 @@ TEST_F(DeviceStatus, GoesFromClosedToActiveAndBack)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
   EXPECT_TRUE(this->Says("Arm()"));
   this->Device->Arm();
-  EXPECT_TRUE(
-    this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
   EXPECT_TRUE(this->Says("Real-time priority"));
   this->Device->Disarm();
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
@@ -86,6 +85,7 @@ TEST_F(DeviceStatus, ArmedBeforeStartIsArmedAfterIt)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   this->Device->SetVirtualTip(7.0, 7.0, 5.0);
   ASSERT_TRUE(this->Device->Start());
+  ASSERT_TRUE(this->WaitTicks(2));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   EXPECT_TRUE(this->WaitForce());
   this->Device->Stop();

@@ -5,8 +5,8 @@
  * Every value from one thread to another, in order, and a count of those that found no room.
  */
 
-#include "SealedValue.h"
 #include "TraceRing.h"
+#include "SealedValue.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
  * The latest value, whole, from one thread to another.
  */
 
-#include "SealedValue.h"
 #include "TripleBuffer.h"
+#include "SealedValue.h"
 
 #include <gtest/gtest.h>
 
