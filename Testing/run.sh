@@ -7,7 +7,8 @@
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
 # Without --full, a short form of the sanitizer run follows the tests; with it, all C++ tests run under
-# the address and undefined-behaviour sanitizers, and the benchmark prints its ratios.
+# the address and undefined-behaviour sanitizers, those of the servo also under the thread sanitizer, and
+# the benchmarks print their ratios.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -16,7 +17,7 @@ build_dir=$root/build/test
 for argument in "$@"; do
   case $argument in
     --full) full=yes ;;
-    -h | --help) sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    -h | --help) sed -n '5,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
     -*) echo "$0: unknown option $argument; try --help" >&2; exit 2 ;;
     *) build_dir=$argument ;;
   esac
@@ -48,8 +49,16 @@ else
 fi
 
 if [ $full = yes ]; then
-  echo "== Benchmark"
+  echo "== Building the servo's tests with the thread sanitizer in $build_dir-thread"
+  cmake -S "$root" -B "$build_dir-thread" -G Ninja -DBUILD_TESTING=ON \
+    -DCMAKE_BUILD_TYPE=RelWithDebInfo -DVolumeHaptics_WRAP_PYTHON=OFF \
+    -DVolumeHaptics_SANITIZE=thread
+  cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
+  TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential \
+    run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Device|Servo)[.]'
+  echo "== Benchmarks"
   "$build_dir/bin/volumehaptics-benchmark"
+  "$build_dir/bin/volumehaptics-servo-benchmark"
 fi
 
 echo "== Tests"

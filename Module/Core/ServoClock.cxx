@@ -4,6 +4,7 @@
 
 #if defined(__unix__)
 #include <cerrno>
+#include <csignal>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -43,6 +44,13 @@ void SleepUntil(std::int64_t time) noexcept
   }
 }
 
+void BlockSignals() noexcept
+{
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
 bool RaisePriority() noexcept
 {
   // Below 50, where the kernel's own interrupt threads run.
@@ -69,6 +77,8 @@ void SleepUntil(std::int64_t time) noexcept
   std::this_thread::sleep_until(
     std::chrono::steady_clock::time_point(std::chrono::nanoseconds(time)));
 }
+
+void BlockSignals() noexcept {}
 
 bool RaisePriority() noexcept
 {

@@ -18,6 +18,8 @@ namespace ServoClock
 std::int64_t Now() noexcept;
 /** Sleeps until a time of Now(); returns at once where that has passed. */
 void SleepUntil(std::int64_t time) noexcept;
+/** Leaves the process's signals to other threads than the calling one. */
+void BlockSignals() noexcept;
 /** Asks for a real-time scheduling class (SCHED_FIFO, below 50) for the calling thread. */
 bool RaisePriority() noexcept;
 /** Asks that the pages which the process has now stay in memory. */

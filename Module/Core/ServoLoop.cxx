@@ -210,6 +210,7 @@ void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t
 
 void ServoLoop::Run() noexcept
 {
+  ServoClock::BlockSignals();
   this->AskForRealTime();
   const std::int64_t begin = ServoClock::Now();
   std::int64_t planned = begin;

@@ -68,6 +68,7 @@ VTK_THREAD_RETURN_TYPE HapticSession::RunKeeper(void* info)
 
 void HapticSession::Keep()
 {
+  ServoClock::BlockSignals();
   std::uint64_t seen = this->Loop.GetTickCount();
   std::int64_t seenAt = ServoClock::Now();
   while (!this->KeeperStop.load())

@@ -9,7 +9,9 @@ set -euo pipefail
 work=$2/Testing/Package/superproject
 rm -rf "$work"
 mkdir -p "$work"
-cmake -S "$1/Testing/Package/Superproject" -B "$work" -G Ninja -DVolumeHaptics_ROOT_DIR="$1" \
-  >"$work.configure.log"
-cmake --build "$work" >"$work.build.log"
-"$work/bin/superproject-check"
+# A remote module is a folder in the other project's source tree.
+cp -r "$1/Testing/Package/Superproject" "$work/source"
+ln -s "$1" "$work/source/Remote"
+cmake -S "$work/source" -B "$work/build" -G Ninja >"$work/configure.log"
+cmake --build "$work/build" >"$work/build.log"
+"$work/build/bin/superproject-check"
