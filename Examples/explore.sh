@@ -155,15 +155,38 @@ say "Building in $build"
 build_all
 echo "Built $program"
 
+# The volume is the first word that is neither an option nor the value of one.
 volume=""
-if [[ $# -gt 0 && "$1" != -* ]]
-then
-  volume="$1"
+options=()
+while [[ $# -gt 0 ]]
+do
+  case "$1" in
+    --live | -*=*)
+      options+=("$1")
+      ;;
+    -*)
+      options+=("$1" "${@:2:1}")
+      if [[ $# -gt 1 ]]
+      then
+        shift
+      fi
+      ;;
+    *)
+      if [[ -z "$volume" ]]
+      then
+        volume="$1"
+      else
+        options+=("$1")
+      fi
+      ;;
+  esac
   shift
-else
+done
+if [[ -z "$volume" ]]
+then
   say "Head CT"
   get_head_ct
 fi
 
 say "Exploring $volume"
-explore "$volume" "$@"
+explore "$volume" ${options[@]+"${options[@]}"}

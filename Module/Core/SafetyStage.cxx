@@ -10,8 +10,16 @@ namespace VolumeHaptics
 namespace
 {
 
+/** Within which a stale force goes to zero (s). */
+constexpr double RetreatTime = 0.02;
+
+/** Nothing passes a limit that is not positive, NaN included. */
 Vector3 ClampNorm(const Vector3& v, double most) noexcept
 {
+  if (!(most > 0.0))
+  {
+    return {};
+  }
   const double norm = Norm(v);
   return norm > most ? (most / norm) * v : v;
 }
@@ -75,10 +83,20 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
   {
     this->Ramp = 0.0;
   }
+  if (input.Elapsed > limits.WatchdogTime)
+  {
+    // The loop itself stood still: what was felt before is not what is there now.
+    this->Last = {};
+  }
   const Vector3 wanted =
     this->Stale ? Vector3{} : this->Ramp * ClampNorm(input.Force, limits.MaximumForce);
-  const Vector3 change = ClampNorm(wanted - this->Last, limits.MaximumForceRate * input.Period);
-  this->Last += change;
+  // However slow forces may change, one that nobody controls any more is gone in RetreatTime.
+  const double rate = this->Stale
+    ? std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime)
+    : limits.MaximumForceRate;
+  this->Last += ClampNorm(wanted - this->Last, rate * input.Period);
+  // A limit that was lowered holds at once.
+  this->Last = ClampNorm(this->Last, limits.MaximumForce);
   if (!this->Stale)
   {
     const double step = limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0;

@@ -15,7 +15,8 @@
  *
  * The ramp is applied before the slew limit, so that nothing that leaves breaks the limit, except
  * on its way to zero: a fault and disarming cut the force at once. Without fresh samples for
- * WatchdogTime the force goes down to zero within the slew limit. A fault holds until Arm.
+ * WatchdogTime the force goes down to zero within the slew limit, in 20 ms at most, and after a pause of
+ * the loop that long it starts from zero. A fault holds until Arm.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h

@@ -45,7 +45,14 @@ std::uint64_t ComputeSeal(const ServoSnapshot& s) noexcept
   seal = Mix(Mix(seal, s.Record.Normal), s.Command);
   seal = Mix(Mix(seal, s.Record.GradientMagnitude), s.Record.SurfaceValue);
   seal = Mix(Mix(seal, s.Record.Stiffness), s.Record.SurfaceStrength);
-  return Mix(seal, static_cast<std::uint64_t>(s.Buttons));
+  seal = Mix(Mix(seal, s.Record.NormalForce), s.Record.FrictionForce);
+  seal = Mix(Mix(Mix(seal, s.Before.Proxy), s.Before.PreviousTip), s.Record.MediumValue);
+  const std::uint64_t flags = static_cast<std::uint64_t>(s.Armed) << 1 |
+    static_cast<std::uint64_t>(s.Stale) << 2 | static_cast<std::uint64_t>(s.Before.Enabled) << 3 |
+    static_cast<std::uint64_t>(s.Fault) << 8 | static_cast<std::uint64_t>(s.Device) << 16 |
+    static_cast<std::uint64_t>(s.Record.Contact) << 24 |
+    static_cast<std::uint64_t>(s.Buttons) << 32;
+  return Mix(seal, flags);
 }
 
 ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
@@ -140,6 +147,11 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   sample.Tip = s.Record.Tip;
   s.Device = this->Backend.Read(period, sample);
   s.Buttons = sample.Buttons;
+  if (elapsed > this->Limits.Read().WatchdogTime)
+  {
+    // The loop stood still, and the hand did not: start from the tip.
+    this->State.Enabled = false;
+  }
   s.Before = this->State;
   const HapticModel* const model = this->Current->Model.get();
   if (model)

@@ -39,7 +39,7 @@ struct ServoSnapshot
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
-  std::uint64_t Seal = 0;       ///< a checksum of all of the above: see IsWhole
+  std::uint64_t Seal = 0;       ///< a checksum of the rest: see IsWhole
   std::uint32_t Buttons = 0;
   bool Armed = false;
   bool Stale = false;

@@ -96,7 +96,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
   {
     return DeviceState::Lost;
   }
-  if (this->Frozen.load())
+  if (this->Frozen.load() || !this->Led)
   {
     return DeviceState::Running;
   }

@@ -123,12 +123,14 @@ void HapticDeviceHolder::Start(double rate, const SafetyLimits& limits,
     }
     this->Backend = std::make_unique<ReplayDevice>(std::move(tips), this->Id);
   }
-  std::string error;
-  this->Backend->Open(error);
   this->State = {};
-  this->Session = std::make_unique<HapticSession>(
-    *this->Backend, rate, limits, std::move(model), this->ArmWanted);
+  this->Rate = rate;
+  this->Session = std::make_unique<HapticSession>(*this->Backend, rate, limits, std::move(model));
   GuardSession(this->Session.get());
+  if (this->ArmWanted)
+  {
+    this->Session->GetLoop().Arm();
+  }
 }
 
 void HapticDeviceHolder::Stop()

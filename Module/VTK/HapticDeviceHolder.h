@@ -37,6 +37,9 @@ public:
   /** Null where the servo does not run. */
   HapticSession* GetSession() const { return this->Session.get(); }
 
+  /** Ticks per second of the session that runs. */
+  double GetRate() const { return this->Rate; }
+
   void Arm(bool on);
 
   /** Takes the latest state; the placement is used where there is no model. */
@@ -66,6 +69,7 @@ private:
   std::unique_ptr<HapticSession> Session;
   ServoSnapshot State;
   bool ArmWanted = false;
+  double Rate = 0.0;
 };
 
 } // namespace VolumeHaptics

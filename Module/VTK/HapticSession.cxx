@@ -28,7 +28,7 @@ T* UserData(void* info)
 } // namespace
 
 HapticSession::HapticSession(DeviceBackend& backend, double rate, const SafetyLimits& limits,
-  std::shared_ptr<const HapticModel> model, bool armed)
+  std::shared_ptr<const HapticModel> model)
   : Backend(backend)
   , Loop(backend, rate)
 {
@@ -36,10 +36,6 @@ HapticSession::HapticSession(DeviceBackend& backend, double rate, const SafetyLi
   if (model)
   {
     this->Publish(std::move(model));
-  }
-  if (armed)
-  {
-    this->Loop.Arm();
   }
   this->LoopThread = this->Threader->SpawnThread(&HapticSession::RunLoop, this);
   this->KeeperThread = this->Threader->SpawnThread(&HapticSession::RunKeeper, this);

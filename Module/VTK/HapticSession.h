@@ -27,7 +27,7 @@ class HapticSession
 public:
   /** Starts the threads. The back end must be open and outlive the session. */
   HapticSession(DeviceBackend& backend, double rate, const SafetyLimits& limits,
-    std::shared_ptr<const HapticModel> model, bool armed);
+    std::shared_ptr<const HapticModel> model);
   /** Stops the loop, with zero force sent, and joins the threads. */
   ~HapticSession();
   HapticSession(const HapticSession&) = delete;
@@ -36,6 +36,11 @@ public:
   ServoLoop& GetLoop() { return this->Loop; }
 
   void Publish(std::shared_ptr<const HapticModel> model);
+  /** The model that was published last; null before the first. */
+  const HapticModel* GetLatestModel() const
+  {
+    return this->Models.empty() ? nullptr : this->Models.rbegin()->second.get();
+  }
   /** The model of a generation that the owner may still see in a state; null before the first. */
   const HapticModel* FindModel(std::uint64_t generation);
 

@@ -36,8 +36,19 @@ Guarded& GetGuarded()
   return *guarded;
 }
 
+#if defined(__unix__)
+/** The process whose devices these are; a forked child has a copy of everything but those. */
+const pid_t Owner = getpid();
+#endif
+
 void QuenchAll()
 {
+#if defined(__unix__)
+  if (getpid() != Owner)
+  {
+    return; // in a forked child, the devices are the parent's
+  }
+#endif
   Guarded& guarded = GetGuarded();
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
   for (HapticSession* session : guarded.Sessions)
@@ -52,7 +63,6 @@ const int Signals[] = { SIGINT, SIGTERM, SIGHUP };
 constexpr int SignalCount = 3;
 struct sigaction Before[SignalCount];
 int Pipe[2] = { -1, -1 };
-pid_t Owner = 0;
 
 extern "C" void OnSignal(int signal)
 {
@@ -137,7 +147,6 @@ bool StartWatching()
   {
     return false;
   }
-  Owner = getpid();
   fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
   fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
   // A handler never blocks: with the pipe full a signal is on its way anyway.

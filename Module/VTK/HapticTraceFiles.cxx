@@ -17,6 +17,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <cmath>
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -132,6 +133,8 @@ Contents ReadTable(const std::string& file)
   reader->SetHaveHeaders(true);
   reader->DetectNumericColumnsOn();
   reader->ForceDoubleOn();
+  // A missing cell is no zero: it is found out as a number that is not finite.
+  reader->SetDefaultDoubleValue(std::numeric_limits<double>::quiet_NaN());
   reader->Update();
   vtkTable* const table = reader->GetOutput();
   return { ReadVectors(table, RecordingNames::DeviceTip), ReadVectors(table, "Tip"),

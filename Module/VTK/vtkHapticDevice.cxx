@@ -48,7 +48,8 @@ bool vtkHapticDevice::Open(const char* id)
     vtkErrorMacro(<< error);
     return false;
   }
-  this->MaximumForce = 0.5 * holder.GetLimits().MaximumForce;
+  const double most = holder.GetLimits().MaximumForce;
+  this->MaximumForce = this->WantedForce < 0.0 ? 0.5 * most : std::min(this->WantedForce, most);
   this->Modified();
   return true;
 }
@@ -107,7 +108,8 @@ bool vtkHapticDevice::Publish()
 {
   auto& d = *this->Internals;
   std::shared_ptr<const HapticModel> model;
-  if (!d.Bake(this->ServoRate, model))
+  const double rate = d.Holder.GetSession() ? d.Holder.GetRate() : this->ServoRate;
+  if (!d.Bake(rate, model))
   {
     return false;
   }
@@ -144,6 +146,8 @@ bool vtkHapticDevice::Start()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Stop()
 {
+  // At once: writing a recording takes its time.
+  this->Disarm();
   if (!this->Internals->RecordingFile.empty())
   {
     this->StopRecording();

@@ -24,6 +24,9 @@
  * exit() and SIGINT, SIGTERM and SIGHUP send zero force. Stiffness is capped at what the device can
  * hold.
  *
+ * The servo reads the image's own array, without a copy: give the image a new array instead of resizing
+ * or refilling one that is being touched.
+ *
  * Positions are in world units and forces in newtons along the world's axes, except where said.
  *
  * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a
@@ -231,6 +234,7 @@ protected:
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
+  double WantedForce = -1.0; // what SetMaximumForce was given; negative: never called
 
 private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;

@@ -23,20 +23,25 @@ struct vtkHapticDevice::vtkInternals
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   std::string RecordingFile;
 
-  /** A snapshot of the filter; null without a filter. False after an error. */
+  /** A snapshot of the filter for a rate (Hz); null without a filter. False after an error. */
   bool Bake(double rate, std::shared_ptr<const VolumeHaptics::HapticModel>& model)
   {
     if (this->Filter)
     {
-      const double cap = this->Holder.GetLimits().MaximumStiffness;
+      const double cap = VolumeHaptics::StiffnessCap(this->Holder.GetLimits(), 1.0 / rate);
       model = this->Filter->Bake(rate, cap, this->DeviceToWorld);
     }
     return !this->Filter || model;
   }
 
-  /** Where the device is, as far as that can be said without a model. */
+  /** Where the device is: as published, or as far as that can be said without a model. */
   VolumeHaptics::Affine3 GetPlacement()
   {
+    const VolumeHaptics::HapticSession* const session = this->Holder.GetSession();
+    if (session && session->GetLatestModel())
+    {
+      return session->GetLatestModel()->DeviceToWorld;
+    }
     VolumeHaptics::Affine3 map;
     std::string error;
     if (!this->DeviceToWorld || !ReadSimilarity(this->DeviceToWorld, map, error))

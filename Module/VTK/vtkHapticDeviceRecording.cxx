@@ -41,7 +41,8 @@ void vtkHapticDevice::SetMaximumForce(double force)
   auto& holder = this->Internals->Holder;
   const double most = holder.IsOpen() ? holder.GetLimits().MaximumForce : VTK_DOUBLE_MAX;
   // False for NaN, too: no force is the safe answer.
-  const double clamped = force > 0.0 ? std::min(force, most) : 0.0;
+  this->WantedForce = force > 0.0 ? force : 0.0;
+  const double clamped = std::min(this->WantedForce, most);
   if (clamped != this->MaximumForce)
   {
     this->MaximumForce = clamped;
@@ -83,7 +84,7 @@ bool vtkHapticDevice::StartRecording(const char* file)
   {
     std::ostringstream settings;
     d.Filter->PrintSettings(settings, vtkIndent());
-    settings << "ServoRate of the device: " << this->ServoRate << " Hz\n";
+    settings << "ServoRate of the device: " << d.Holder.GetRate() << " Hz\n";
     recording->Settings = settings.str();
     recording->VolumeHash = d.Filter->HashScalars();
   }

@@ -10,7 +10,8 @@ namespace
 template <int N>
 std::int32_t Sum(const std::int16_t* corner, std::int64_t line, std::int64_t plane)
 {
-  std::int32_t sum = 0;
+  // A sum for each column, in 16 bits: what is left is reading, with as little arithmetic as can be.
+  std::uint16_t sums[N] = {};
   for (int k = 0; k < N; ++k)
   {
     for (int j = 0; j < N; ++j)
@@ -18,9 +19,14 @@ std::int32_t Sum(const std::int16_t* corner, std::int64_t line, std::int64_t pla
       const std::int16_t* const row = corner + k * plane + j * line;
       for (int i = 0; i < N; ++i)
       {
-        sum += row[i];
+        sums[i] = static_cast<std::uint16_t>(sums[i] + static_cast<std::uint16_t>(row[i]));
       }
     }
+  }
+  std::int32_t sum = 0;
+  for (int i = 0; i < N; ++i)
+  {
+    sum += sums[i];
   }
   return sum;
 }

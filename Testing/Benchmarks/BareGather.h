@@ -12,9 +12,11 @@
 namespace benchmarks
 {
 
-/** The plain sum of a cube of int16 samples, given its corner and the distance of lines, planes. */
-using Gather = std::int32_t (*)(
-  const std::int16_t* corner, std::int64_t line, std::int64_t plane);
+/**
+ * A number to which every sample of a cube contributes (the sum of its columns' sums modulo 2^16),
+ * given the cube's corner and the distances between lines and between planes.
+ */
+using Gather = std::int32_t (*)(const std::int16_t* corner, std::int64_t line, std::int64_t plane);
 
 /** For 4, 6 or 8 taps along an axis. */
 Gather SelectGather(int taps);

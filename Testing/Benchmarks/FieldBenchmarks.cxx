@@ -70,8 +70,8 @@ void MeasureGather(benchmark::State& bench, const Sampling& sampling)
   for (const Vector3& position : sampling.GetPositions())
   {
     const auto first = [&](double x) { return static_cast<std::int64_t>(x) - taps / 2 + 1; };
-    corners.push_back(first(position.X) + first(position.Y) * view.Stride[1] +
-      first(position.Z) * view.Stride[2]);
+    corners.push_back(
+      first(position.X) + first(position.Y) * view.Stride[1] + first(position.Z) * view.Stride[2]);
   }
   const Gather gather = SelectGather(taps);
   std::size_t step = 0;

@@ -22,8 +22,8 @@ int main(int argc, char* argv[])
   std::vector<char*> arguments = { argv[0] };
   // Defaults go first, so that options on the command line override them.
   char interleaved[] = "--benchmark_enable_random_interleaving=true";
-  char repetitions[] = "--benchmark_repetitions=21";
-  char time[] = "--benchmark_min_time=0.02";
+  char repetitions[] = "--benchmark_repetitions=31";
+  char time[] = "--benchmark_min_time=0.01";
   char fewRepetitions[] = "--benchmark_repetitions=3";
   char shortTime[] = "--benchmark_min_time=0.002";
   for (int i = 1; i < argc; ++i)

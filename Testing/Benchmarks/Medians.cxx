@@ -23,8 +23,8 @@ void Medians::ReportRuns(const std::vector<Run>& runs)
   {
     if (run.error_occurred)
     {
-      std::printf("%-48s ERROR: %s\n", run.run_name.function_name.c_str(),
-        run.error_message.c_str());
+      std::printf(
+        "%-48s ERROR: %s\n", run.run_name.function_name.c_str(), run.error_message.c_str());
     }
     else if (run.run_type == Run::RT_Iteration)
     {
@@ -39,14 +39,14 @@ void Medians::ReportRuns(const std::vector<Run>& runs)
   const std::string& name = runs.front().run_name.function_name;
   const std::size_t half = times.size() / 2;
   const double median = 0.5 * (times[half] + times[times.size() - 1 - half]);
-  this->Nanoseconds[name] = median;
+  this->Times[name] = { median, times.front() };
   std::printf("%-48s %10.1f %10.1f %10.1f\n", name.c_str(), median, times.front(), times.back());
 }
 
-double Medians::operator[](const std::string& name) const
+IterationTime Medians::operator[](const std::string& name) const
 {
-  const auto found = this->Nanoseconds.find(name);
-  return found == this->Nanoseconds.end() ? NAN : found->second;
+  const auto found = this->Times.find(name);
+  return found == this->Times.end() ? IterationTime{ NAN, NAN } : found->second;
 }
 
 } // namespace benchmarks

@@ -16,18 +16,25 @@
 namespace benchmarks
 {
 
-/** A line for each benchmark, and the medians over its repetitions for the ratios after it. */
+/** Processor time of an iteration in ns. */
+struct IterationTime
+{
+  double Median; ///< of the repetitions
+  double Least;  ///< where nothing else kept the processor busy
+};
+
+/** Prints a line for each benchmark, and keeps its times for the ratios that follow. */
 class Medians : public benchmark::BenchmarkReporter
 {
 public:
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /** Processor time of an iteration in ns, NaN for what was not measured. */
-  double operator[](const std::string& name) const;
+  /** NaN for what was not measured. */
+  IterationTime operator[](const std::string& name) const;
 
 private:
-  std::map<std::string, double> Nanoseconds;
+  std::map<std::string, IterationTime> Times;
 };
 
 } // namespace benchmarks

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What one run says, as ratios: times drift with the processor's speed, ratios much less.
+ * What one run says, as ratios: times drift with the processor's speed, ratios much less. Those of
+ * the least times are what an idle machine would show, those of the medians what this one does.
  */
 #ifndef RatioTable_h
 #define RatioTable_h
