@@ -38,7 +38,7 @@ Guarded& GetGuarded()
 
 #if defined(__unix__)
 /** The process whose devices these are; a forked child has a copy of everything but those. */
-const pid_t Owner = getpid();
+pid_t Owner = 0;
 #endif
 
 void QuenchAll()
@@ -143,6 +143,7 @@ void Watch()
 
 bool StartWatching()
 {
+  Owner = getpid();
   if (pipe(Pipe) != 0)
   {
     return false;

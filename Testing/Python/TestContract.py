@@ -85,7 +85,8 @@ def check_array_table():
     lines = vtkVolumeHapticsFilter.__doc__.splitlines()
     for array, unit in ARRAYS.items():
         heads = [i for i, line in enumerate(lines) if line.strip(" |-*").startswith(array)]
-        heads = [i for i in heads if lines[i].strip(" |-*")[len(array) :][:1] in (" ", "(", ",", "")]
+        after = {i: lines[i].strip(" |-*")[len(array) :][:1] for i in heads}
+        heads = [i for i in heads if after[i] in (" ", "(", ",", "")]
         assert heads, f"no line of the class documentation begins with {array}"
         assert any(unit in " ".join(lines[i : i + 2]) for i in heads), f"no {unit} with {array}"
 

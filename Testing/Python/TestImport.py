@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""python3 TestImport.py BUILD_DIR VERSION: the package of this build can be imported, in any order."""
+"""python3 TestImport.py BUILD_DIR VERSION: this build's package can be imported, in any order."""
 
 import os
 import subprocess

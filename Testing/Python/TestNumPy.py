@@ -97,7 +97,8 @@ def check_in_place():
 
 
 def check_settings():
-    assert abs(array(touch(make_image(slab()), press(61), SetMaximumForce=0.5), "Force")).max() <= 0.5
+    limited = touch(make_image(slab()), press(61), SetMaximumForce=0.5)
+    assert np.abs(array(limited, "Force")).max() <= 0.5
     field = touch(make_image(slab()), press(11), SetMethod=1, SetForceFieldGain=0.01)
     assert np.abs(array(field, "Force")[1:] - [0, 0, -1.0]).max() < 1e-9
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a volume property's opacities hide is not felt: surface strength and viscosity are zero there
- * and only there.
+ * What a volume property's opacities hide is not felt: surface strength and viscosity are zero
+ * there and only there.
  */
 
 #include "ApiRig.h"
