@@ -183,7 +183,7 @@ public:
 
   ///@{
   /**
-   * C2 of eq. 1 (N s/m, 0 or more), for FORCE_FIELD. Default 0.
+   * C2 of eq. 1 (N s/m), 0 or more, for FORCE_FIELD. Default 0.
    */
   vtkSetClampMacro(ForceFieldDamping, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ForceFieldDamping, double);
