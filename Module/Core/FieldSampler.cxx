@@ -22,9 +22,12 @@ InstructionSet DetectInstructionSet()
 
 FieldSampler::FieldSampler(
   const VolumeView& view, const GradientKernel& kernel, InstructionSet instructions)
-  : View(view)
-  , Kernel(kernel.GetView())
+  : View{ view, kernel.GetView() }
 {
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->View.Last[axis] = static_cast<double>(view.Dimensions[axis] - 1);
+  }
 #ifdef VOLUME_HAPTICS_HAS_AVX2
   if (instructions == InstructionSet::AVX2)
   {

@@ -16,6 +16,8 @@
 #include "Vector3.h"
 #include "VolumeView.h"
 
+#include <algorithm>
+
 namespace VolumeHaptics
 {
 
@@ -27,15 +29,32 @@ struct FieldSample
   Vector3 Gradient;
 };
 
-using ValueFunction = double (*)(
-  const VolumeView&, const KernelView&, const Vector3& index) noexcept;
-using GradientFunction = FieldSample (*)(
-  const VolumeView&, const KernelView&, const Vector3& index) noexcept;
+/** What a kernel samples and with which weights; borrows both. */
+struct FieldView
+{
+  VolumeView Volume;
+  KernelView Kernel;
+  double Last[3] = { 0.0, 0.0, 0.0 }; ///< the largest index along each axis
+};
 
-/** The kernels for one scalar type, one memory layout and one estimator. */
+/** Values on both sides of a position, which a tick always needs together. */
+struct ValuePair
+{
+  double Ahead;
+  double Behind;
+};
+
+// Positions are passed as numbers, which travel in registers.
+using ValueFunction = double (*)(const FieldView&, double x, double y, double z) noexcept;
+using PairFunction = ValuePair (*)(
+  const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
+using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
+
+/** The kernels for one scalar type and one estimator. */
 struct FieldFunctions
 {
   ValueFunction Value = nullptr;
+  PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
 };
 
@@ -59,30 +78,50 @@ public:
   /** V at a continuous index, clamped to the border; BorderValue where a sample is not finite. */
   double Value(const Vector3& index) const noexcept
   {
-    const double value = this->Functions.Value(this->View, this->Kernel, index);
-    return std::isfinite(value) ? value : this->View.BorderValue;
+    return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
+  }
+
+  /** V at index + offset and at index - offset, for less than the cost of both. */
+  ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
+  {
+    const ValuePair pair =
+      this->Functions.Pair(this->View, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+    return { this->Checked(pair.Ahead), this->Checked(pair.Behind) };
   }
 
   /** Value and gradient at a continuous index, which must lie inside; may be NaN. */
   FieldSample Gradient(const Vector3& index) const noexcept
   {
-    return this->Functions.Gradient(this->View, this->Kernel, index);
+    return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
   }
 
   /** Whether a continuous index lies within the samples' bounding box. */
   bool IsInside(const Vector3& index) const noexcept
   {
-    return index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
-      index.X <= static_cast<double>(this->View.Dimensions[0] - 1) &&
-      index.Y <= static_cast<double>(this->View.Dimensions[1] - 1) &&
-      index.Z <= static_cast<double>(this->View.Dimensions[2] - 1);
+    const double* const last = this->View.Last;
+    return index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 && index.X <= last[0] &&
+      index.Y <= last[1] && index.Z <= last[2];
   }
 
-  const VolumeView& GetView() const noexcept { return this->View; }
+  /** How many voxels an index lies within the border along the axis where it is nearest. */
+  double DistanceToBorder(const Vector3& index) const noexcept
+  {
+    const double* const last = this->View.Last;
+    const double x = std::min(index.X, last[0] - index.X);
+    const double y = std::min(index.Y, last[1] - index.Y);
+    const double z = std::min(index.Z, last[2] - index.Z);
+    return std::min(std::min(x, y), z);
+  }
+
+  const VolumeView& GetView() const noexcept { return this->View.Volume; }
 
 private:
-  VolumeView View;
-  KernelView Kernel;
+  double Checked(double value) const noexcept
+  {
+    return std::isfinite(value) ? value : this->View.Volume.BorderValue;
+  }
+
+  FieldView View;
   FieldFunctions Functions;
 };
 

@@ -42,6 +42,58 @@ void ComputeGaussianWeights(int radius, double fraction, double* smoothing, doub
   }
 }
 
+namespace
+{
+
+/**
+ * Polynomials through the weights at equidistant fractions of an interval, by Newton's divided
+ * differences. They are linear in the weights, as are the sums that make linear fields exact.
+ */
+void Interpolate(const GradientKernel& kernel, int interval, double* coefficients)
+{
+  constexpr int order = GradientKernel::Coefficients;
+  const int count = 2 * kernel.Taps;
+  const auto node = [](int j) { return static_cast<double>(j) / (order - 1); };
+  std::array<double, 2 * GradientKernel::MaximumTaps> weights[order];
+  for (int j = 0; j < order; ++j)
+  {
+    const double fraction = (interval + node(j)) / GradientKernel::Intervals;
+    ComputeGaussianWeights(
+      kernel.Radius, fraction, weights[j].data(), weights[j].data() + kernel.Taps);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    double difference[order];
+    for (int j = 0; j < order; ++j)
+    {
+      difference[j] = weights[j][i];
+    }
+    for (int level = 1; level < order; ++level)
+    {
+      for (int j = order - 1; j >= level; --j)
+      {
+        difference[j] = (difference[j] - difference[j - 1]) / (node(j) - node(j - level));
+      }
+    }
+    // Multiplied out, from the innermost bracket of Newton's form.
+    double power[order] = { difference[order - 1] };
+    for (int j = order - 2; j >= 0; --j)
+    {
+      for (int p = order - 1; p > 0; --p)
+      {
+        power[p] = power[p - 1] - node(j) * power[p];
+      }
+      power[0] = difference[j] - node(j) * power[0];
+    }
+    for (int p = 0; p < order; ++p)
+    {
+      coefficients[p * count + i] = power[p];
+    }
+  }
+}
+
+} // namespace
+
 GradientKernel::GradientKernel(GradientEstimator estimator, int radius)
   : Estimator(estimator)
   , Radius(std::clamp(radius, 1, MaximumRadius))
@@ -51,33 +103,12 @@ GradientKernel::GradientKernel(GradientEstimator estimator, int radius)
   {
     return;
   }
-  // Slopes by a fourth-order central difference of the weights themselves: the combination of
-  // weights that is exact on linear fields stays so, which an analytic slope would also give, but
-  // with no second set of formulas to keep in step.
-  constexpr double step = 1.0 / 2048.0;
-  const int taps = this->Taps;
-  this->Table.resize(static_cast<std::size_t>(Intervals + 1) * 4 * taps);
-  std::array<double, 2 * MaximumTaps> far[2];
-  std::array<double, 2 * MaximumTaps> near[2];
-  for (int row = 0; row <= Intervals; ++row)
+  const int count = 2 * this->Taps;
+  this->Table.resize(static_cast<std::size_t>(Intervals) * Coefficients * count);
+  for (int interval = 0; interval < Intervals; ++interval)
   {
-    double* const weights = &this->Table[static_cast<std::size_t>(row) * 4 * taps];
-    const double fraction = static_cast<double>(row) / Intervals;
-    const auto evaluate = [&](double f, double* to)
-    { ComputeGaussianWeights(this->Radius, f, to, to + taps); };
-    evaluate(fraction, weights);
-    for (int side = 0; side < 2; ++side)
-    {
-      const double sign = side == 0 ? -1.0 : 1.0;
-      evaluate(fraction + sign * step, near[side].data());
-      evaluate(fraction + 2.0 * sign * step, far[side].data());
-    }
-    for (int i = 0; i < 2 * taps; ++i)
-    {
-      const double slope =
-        (8.0 * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12.0 * step);
-      weights[2 * taps + i] = slope / Intervals;
-    }
+    Interpolate(
+      *this, interval, &this->Table[static_cast<std::size_t>(interval) * Coefficients * count]);
   }
 }
 

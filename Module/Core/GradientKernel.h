@@ -20,7 +20,7 @@
  *   smoothing   w_i / sum w,
  *   derivative  w_i (t_i - m) / sum w (t - m)^2,
  * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
- * interpolated by cubic Hermite polynomials, which keeps the sums that make linear fields exact.
+ * interpolated by quintic polynomials, which keeps the sums that make linear fields exact.
  */
 #ifndef GradientKernel_h
 #define GradientKernel_h
@@ -52,8 +52,10 @@ struct GradientKernel
   /** Scale of the Gaussian, in radii. */
   static constexpr double ScalePerRadius = 0.53;
   static constexpr int MaximumTaps = 2 * (MaximumRadius + 1);
-  /** Intervals of the sub-voxel fraction: the Hermite error of a weight is below 1e-10. */
-  static constexpr int Intervals = 512;
+  /** Intervals of the sub-voxel fraction: the error of a weight is about 1e-10 at most. */
+  static constexpr int Intervals = 32;
+  /** Of the polynomial in each interval. */
+  static constexpr int Coefficients = 6;
 
   GradientEstimator Estimator = GradientEstimator::Gaussian;
   /** In voxels, 1 to MaximumRadius. */
@@ -61,8 +63,8 @@ struct GradientKernel
   /** Taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius + 1. */
   int Taps = 6;
   /**
-   * The Gaussian's weights: (Intervals + 1) rows of Taps smoothing weights, Taps derivative
-   * weights, and the same again differentiated by the fraction and scaled by the interval.
+   * The Gaussian's weights, Taps for smoothing and Taps for the derivative: for each interval, the
+   * constant coefficients of all of them, then the linear ones, and so on.
    */
   std::vector<double> Table;
 

@@ -66,17 +66,10 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
       MakeFallbackNormal(Inverse(deviceToWorld.Linear) * this->Shared->IndexToWorld.Linear))
   , KernelLength(this->Kernel.Radius * LargestColumn(this->Shared->IndexToWorld.Linear) /
       SimilarityScale(deviceToWorld))
+  , InverseRadius(1.0 / this->Kernel.Radius)
+  , GradientToReach(this->KernelLength * (this->DeviceToIndex.Linear * this->GradientToDevice))
+  , FallbackReach(this->DeviceToIndex.Linear * (this->KernelLength * this->FallbackNormal))
 {
-}
-
-double HapticModel::BorderFade(const Vector3& index) const noexcept
-{
-  const std::int64_t* const n = this->Field.GetView().Dimensions;
-  const double x = std::min(index.X, static_cast<double>(n[0] - 1) - index.X);
-  const double y = std::min(index.Y, static_cast<double>(n[1] - 1) - index.Y);
-  const double z = std::min(index.Z, static_cast<double>(n[2] - 1) - index.Z);
-  const double distance = std::min({ x, y, z }) / this->Kernel.Radius;
-  return std::min(1.0, std::max(0.0, distance));
 }
 
 std::size_t HapticModel::GetMemorySize() const noexcept

@@ -118,9 +118,18 @@ public:
   const Vector3 FallbackNormal;
   /** KernelRadius times the largest spacing, in metres: how far x_s and x_v are from the proxy. */
   const double KernelLength;
+  const double InverseRadius; ///< 1/KernelRadius
+  /** Turns a gradient per index step, over its magnitude in device space, into x_s - x_p. */
+  const Matrix3 GradientToReach;
+  /** x_s - x_p, as index steps, where there is no gradient. */
+  const Vector3 FallbackReach;
 
   /** 0 at the border, rising to 1 one kernel radius inside. */
-  double BorderFade(const Vector3& index) const noexcept;
+  double BorderFade(const Vector3& index) const noexcept
+  {
+    const double fade = this->Field.DistanceToBorder(index) * this->InverseRadius;
+    return fade < 1.0 ? (fade > 0.0 ? fade : 0.0) : 1.0;
+  }
 
   /** V at a device position. */
   double ValueAtDevice(const Vector3& device) const noexcept

@@ -68,7 +68,7 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
 
-  this->Segments.reserve(breaks.size() + 1);
+  this->Segments.reserve(breaks.size() + 2);
   // Constant, so that its far end only has to be finite.
   Segment leftmost{ std::numeric_limits<double>::lowest(), {}, {} };
   for (int c = 0; c < Channels; ++c)
@@ -87,22 +87,39 @@ PiecewiseTable<Channels>::PiecewiseTable(const std::array<Polyline, Channels>& f
     }
     this->Segments.push_back(segment);
   }
+  this->Segments.push_back({ std::numeric_limits<double>::infinity(), {}, {} });
 
   this->Low = breaks.front();
   const double width = breaks.back() - this->Low;
   this->BinsPerUnit = width > 0.0 ? Bins / width : 0.0;
-  std::size_t segment = 0;
-  for (int bin = 0; bin <= Bins; ++bin)
+  std::uint32_t segment = 0;
+  for (int bin = 0; bin < Bins; ++bin)
   {
-    const double edge = this->Low + width * bin / Bins;
-    while (segment + 1 < this->Segments.size() && edge > this->Segments[segment + 1].Begin)
+    // From half a bin before its edge: a value may be assigned to the next bin by rounding.
+    const double edge = this->Low + width * (bin - 0.5) / Bins;
+    const std::uint32_t first = segment;
+    while (edge > this->Segments[segment + 1].Begin)
     {
       ++segment;
     }
-    this->FirstSegment[bin] = static_cast<std::uint32_t>(segment);
+    this->FirstSegment[bin] = segment;
+    this->IsCrowded = this->IsCrowded || segment - first > MostInBin;
   }
-  // Values above the last break point share the last bin.
-  this->FirstSegment[Bins] = static_cast<std::uint32_t>(this->Segments.size() - 1);
+  const std::size_t rest = this->Segments.size() - 2 - segment;
+  this->IsCrowded = this->IsCrowded || rest > MostInBin;
+}
+
+template <int Channels>
+auto PiecewiseTable<Channels>::Bisect(double x, int bin) const noexcept -> const Segment*
+{
+  const Segment* const all = this->Segments.data();
+  const Segment* const first = all + this->FirstSegment[bin];
+  const Segment* const last =
+    bin + 2 < Bins ? all + this->FirstSegment[bin + 2] : all + this->Segments.size() - 2;
+  // The first one begins before x.
+  const Segment* const after = std::lower_bound(first + 1, last + 1, x,
+    [](const Segment& segment, double value) { return segment.Begin < value; });
+  return after - 1;
 }
 
 template class PiecewiseTable<2>;

@@ -62,24 +62,17 @@ public:
     const double position = (x - this->Low) * this->BinsPerUnit;
     const int bin =
       position > 0.0 ? static_cast<int>(std::min(position, static_cast<double>(Bins - 1))) : 0;
-    // The bin may be one off by rounding where a break point stands on its edge, hence the two
-    // walks; a bin with a crowd of break points is cut down by bisection first.
-    std::size_t first = this->FirstSegment[bin];
-    std::size_t last = this->FirstSegment[bin + 1];
-    while (last - first > 4)
+    const Segment* found = this->Segments.data() + this->FirstSegment[bin];
+    if (this->IsCrowded)
     {
-      const std::size_t middle = (first + last) / 2;
-      (x > this->Segments[middle].Begin ? first : last) = middle;
+      found = this->Bisect(x, bin);
     }
-    while (first > 0 && !(x > this->Segments[first].Begin))
+    // The last segment begins at infinity and ends the walk.
+    while (x > found[1].Begin)
     {
-      --first;
+      ++found;
     }
-    while (first + 1 < this->Segments.size() && x > this->Segments[first + 1].Begin)
-    {
-      ++first;
-    }
-    const Segment& segment = this->Segments[first];
+    const Segment& segment = *found;
     Values values;
     for (int c = 0; c < Channels; ++c)
     {
@@ -105,10 +98,16 @@ private:
     Values Slope;
   };
 
+  /** The segment that holds x; for tables with many break points in a bin. */
+  const Segment* Bisect(double x, int bin) const noexcept;
+
   static constexpr int Bins = 1024;
+  /** A bin with more break points makes a table crowded. */
+  static constexpr int MostInBin = 4;
 
   std::vector<Segment> Segments;
-  std::array<std::uint32_t, Bins + 1> FirstSegment{};
+  std::array<std::uint32_t, Bins> FirstSegment{}; ///< a segment at or before the one searched for
+  bool IsCrowded = false;
   double Low = 0.0;
   double BinsPerUnit = 0.0;
   std::array<ValueRange, Channels> Range{};

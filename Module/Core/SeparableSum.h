@@ -17,116 +17,140 @@ namespace VolumeHaptics
 namespace
 {
 
-/** N consecutive samples of a row, as packs of four; unused lanes are zero. */
-template <int N>
-struct Row
-{
-  static constexpr int Packs = (N + 3) / 4;
-  Pack4 Pack[Packs];
-};
-
-/** How the samples of a row lie in memory: one behind the other, or Stride[0] apart. */
-enum class Layout
-{
-  Contiguous,
-  Strided
-};
-
-template <typename T, int N, Layout L>
-VOLUME_HAPTICS_INLINE void LoadRow(const T* from, std::int64_t stride, Row<N>& row)
-{
-  if constexpr (L == Layout::Contiguous)
-  {
-    for (int p = 0; p < N / 4; ++p)
-    {
-      LoadPack4(from + 4 * p, row.Pack[p]);
-    }
-    if constexpr (N % 4 != 0)
-    {
-      row.Pack[N / 4] =
-        Pack4{ static_cast<double>(from[N - 2]), static_cast<double>(from[N - 1]), 0.0, 0.0 };
-    }
-  }
-  else
-  {
-    double lanes[4 * Row<N>::Packs] = {};
-    for (int i = 0; i < N; ++i)
-    {
-      lanes[i] = static_cast<double>(from[i * stride]);
-    }
-    for (int p = 0; p < Row<N>::Packs; ++p)
-    {
-      LoadPack4(lanes + 4 * p, row.Pack[p]);
-    }
-  }
-}
-
-template <int N>
-VOLUME_HAPTICS_INLINE double DotRow(const Row<N>& row, const double* weights)
-{
-  double sum[4] = { 0.0, 0.0, 0.0, 0.0 };
-  for (int i = 0; i < N; ++i)
-  {
-    sum[i % 4] += row.Pack[i / 4][i % 4] * weights[i];
-  }
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
-}
-
 /** Weights of N taps along each axis, and where the first taps stand. */
 template <int N>
 struct Footprint
 {
-  double Smooth[3][N];
-  double Slope[3][N];
+  /** N smoothing weights, then N derivative weights. */
+  alignas(32) double Weights[3][2 * N];
   std::int64_t First[3];
 };
 
 /**
- * The separable sum over N^3 taps. Rows lie along x: they are combined over y and z first, as
- * packs, and weighted along x last. load(k, j, row) reads the row of plane k and line j.
+ * Two rows of N samples, N even: whole packs of each, and one pack of what is left over of both.
+ * The leftover of a sum of rows holds two partial sums.
  */
-template <int N, bool WithGradient, typename Loader>
-VOLUME_HAPTICS_INLINE FieldSample SumRows(const Footprint<N>& foot, const Loader& load)
+template <int N>
+struct RowPair
 {
-  Row<N> sum{};
-  Row<N> sumY{};
-  Row<N> sumZ{};
+  static constexpr int Whole = N / 4;
+  static constexpr bool HasRest = N % 4 != 0;
+  Pack4 Even[Whole];
+  Pack4 Odd[Whole];
+  Pack4 Rest;
+};
+
+template <int N>
+struct RowSum
+{
+  Pack4 Whole[N / 4] = {};
+  Pack4 Rest = {};
+};
+
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& rows)
+{
+  constexpr int whole = RowPair<N>::Whole;
+  for (int p = 0; p < whole; ++p)
+  {
+    rows.Even[p] = LoadPack4(even + 4 * p);
+    rows.Odd[p] = LoadPack4(odd + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    rows.Rest = LoadPairs(even + 4 * whole, odd + 4 * whole);
+  }
+}
+
+/** sum += weights[0] even row + weights[1] odd row. */
+template <int N>
+VOLUME_HAPTICS_INLINE void AddRows(
+  const RowPair<N>& rows, const double* weights, bool isFirst, RowSum<N>& sum)
+{
+  for (int p = 0; p < RowPair<N>::Whole; ++p)
+  {
+    const Pack4 both = weights[0] * rows.Even[p] + weights[1] * rows.Odd[p];
+    sum.Whole[p] = isFirst ? both : sum.Whole[p] + both;
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    const Pack4 each = { weights[0], weights[0], weights[1], weights[1] };
+    sum.Rest = isFirst ? each * rows.Rest : sum.Rest + each * rows.Rest;
+  }
+}
+
+/** sum += weight * other. */
+template <int N>
+VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, double weight, RowSum<N>& sum)
+{
+  for (int p = 0; p < RowPair<N>::Whole; ++p)
+  {
+    sum.Whole[p] = sum.Whole[p] + weight * other.Whole[p];
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    sum.Rest = sum.Rest + weight * other.Rest;
+  }
+}
+
+template <int N>
+VOLUME_HAPTICS_INLINE double DotRow(const RowSum<N>& sum, const double* weights)
+{
+  Pack4 products = sum.Whole[0] * LoadPack4(weights);
+  for (int p = 1; p < RowPair<N>::Whole; ++p)
+  {
+    products = products + sum.Whole[p] * LoadPack4(weights + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    const double a = weights[N - 2];
+    const double b = weights[N - 1];
+    products = products + sum.Rest * Pack4{ a, b, a, b };
+  }
+  return (products[0] + products[2]) + (products[1] + products[3]);
+}
+
+/**
+ * The sum over the N^3 taps behind `corner`, and, where wanted, the gradient's. Rows lie along x:
+ * they are combined over y and z first, as packs, and weighted along x last.
+ */
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
+  const Footprint<N>& foot, Vector3* gradient)
+{
+  RowSum<N> sum;
+  RowSum<N> sumY;
+  RowSum<N> sumZ;
   for (int k = 0; k < N; ++k)
   {
-    Row<N> smooth{};
-    Row<N> slope{};
-    for (int j = 0; j < N; ++j)
+    RowSum<N> smooth;
+    RowSum<N> slope;
+    const T* const from = corner + k * plane;
+#pragma GCC unroll 8
+    for (int j = 0; j < N; j += 2)
     {
-      Row<N> row;
-      load(k, j, row);
-      for (int p = 0; p < Row<N>::Packs; ++p)
-      {
-        smooth.Pack[p] += foot.Smooth[1][j] * row.Pack[p];
-        if constexpr (WithGradient)
-        {
-          slope.Pack[p] += foot.Slope[1][j] * row.Pack[p];
-        }
-      }
-    }
-    for (int p = 0; p < Row<N>::Packs; ++p)
-    {
-      sum.Pack[p] += foot.Smooth[2][k] * smooth.Pack[p];
+      RowPair<N> rows;
+      LoadRows<T, N>(from + j * line, from + (j + 1) * line, rows);
+      AddRows<N>(rows, foot.Weights[1] + j, j == 0, smooth);
       if constexpr (WithGradient)
       {
-        sumY.Pack[p] += foot.Smooth[2][k] * slope.Pack[p];
-        sumZ.Pack[p] += foot.Slope[2][k] * smooth.Pack[p];
+        AddRows<N>(rows, foot.Weights[1] + N + j, j == 0, slope);
       }
     }
+    AddScaled<N>(smooth, foot.Weights[2][k], sum);
+    if constexpr (WithGradient)
+    {
+      AddScaled<N>(slope, foot.Weights[2][k], sumY);
+      AddScaled<N>(smooth, foot.Weights[2][N + k], sumZ);
+    }
   }
-  FieldSample sample;
-  sample.Value = DotRow<N>(sum, foot.Smooth[0]);
   if constexpr (WithGradient)
   {
-    sample.Gradient.X = DotRow<N>(sum, foot.Slope[0]);
-    sample.Gradient.Y = DotRow<N>(sumY, foot.Smooth[0]);
-    sample.Gradient.Z = DotRow<N>(sumZ, foot.Smooth[0]);
+    gradient->X = DotRow<N>(sum, foot.Weights[0] + N);
+    gradient->Y = DotRow<N>(sumY, foot.Weights[0]);
+    gradient->Z = DotRow<N>(sumZ, foot.Weights[0]);
   }
-  return sample;
+  return DotRow<N>(sum, foot.Weights[0]);
 }
 
 /** Offset of a tap along an axis; taps beyond the border replicate the border sample. */
@@ -136,60 +160,58 @@ VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axi
   return (tap < 0 ? 0 : (tap < last ? tap : last)) * view.Stride[axis];
 }
 
-/** Whether a tap of an axis counts: one without weight may be NaN. */
-VOLUME_HAPTICS_INLINE bool HasWeight(const double* smooth, const double* slope, int tap)
-{
-  return smooth[tap] != 0.0 || slope[tap] != 0.0;
-}
-
-/** With every tap clamped to the border, and taps without weight left out. */
+/**
+ * The sum over a copy of the taps: at the border, where those beyond it replicate it; between other
+ * components; and around samples that are not numbers, which count only where they have a weight.
+ */
 template <typename T, int N, bool WithGradient>
-VOLUME_HAPTICS_INLINE FieldSample CarefulSum(const VolumeView& view, const Footprint<N>& foot)
+VOLUME_HAPTICS_OUTLINE double SumCopy(
+  const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
 {
   std::int64_t offset[3][N];
-  bool counts[3][N];
   for (int a = 0; a < 3; ++a)
   {
     for (int i = 0; i < N; ++i)
     {
       offset[a][i] = ClampedOffset(view, a, foot.First[a] + i);
-      counts[a][i] = HasWeight(foot.Smooth[a], foot.Slope[a], i);
     }
   }
-  const T* const data = static_cast<const T*>(view.Data);
-  return SumRows<N, WithGradient>(foot,
-    [&](int k, int j, Row<N>& row)
+  T block[N * N * N];
+  T* to = block;
+  for (int k = 0; k < N; ++k)
+  {
+    for (int j = 0; j < N; ++j)
     {
-      T taps[N];
-      const T* const from = data + offset[2][k] + offset[1][j];
+      const T* const from = static_cast<const T*>(view.Data) + offset[2][k] + offset[1][j];
+      const bool counts = foot.Weights[2][k] != 0.0 && foot.Weights[1][j] != 0.0;
       for (int i = 0; i < N; ++i)
       {
-        taps[i] = counts[2][k] && counts[1][j] && counts[0][i] ? from[offset[0][i]] : T(0);
+        *to++ = counts && foot.Weights[0][i] != 0.0 ? from[offset[0][i]] : T(0);
       }
-      LoadRow<T, N, Layout::Contiguous>(taps, 1, row);
-    });
-}
-
-template <typename T, int N, Layout L, bool WithGradient>
-VOLUME_HAPTICS_INLINE FieldSample Separable(const VolumeView& view, const Footprint<N>& foot)
-{
-  const std::int64_t* const n = view.Dimensions;
-  const std::int64_t* const first = foot.First;
-  if (first[0] >= 0 && first[1] >= 0 && first[2] >= 0 && first[0] + N <= n[0] &&
-    first[1] + N <= n[1] && first[2] + N <= n[2])
-  {
-    const std::int64_t* const stride = view.Stride;
-    const T* const corner = static_cast<const T*>(view.Data) + first[0] * stride[0] +
-      first[1] * stride[1] + first[2] * stride[2];
-    const FieldSample sample = SumRows<N, WithGradient>(foot,
-      [&](int k, int j, Row<N>& row)
-      { LoadRow<T, N, L>(corner + k * stride[2] + j * stride[1], stride[0], row); });
-    if (!std::is_floating_point_v<T> || IsNumber(sample.Value))
-    {
-      return sample;
     }
   }
-  return CarefulSum<T, N, WithGradient>(view, foot);
+  return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
+}
+
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_INLINE double Separable(
+  const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
+{
+  const std::int64_t* const n = view.Dimensions;
+  const std::int64_t* const stride = view.Stride;
+  const std::int64_t* const first = foot.First;
+  if (stride[0] == 1 && first[0] >= 0 && first[1] >= 0 && first[2] >= 0 && first[0] + N <= n[0] &&
+    first[1] + N <= n[1] && first[2] + N <= n[2])
+  {
+    const T* const corner =
+      static_cast<const T*>(view.Data) + first[0] + first[1] * stride[1] + first[2] * stride[2];
+    const double value = SumBlock<T, N, WithGradient>(corner, stride[1], stride[2], foot, gradient);
+    if (!std::is_floating_point_v<T> || IsNumber(value))
+    {
+      return value;
+    }
+  }
+  return SumCopy<T, N, WithGradient>(view, foot, gradient);
 }
 
 } // namespace
