@@ -6,9 +6,9 @@
 #
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
-# Without --full, a short form of the sanitizer run follows the tests; with it, all C++ tests run under
-# the address and undefined-behaviour sanitizers, those of the servo also under the thread sanitizer, and
-# the benchmarks print their ratios.
+# Without --full, a short form of the sanitizer runs precedes the tests; with it, all C++ tests run under
+# the address and undefined-behaviour sanitizers, those of the device and the servo also under the thread
+# sanitizer, and the benchmarks print their ratios.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -48,14 +48,21 @@ else
   run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Api|Core|Servo)[.]'
 fi
 
+echo "== Building with the thread sanitizer in $build_dir-thread"
+cmake -S "$root" -B "$build_dir-thread" -G Ninja -DBUILD_TESTING=ON \
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DVolumeHaptics_WRAP_PYTHON=OFF \
+  -DVolumeHaptics_SANITIZE=thread
+export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
-  echo "== Building the servo's tests with the thread sanitizer in $build_dir-thread"
-  cmake -S "$root" -B "$build_dir-thread" -G Ninja -DBUILD_TESTING=ON \
-    -DCMAKE_BUILD_TYPE=RelWithDebInfo -DVolumeHaptics_WRAP_PYTHON=OFF \
-    -DVolumeHaptics_SANITIZE=thread
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
-  TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential \
-    run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Device|Servo)[.]'
+  run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Device|Servo)[.]'
+else
+  cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsLoopTests
+  run_tests "$build_dir-thread" -R '^VolumeHaptics[.]Servo[.]'
+fi
+unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
+
+if [ $full = yes ]; then
   echo "== Benchmarks"
   "$build_dir/bin/volumehaptics-benchmark"
   "$build_dir/bin/volumehaptics-servo-benchmark"

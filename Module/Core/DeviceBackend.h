@@ -11,6 +11,7 @@
 #ifndef DeviceBackend_h
 #define DeviceBackend_h
 
+#include "ForceCaps.h"
 #include "Vector3.h"
 
 #include <cstdint>
@@ -24,21 +25,20 @@ struct DeviceLimits
 {
   double MaximumForce = 0.0;     ///< N
   double MaximumStiffness = 0.0; ///< N/m; 0 where the device does not limit it
+  double MaximumDamping = 0.0;   ///< N s/m; 0 where the device does not limit it
   double MaximumSpeed = 0.0;     ///< m/s, above which the hand has lost the stylus; 0 for no limit
   double Damping = 0.0;          ///< N s/m, the device's own friction b; 0 where it is not known
   double WorkspaceRadius = 0.0;  ///< m
 };
 
 /**
- * The stiffness (N/m) that a device can hold at a tick period (s): its own limit, and 2 b / period, above
- * which a sampled spring feeds energy in. 0 where nothing limits it.
+ * What a device can hold at a tick period (s): its own limits, and a stiffness of 2 b / period, above
+ * which a sampled spring feeds energy in.
  */
-inline double StiffnessCap(const DeviceLimits& limits, double period) noexcept
+inline ForceCaps CapsOf(const DeviceLimits& limits, double period) noexcept
 {
   const double sampled = 2.0 * limits.Damping / period;
-  const bool both = limits.MaximumStiffness > 0.0 && sampled > 0.0;
-  return both ? std::fmin(limits.MaximumStiffness, sampled)
-              : std::fmax(limits.MaximumStiffness, sampled);
+  return { TighterCap(limits.MaximumStiffness, sampled), limits.MaximumDamping };
 }
 
 /** What a device reports in a tick. */

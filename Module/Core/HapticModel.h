@@ -15,6 +15,7 @@
 #define HapticModel_h
 
 #include "FieldSampler.h"
+#include "ForceCaps.h"
 #include "PiecewiseTable.h"
 
 #include <memory>
@@ -41,7 +42,7 @@ struct HapticSettings
   HapticMethod Method = HapticMethod::Proxy;
   SurfaceSide Side = SurfaceSide::Higher;
   double TickPeriod = 1e-3;       ///< s
-  double MaximumStiffness = 0.0;  ///< N/m, a cap on k; 0 does not cap
+  ForceCaps Caps;
   double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m

@@ -8,7 +8,7 @@
  * 1. A force or a tip that is not finite gives zero and a fault.
  * 2. The norm is clamped to the smaller of the device's and the user's maximum.
  * 3. The change from the last force is limited (the slew limit).
- * 4. The stiffness is capped where the force is computed: see HapticSettings::MaximumStiffness.
+ * 4. Stiffness and damping are capped where the force is computed: see HapticSettings::Caps.
  * 5. Joint commands are scaled down together, by the back end: SaturateTogether.
  * 6. A tip faster than the limit gives zero and a fault.
  * 7. After arming, and after every gap in the tip's samples, forces rise from zero over RampTime.

@@ -16,6 +16,11 @@ constexpr double ForceEpsilon = 1e-9;
 /** No hand is farther away (m); squares of what is nearer do not overflow. */
 constexpr double FarthestTip = 1e9;
 
+double Capped(double value, double cap) noexcept
+{
+  return cap > 0.0 ? std::min(value, cap) : value;
+}
+
 /** Where a surface lies through a position. */
 struct Surface
 {
@@ -89,8 +94,7 @@ void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface
   record.GradientMagnitude = surface.GradientMagnitude;
   record.SurfaceValue = values.Ahead;
   record.MediumValue = values.Behind;
-  const double cap = model.Settings.MaximumStiffness;
-  record.Stiffness = cap > 0.0 ? std::min(inside[0], cap) : inside[0];
+  record.Stiffness = Capped(inside[0], model.Settings.Caps.Stiffness);
   record.Friction = inside[1];
   record.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
   record.Viscosity = outside[3] * (outside[4] * distinct[1]);
@@ -158,7 +162,8 @@ void StepForceField(
   record.Stiffness = record.Friction = record.Viscosity = record.SurfaceStrength = 0.0;
   const Vector3 push = (-model.Settings.ForceFieldGain * record.GradientMagnitude) * record.Normal;
   const Vector3 velocity = (1.0 / model.Settings.TickPeriod) * (record.Tip - previousTip);
-  const Vector3 drag = -model.Settings.ForceFieldDamping * velocity;
+  const double damping = Capped(model.Settings.ForceFieldDamping, model.Settings.Caps.Damping);
+  const Vector3 drag = -damping * velocity;
   record.NormalForce = Norm(push);
   record.DragForce = Norm(drag);
   record.Force = push + drag;

@@ -22,9 +22,9 @@ void VirtualDevice::Close()
   this->Write({});
 }
 
-DeviceLimits VirtualDevice::GetLimits() const
+DeviceLimits VirtualDevice::StrongDesktopDevice()
 {
-  // What a strong desktop device has; the stiffness is not limited, so that any can be simulated.
+  // Stiffness and damping are not limited, so that any can be simulated.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;
   limits.MaximumSpeed = 2.5;

@@ -40,7 +40,7 @@ public:
   bool Open(std::string& error) override;
   void Close() override;
   std::string GetName() const override { return "virtual"; }
-  DeviceLimits GetLimits() const override;
+  DeviceLimits GetLimits() const override { return this->Limits; }
   DeviceState Read(double period, DeviceSample& sample) noexcept override;
   DeviceState Write(const Vector3& force) noexcept override;
   void Quench() noexcept override { this->Quenched.store(true, std::memory_order_release); }
@@ -52,6 +52,8 @@ public:
   /** While the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
   const VirtualDynamics& GetDynamics() const noexcept { return this->Dynamics; }
+  /** What another device can stand; while the loop does not run. */
+  void SetLimits(const DeviceLimits& limits) noexcept { this->Limits = limits; }
   ///@}
 
   ///@{
@@ -67,10 +69,12 @@ public:
   }
 
 private:
+  static DeviceLimits StrongDesktopDevice();
   void Integrate(double period, const Vector3& force) noexcept;
   void Follow(double period) noexcept;
 
   VirtualDynamics Dynamics;
+  DeviceLimits Limits = StrongDesktopDevice();
   TripleBuffer<Vector3> Target;
   std::atomic<std::uint32_t> Buttons{ 0 };
   std::atomic<bool> Frozen{ false };

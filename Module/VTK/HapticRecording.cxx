@@ -85,6 +85,7 @@ vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
   const auto matrices = NewArray<vtkDoubleArray>(fields, RecordingNames::DeviceToWorld, 16);
   const auto initial = NewArray<vtkDoubleArray>(fields, RecordingNames::InitialState, 7);
   const auto period = NewArray<vtkDoubleArray>(fields, RecordingNames::TickPeriod, 1);
+  const auto caps = NewArray<vtkDoubleArray>(fields, RecordingNames::Caps, 2);
   const auto lost = NewArray<vtkIdTypeArray>(fields, "LostTicks", 1);
   lost->InsertNextValue(static_cast<vtkIdType>(this->LostTicks));
   AddText(fields, "DeviceId", this->DeviceId);
@@ -117,6 +118,7 @@ vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
         s.Before.Enabled ? 1.0 : 0.0 };
       initial->InsertNextTuple(state);
       period->InsertNextValue(model.Settings.TickPeriod);
+      caps->InsertNextTuple2(model.Settings.Caps.Stiffness, model.Settings.Caps.Damping);
     }
     basics.Append(model, s.Time, s.Record);
     AddVector(tip, s.Record.Tip);

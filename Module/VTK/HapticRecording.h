@@ -7,7 +7,7 @@
  * Beyond the arrays of vtkVolumeHapticsFilter's output it has the point arrays `DeviceTip` (m),
  * `Command` (3; N, world axes: what the safety stage let through), `Tick`, `Enabled`, `Placement`,
  * `Buttons`, `Armed` and `Fault`, and the field arrays `DeviceToWorld` (16 a placement),
- * `InitialState`, `TickPeriod` (s), `DeviceId`, `Settings`, `Units`, `VolumeHash` and `LostTicks`.
+ * `InitialState`, `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`, `Units`, `VolumeHash` and `LostTicks`.
  */
 #ifndef HapticRecording_h
 #define HapticRecording_h

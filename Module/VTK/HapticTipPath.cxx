@@ -124,7 +124,8 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
   vtkDataArray* const state =
     FindArray(path->GetFieldData(), RecordingNames::InitialState, stateSize, 1);
   vtkDataArray* const period = FindArray(path->GetFieldData(), RecordingNames::TickPeriod, 1, 1);
-  if (!tips || !enabled || !placement || !times || !matrices || !state || !period ||
+  vtkDataArray* const caps = FindArray(path->GetFieldData(), RecordingNames::Caps, 2, 1);
+  if (!tips || !enabled || !placement || !times || !matrices || !state || !period || !caps ||
     !(period->GetComponent(0, 0) > 0.0))
   {
     return false;
@@ -159,6 +160,7 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
     result.Times.push_back(times->GetComponent(i, 0));
   }
   result.TickPeriod = period->GetComponent(0, 0);
+  result.Caps = { caps->GetComponent(0, 0), caps->GetComponent(0, 1) };
   result.InitialState.Proxy = ReadVector(state, 0);
   result.InitialState.PreviousTip = ReadVector(state, 0, 3);
   result.InitialState.Enabled = state->GetComponent(0, stateSize - 1) != 0.0;
@@ -192,8 +194,8 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
       error =
         "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
         "it needs the finite point arrays DeviceTip (3), Enabled, Placement and Time, and the "
-        "field arrays DeviceToWorld (16), InitialState (7) and TickPeriod. Record again, or remove "
-        "DeviceTip to use the points as a path.";
+        "field arrays DeviceToWorld (16), InitialState (7), Caps (2) and TickPeriod. Record again, "
+        "or remove DeviceTip to use the points as a path.";
       return false;
     }
     return true;

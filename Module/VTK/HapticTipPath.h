@@ -26,6 +26,7 @@ constexpr const char* Enabled = "Enabled";             ///< point array: 1 where
 constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
 constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
+constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap
 constexpr const char* InitialState = "InitialState";   ///< field array: proxy, last tip, enabled
 } // namespace RecordingNames
 
@@ -40,6 +41,7 @@ struct TipPath
   std::vector<bool> Enabled;    ///< per tick
   ServoState InitialState;
   double TickPeriod = 0.0; ///< s, of the servo that recorded
+  ForceCaps Caps;          ///< of the device that recorded
 };
 
 /**

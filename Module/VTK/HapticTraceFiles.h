@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Traces in files: .vtp (everything) and .csv (the point arrays, one line a tick).
+ * Traces in files: .vtp (everything) and .csv (the point arrays, one line a tick, with the field
+ * arrays beside it in .csv.json).
  */
 #ifndef HapticTraceFiles_h
 #define HapticTraceFiles_h

@@ -5,11 +5,14 @@
 #include "HapticTipPath.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataWriter.h"
+#include "vtkStringArray.h"
+#include "vtk_jsoncpp.h"
 #include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
 
@@ -92,6 +95,38 @@ bool WriteTable(vtkPolyData* trace, const std::string& file)
   return stream.good();
 }
 
+/** The field arrays, which a table has no place for: texts, and lists of tuples of numbers. */
+bool WriteFields(vtkFieldData* fields, const std::string& file)
+{
+  Json::Value root(Json::objectValue);
+  for (int a = 0; a < fields->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* const array = fields->GetAbstractArray(a);
+    Json::Value& entry = root[array->GetName()];
+    if (auto* text = vtkStringArray::SafeDownCast(array))
+    {
+      entry = text->GetNumberOfValues() > 0 ? text->GetValue(0) : std::string();
+    }
+    else if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    {
+      entry = Json::Value(Json::arrayValue);
+      for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+      {
+        Json::Value tuple(Json::arrayValue);
+        for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
+        {
+          tuple.append(numbers->GetComponent(i, c));
+        }
+        entry.append(tuple);
+      }
+    }
+  }
+  vtksys::ofstream stream(file.c_str());
+  stream << root;
+  stream.close();
+  return stream.good();
+}
+
 } // namespace
 
 std::string GetTraceEnding(const std::string& file)
@@ -107,7 +142,7 @@ bool WriteTraceFile(vtkPolyData* trace, const std::string& file, std::string& er
   bool written = false;
   if (ending == ".csv")
   {
-    written = WriteTable(trace, file);
+    written = WriteTable(trace, file) && WriteFields(trace->GetFieldData(), file + ".json");
   }
   else if (ending == ".vtp")
   {

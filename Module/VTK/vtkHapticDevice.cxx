@@ -8,6 +8,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkHapticDevice);
 
@@ -48,10 +49,16 @@ bool vtkHapticDevice::Open(const char* id)
     vtkErrorMacro(<< error);
     return false;
   }
-  const double most = holder.GetLimits().MaximumForce;
+  this->TakeLimits();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::TakeLimits()
+{
+  const double most = this->Internals->Holder.GetLimits().MaximumForce;
   this->MaximumForce = this->WantedForce < 0.0 ? 0.5 * most : std::min(this->WantedForce, most);
   this->Modified();
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -231,6 +238,27 @@ void vtkHapticDevice::SetVirtualDynamics(
   dynamics.EncoderQuantum = std::max(0.0, encoderQuantum);
   dynamics.ForceDelay = std::clamp(forceDelay, 0, VirtualDynamics::MaximumDelay);
   device->SetDynamics(dynamics);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualLimits(
+  double maximumForce, double maximumStiffness, double maximumDamping, double friction)
+{
+  VirtualDevice* const device = this->Internals->Holder.GetVirtual();
+  const double sum = maximumForce + maximumStiffness + maximumDamping + friction;
+  if (!device || this->IsRunning() || !std::isfinite(sum) || !(maximumForce > 0.0))
+  {
+    vtkErrorMacro("Limits are finite, with a force above 0, and are set between Open(\"virtual\") "
+                  "and Start().");
+    return;
+  }
+  DeviceLimits limits = device->GetLimits();
+  limits.MaximumForce = maximumForce;
+  limits.MaximumStiffness = std::max(0.0, maximumStiffness);
+  limits.MaximumDamping = std::max(0.0, maximumDamping);
+  limits.Damping = std::max(0.0, friction);
+  device->SetLimits(limits);
+  this->TakeLimits();
 }
 
 //------------------------------------------------------------------------------

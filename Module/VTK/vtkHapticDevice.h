@@ -21,8 +21,8 @@
  * gap it rises from zero over half a second. A tip that is not finite, that moves faster than a
  * hand can hold the device, or a device that is lost, cuts the force and latches a fault until Arm
  * is called again. Without fresh samples for 30 ms the force goes to zero. Stop, Close, deletion,
- * exit() and SIGINT, SIGTERM and SIGHUP send zero force. Stiffness is capped at what the device can
- * hold.
+ * exit() and SIGINT, SIGTERM and SIGHUP send zero force. Stiffness and ForceFieldDamping are capped
+ * at what the device can hold.
  *
  * The servo reads the image's own array, without a copy: give the image a new array instead of resizing
  * or refilling one that is being touched.
@@ -160,6 +160,15 @@ public:
   void SetVirtualDynamics(
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
 
+  /**
+   * Let the virtual device stand no more than another one: its force (N), stiffness (N/m), damping
+   * (N s/m), and its own friction b (N s/m), above twice which, over the tick's period, a spring is
+   * not stable. 0 does not limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0).
+   * Sets MaximumForce to half of the force, as Open does. Before Start.
+   */
+  void SetVirtualLimits(
+    double maximumForce, double maximumStiffness, double maximumDamping, double friction);
+
   /** Take the latest state from the servo; true if it is a new one. What follows belongs to one
    * tick. */
   bool UpdateState();
@@ -206,9 +215,9 @@ public:
   ///@{
   /**
    * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
-   * writes it to a .vtp or .csv. A recording on port 1 of vtkVolumeHapticsFilter gives the same
-   * forces to the bit, as long as nothing but the placement of the device changed while it was
-   * made. Needs a running servo.
+   * writes it to a .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp
+   * on port 1 of vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but
+   * the placement of the device changed while it was made. Needs a running servo.
    */
   bool StartRecording(const char* file);
   bool StopRecording();
@@ -241,6 +250,7 @@ private:
   void operator=(const vtkHapticDevice&) = delete;
 
   void SendLimits();
+  void TakeLimits();
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -28,8 +28,8 @@ struct vtkHapticDevice::vtkInternals
   {
     if (this->Filter)
     {
-      const double cap = VolumeHaptics::StiffnessCap(this->Holder.GetLimits(), 1.0 / rate);
-      model = this->Filter->Bake(rate, cap, this->DeviceToWorld);
+      const auto caps = VolumeHaptics::CapsOf(this->Holder.GetLimits(), 1.0 / rate);
+      model = this->Filter->Bake(rate, caps, this->DeviceToWorld);
     }
     return !this->Filter || model;
   }

@@ -96,8 +96,16 @@ bool vtkVolumeHapticsFilter::ReadPlacement(
 }
 
 //------------------------------------------------------------------------------
+VolumeHaptics::ForceCaps vtkVolumeHapticsFilter::Tighten(
+  const VolumeHaptics::ForceCaps& deviceCaps) const
+{
+  return { VolumeHaptics::TighterCap(this->MaximumStiffness, deviceCaps.Stiffness),
+    deviceCaps.Damping };
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
-  vtkImageData* image, double tickPeriod, double maximumStiffness, vtkMatrix4x4* deviceToWorld,
+  vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
   std::string& error)
 {
   using namespace VolumeHaptics;
@@ -116,7 +124,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   const std::pair<const char*, double> settings[] = { { "ServoRate", 1.0 / tickPeriod },
     { "MetersPerWorldUnit", this->MetersPerWorldUnit }, { "ForceFieldGain", this->ForceFieldGain },
     { "ForceFieldDamping", this->ForceFieldDamping }, { "MaximumForce", this->MaximumForce },
-    { "MaximumStiffness", maximumStiffness } };
+    { "MaximumStiffness", this->MaximumStiffness } };
   for (const auto& [setting, value] : settings)
   {
     if (!std::isfinite(value))
@@ -136,7 +144,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Settings.Method = static_cast<HapticMethod>(this->Method);
   options.Settings.TickPeriod = tickPeriod;
   options.Settings.MaximumForce = this->MaximumForce;
-  options.Settings.MaximumStiffness = maximumStiffness;
+  options.Settings.Caps = this->Tighten(deviceCaps);
   options.Settings.ForceFieldGain = this->ForceFieldGain;
   options.Settings.ForceFieldDamping = this->ForceFieldDamping;
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
@@ -144,7 +152,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
-  double rate, double maximumStiffness, vtkMatrix4x4* deviceToWorld)
+  double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
   std::string error;
   vtkAlgorithm* const source = this->GetInputAlgorithm(0, 0);
@@ -158,9 +166,6 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
     vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0.");
     return nullptr;
   }
-  const double cap = this->MaximumStiffness > 0.0 && maximumStiffness > 0.0
-    ? std::min(this->MaximumStiffness, maximumStiffness)
-    : std::max(this->MaximumStiffness, maximumStiffness);
   // Where only the device has moved, as it does with every frame while it follows the camera, what is
   // baked is shared.
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
@@ -169,14 +174,14 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   VolumeHaptics::Affine3 placement;
   auto model = this->LastBaked.lock();
   const bool isCurrent = model && time == this->LastBakedTime &&
-    model->Settings.TickPeriod == 1.0 / rate && model->Settings.MaximumStiffness == cap;
+    model->Settings.TickPeriod == 1.0 / rate && model->Settings.Caps == this->Tighten(deviceCaps);
   if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
   {
     model = std::make_shared<const VolumeHaptics::HapticModel>(*model, placement);
   }
   else if (error.empty())
   {
-    model = this->BakeImage(image, 1.0 / rate, cap, deviceToWorld, error);
+    model = this->BakeImage(image, 1.0 / rate, deviceCaps, deviceToWorld, error);
   }
   if (!error.empty())
   {
@@ -209,7 +214,7 @@ int vtkVolumeHapticsFilter::RequestData(
   const bool readable = !path || ReadTipPath(path, period, tips, error);
   std::string imageError;
   std::shared_ptr<const HapticModel> model = this->BakeImage(vtkImageData::GetData(inputs[0]),
-    tips.IsRecording ? tips.TickPeriod : period, this->MaximumStiffness, nullptr, imageError);
+    tips.IsRecording ? tips.TickPeriod : period, tips.Caps, nullptr, imageError);
   if (!model || !readable)
   {
     error = model ? error : imageError;

@@ -76,6 +76,7 @@ namespace VolumeHaptics
 {
 class HapticModel;
 struct Affine3;
+struct ForceCaps;
 } // namespace VolumeHaptics
 #endif
 
@@ -229,12 +230,12 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * Bring port 0 up to date and bake it, with the property and all settings, for a servo that ticks
-   * at a rate (Hz). The matrix takes the servo's device space (m) to the world; nullptr stands for
-   * the world scaled by MetersPerWorldUnit. Returns null after an error. For vtkHapticDevice and
-   * the like; in C++ only.
+   * at a rate (Hz) and drives a device with caps of its own. The matrix takes the servo's device
+   * space (m) to the world; nullptr stands for the world scaled by MetersPerWorldUnit. Returns null
+   * after an error. For vtkHapticDevice and the like; in C++ only.
    */
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
-    double rate, double maximumStiffness, vtkMatrix4x4* deviceToWorld);
+    double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
 #endif
 
 protected:
@@ -261,7 +262,9 @@ private:
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
-    double tickPeriod, double maximumStiffness, vtkMatrix4x4* deviceToWorld, std::string& error);
+    double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
+    std::string& error);
+  VolumeHaptics::ForceCaps Tighten(const VolumeHaptics::ForceCaps& deviceCaps) const;
 
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
   vtkMTimeType LastBakedTime = 0;

@@ -10,6 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <chrono>
@@ -81,6 +83,78 @@ vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
   }
   return -1;
 }
+/// How the servo's trace of the planned path compares with the offline one, tick by tick.
+struct Agreement
+{
+  vtkIdType Ticks = 0;  // with the tip of the same offline tick
+  vtkIdType Wrong = 0;  // of these, with another force
+  vtkIdType Others = 0; // with another tip
+};
+
+Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
+{
+  const auto isSame = [&](const char* name, vtkIdType at, vtkIdType tick)
+  {
+    double a[3];
+    double b[3];
+    live->GetPointData()->GetArray(name)->GetTuple(at, a);
+    offline->GetPointData()->GetArray(name)->GetTuple(tick, b);
+    return std::equal(a, a + 3, b);
+  };
+  Agreement agreement;
+  vtkDataArray* const ticks = live->GetPointData()->GetArray("Tick");
+  for (vtkIdType i = 0; i < live->GetNumberOfPoints(); ++i)
+  {
+    const auto tick = static_cast<vtkIdType>(ticks->GetComponent(i, 0));
+    if (tick >= offline->GetNumberOfPoints())
+    {
+      break; // the path is at its end
+    }
+    const bool sameTip = isSame("Tip", i, tick);
+    agreement.Ticks += sameTip ? 1 : 0;
+    agreement.Others += sameTip ? 0 : 1;
+    agreement.Wrong += sameTip && !isSame("Force", i, tick) ? 1 : 0;
+  }
+  return agreement;
+}
+
+vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& file)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+/// The planned path through the servo in real time, a point a tick, as no hand could move.
+Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string& file)
+{
+  const Explore::MessageCapture capture;
+  const std::string planned = file + ".planned.vtp";
+  const std::string recorded = file + ".replayed.vtp";
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(planned.c_str());
+  writer->SetInputData(exploration.Tip.Path);
+  Demand(writer->Write() != 0, "the planned path can't be written", capture);
+  vtkNew<vtkHapticDevice> device;
+  Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
+  device->SetVolumeHaptics(exploration.Filter);
+  device->SetServoRate(exploration.ServoRate);
+  Demand(device->Start(), "the servo does not start", capture);
+  device->Arm();
+  Demand(device->StartRecording(recorded.c_str()), "the recording does not start", capture);
+  while (device->GetTick() < exploration.Tip.Path->GetNumberOfPoints())
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    device->UpdateState();
+  }
+  Demand(device->StopRecording(), "the recording can't be written", capture);
+  device->Stop();
+  const Agreement agreement = CompareTicks(ReadPolyData(recorded), exploration.Trace);
+  vtksys::SystemTools::RemoveFile(planned);
+  vtksys::SystemTools::RemoveFile(recorded);
+  return agreement;
+}
 } // namespace
 
 namespace Explore
@@ -104,10 +178,7 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   Demand(device->StopRecording(), "the recording can't be written", capture);
   device->Stop();
 
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  run.Trace = reader->GetOutput();
+  run.Trace = ReadPolyData(file);
   filter->SetPathData(run.Trace);
   filter->Update();
   const vtkIdType differs = FirstDifference(run.Trace, filter->GetOutput());
@@ -117,6 +188,14 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
     ? "  the offline filter gives the same forces on the recording, bit for bit\n"
     : "  the offline filter gives another force on the recording in tick " +
       std::to_string(differs) + "\n";
+
+  const Agreement plan = ReplayPlan(exploration, file);
+  run.IsReproduced = run.IsReproduced && plan.Ticks > 0 && plan.Wrong == 0;
+  std::ostringstream text;
+  text << "  replayed by the servo in real time, the planned path gives the tips of the offline trace in "
+       << plan.Ticks << " of " << plan.Ticks + plan.Others << " ticks, and the same forces in "
+       << plan.Ticks - plan.Wrong << " of these, bit for bit\n";
+  run.Report += text.str();
   return run;
 }
 } // namespace Explore

@@ -48,3 +48,16 @@ TEST_F(Replay, PlaysTheTipsOfBothKindsOfFile)
     }
   }
 }
+
+TEST_F(Replay, ATableHasWhatIsNotOfATickBesideIt)
+{
+  const std::string file = this->File("Fields.csv");
+  this->Record(file);
+  const std::string fields = Load(file + ".json");
+  EXPECT_NE(fields.find("\"DeviceId\" : \"virtual\""), std::string::npos) << fields;
+  EXPECT_NE(fields.find("DeviceTip: m"), std::string::npos) << "units";
+  EXPECT_NE(fields.find("MetersPerWorldUnit: 0.001"), std::string::npos) << "settings";
+  const std::string hash = this->Filter->HashScalars();
+  ASSERT_FALSE(hash.empty());
+  EXPECT_NE(fields.find("\"VolumeHash\" : \"" + hash), std::string::npos);
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Bounds on what forces may change by with position and speed.
+ */
+#ifndef ForceCaps_h
+#define ForceCaps_h
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+/** What a device and its sampling can hold, whatever the materials and settings say; 0 does not cap. */
+struct ForceCaps
+{
+  double Stiffness = 0.0; ///< N/m
+  double Damping = 0.0;   ///< N s/m
+
+  bool operator==(const ForceCaps& other) const noexcept
+  {
+    return this->Stiffness == other.Stiffness && this->Damping == other.Damping;
+  }
+};
+
+/** The smaller of two caps, of which either may be 0 and not cap. */
+inline double TighterCap(double a, double b) noexcept
+{
+  return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
+}
+
+} // namespace VolumeHaptics
+
+#endif

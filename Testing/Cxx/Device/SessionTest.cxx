@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A loop that hangs in its device is cut off from outside.
+ */
+
+#include "HapticSession.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+/// Hangs in Read for as long as it is told to.
+class HangingDevice : public DeviceBackend
+{
+public:
+  bool Open(std::string&) override { return true; }
+  void Close() override {}
+  std::string GetName() const override { return "hanging"; }
+  DeviceLimits GetLimits() const override { return {}; }
+  DeviceState Read(double, DeviceSample& sample) noexcept override
+  {
+    while (this->Hangs.load())
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    this->Reads.fetch_add(1);
+    sample.Fresh = true;
+    return DeviceState::Running;
+  }
+  DeviceState Write(const Vector3&) noexcept override { return DeviceState::Running; }
+  void Quench() noexcept override { this->Quenches.fetch_add(1); }
+
+  std::atomic<bool> Hangs{ false };
+  std::atomic<int> Reads{ 0 };
+  std::atomic<int> Quenches{ 0 };
+};
+
+template <typename F>
+bool Eventually(F&& holds)
+{
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (!holds())
+  {
+    if (std::chrono::steady_clock::now() > end)
+    {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+} // namespace
+
+TEST(HapticSession, QuenchesALoopThatIsSilentAndGoesOnAfterIt)
+{
+  HangingDevice device;
+  HapticSession session(device, 1000.0, SafetyLimits{}, nullptr);
+  ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 20; }));
+  device.Hangs.store(true);
+  const int before = device.Quenches.load();
+  EXPECT_TRUE(Eventually([&] { return device.Quenches.load() > before + 5; }));
+  device.Hangs.store(false);
+  const int reads = device.Reads.load();
+  EXPECT_TRUE(Eventually([&] { return device.Reads.load() > reads + 20; }));
+}
+
+TEST(HapticSession, QuenchOfAHangingLoopReturns)
+{
+  HangingDevice device;
+  HapticSession session(device, 1000.0, SafetyLimits{}, nullptr);
+  ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 20; }));
+  session.GetLoop().Arm();
+  device.Hangs.store(true);
+  session.Quench();
+  EXPECT_GE(device.Quenches.load(), 2) << "before and after the wait for the loop";
+  device.Hangs.store(false);
+  EXPECT_TRUE(Eventually(
+    [&] { return session.GetLoop().ReadState() && !session.GetLoop().GetState().Armed; }));
+}
