@@ -3,6 +3,7 @@
 #include "HapticDeviceHolder.h"
 
 #include "HapticSignals.h"
+#include "HapticStateTable.h"
 #include "ReplayDevice.h"
 #include "vtkHapticDevice.h"
 
@@ -175,11 +176,32 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
   const HapticModel* const model = this->Session->FindModel(this->State.Generation);
   const Affine3 toWorld = model ? model->DeviceToWorld : deviceToWorld;
   const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
-  Copy(toWorld(this->State.Record.Tip), this->Tip);
-  Copy(toWorld(this->State.Record.Proxy), this->Proxy);
+  const TickRecord& record = this->State.Record;
+  Copy(toWorld(record.Tip), this->Tip);
+  Copy(toWorld(record.Proxy), this->Proxy);
   Copy(rotation * this->State.Command, this->Force);
-  Copy(rotation * this->State.Record.Force, this->ComputedForce);
+  Copy(rotation * record.Force, this->ComputedForce);
+  Copy(rotation * record.Normal, this->Normal);
+  // Fig. 4: on both sides of where the proxy was when the tick began.
+  const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;
+  const Vector3 reach = (model ? model->KernelLength : 0.0) * record.Normal;
+  Copy(toWorld(start + reach), this->SurfacePosition);
+  Copy(toWorld(start - reach), this->MediumPosition);
   return true;
+}
+
+void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* table)
+{
+  StateTable rows;
+  if (this->Session)
+  {
+    for (const ServoSnapshot& state : this->Session->TakeStates())
+    {
+      const HapticModel* const model = this->Session->FindModel(state.Generation);
+      rows.Append(state, model ? model->DeviceToWorld : deviceToWorld);
+    }
+  }
+  rows.WriteTo(table);
 }
 
 int HapticDeviceHolder::GetStatus() const

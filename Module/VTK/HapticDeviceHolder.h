@@ -11,6 +11,8 @@
 #include "HapticTraceFiles.h"
 #include "VirtualDevice.h"
 
+class vtkTable;
+
 namespace VolumeHaptics
 {
 
@@ -49,6 +51,9 @@ public:
   int GetContact() const { return static_cast<int>(this->State.Record.Contact); }
   long long GetTick() const { return static_cast<long long>(this->State.Tick); }
 
+  /** Every state since the last call, as rows of a table: see vtkHapticDevice::DrainStates. */
+  void DrainStates(const Affine3& deviceToWorld, vtkTable* table);
+
   /** As vtkHapticDevice::StatusType. */
   int GetStatus() const;
   std::string GetStatusText() const;
@@ -59,6 +64,9 @@ public:
   double Proxy[3] = {};
   double Force[3] = {};
   double ComputedForce[3] = {};
+  double Normal[3] = {};
+  double SurfacePosition[3] = {};
+  double MediumPosition[3] = {};
   ///@}
 
 private:

@@ -4,6 +4,7 @@
 
 #include "ServoClock.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -95,6 +96,14 @@ void HapticSession::Drain()
     {
       this->Recording->Append(snapshot);
     }
+    if (this->KeepsStates)
+    {
+      if (this->States.size() == MostStates)
+      {
+        this->States.pop_front();
+      }
+      this->States.push_back(snapshot);
+    }
   }
 }
 
@@ -108,14 +117,41 @@ void HapticSession::Publish(std::shared_ptr<const HapticModel> model)
   }
   this->Models[generation] = std::move(model);
   // Where nobody asks for states, models must not pile up either.
-  this->Models.erase(
-    this->Models.begin(), this->Models.lower_bound(this->Loop.GetWrittenGeneration()));
+  this->Forget(this->Loop.GetWrittenGeneration());
+}
+
+void HapticSession::Forget(std::uint64_t generation)
+{
+  const std::uint64_t first =
+    this->KeepsStates ? std::min(generation, this->FirstUntaken) : generation;
+  this->Models.erase(this->Models.begin(), this->Models.lower_bound(first));
+}
+
+std::vector<ServoSnapshot> HapticSession::TakeStates()
+{
+  if (!this->KeepsStates)
+  {
+    const std::lock_guard<std::mutex> lock(this->RecordingMutex);
+    this->KeepsStates = true;
+    this->TakenGeneration = this->Loop.GetWrittenGeneration();
+    this->Loop.SetRecording(true);
+  }
+  this->Drain();
+  const std::lock_guard<std::mutex> lock(this->RecordingMutex);
+  std::vector<ServoSnapshot> states(this->States.begin(), this->States.end());
+  this->States.clear();
+  this->FirstUntaken = this->TakenGeneration;
+  if (!states.empty())
+  {
+    this->TakenGeneration = states.back().Generation;
+  }
+  return states;
 }
 
 const HapticModel* HapticSession::FindModel(std::uint64_t generation)
 {
   // States come in order: what is older than this one is not asked for again.
-  this->Models.erase(this->Models.begin(), this->Models.lower_bound(generation));
+  this->Forget(generation);
   const auto found = this->Models.find(generation);
   return found == this->Models.end() ? nullptr : found->second.get();
 }
@@ -134,7 +170,7 @@ void HapticSession::StartRecording(std::unique_ptr<HapticRecording> recording)
 
 std::unique_ptr<HapticRecording> HapticSession::StopRecording()
 {
-  this->Loop.SetRecording(false);
+  this->Loop.SetRecording(this->KeepsStates);
   // What the loop is in the middle of belongs to it, too.
   const std::uint64_t last = this->Loop.GetTickCount();
   for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)

@@ -5,7 +5,7 @@
  * A running servo: the loop on a thread of its own, and a keeper beside it.
  *
  * The keeper thread does what must neither be done in the loop nor wait for the GUI: it collects
- * the ticks of a recording, and quenches the device when the loop does not answer.
+ * the ticks of a recording or for a display, and quenches the device when the loop does not answer.
  */
 #ifndef HapticSession_h
 #define HapticSession_h
@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 
 #include <atomic>
+#include <deque>
 #include <memory>
 #include <mutex>
 
@@ -51,6 +52,13 @@ public:
   bool IsRecording() const { return this->Recording != nullptr; }
   ///@}
 
+  /**
+   * Every state since the last call, oldest first, for a display that must not miss one; the first call
+   * begins to keep them. What nobody takes for MostStates ticks is lost, oldest first. The owner's.
+   */
+  std::vector<ServoSnapshot> TakeStates();
+  static constexpr std::size_t MostStates = 100000;
+
   /** From any thread: no force once this returns, until armed again. Waits for the loop, shortly. */
   void Quench() noexcept;
 
@@ -59,6 +67,8 @@ private:
   static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
   void Keep();
   void Drain();
+  /** Lets go of the models older than a generation that nobody can ask for any more. */
+  void Forget(std::uint64_t generation);
 
   DeviceBackend& Backend;
   ServoLoop Loop;
@@ -68,6 +78,10 @@ private:
   std::atomic<bool> KeeperStop{ false };
   std::mutex RecordingMutex; // between the owner and the keeper; the loop never takes it
   std::unique_ptr<HapticRecording> Recording;
+  std::deque<ServoSnapshot> States;
+  bool KeepsStates = false; // written by the owner, under the mutex
+  std::uint64_t TakenGeneration = 0;     // the owner's: of the last state that was taken
+  std::uint64_t FirstUntaken = 0;        // the owner's: no state to be taken is of an older one
   /** The owner's: models by generation, from the one of the last state that was asked for. */
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
 };

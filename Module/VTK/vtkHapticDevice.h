@@ -46,6 +46,7 @@
 
 class vtkMatrix4x4;
 class vtkStringArray;
+class vtkTable;
 class vtkVolumeHapticsFilter;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticDevice : public vtkObject
@@ -192,8 +193,30 @@ public:
   int GetContact();
   /** Of the latest state: the value in the surface, V(x_s). */
   double GetSurfaceValue();
-  /** Of the latest state: its number since Start. */
+  ///@{
+  /** Of the latest state (N): what the surface, friction and the medium take of the force. */
+  double GetNormalForce();
+  double GetFrictionForce();
+  double GetDragForce();
+  ///@}
+  /** Of the latest state: the unit normal into the structure, world axes. */
+  double* GetNormal() VTK_SIZEHINT(3);
+  ///@{
+  /** Of the latest state (world): x_s and x_v, where the materials were read (fig. 4). */
+  double* GetSurfacePosition() VTK_SIZEHINT(3);
+  double* GetMediumPosition() VTK_SIZEHINT(3);
+  ///@}
+  /** Of the latest state: its number since Start, and its time (s). */
   vtkIdType GetTick();
+  double GetTime();
+
+  /**
+   * Every state since the last call, oldest first, as rows of a table that is overwritten: columns Time
+   * (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, and with
+   * three components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The
+   * first call begins to keep states. Where nobody calls for 100000 ticks, the oldest are dropped.
+   */
+  void DrainStates(vtkTable* states);
 
   ///@{
   /**

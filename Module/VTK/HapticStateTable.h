@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * States of the servo as rows of a table, for displays.
+ */
+#ifndef HapticStateTable_h
+#define HapticStateTable_h
+
+#include "ServoLoop.h"
+
+#include "vtkNew.h"
+
+class vtkDoubleArray;
+class vtkTable;
+
+namespace VolumeHaptics
+{
+
+/** The columns are those that vtkHapticDevice::DrainStates documents. */
+class StateTable
+{
+public:
+  StateTable();
+  ~StateTable();
+  StateTable(const StateTable&) = delete;
+  StateTable& operator=(const StateTable&) = delete;
+
+  void Append(const ServoSnapshot& state, const Affine3& toWorld);
+  /** Replaces the table's columns. */
+  void WriteTo(vtkTable* table);
+
+private:
+  enum Scalar
+  {
+    Time,
+    Tick,
+    NormalForce,
+    FrictionForce,
+    DragForce,
+    SurfaceValue,
+    Contact,
+    Armed,
+    Fault,
+    Scalars
+  };
+  enum Vector
+  {
+    Tip,
+    Proxy,
+    Force,
+    Command,
+    Vectors
+  };
+  vtkNew<vtkDoubleArray> ScalarColumns[Scalars];
+  vtkNew<vtkDoubleArray> VectorColumns[Vectors];
+};
+
+} // namespace VolumeHaptics
+
+#endif
