@@ -14,18 +14,22 @@ usage()
   cat << 'EOF'
 Usage: Examples/explore.sh [VOLUME] [options]
 
-Feels its way over VOLUME and writes a picture of the volume with the proxy's trail, a plot of the
-force, the trace (.vtp, .csv) and a summary. VOLUME is a .vti .mhd .mha .nii .nii.gz .nrrd file or a
+Opens a window in which VOLUME can be touched with the mouse or a device. Where there is no display, or
+with --pictures, feels its way over it and writes a picture of the volume with the proxy's trail, a
+plot of the force, the trace (.vtp, .csv) and a summary. VOLUME is a .vti .mhd .mha .nii .nii.gz .nrrd file or a
 folder of DICOM slices; without one, a real head CT is fetched from Debian's package
 invesalius-examples. On Debian, missing packages are installed (apt-get, with sudo if need be).
 Everything is built and written in build/explore.
 
 Some options, passed on to volumehaptics-explore, which lists all of them with --help:
-  --pictures DIR    where the results go (default build/explore/pictures)
+  --pictures DIR    no window; where the results go (default build/explore/pictures)
   --preset NAME     materials, such as "CT contrast", "CT physical", "MRI"
   --estimator NAME  gradient: central, gaussian, bspline
   --size PX         width of the picture
-  --live            run the same path through the servo loop, too, at 1 kHz in real time
+  --live            pictures, and the same path through the servo loop, too, at 1 kHz in real time
+  --device ID       of the window: virtual (the mouse), replay:FILE, ...
+  --setup FILE      of the window: functions, settings and camera, loaded and saved
+  --stereo MODE     of the window, such as anaglyph
 EOF
 }
 
@@ -124,7 +128,12 @@ explore()
     xvfb-run -a "$program" --pictures "$build/pictures" "$@"
     return
   fi
-  "$program" --pictures "$build/pictures" "$@" || status=$?
+  local window=(--pictures "$build/pictures")
+  if [[ " $* " != *" --live "* && " $* " != *" --pictures"* ]]
+  then
+    window=()
+  fi
+  "$program" ${window[@]+"${window[@]}"} "$@" || status=$?
   if [[ $status -ge 128 ]]
   then
     # VTK's X11 windows crash on a display that is set and cannot be used.

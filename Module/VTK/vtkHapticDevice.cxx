@@ -78,6 +78,12 @@ bool vtkHapticDevice::IsOpen()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHapticDevice::GetDeviceId()
+{
+  return this->Internals->Holder.GetId();
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 {
   if (this->Internals->Filter != filter)

@@ -67,6 +67,8 @@ public:
   /** Stop, and let go of the device. */
   void Close();
   bool IsOpen();
+  /** The id that was opened; empty while closed. */
+  std::string GetDeviceId();
 
   ///@{
   /**

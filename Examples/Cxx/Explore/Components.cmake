@@ -14,6 +14,7 @@ set(Explore_VTK_COMPONENTS
   IOXML
   ImagingCore
   ImagingMorphological
+  InteractionStyle
   RenderingAnnotation
   RenderingContext2D
   RenderingContextOpenGL2
@@ -37,8 +38,10 @@ set(Explore_SOURCES
   Options.cxx
   PolarGrid.cxx
   SceneCamera.cxx
+  StereoModes.cxx
   SurfaceMap.cxx
   TipPathPlanner.cxx
+  TouchScene.cxx
   TissueTable.cxx
   TraceFiles.cxx
   TraceSummary.cxx

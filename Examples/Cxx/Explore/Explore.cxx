@@ -6,6 +6,7 @@
 #include "InputError.h"
 #include "LiveRun.h"
 #include "Options.h"
+#include "TouchScene.h"
 #include "TraceFiles.h"
 #include "TraceSummary.h"
 
@@ -44,8 +45,8 @@ std::string Caption(const Explore::Exploration& exploration)
   return text.str();
 }
 
-/// The pictures; an interactive window would start from the same scene, with an interactor.
-void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
+Explore::SceneOptions MakeLook(
+  const Explore::Exploration& exploration, const Explore::Options& options)
 {
   Explore::SceneOptions look;
   look.Width = options.Width;
@@ -53,6 +54,20 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
   look.Anatomical = exploration.Values.Kind != Explore::VolumeKind::Other;
+  return look;
+}
+
+void OpenWindow(const Explore::Exploration& exploration, const Explore::Options& options)
+{
+  Explore::SceneOptions look = MakeLook(exploration, options);
+  look.Interactive = true;
+  look.Caption.clear(); // its place is the head-up display's
+  Explore::RunTouchWindow(exploration, look, options.Device, options.Setup, options.Stereo);
+}
+
+void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
+{
+  const Explore::SceneOptions look = MakeLook(exploration, options);
   Explore::ExplorerScene scene;
   Explore::BuildScene(scene, exploration, look);
   Explore::WritePicture(scene.Window, options.Folder + "/explore.png");
@@ -76,6 +91,11 @@ int Run(const Explore::Options& options)
   const std::string summary = Explore::Summarise(exploration);
   std::cout << "\n" << summary << std::endl;
 
+  if (!options.Pictures && !options.Live && HasDisplay())
+  {
+    OpenWindow(exploration, options);
+    return DONE;
+  }
   Explore::MakeFolder(options.Folder);
   bool isReproduced = true;
   if (options.Live)

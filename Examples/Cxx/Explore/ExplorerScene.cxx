@@ -47,20 +47,21 @@ vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWo
   return plain;
 }
 
-/// Sampled at half a voxel and without jitter: the same picture in every run.
-vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance)
+/// Sampled at half a voxel and without jitter: the same picture in every run. While someone interacts,
+/// VTK samples as coarsely as the wanted frame rate needs.
+vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance, bool interactive)
 {
   auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
-  mapper->SetAutoAdjustSampleDistances(0);
+  mapper->SetAutoAdjustSampleDistances(interactive);
   mapper->SetSampleDistance(static_cast<float>(sampleDistance));
   mapper->UseJitteringOff();
   return mapper;
 }
 
-vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance)
+vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance, bool interactive)
 {
   auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
-  mapper->SetAutoAdjustSampleDistances(0);
+  mapper->SetAutoAdjustSampleDistances(interactive);
   mapper->SetSampleDistance(static_cast<float>(sampleDistance));
   mapper->SetImageSampleDistance(1.0f);
   return mapper;
@@ -77,19 +78,20 @@ bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageD
   return fits && mapper->IsRenderSupported(window, property);
 }
 
-void AddVolume(
-  ExplorerScene& scene, vtkImageData* image, const Explore::Analysis& analysis, MapperChoice choice)
+void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysis& analysis,
+  const Explore::SceneOptions& options)
 {
-  vtkNew<vtkVolumeProperty> property;
+  vtkVolumeProperty* const property = scene.Look;
   Explore::SetVolumeLook(analysis, property);
-  const bool gpu = choice == MapperChoice::GPU ||
-    (choice == MapperChoice::Auto && IsGPUUsable(scene.Window, property, image));
+  const bool gpu = options.Mapper == MapperChoice::GPU ||
+    (options.Mapper == MapperChoice::Auto && IsGPUUsable(scene.Window, property, image));
   const double* spacing = image->GetSpacing();
   const double sample = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
 
   vtkNew<vtkMatrix4x4> toWorld;
   vtkNew<vtkVolume> volume;
-  auto mapper = gpu ? MakeGPUMapper(sample) : MakeCPUMapper(sample);
+  auto mapper = gpu ? MakeGPUMapper(sample, options.Interactive)
+                    : MakeCPUMapper(sample, options.Interactive);
   mapper->SetInputData(PlainImage(image, toWorld));
   volume->SetMapper(mapper);
   volume->SetProperty(property);
@@ -156,7 +158,7 @@ namespace Explore
 void BuildScene(ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options)
 {
   const Analysis& analysis = exploration.Values;
-  scene.Window->SetOffScreenRendering(1);
+  scene.Window->SetOffScreenRendering(!options.Interactive);
   scene.Window->SetMultiSamples(0);
   scene.Window->SetSize(options.Width, options.Height);
   scene.Window->SetNumberOfLayers(3);
@@ -171,9 +173,12 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   scene.Renderer->SetBackground2(0.24, 0.29, 0.36);
 
   AddLights(scene.Renderer); // before anything renders, or VTK adds one of its own
-  AddVolume(scene, exploration.Body, analysis, options.Mapper);
-  AddTrail(
-    scene.Renderer, scene.Overlay, exploration.Trace, analysis.MetersPerWorldUnit, options.Height);
+  AddVolume(scene, exploration.Body, analysis, options);
+  if (!options.Interactive)
+  {
+    AddTrail(scene.Renderer, scene.Overlay, exploration.Trace, analysis.MetersPerWorldUnit,
+      options.Height);
+  }
   AddMarker(scene, exploration.View, options.Anatomical);
   AddCaption(scene.Renderer, options.Caption, options.Height);
 

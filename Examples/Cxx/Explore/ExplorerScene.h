@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
 
 #include <string>
 
@@ -26,17 +27,19 @@ struct SceneOptions
   int Height = 700;
   MapperChoice Mapper = MapperChoice::Auto;
   std::string Caption;
-  bool Anatomical = true; // letters of the marker: patient's sides instead of axes
+  bool Anatomical = true;  // letters of the marker: patient's sides instead of axes
+  bool Interactive = false; // on the screen, coarser while something moves, and without the trail
 };
 
 /// A window that shows the volume, the proxy's trail coloured by force, the colours' meaning and
-/// which way is up. It is off the screen; an interactor can be given to it as to any other.
+/// which way is up.
 struct ExplorerScene
 {
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer; // volume and trail
   vtkNew<vtkRenderer> Overlay;  // the hidden parts of the trail, through the same camera
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
+  vtkNew<vtkVolumeProperty> Look;
   std::string MapperName;
 };
 

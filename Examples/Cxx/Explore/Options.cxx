@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "InputError.h"
+#include "StereoModes.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"
@@ -60,6 +61,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   if (name == "--pictures")
   {
     options.Folder = value;
+    options.Pictures = true;
   }
   else if (name == "--preset")
   {
@@ -72,6 +74,19 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   else if (name == "--mapper")
   {
     options.Mapper = Choose(MAPPERS, name, value);
+  }
+  else if (name == "--device")
+  {
+    options.Device = value;
+  }
+  else if (name == "--setup")
+  {
+    options.Setup = value;
+  }
+  else if (name == "--stereo")
+  {
+    Explore::FindStereoMode(value); // complains, if it has to, before anything is computed
+    options.Stereo = value;
   }
   else if (name == "--size")
   {
@@ -145,13 +160,19 @@ std::string HelpText()
   }
   return R"(Usage: volumehaptics-explore VOLUME [options]
 
-Feels its way over a volume without a haptic device: presses a tip into the outer surface, drags it,
-presses through to what is dense inside, drags it there, and records what a hand would feel.
+Feels its way over a volume: presses a tip into the outer surface, drags it, presses through to what is
+dense inside, drags it there, and says what a hand would feel. Then, where there is a display, opens a
+window in which the mouse, or a device, touches the volume. Elsewhere, or with --pictures, writes
+pictures, the trace and a summary.
 
 VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
 
-  --pictures DIR    where the results go (default explore-pictures):
+  --pictures DIR    no window, and where the results go (default explore-pictures):
                     explore.png force.png trace.vtp trace.csv summary.txt
+  --device ID       of the window: virtual (default, the mouse), replay:FILE, ...
+  --setup FILE      of the window: loaded if it is there, saved when the window is closed
+  --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
+                    split-viewport, dresden, left, right, fake, emulate
   --preset NAME     materials: auto (default), histogram)" +
     presets + R"(
   --estimator NAME  gradient: central, gaussian (default), bspline

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkInteractorStyleHaptic.h"
+
+#include "HapticViewRay.h"
+#include "vtkInteractorStyleHapticInternals.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkInteractorStyleHaptic);
+
+using namespace VolumeHaptics;
+
+//------------------------------------------------------------------------------
+vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
+{
+  this->SetInteractor(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
+{
+  auto& d = *this->Internals;
+  if (d.Device != device)
+  {
+    d.Device = device;
+    d.Watch.Reset();
+    d.IsPlaced = false;
+    d.Published = 0;
+    this->TouchMode = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkInteractorStyleHaptic::GetDevice()
+{
+  return this->Internals->Device;
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetHeadUpDisplay(vtkHapticHeadUpDisplay* display)
+{
+  if (this->Internals->Display != display)
+  {
+    this->Internals->Display = display;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticHeadUpDisplay* vtkInteractorStyleHaptic::GetHeadUpDisplay()
+{
+  return this->Internals->Display;
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetFunctionEditor(vtkHapticFunctionEditor* editor)
+{
+  if (this->Internals->Editor != editor)
+  {
+    this->Internals->Editor = editor;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticFunctionEditor* vtkInteractorStyleHaptic::GetFunctionEditor()
+{
+  return this->Internals->Editor;
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkInteractorStyleHaptic::GetStates()
+{
+  return this->Internals->States;
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  auto& d = *this->Internals;
+  if (this->Interactor && d.Timer != 0 && interactor != this->Interactor)
+  {
+    this->Interactor->DestroyTimer(d.Timer);
+    d.Timer = 0;
+  }
+  this->Superclass::SetInteractor(interactor);
+  if (this->Interactor && d.Timer == 0)
+  {
+    const double period = 1000.0 / this->DisplayRate;
+    d.Timer = this->Interactor->CreateRepeatingTimer(static_cast<unsigned long>(period));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnTimer()
+{
+  if (this->Interactor->GetTimerEventId() != this->Internals->Timer)
+  {
+    this->Superclass::OnTimer();
+    return;
+  }
+  if (this->UpdateHaptics())
+  {
+    this->Interactor->Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::UpdateHaptics()
+{
+  auto& d = *this->Internals;
+  if (!d.Device || !d.Device->IsRunning())
+  {
+    return false;
+  }
+  // What has changed goes to the servo first, so that it is felt before it is seen.
+  vtkRenderer* const renderer = this->GetHapticRenderer();
+  const bool placed = renderer && !this->Clutch && this->PlaceWorkspace(renderer);
+  vtkVolumeHapticsFilter* const filter = d.Device->GetVolumeHaptics();
+  vtkAlgorithm* const source = filter ? filter->GetInputAlgorithm(0, 0) : nullptr;
+  vtkDataObject* const image = filter ? filter->GetInputDataObject(0, 0) : nullptr;
+  const vtkMTimeType time = filter ? std::max({ filter->GetMTime(),
+                                       source ? source->GetMTime() : vtkMTimeType(0),
+                                       image ? image->GetMTime() : vtkMTimeType(0) })
+                                   : vtkMTimeType(0);
+  if (placed || time != d.Published)
+  {
+    // Also where it fails: it will not succeed before something changes, and one error is enough.
+    d.Published = time;
+    d.Device->Publish();
+  }
+
+  const bool isNew = d.Device->UpdateState();
+  d.Device->DrainStates(d.States);
+  if (d.Display)
+  {
+    d.Display->AddStates(d.States);
+  }
+  for (const unsigned long event : d.Watch.Watch(d.States))
+  {
+    this->InvokeEvent(event);
+  }
+  if (isNew)
+  {
+    this->InvokeEvent(StatesEvent);
+  }
+  return isNew;
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkInteractorStyleHaptic::GetHapticRenderer()
+{
+  if (this->CurrentRenderer || !this->Interactor || !this->Interactor->GetRenderWindow())
+  {
+    return this->CurrentRenderer;
+  }
+  return this->Interactor->GetRenderWindow()->GetRenderers()->GetFirstRenderer();
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::PlaceWorkspace(vtkRenderer* renderer)
+{
+  auto& d = *this->Internals;
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const vtkMTimeType time = std::max(camera->GetMTime(), this->GetMTime());
+  if (!this->WorkspaceFollowsCamera || !d.IsReal() || (d.IsPlaced && time == d.Placed))
+  {
+    return false;
+  }
+  d.Device->SetDeviceToWorld(d.Workspace.Place(camera, this->GetEffectiveScale()));
+  d.Placed = time;
+  d.IsPlaced = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkInteractorStyleHaptic::GetEffectiveScale()
+{
+  vtkVolumeHapticsFilter* const filter = this->Internals->Device->GetVolumeHaptics();
+  const double natural = filter ? 1.0 / filter->GetMetersPerWorldUnit() : 1000.0;
+  return this->WorkspaceScale > 0.0 ? this->WorkspaceScale : natural;
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::RecenterWorkspace()
+{
+  this->Internals->Workspace.Recenter();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetClutch(bool on)
+{
+  auto& d = *this->Internals;
+  vtkRenderer* const renderer = this->GetHapticRenderer();
+  if (on == this->Clutch || !d.IsReal() || !renderer)
+  {
+    return;
+  }
+  d.Device->UpdateState();
+  const double* const x = d.Device->GetTipPosition();
+  const Vector3 tip{ x[0], x[1], x[2] };
+  this->Clutch = on;
+  if (on)
+  {
+    const int status = d.Device->GetStatus();
+    d.ArmAfterClutch = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+    d.ClutchedTip = tip;
+    d.Device->Disarm();
+  }
+  else
+  {
+    d.Workspace.Shift(renderer->GetActiveCamera(), tip, d.ClutchedTip);
+    this->Modified();
+    this->UpdateHaptics();
+    if (d.ArmAfterClutch)
+    {
+      d.Device->Arm();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetTouchMode(bool on)
+{
+  auto& d = *this->Internals;
+  if (on == this->TouchMode)
+  {
+    return;
+  }
+  if (on && (!d.Device || !d.Device->IsRunning()))
+  {
+    vtkErrorMacro("There is nothing to touch with: SetDevice() one that is open and started.");
+    return;
+  }
+  vtkRenderer* const renderer = this->GetHapticRenderer();
+  if (on && d.IsVirtual() && renderer)
+  {
+    const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
+    const int* const pointer = this->Interactor->GetEventPosition();
+    Vector3 start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
+    if (vtkVolumeHapticsFilter* filter = d.Device->GetVolumeHaptics())
+    {
+      FindFirstContact(renderer, pointer, filter, start);
+    }
+    d.LeadTo(start);
+  }
+  this->TouchMode = on;
+  if (d.Device)
+  {
+    on ? d.Device->Arm() : d.Device->Disarm();
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto& d = *this->Internals;
+  os << indent << "Device: " << d.Device.GetPointer() << "\n";
+  os << indent << "HeadUpDisplay: " << d.Display.GetPointer() << "\n";
+  os << indent << "FunctionEditor: " << d.Editor.GetPointer() << "\n";
+  os << indent << "TouchMode: " << (this->TouchMode ? "On" : "Off") << "\n";
+  os << indent << "DepthStep: " << this->DepthStep << "\n";
+  os << indent << "DisplayRate: " << this->DisplayRate << " Hz\n";
+  os << indent << "WorkspaceFollowsCamera: " << (this->WorkspaceFollowsCamera ? "On" : "Off")
+     << "\n";
+  os << indent << "WorkspaceScale: " << this->WorkspaceScale << "\n";
+  os << indent << "Clutch: " << (this->Clutch ? "On" : "Off") << "\n";
+}

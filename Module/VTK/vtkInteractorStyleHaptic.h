@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkInteractorStyleHaptic
+ * @brief   trackball camera, and a hand in the scene
+ *
+ * A vtkInteractorStyleTrackballCamera with a vtkHapticDevice. Its timer is the GUI's side of the
+ * servo: at DisplayRate it takes the device's states, hands the servo whatever has changed in the
+ * filter (image, functions, settings), feeds the head-up display, invokes events, and renders when
+ * there is something new to see. It never waits for the servo.
+ *
+ * In the touch mode the mouse leads the tip of the virtual device:
+ *
+ *   mouse                 moves the tip in the plane of the view
+ *   wheel                 moves it into the screen and out of it, along the line of sight
+ *   Ctrl + mouse          the same, up is into the screen
+ *   Shift                 with any of these: five times finer
+ *   left button           the device's button
+ *   right button          rotates the camera
+ *   middle button         pans the camera
+ *   Ctrl + wheel          zooms
+ *
+ * Keys, in any mode (besides those of vtkInteractorStyle):
+ *
+ *   t           touch mode on and off; it begins in front of what can be felt under the pointer
+ *   a           arm, so that force may flow, and disarm; touch mode on arms, too
+ *   Escape      disarm, and leave the touch mode
+ *   c           put the device's workspace back around the camera's focal point
+ *   k           clutch: while held, a real device moves without the tip, and without force
+ *   + and -     a larger and a smaller workspace
+ *   h and g     head-up display: text and graph
+ *   v and n     function editor: on and off, and the next function
+ *
+ * Mouse events over the function editor go to the editor.
+ *
+ * With a real device, the workspace follows the camera: right, up and towards the user are the same for
+ * the hand as for the eye.
+ *
+ * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor
+ */
+#ifndef vtkInteractorStyleHaptic_h
+#define vtkInteractorStyleHaptic_h
+
+#include "vtkCommand.h" // for vtkCommand::UserEvent
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkHapticDevice;
+class vtkHapticFunctionEditor;
+class vtkHapticHeadUpDisplay;
+class vtkTable;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static vtkInteractorStyleHaptic* New();
+  vtkTypeMacro(vtkInteractorStyleHaptic, vtkInteractorStyleTrackballCamera);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Invoked in the order in which they happened in the servo, once a change. */
+  enum HapticEvents
+  {
+    ContactBeginEvent = vtkCommand::UserEvent + 100, ///< a surface holds the proxy
+    ContactEndEvent,                                 ///< none does any more
+    ArmedEvent,                                      ///< force may flow
+    DisarmedEvent,                                   ///< it may not; not after a fault
+    FaultEvent,                                      ///< the safety stage has cut the force off
+    StatesEvent                                      ///< after each update with new states
+  };
+
+  ///@{
+  /** The device, as the application has opened and started it. */
+  void SetDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetDevice();
+  ///@}
+
+  ///@{
+  /** What is fed and toggled; optional. The application adds them to a renderer. */
+  void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
+  vtkHapticHeadUpDisplay* GetHeadUpDisplay();
+  void SetFunctionEditor(vtkHapticFunctionEditor* editor);
+  vtkHapticFunctionEditor* GetFunctionEditor();
+  ///@}
+
+  ///@{
+  /**
+   * The touch mode. On puts the tip of a virtual device in front of the first surface under the
+   * pointer, where there is one, else into the plane of the focal point, and arms. Default off.
+   */
+  void SetTouchMode(bool on);
+  vtkGetMacro(TouchMode, bool);
+  vtkBooleanMacro(TouchMode, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far a step of the wheel moves the tip (world units, 0 or more). Default 0: the smallest spacing
+   * of the image.
+   */
+  vtkSetClampMacro(DepthStep, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DepthStep, double);
+  ///@}
+
+  ///@{
+  /** Updates per second, 1 to 240. Default 60. Takes effect with the next interactor. */
+  vtkSetClampMacro(DisplayRate, double, 1.0, 240.0);
+  vtkGetMacro(DisplayRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * The workspace of a real device: whether it follows the camera (default on), world units per metre
+   * (default 0: as the filter's MetersPerWorldUnit says), back to the focal point, and clutched.
+   */
+  vtkSetMacro(WorkspaceFollowsCamera, bool);
+  vtkGetMacro(WorkspaceFollowsCamera, bool);
+  vtkBooleanMacro(WorkspaceFollowsCamera, bool);
+  vtkSetClampMacro(WorkspaceScale, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(WorkspaceScale, double);
+  void RecenterWorkspace();
+  void SetClutch(bool on);
+  vtkGetMacro(Clutch, bool);
+  ///@}
+
+  /**
+   * What the timer does, once: states, events, changes, display. For applications without timers. True
+   * if there is something new to be seen.
+   */
+  bool UpdateHaptics();
+
+  /** The states that the last update took from the device: see vtkHapticDevice::DrainStates. */
+  vtkTable* GetStates();
+
+  void SetInteractor(vtkRenderWindowInteractor* interactor) override;
+  void OnTimer() override;
+  void OnMouseMove() override;
+  void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
+  void OnRightButtonDown() override;
+  void OnRightButtonUp() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+  void OnLeftButtonDoubleClick() override;
+  void OnKeyPress() override;
+  void OnKeyRelease() override;
+  void OnChar() override;
+
+protected:
+  vtkInteractorStyleHaptic();
+  ~vtkInteractorStyleHaptic() override;
+
+  bool TouchMode = false;
+  double DepthStep = 0.0;
+  double DisplayRate = 60.0;
+  bool WorkspaceFollowsCamera = true;
+  double WorkspaceScale = 0.0;
+  bool Clutch = false;
+
+private:
+  vtkInteractorStyleHaptic(const vtkInteractorStyleHaptic&) = delete;
+  void operator=(const vtkInteractorStyleHaptic&) = delete;
+
+  vtkRenderer* GetHapticRenderer();
+  bool PlaceWorkspace(vtkRenderer* renderer);
+  double GetEffectiveScale();
+  double GetEffectiveDepthStep();
+  bool LeadsTip();
+  void MoveInDepth(double steps);
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkInteractorStyleHaptic that listens to mouse and keys.
+#include "HapticViewRay.h"
+#include "vtkInteractorStyleHapticInternals.h"
+
+#include "vtkImageData.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+/// What Shift makes of a motion.
+constexpr double FineFactor = 0.2;
+/// What + and - make of the workspace.
+constexpr double ScaleFactor = 1.25;
+} // namespace
+
+//------------------------------------------------------------------------------
+double vtkInteractorStyleHaptic::GetEffectiveDepthStep()
+{
+  vtkVolumeHapticsFilter* const filter = this->Internals->Device->GetVolumeHaptics();
+  auto* const image =
+    filter ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
+  if (this->DepthStep > 0.0 || !image)
+  {
+    return this->DepthStep > 0.0 ? this->DepthStep : 1.0;
+  }
+  const double* const s = image->GetSpacing();
+  return std::min({ std::abs(s[0]), std::abs(s[1]), std::abs(s[2]) });
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::LeadsTip()
+{
+  auto& d = *this->Internals;
+  return this->TouchMode && this->State == VTKIS_NONE && d.IsVirtual() && d.Device->IsRunning() &&
+    this->GetHapticRenderer();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::MoveInDepth(double steps)
+{
+  auto& d = *this->Internals;
+  const double fine = this->Interactor->GetShiftKey() ? FineFactor : 1.0;
+  const double way = fine * steps * this->GetEffectiveDepthStep();
+  d.LeadTo(d.Lead + way * LineOfSight(this->GetHapticRenderer(), d.Lead));
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnMouseMove()
+{
+  auto& d = *this->Internals;
+  const int* const now = this->Interactor->GetEventPosition();
+  const int* const before = this->Interactor->GetLastEventPosition();
+  if (this->State == VTKIS_NONE && d.Editor && d.Editor->MouseMove(now[0], now[1]))
+  {
+    this->Interactor->Render();
+    return;
+  }
+  if (!this->LeadsTip())
+  {
+    this->Superclass::OnMouseMove();
+    return;
+  }
+  if (this->Interactor->GetControlKey())
+  {
+    this->MoveInDepth(0.25 * (now[1] - before[1]));
+    return;
+  }
+  vtkRenderer* const renderer = this->GetHapticRenderer();
+  const double fine = this->Interactor->GetShiftKey() ? FineFactor : 1.0;
+  const Vector3 way =
+    UnderPointer(renderer, now, d.Lead) - UnderPointer(renderer, before, d.Lead);
+  d.LeadTo(d.Lead + fine * way);
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnLeftButtonDown()
+{
+  auto& d = *this->Internals;
+  const int* const at = this->Interactor->GetEventPosition();
+  if (d.Editor && d.Editor->ButtonPress(at[0], at[1]))
+  {
+    d.EditorHasMouse = true;
+  }
+  else if (this->LeadsTip())
+  {
+    d.Device->SetVirtualButtons(1);
+  }
+  else
+  {
+    this->Superclass::OnLeftButtonDown();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnLeftButtonUp()
+{
+  auto& d = *this->Internals;
+  const int* const at = this->Interactor->GetEventPosition();
+  if (d.EditorHasMouse)
+  {
+    d.EditorHasMouse = false;
+    d.Editor->ButtonRelease(at[0], at[1]);
+    this->Interactor->Render();
+  }
+  else if (this->LeadsTip())
+  {
+    d.Device->SetVirtualButtons(0);
+  }
+  else
+  {
+    this->Superclass::OnLeftButtonUp();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
+{
+  auto& d = *this->Internals;
+  const int* const at = this->Interactor->GetEventPosition();
+  if (d.Editor && d.Editor->DoubleClick(at[0], at[1]))
+  {
+    this->Interactor->Render();
+    return;
+  }
+  this->Superclass::OnLeftButtonDoubleClick();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnRightButtonDown()
+{
+  // One can look around without letting go of what is touched.
+  this->TouchMode ? this->Superclass::OnLeftButtonDown() : this->Superclass::OnRightButtonDown();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnRightButtonUp()
+{
+  // What was begun is ended, whatever the mode is by now.
+  this->State == VTKIS_DOLLY ? this->Superclass::OnRightButtonUp()
+                             : this->Superclass::OnLeftButtonUp();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnMouseWheelForward()
+{
+  this->LeadsTip() && !this->Interactor->GetControlKey() ? this->MoveInDepth(1.0)
+                                                         : this->Superclass::OnMouseWheelForward();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnMouseWheelBackward()
+{
+  this->LeadsTip() && !this->Interactor->GetControlKey()
+    ? this->MoveInDepth(-1.0)
+    : this->Superclass::OnMouseWheelBackward();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnKeyPress()
+{
+  auto& d = *this->Internals;
+  const char* const symbol = this->Interactor->GetKeySym();
+  const std::string key = symbol ? symbol : "";
+  const auto toggle = [](auto* prop, auto get, auto set)
+  {
+    if (prop)
+    {
+      (prop->*set)(!(prop->*get)());
+    }
+  };
+  if (key == "t")
+  {
+    this->SetTouchMode(!this->TouchMode);
+  }
+  else if (key == "Escape")
+  {
+    this->SetTouchMode(false);
+    if (d.Device)
+    {
+      d.Device->Disarm();
+    }
+  }
+  else if (key == "a" && d.Device)
+  {
+    const int status = d.Device->GetStatus();
+    const bool armed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+    armed ? d.Device->Disarm() : d.Device->Arm();
+  }
+  else if (key == "c")
+  {
+    this->RecenterWorkspace();
+  }
+  else if (key == "k")
+  {
+    this->SetClutch(true);
+  }
+  else if ((key == "plus" || key == "KP_Add" || key == "minus" || key == "KP_Subtract") &&
+    d.Device)
+  {
+    const bool larger = key == "plus" || key == "KP_Add";
+    this->SetWorkspaceScale(
+      this->GetEffectiveScale() * (larger ? ScaleFactor : 1.0 / ScaleFactor));
+  }
+  else if (key == "h")
+  {
+    toggle(d.Display.GetPointer(), &vtkHapticHeadUpDisplay::GetTextVisibility,
+      &vtkHapticHeadUpDisplay::SetTextVisibility);
+  }
+  else if (key == "g")
+  {
+    toggle(d.Display.GetPointer(), &vtkHapticHeadUpDisplay::GetPlotVisibility,
+      &vtkHapticHeadUpDisplay::SetPlotVisibility);
+  }
+  else if (key == "v")
+  {
+    toggle(d.Editor.GetPointer(), &vtkProp::GetVisibility, &vtkProp::SetVisibility);
+  }
+  else if (key == "n" && d.Editor)
+  {
+    d.Editor->NextFunction();
+  }
+  else
+  {
+    this->Superclass::OnKeyPress();
+    return;
+  }
+  this->Interactor->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnKeyRelease()
+{
+  const char* const symbol = this->Interactor->GetKeySym();
+  if (symbol && std::string(symbol) == "k")
+  {
+    this->SetClutch(false);
+    return;
+  }
+  this->Superclass::OnKeyRelease();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnChar()
+{
+  // In the touch mode the superclass' f would fly the camera away from the hand.
+  if (!(this->TouchMode && this->Interactor->GetKeyCode() == 'f'))
+  {
+    this->Superclass::OnChar();
+  }
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The private side of vtkInteractorStyleHaptic.
+ */
+#ifndef vtkInteractorStyleHapticInternals_h
+#define vtkInteractorStyleHapticInternals_h
+
+#include "vtkInteractorStyleHaptic.h"
+
+#include "HapticStateWatch.h"
+#include "HapticWorkspace.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticFunctionEditor.h"
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+
+struct vtkInteractorStyleHaptic::vtkInternals
+{
+  vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
+  vtkSmartPointer<vtkHapticFunctionEditor> Editor;
+  vtkNew<vtkTable> States;
+  VolumeHaptics::HapticStateWatch Watch;
+  VolumeHaptics::HapticWorkspace Workspace;
+
+  int Timer = 0;
+  vtkMTimeType Published = 0; ///< the filter's time when the servo got it
+  vtkMTimeType Placed = 0;    ///< the camera's time when the workspace was put there
+  bool IsPlaced = false;
+  bool ArmAfterClutch = false;
+  VolumeHaptics::Vector3 ClutchedTip; ///< world
+  VolumeHaptics::Vector3 Lead;        ///< world; where the mouse leads the tip
+  bool EditorHasMouse = false;
+
+  bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
+  bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
+
+  void LeadTo(const VolumeHaptics::Vector3& world)
+  {
+    this->Lead = world;
+    this->Device->SetVirtualTip(world.X, world.Y, world.Z);
+  }
+};
+
+#endif

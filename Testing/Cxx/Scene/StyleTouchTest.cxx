@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The mouse presses on a ball, slides and lets go.
+ */
+
+#include "StyleRig.h"
+
+using namespace scenetest;
+
+namespace
+{
+double Component(vtkTable* states, const char* column, vtkIdType row, int component = 0)
+{
+  return vtkDataArray::SafeDownCast(states->GetColumnByName(column))->GetComponent(row, component);
+}
+} // namespace
+
+TEST_F(StyleTest, PressesSlidesAndLetsGoWithTheProxyOnTheSurface)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Pointer(150, 150);
+  this->Press("t");
+  ASSERT_TRUE(this->Style->GetTouchMode());
+  this->Run(50);
+  EXPECT_EQ(this->Device->GetContact(), 0) << "touch mode begins in front of the surface";
+  const double start = this->Device->GetTipPosition()[2];
+  // Materials are read a kernel radius of 2 mm ahead.
+  EXPECT_NEAR(start, 32.0, 1.5);
+
+  double first = 0.0;
+  double away = 0.0;
+  double deepest = 0.0;
+  vtkIdType touched = 0;
+  const auto watch = [&](vtkTable* states, vtkIdType i)
+  {
+    if (Component(states, "Contact", i) == 0.0)
+    {
+      return;
+    }
+    double proxy[3];
+    double tip[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      proxy[c] = Component(states, "Proxy", i, c);
+      tip[c] = Component(states, "Tip", i, c);
+    }
+    first = touched++ == 0 ? Length(proxy) : first;
+    away = std::max(away, std::abs(Length(proxy) - first));
+    deepest = std::max(deepest, first - Length(tip));
+  };
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+    this->Run(10, watch);
+  }
+  EXPECT_GT(deepest, 2.0) << "the pointer sinks in";
+  for (int x = 151; x <= 190; ++x)
+  {
+    this->Pointer(x, 150);
+    this->Run(4, watch);
+  }
+  EXPECT_NEAR(this->Device->GetTipPosition()[0], 8.0, 1e-6) << "40 pixels of 0.2 mm";
+  EXPECT_GT(this->Device->GetProxyPosition()[0], 7.0);
+  EXPECT_GT(touched, 150);
+  EXPECT_LT(away, 0.05) << "voxels of 1 mm";
+  for (int i = 0; i < 6; ++i)
+  {
+    this->Pointer(190, 150, vtkCommand::MouseWheelBackwardEvent);
+    this->Run(10, watch);
+  }
+  EXPECT_EQ(this->Device->GetContact(), 0);
+  this->Press("Escape");
+  this->Run(20);
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  using S = vtkInteractorStyleHaptic;
+  EXPECT_EQ(this->Events,
+    (std::vector<unsigned long>{
+      S::ArmedEvent, S::ContactBeginEvent, S::ContactEndEvent, S::DisarmedEvent }));
+}
+
+TEST_F(StyleTest, MovesFinelyInDepthAndPressesTheButton)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Style->SetDepthStep(0.5);
+  this->Pointer(10, 10); // beside the ball: into the plane of the focal point
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_NEAR(this->Device->GetTipPosition()[0], -28.0, 0.2);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 0.0, 1e-6);
+  this->Pointer(10, 10, vtkCommand::MouseWheelBackwardEvent);
+  this->Run(20);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 0.5, 1e-6);
+  this->Pointer(10, 10, vtkCommand::MouseWheelBackwardEvent, 1);
+  this->Pointer(15, 10, vtkCommand::MouseMoveEvent, 1);
+  this->Run(20);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 0.6, 1e-6);
+  EXPECT_NEAR(this->Device->GetTipPosition()[0], -27.8, 0.21);
+  this->Pointer(15, 10, vtkCommand::LeftButtonPressEvent);
+  this->Run(20);
+  EXPECT_EQ(this->Device->GetButtons(), 1);
+  this->Pointer(15, 10, vtkCommand::LeftButtonReleaseEvent);
+  this->Run(20);
+  EXPECT_EQ(this->Device->GetButtons(), 0);
+}
+
+TEST_F(StyleTest, NeedsADeviceThatRuns)
+{
+  this->Style->TouchModeOn();
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("started"), std::string::npos);
+  EXPECT_FALSE(this->Style->UpdateHaptics());
+}
