@@ -5,14 +5,22 @@
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 file(READ "${root}/README.md" readme)
-foreach (pair IN ITEMS "Examples/Cxx/FirstTouch.cxx|{\n" "Examples/Python/first_touch.py|import vtkLineSource\n")
-  string(REPLACE "|" ";" pair "${pair}")
-  list(GET pair 0 file)
-  list(GET pair 1 start)
+foreach (example IN ITEMS
+    "Examples/Cxx/FirstTouch.cxx|{\n|"
+    "Examples/Python/first_touch.py|import vtkLineSource\n|"
+    "Examples/Cxx/DropIn.cxx|  vtkNew<vtkVolumeHapticsFilter>|\n\n  window->Render")
+  string(REPLACE "|" ";" example "${example}")
+  list(GET example 0 file)
+  list(GET example 1 start)
+  list(GET example 2 end)
   file(READ "${root}/${file}" code)
-  # What counts is the code behind the includes.
+  # What counts is the code behind the includes, or what is added to an application.
   string(FIND "${code}" "${start}" from)
   string(SUBSTRING "${code}" ${from} -1 code)
+  if (end)
+    string(FIND "${code}" "${end}" to)
+    string(SUBSTRING "${code}" 0 ${to} code)
+  endif ()
   string(FIND "${readme}" "${code}" found)
   if (from LESS 0 OR found LESS 0)
     message(SEND_ERROR "README.md does not show ${file} as it is.")

@@ -29,6 +29,22 @@ case $from_cxx in
   0\ N | '') echo "first-touch felt nothing" >&2; exit 1 ;;
 esac
 
+# Opens a window, which has to stay.
+stays_open() {
+  "$@" &
+  local window=$!
+  sleep 5
+  if ! kill -0 "$window" 2>/dev/null; then
+    echo "$* did not stay open" >&2
+    return 1
+  fi
+  kill -TERM "$window"
+  wait "$window" || true
+}
+if [ -n "${DISPLAY:-}" ]; then
+  stays_open "$work/examples/drop-in" "$head"
+fi
+
 # The headers that are installed are those of the public classes, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
 expected=$(cd "$source_dir/Module/VTK" && ls vtk*.h | grep -vE 'Compat|Internals' | sort)
@@ -42,6 +58,9 @@ if [ "$python" = ON ]; then
   site=$(dirname "$(dirname "$package")")
   from_python=$(PYTHONPATH=$site /usr/bin/python3 "$source_dir/Examples/Python/first_touch.py" "$head")
   echo "Python: $from_python"
+  if [ -n "${DISPLAY:-}" ]; then
+    PYTHONPATH=$site stays_open /usr/bin/python3 "$source_dir/Examples/Python/explore.py" "$head"
+  fi
   [ "${from_cxx%.*}" = "${from_python%%.*}" ] ||
     { echo "C++ and Python disagree" >&2; exit 1; }
 fi
