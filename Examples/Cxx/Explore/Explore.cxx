@@ -60,6 +60,7 @@ Explore::SceneOptions MakeLook(
 void OpenWindow(const Explore::Exploration& exploration, const Explore::Options& options)
 {
   Explore::SceneOptions look = MakeLook(exploration, options);
+  look.OffScreen = false;
   look.Interactive = true;
   look.Caption.clear(); // its place is the head-up display's
   Explore::RunTouchWindow(exploration, look, options.Device, options.Setup, options.Stereo);

@@ -158,7 +158,7 @@ namespace Explore
 void BuildScene(ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options)
 {
   const Analysis& analysis = exploration.Values;
-  scene.Window->SetOffScreenRendering(!options.Interactive);
+  scene.Window->SetOffScreenRendering(options.OffScreen);
   scene.Window->SetMultiSamples(0);
   scene.Window->SetSize(options.Width, options.Height);
   scene.Window->SetNumberOfLayers(3);

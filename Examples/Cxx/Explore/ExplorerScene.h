@@ -28,7 +28,8 @@ struct SceneOptions
   MapperChoice Mapper = MapperChoice::Auto;
   std::string Caption;
   bool Anatomical = true;  // letters of the marker: patient's sides instead of axes
-  bool Interactive = false; // on the screen, coarser while something moves, and without the trail
+  bool OffScreen = true;
+  bool Interactive = false; // coarser while something moves, and without the trail
 };
 
 /// A window that shows the volume, the proxy's trail coloured by force, the colours' meaning and

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TouchedHead_h
+#define TouchedHead_h
+
+#include "HeadExploration.h"
+#include "TouchScene.h"
+
+#include "vtkRenderWindowInteractor.h"
+
+#include <chrono>
+#include <thread>
+
+/// The explorer's window on the head phantom, off the screen, with a hand at the mouse.
+struct TouchedHead
+{
+  TouchedHead(int argc, char* argv[], Explore::MapperChoice mapper)
+    : Exploration(ExploreHead(argc, argv))
+  {
+    Explore::SceneOptions options;
+    options.Width = 390;
+    options.Height = 300;
+    options.Mapper = mapper;
+    options.Interactive = true;
+    Explore::BuildTouchScene(this->Touch, this->Exploration, options, "virtual");
+    this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
+    this->Interactor->SetInteractorStyle(this->Touch.Style);
+    // What a live servo says is never the same twice.
+    this->Touch.Display->SetTextVisibility(0);
+    this->Touch.Display->SetPlotVisibility(0);
+  }
+  ~TouchedHead() { this->Interactor->SetInteractorStyle(nullptr); }
+
+  void Event(int x, int y, unsigned long event)
+  {
+    this->Interactor->SetEventInformation(x, y);
+    this->Interactor->InvokeEvent(event);
+  }
+  /// The GUI's timer, for some ticks of the servo.
+  void Run(vtkIdType ticks)
+  {
+    const vtkIdType end = this->Touch.Device->GetTick() + ticks;
+    while (this->Touch.Device->GetTick() < end)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      this->Touch.Style->UpdateHaptics();
+    }
+  }
+  /// Puts the pointer there, enters the touch mode and presses in by some steps of the wheel.
+  void Press(int x, int y, int steps)
+  {
+    this->Event(x, y, vtkCommand::MouseMoveEvent);
+    this->Touch.Style->TouchModeOn();
+    this->Run(20);
+    for (int i = 0; i < steps; ++i)
+    {
+      this->Event(x, y, vtkCommand::MouseWheelForwardEvent);
+      this->Run(20);
+    }
+    this->Run(600); // the ramp after arming
+  }
+
+  Explore::Exploration Exploration;
+  Explore::TouchScene Touch;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+};
+
+#endif
