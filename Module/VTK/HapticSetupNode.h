@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * One list of settings that serves to write a setup as well as to read one.
+ */
+#ifndef HapticSetupNode_h
+#define HapticSetupNode_h
+
+#include "vtk_jsoncpp.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** What a pass over the settings leaves: the changes to make, unless there is an error. */
+struct SetupPass
+{
+  bool Writing = false;
+  std::vector<std::function<void()>> Changes;
+  std::string Error; ///< the first one
+};
+
+/** What a number may be. */
+struct NumberRange
+{
+  double Minimum;
+  double Maximum;
+};
+
+/** Every number but NaN and the infinities. */
+NumberRange AnyNumber();
+NumberRange NotNegative();
+
+/** The numbers of a function's node or of a vector. */
+using NumberRow = std::vector<double>;
+
+/**
+ * A JSON object and where it stands in the file. Writing puts what the getters return into it; reading
+ * checks what is there and leaves a change for each setter. Keys that are missing are left alone.
+ */
+class SetupNode
+{
+public:
+  SetupNode(SetupPass& pass, Json::Value* json, std::string path);
+
+  bool IsWriting() const { return this->Pass.Writing; }
+  bool Has(const char* key) const;
+
+  void Number(const char* key, const NumberRange& range, const std::function<double()>& get,
+    const std::function<void(double)>& set);
+  void Integer(const char* key, int minimum, int maximum, const std::function<int()>& get,
+    const std::function<void(int)>& set);
+  void Flag(
+    const char* key, const std::function<bool()>& get, const std::function<void(bool)>& set);
+  /** A choice, by name; the value is the place among the names. */
+  void Choice(const char* key, const std::vector<const char*>& names,
+    const std::function<int()>& get, const std::function<void(int)>& set);
+  /** A fixed number of numbers. Returns what was read, or nothing. */
+  NumberRow Row(const char* key, std::size_t size, const std::function<NumberRow()>& get,
+    const std::function<void(const NumberRow&)>& set);
+  /** Rows whose columns have these ranges, the first column in rising order. */
+  void Table(const char* key, const std::vector<NumberRange>& columns,
+    const std::function<std::vector<NumberRow>()>& get,
+    const std::function<void(const std::vector<NumberRow>&)>& set);
+
+  /** A condition on the whole of what was read; the error names the key. */
+  void Require(const char* key, bool holds, const std::string& wanted);
+  /** A change that follows what was read so far; nothing when writing. */
+  void Then(std::function<void()> change);
+
+  /** An object in this one. Reading one that is missing finds nothing in it. */
+  SetupNode Child(const std::string& key);
+
+private:
+  /** The value of a key where there is one to read. */
+  const Json::Value* Find(const char* key) const;
+  void Fail(const std::string& path, const Json::Value& found, const std::string& wanted);
+  bool ReadNumber(
+    const Json::Value& value, const std::string& path, const NumberRange& range, double& number);
+  bool ReadRow(const Json::Value& value, const std::string& path,
+    const std::vector<NumberRange>& columns, NumberRow& row);
+  std::string PathOf(const std::string& key) const;
+
+  SetupPass& Pass;
+  Json::Value* Json;
+  std::string Path;
+};
+
+} // namespace VolumeHaptics
+
+#endif

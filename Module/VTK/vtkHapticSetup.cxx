@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticSetup.h"
+
+#include "HapticSetupSettings.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeProperty.h"
+#include "vtksys/FStream.hxx"
+#include "vtksys/SystemTools.hxx"
+
+#include <exception>
+#include <sstream>
+
+vtkStandardNewMacro(vtkHapticSetup);
+
+namespace
+{
+
+using namespace VolumeHaptics;
+
+constexpr const char* Format = "VTK Volume Haptics setup";
+constexpr int Version = 1; // of what Save writes; Load reads this and what was before
+
+/** One pass over everything that a setup has. */
+void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
+{
+  SetupNode node(pass, &root, {});
+  if (setup->GetVolumeHaptics())
+  {
+    PassHaptics(node.Child("Haptics"), setup->GetVolumeHaptics(), setup->GetVolumeProperty());
+  }
+  if (setup->GetVolumeProperty())
+  {
+    PassVolume(node.Child("Volume"), setup->GetVolumeProperty());
+  }
+  if (setup->GetCamera())
+  {
+    PassCamera(node.Child("Camera"), setup->GetCamera());
+  }
+  if (setup->GetDeviceToWorld())
+  {
+    PassDeviceToWorld(node, setup->GetDeviceToWorld());
+  }
+}
+
+/** The text as JSON; otherwise an error. */
+bool Parse(const std::string& text, Json::Value& root, std::string& error)
+{
+  Json::CharReaderBuilder builder;
+  builder["collectComments"] = false;
+  builder["failIfExtra"] = true;
+  builder["rejectDupKeys"] = true;
+  // So that the error can name the key.
+  builder["allowSpecialFloats"] = true;
+  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
+  try
+  {
+    if (!reader->parse(text.data(), text.data() + text.size(), &root, &error))
+    {
+      error = "it is not JSON: " + error + " Correct it there, or save the setup again.";
+      return false;
+    }
+  }
+  catch (const std::exception& e) // brackets nested too deeply
+  {
+    error = std::string("it is not JSON: ") + e.what() + " Save the setup again.";
+    return false;
+  }
+  if (!root.isObject() || !root["Format"].isString() || root["Format"].asString() != Format)
+  {
+    error = std::string("it is not a setup, which has \"Format\": \"") + Format +
+      "\". Choose a file that vtkHapticSetup saved.";
+    return false;
+  }
+  if (!root["Version"].isInt() || root["Version"].asInt() < 1)
+  {
+    error = "its Version is not a whole number of 1 or more. Save the setup again.";
+    return false;
+  }
+  if (root["Version"].asInt() > Version)
+  {
+    error = "its Version is " + std::to_string(root["Version"].asInt()) +
+      ", which is newer than this software's " + std::to_string(Version) +
+      ". Update VTK Volume Haptics.";
+    return false;
+  }
+  return true;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+#define vtkHapticSetupObjectMacro(name, type)  \
+  void vtkHapticSetup::Set##name(type* object) \
+  {                                            \
+    if (this->name != object)                  \
+    {                                          \
+      this->name = object;                     \
+      this->Modified();                        \
+    }                                          \
+  }                                            \
+  type* vtkHapticSetup::Get##name()            \
+  {                                            \
+    return this->name;                         \
+  }
+
+vtkHapticSetupObjectMacro(VolumeHaptics, vtkVolumeHapticsFilter);
+vtkHapticSetupObjectMacro(VolumeProperty, vtkVolumeProperty);
+vtkHapticSetupObjectMacro(Camera, vtkCamera);
+vtkHapticSetupObjectMacro(DeviceToWorld, vtkMatrix4x4);
+
+//------------------------------------------------------------------------------
+vtkHapticSetup::vtkHapticSetup() = default;
+vtkHapticSetup::~vtkHapticSetup() = default;
+
+//------------------------------------------------------------------------------
+bool vtkHapticSetup::Save(const char* file)
+{
+  if (!file || !*file)
+  {
+    vtkErrorMacro("There is no file to save the setup to. Give Save the name of one.");
+    return false;
+  }
+  Json::Value root(Json::objectValue);
+  root["Format"] = Format;
+  root["Version"] = Version;
+  SetupPass writing;
+  writing.Writing = true;
+  PassSetup(this, writing, root);
+  // What could not be loaded again must not replace a setup that can.
+  SetupPass reading;
+  PassSetup(this, reading, root);
+  if (!reading.Error.empty())
+  {
+    vtkErrorMacro("The setup is not saved to " << file << ": " << reading.Error
+                                               << " Correct this setting first.");
+    return false;
+  }
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = " ";
+  builder["commentStyle"] = "None"; // short lists on one line
+  builder["precision"] = 17; // every double comes back as it was
+  vtksys::ofstream stream(file);
+  stream << Json::writeString(builder, root) << '\n';
+  stream.close();
+  if (!stream.good())
+  {
+    vtkErrorMacro("The setup can't be written to "
+      << file << ": check that its folder exists, is yours, and has room.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticSetup::Load(const char* file)
+{
+  if (!file || !*file)
+  {
+    vtkErrorMacro("There is no file to load a setup from. Give Load the name of one.");
+    return false;
+  }
+  vtksys::ifstream stream(file, std::ios::in | std::ios::binary);
+  std::ostringstream text;
+  if (vtksys::SystemTools::FileIsDirectory(file) || !stream || !(text << stream.rdbuf()))
+  {
+    vtkErrorMacro("The setup " << file << " can't be read: check that this file exists, is not "
+                               << "empty, and may be read by you.");
+    return false;
+  }
+  Json::Value root;
+  std::string error;
+  if (!Parse(text.str(), root, error))
+  {
+    vtkErrorMacro("The setup " << file << " can't be loaded: " << error);
+    return false;
+  }
+  SetupPass pass;
+  PassSetup(this, pass, root);
+  if (!pass.Error.empty())
+  {
+    vtkErrorMacro("The setup " << file << " can't be loaded: " << pass.Error << " Correct it, or "
+                               << "remove this key to leave the setting as it is.");
+    return false;
+  }
+  for (const auto& change : pass.Changes)
+  {
+    change();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticSetup::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VolumeHaptics: " << this->VolumeHaptics.Get() << "\n";
+  os << indent << "VolumeProperty: " << this->VolumeProperty.Get() << "\n";
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "DeviceToWorld: " << this->DeviceToWorld.Get() << "\n";
+}

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A setup that can't be used: one error that names file, key and cure, and nothing changes.
+ */
+
+#include "SetupRig.h"
+
+#include <limits>
+
+using namespace setuptest;
+
+namespace
+{
+class SetupErrors : public testing::Test
+{
+protected:
+  SetupErrors() { this->Good = this->Save("Good.json"); }
+
+  std::string Save(const char* name)
+  {
+    const std::string file = File(name);
+    EXPECT_TRUE(this->Target.Setup->Save(file.c_str()));
+    return Read(file);
+  }
+
+  void ExpectError(const std::vector<std::string>& words)
+  {
+    ASSERT_EQ(this->Target.Log.Errors.size(), 1U);
+    for (const std::string& word : words)
+    {
+      EXPECT_NE(this->Target.Log.Errors[0].find(word), std::string::npos)
+        << word << " in " << this->Target.Log.Errors[0];
+    }
+    this->Target.Log.Errors.clear();
+  }
+
+  /// Loads a text, and expects an error with these words and the settings as they were.
+  void Refuse(const std::string& text, std::vector<std::string> words)
+  {
+    const std::string file = File("Bad.json");
+    std::ofstream(file) << text;
+    EXPECT_FALSE(this->Target.Setup->Load(file.c_str())) << text.substr(0, 200);
+    words.push_back(file);
+    this->ExpectError(words);
+    EXPECT_EQ(this->Save("After.json"), this->Good);
+  }
+
+  /// The good file, in which the value of a key (the first of that name) is another one.
+  std::string With(const std::string& key, const std::string& value)
+  {
+    const std::size_t colon = this->Good.find(" : ", this->Good.find('"' + key + '"'));
+    const std::size_t end = this->Good.find_first_of(",\n", colon);
+    return this->Good.substr(0, colon) + " : " + value + this->Good.substr(end);
+  }
+
+  /// A file whose haptics differ from the target's in the first key, and are bad in the second.
+  std::string Haptics(const std::string& bad)
+  {
+    return R"({"Format":"VTK Volume Haptics setup","Version":1,"DeviceToWorld":)"
+           R"([1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"Haptics":{"KernelRadius":7,)" +
+      bad + "}}";
+  }
+
+  RandomScene Target{ 11 };
+  std::string Good;
+};
+} // namespace
+
+TEST_F(SetupErrors, ValuesThatCannotBe)
+{
+  this->Refuse(this->Haptics(R"("ServoRate":"fast")"), { "Haptics.ServoRate", "\"fast\"", "1 to" });
+  this->Refuse(this->Haptics(R"("ServoRate":NaN)"), { "Haptics.ServoRate", "remove this key" });
+  this->Refuse(this->Haptics(R"("MaximumForce":-1)"), { "Haptics.MaximumForce", "0 or more" });
+  this->Refuse(this->Haptics(R"("ForceFieldGain":Infinity)"), { "Haptics.ForceFieldGain" });
+  this->Refuse(this->Haptics(R"("Method":"Penalty")"), { "Haptics.Method", "ForceField" });
+  this->Refuse(this->Haptics(R"("Component":1.5)"), { "Haptics.Component", "whole number" });
+  this->Refuse(this->Haptics(R"("HideInvisible":1)"), { "Haptics.HideInvisible", "true or false" });
+  this->Refuse(this->Haptics(R"("Stiffness":{"Nodes":[[0,1,0.5,0],[1,-5,0.5,0]]})"),
+    { "Haptics.Stiffness.Nodes[1][1]", "-5", "0 or more" });
+  this->Refuse(
+    this->Haptics(R"("Friction":{"Nodes":[[0,1]]})"), { "Friction.Nodes[0]", "4 numbers" });
+  this->Refuse(this->Haptics(R"("Friction":{"Nodes":[[1,1,0.5,0],[0,1,0.5,0]]})"),
+    { "Haptics.Friction.Nodes[1]", "behind" });
+  this->Refuse(this->Haptics(R"("Distinctness":{"Nodes":[[0,1.5,0.5,0]]})"), { "Distinctness" });
+  this->Refuse(this->Haptics(R"("Viscosity":3)"), { "Haptics.Viscosity", "object" });
+  this->Refuse(this->With("ViewAngle", "200"), { "Camera.ViewAngle", "179.9" });
+}
+
+TEST_F(SetupErrors, WhatDoesNotGoTogether)
+{
+  const std::string start = R"({"Format":"VTK Volume Haptics setup","Version":1,)";
+  this->Refuse(start + R"("DeviceToWorld":[1,2,3]})", { "DeviceToWorld", "16 numbers" });
+  this->Refuse(start + R"("DeviceToWorld":[1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1]})",
+    { "DeviceToWorld", "uniform, positive scale" });
+  this->Refuse(start + R"("Camera":{"Position":[1,2,3],"FocalPoint":[1,2,3]}})", { "FocalPoint" });
+  this->Refuse(start + R"("Camera":{"ViewUp":[0,0,0]}})", { "Camera.ViewUp", "direction" });
+}
+
+TEST_F(SetupErrors, FilesThatAreNoSetup)
+{
+  this->Refuse(this->With("Version", "2"), { "newer", "Update" });
+  this->Refuse(this->With("Version", "\"1\""), { "Version" });
+  this->Refuse(this->With("Format", "\"other\""), { "not a setup" });
+  this->Refuse("", { "can't be" });
+  this->Refuse("not a setup", { "not JSON" });
+  this->Refuse("[1, 2]", { "not a setup" });
+  this->Refuse(this->Good.substr(0, this->Good.size() / 2), { "not JSON", "Line" });
+  this->Refuse(this->Good + "{}", { "not JSON" });
+  this->Refuse(std::string(5000, '['), { "not JSON" });
+  EXPECT_FALSE(this->Target.Setup->Load("/no/such/folder/setup.json"));
+  this->ExpectError({ "/no/such/folder/setup.json", "exists" });
+  EXPECT_FALSE(this->Target.Setup->Load(testing::TempDir().c_str()));
+  this->ExpectError({ "can't be read" });
+  EXPECT_FALSE(this->Target.Setup->Load(nullptr));
+  this->ExpectError({ "no file" });
+}
+
+TEST_F(SetupErrors, KeysThatAreNotKnownAreIgnored)
+{
+  const std::string file = File("Unknown.json");
+  std::ofstream(file) << this->Haptics(R"("Colour":"blue","ServoRate":500)");
+  EXPECT_TRUE(this->Target.Setup->Load(file.c_str()));
+  EXPECT_EQ(this->Target.Filter->GetServoRate(), 500.0);
+  EXPECT_EQ(this->Target.Filter->GetKernelRadius(), 7);
+}
+
+TEST_F(SetupErrors, Saving)
+{
+  EXPECT_FALSE(this->Target.Setup->Save("/no/such/folder/setup.json"));
+  this->ExpectError({ "/no/such/folder/setup.json", "folder exists" });
+  EXPECT_FALSE(this->Target.Setup->Save(""));
+  this->ExpectError({ "no file" });
+  // A setting that could not be loaded again leaves the good file alone.
+  this->Target.Filter->SetForceFieldGain(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(this->Target.Setup->Save(File("Good.json").c_str()));
+  this->ExpectError({ "Haptics.ForceFieldGain", "not saved" });
+  EXPECT_EQ(Read(File("Good.json")), this->Good);
+}
