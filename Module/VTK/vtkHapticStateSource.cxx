@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticStateSource.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkHapticDevice.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkVectorOperators.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHapticStateSource);
+
+//------------------------------------------------------------------------------
+vtkHapticStateSource::vtkHapticStateSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkHapticStateSource::~vtkHapticStateSource() = default;
+
+//------------------------------------------------------------------------------
+void vtkHapticStateSource::SetDevice(vtkHapticDevice* device)
+{
+  if (this->Device != device)
+  {
+    this->Device = device;
+    this->SeenTime = -1.0;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkHapticStateSource::GetDevice()
+{
+  return this->Device;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHapticStateSource::GetMTime()
+{
+  if (this->Device && this->Device->GetTime() != this->SeenTime)
+  {
+    this->SeenTime = this->Device->GetTime();
+    this->StateTime.Modified();
+  }
+  return std::max(this->Superclass::GetMTime(), this->StateTime.GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticStateSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkHapticDevice* const device = this->Device;
+  if (!device || device->GetTime() == 0.0)
+  {
+    return 1;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> parts;
+  parts->SetName("Part");
+  vtkNew<vtkDoubleArray> newtons;
+  newtons->SetName("Newtons");
+  const auto describe = [&](int part, double force)
+  {
+    parts->InsertNextValue(part);
+    newtons->InsertNextValue(force);
+  };
+  const auto addVertex = [&](int part, const double position[3])
+  {
+    vertices->InsertNextCell(1);
+    vertices->InsertCellPoint(points->InsertNextPoint(position));
+    describe(part, 0.0);
+  };
+  const auto addLine = [&](int part, const vtkVector3d& from, const vtkVector3d& to, double force)
+  {
+    lines->InsertNextCell(2);
+    lines->InsertCellPoint(points->InsertNextPoint(from.GetData()));
+    lines->InsertCellPoint(points->InsertNextPoint(to.GetData()));
+    describe(part, force);
+  };
+
+  const vtkVector3d tip(device->GetTipPosition());
+  const vtkVector3d proxy(device->GetProxyPosition());
+  const vtkVector3d computed(device->GetComputedForce());
+  const vtkVector3d normal(device->GetNormal());
+  const vtkVector3d force =
+    this->ShowCommandedForce ? vtkVector3d(device->GetForce()) : computed;
+  // Cells are numbered vertices first: so are the arrays.
+  addVertex(TIP, tip.GetData());
+  addVertex(PROXY, proxy.GetData());
+  addVertex(SURFACE_POSITION, device->GetSurfacePosition());
+  addVertex(MEDIUM_POSITION, device->GetMediumPosition());
+  const double unit = 1.0 / this->ForceScale;
+  addLine(SPRING, tip, proxy, 0.0);
+  addLine(FORCE, tip, tip + unit * force, force.Norm());
+  const double push = device->GetNormalForce();
+  addLine(NORMAL_FORCE, proxy, proxy - (unit * push) * normal, push);
+  const vtkVector3d tangent = computed - computed.Dot(normal) * normal;
+  const double length = tangent.Norm();
+  const double grip = device->GetFrictionForce();
+  addLine(FRICTION_FORCE, proxy,
+    proxy + (length > 0.0 ? unit * grip / length : 0.0) * tangent, grip);
+
+  vtkPolyData* const output = vtkPolyData::GetData(outputs);
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(parts);
+  output->GetCellData()->AddArray(newtons);
+  const std::pair<const char*, double> fields[] = {
+    { "Contact", device->GetContact() }, { "SurfaceValue", device->GetSurfaceValue() } };
+  for (const auto& [name, value] : fields)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->InsertNextValue(value);
+    output->GetFieldData()->AddArray(array);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticStateSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Device: " << this->Device.GetPointer() << "\n";
+  os << indent << "ForceScale: " << this->ForceScale << " N per world unit\n";
+  os << indent << "ShowCommandedForce: " << (this->ShowCommandedForce ? "On" : "Off") << "\n";
+}

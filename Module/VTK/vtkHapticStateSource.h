@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticStateSource
+ * @brief   the latest state of a device as geometry, for any pipeline
+ *
+ * The output holds what vtkHapticRepresentation draws, as plain cells: vertices for the tip, the proxy
+ * and the positions x_s and x_v where the materials were read, and lines for the spring and the
+ * forces. The cell array "Part" says which is which (see Parts), "Newtons" (N) how strong a force is.
+ * Lines begin where a force acts and are Newtons / ForceScale world units long. The field arrays
+ * "Contact" and "SurfaceValue" are those of the state. The output is empty without a device or before
+ * its first state.
+ *
+ * Whoever owns the device calls its UpdateState(); the output is out of date whenever that found a new
+ * state.
+ *
+ * @sa vtkHapticDevice, vtkHapticRepresentation
+ */
+#ifndef vtkHapticStateSource_h
+#define vtkHapticStateSource_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"        // for vtkSmartPointer
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkHapticDevice;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticStateSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHapticStateSource* New();
+  vtkTypeMacro(vtkHapticStateSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What a cell shows. */
+  enum Parts
+  {
+    TIP = 0,
+    PROXY = 1,
+    SURFACE_POSITION = 2, ///< x_s
+    MEDIUM_POSITION = 3,  ///< x_v
+    SPRING = 4,           ///< from the tip to the proxy
+    FORCE = 5,            ///< from the tip: on the hand
+    NORMAL_FORCE = 6,     ///< from the proxy: how the surface pushes
+    FRICTION_FORCE = 7    ///< from the proxy: how the surface holds back
+  };
+
+  ///@{
+  void SetDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetDevice();
+  ///@}
+
+  ///@{
+  /**
+   * Newtons per world unit. Default 0.1: 1 N is 10 world units long.
+   */
+  vtkSetClampMacro(ForceScale, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkGetMacro(ForceScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether FORCE is what went to the device, or (default) what the tick computed, armed or not.
+   */
+  vtkSetMacro(ShowCommandedForce, bool);
+  vtkGetMacro(ShowCommandedForce, bool);
+  vtkBooleanMacro(ShowCommandedForce, bool);
+  ///@}
+
+  /** Includes the device's latest state. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkHapticStateSource();
+  ~vtkHapticStateSource() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  vtkSmartPointer<vtkHapticDevice> Device;
+  double ForceScale = 0.1;
+  bool ShowCommandedForce = false;
+
+private:
+  vtkHapticStateSource(const vtkHapticStateSource&) = delete;
+  void operator=(const vtkHapticStateSource&) = delete;
+
+  vtkTimeStamp StateTime;
+  double SeenTime = -1.0;
+};
+
+#endif
