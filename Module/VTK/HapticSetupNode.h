@@ -39,8 +39,9 @@ NumberRange NotNegative();
 using NumberRow = std::vector<double>;
 
 /**
- * A JSON object and where it stands in the file. Writing puts what the getters return into it; reading
- * checks what is there and leaves a change for each setter. Keys that are missing are left alone.
+ * A JSON object and where it stands in the file. Writing puts what the getters return into it;
+ * reading checks what is there and leaves a change for each setter. Keys that are missing are left
+ * alone.
  */
 class SetupNode
 {

@@ -6,8 +6,8 @@
  *
  * For co-location: what the hand touches is where the eye sees it. Touch three or more points whose
  * place in the world is known, such as marks on the display, and this class finds the matrix for
- * vtkHapticDevice::SetDeviceToWorld that takes the one to the other: a rotation and a translation by
- * least squares and one uniform scale, the ratio of the spreads of the points, never a mirror
+ * vtkHapticDevice::SetDeviceToWorld that takes the one to the other: a rotation and a translation
+ * by least squares and one uniform scale, the ratio of the spreads of the points, never a mirror
  * (vtkLandmarkTransform).
  *
  *   calibration->AddPoint(tip, mark);            // tip: in the device's space, m; three or more
@@ -18,11 +18,12 @@
  *   }
  *
  * GetResidual says how well the points fit; a largest residual far above it points at one that was
- * touched badly. The points have to span a triangle, whose height is 1 % of its longest side or more:
- * the wider, the better. More than three, at different depths, average out the hand's tremor.
+ * touched badly. The points have to span a triangle, whose height is 1 % of its longest side or
+ * more: the wider, the better. More than three, at different depths, average out the hand's tremor.
  *
- * While points are touched, let the device's space be the world (metres for world units: an identity
- * matrix in SetDeviceToWorld), so that vtkHapticDevice::GetTipPosition gives the first of each pair.
+ * While points are touched, let the device's space be the world (metres for world units: an
+ * identity matrix in SetDeviceToWorld), so that vtkHapticDevice::GetTipPosition gives the first of
+ * each pair.
  *
  * @sa vtkHapticDevice, vtkHapticSetup
  */
@@ -51,16 +52,16 @@ public:
 
   ///@{
   /**
-   * World units per metre of the device, 0 or more. 0 (default): found from the points. Fix it where
-   * the display's size is known: a rigid motion remains to be found.
+   * World units per metre of the device, 0 or more. 0 (default): found from the points. Fix it
+   * where the display's size is known: a rigid motion remains to be found.
    */
   vtkSetClampMacro(FixedScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FixedScale, double);
   ///@}
 
   /**
-   * Find the matrix. False, with an error and no change, for fewer than three points, points that are
-   * all in one place or on one line, and numbers that are not finite.
+   * Find the matrix. False, with an error and no change, for fewer than three points, points that
+   * are all in one place or on one line, and numbers that are not finite.
    */
   bool Compute();
 

@@ -13,6 +13,8 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <exception>
+#include <locale>
+#include <memory>
 #include <sstream>
 
 vtkStandardNewMacro(vtkHapticSetup);
@@ -47,6 +49,36 @@ void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
   }
 }
 
+/**
+ * jsoncpp reads numbers in the application's locale, in which 0.5 may be written 0,5. As long as
+ * this lives, they are read as JSON has them. Nothing is touched where that is so anyway.
+ */
+class PlainNumbers
+{
+public:
+  PlainNumbers()
+  {
+    const auto& numbers = std::use_facet<std::numpunct<char>>(this->Before);
+    this->Changed = numbers.decimal_point() != '.' || !numbers.grouping().empty();
+    if (this->Changed)
+    {
+      // Without a name, so that the locale of C remains as it is.
+      std::locale::global(std::locale(this->Before, new std::numpunct<char>));
+    }
+  }
+  ~PlainNumbers()
+  {
+    if (this->Changed)
+    {
+      std::locale::global(this->Before);
+    }
+  }
+
+private:
+  std::locale Before;
+  bool Changed = false;
+};
+
 /** The text as JSON; otherwise an error. */
 bool Parse(const std::string& text, Json::Value& root, std::string& error)
 {
@@ -56,6 +88,7 @@ bool Parse(const std::string& text, Json::Value& root, std::string& error)
   builder["rejectDupKeys"] = true;
   // So that the error can name the key.
   builder["allowSpecialFloats"] = true;
+  const PlainNumbers plain;
   const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
   try
   {
@@ -143,7 +176,7 @@ bool vtkHapticSetup::Save(const char* file)
   Json::StreamWriterBuilder builder;
   builder["indentation"] = " ";
   builder["commentStyle"] = "None"; // short lists on one line
-  builder["precision"] = 17; // every double comes back as it was
+  builder["precision"] = 17;        // every double comes back as it was
   vtksys::ofstream stream(file);
   stream << Json::writeString(builder, root) << '\n';
   stream.close();

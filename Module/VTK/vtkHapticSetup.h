@@ -29,9 +29,9 @@
  *
  * Choices stand there by name ("Gaussian"). The volume itself, paths and the device are not saved.
  *
- * Load checks the whole file before it changes anything. What is missing in the file stays as it is;
- * keys that are not known are ignored. A file that can't be used gives one error that names the file,
- * the key and the cure, and changes nothing.
+ * Load checks the whole file before it changes anything. What is missing in the file stays as it
+ * is; keys that are not known are ignored. A file that can't be used gives one error that names the
+ * file, the key and the cure, and changes nothing.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticCalibration
  */

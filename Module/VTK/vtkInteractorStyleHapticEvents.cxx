@@ -87,7 +87,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonDown()
 {
   auto& d = *this->Internals;
   const int* const at = this->Interactor->GetEventPosition();
-  if (d.Editor && d.Editor->ButtonPress(at[0], at[1]))
+  if (d.Editor && d.Editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]))
   {
     d.EditorHasMouse = true;
   }
@@ -109,7 +109,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonUp()
   if (d.EditorHasMouse)
   {
     d.EditorHasMouse = false;
-    d.Editor->ButtonRelease(at[0], at[1]);
+    d.Editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]);
     this->Interactor->Render();
   }
   else if (this->LeadsTip())
@@ -127,7 +127,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
 {
   auto& d = *this->Internals;
   const int* const at = this->Interactor->GetEventPosition();
-  if (d.Editor && d.Editor->DoubleClick(at[0], at[1]))
+  if (d.Editor && d.Editor->DoubleClick(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]))
   {
     this->Interactor->Render();
     return;

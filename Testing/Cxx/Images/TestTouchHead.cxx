@@ -6,6 +6,7 @@
 
 #include "vtkRegressionTestImage.h"
 
+
 #include <iostream>
 
 int TestTouchHead(int argc, char* argv[])

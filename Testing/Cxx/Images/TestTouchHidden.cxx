@@ -7,6 +7,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkRegressionTestImage.h"
 
+
 #include <iostream>
 
 int TestTouchHidden(int argc, char* argv[])

@@ -6,6 +6,7 @@
 
 #include "vtkRegressionTestImage.h"
 
+
 int TestTouchStereo(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::GPU);

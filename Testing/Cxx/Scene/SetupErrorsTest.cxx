@@ -5,68 +5,11 @@
  * A setup that can't be used: one error that names file, key and cure, and nothing changes.
  */
 
-#include "SetupRig.h"
+#include "SetupErrorsRig.h"
 
 #include <limits>
 
 using namespace setuptest;
-
-namespace
-{
-class SetupErrors : public testing::Test
-{
-protected:
-  SetupErrors() { this->Good = this->Save("Good.json"); }
-
-  std::string Save(const char* name)
-  {
-    const std::string file = File(name);
-    EXPECT_TRUE(this->Target.Setup->Save(file.c_str()));
-    return Read(file);
-  }
-
-  void ExpectError(const std::vector<std::string>& words)
-  {
-    ASSERT_EQ(this->Target.Log.Errors.size(), 1U);
-    for (const std::string& word : words)
-    {
-      EXPECT_NE(this->Target.Log.Errors[0].find(word), std::string::npos)
-        << word << " in " << this->Target.Log.Errors[0];
-    }
-    this->Target.Log.Errors.clear();
-  }
-
-  /// Loads a text, and expects an error with these words and the settings as they were.
-  void Refuse(const std::string& text, std::vector<std::string> words)
-  {
-    const std::string file = File("Bad.json");
-    std::ofstream(file) << text;
-    EXPECT_FALSE(this->Target.Setup->Load(file.c_str())) << text.substr(0, 200);
-    words.push_back(file);
-    this->ExpectError(words);
-    EXPECT_EQ(this->Save("After.json"), this->Good);
-  }
-
-  /// The good file, in which the value of a key (the first of that name) is another one.
-  std::string With(const std::string& key, const std::string& value)
-  {
-    const std::size_t colon = this->Good.find(" : ", this->Good.find('"' + key + '"'));
-    const std::size_t end = this->Good.find_first_of(",\n", colon);
-    return this->Good.substr(0, colon) + " : " + value + this->Good.substr(end);
-  }
-
-  /// A file whose haptics differ from the target's in the first key, and are bad in the second.
-  std::string Haptics(const std::string& bad)
-  {
-    return R"({"Format":"VTK Volume Haptics setup","Version":1,"DeviceToWorld":)"
-           R"([1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"Haptics":{"KernelRadius":7,)" +
-      bad + "}}";
-  }
-
-  RandomScene Target{ 11 };
-  std::string Good;
-};
-} // namespace
 
 TEST_F(SetupErrors, ValuesThatCannotBe)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Everything that a setup saves, with settings of its own, and files to put it in.
+ * Everything that a setup saves, and files to put it in.
  */
 #ifndef SetupRig_h
 #define SetupRig_h
@@ -10,13 +10,11 @@
 #include "../Api/ApiRig.h"
 
 #include <vtkCamera.h>
-#include <vtkColorTransferFunction.h>
 #include <vtkHapticSetup.h>
 #include <vtkMatrix4x4.h>
 #include <vtkVolumeProperty.h>
 
 #include <fstream>
-#include <random>
 #include <sstream>
 
 namespace setuptest
@@ -60,94 +58,6 @@ struct Scene
   vtkNew<vtkMatrix4x4> Matrix;
   vtkNew<vtkHapticSetup> Setup;
   MessageLog Log{ this->Setup };
-};
-
-/// Numbers with all their digits, none of them a default.
-class RandomScene : public Scene
-{
-public:
-  explicit RandomScene(unsigned int seed)
-    : Random(seed)
-  {
-    vtkVolumeHapticsFilter* const f = this->Filter;
-    f->SetMethodToForceField();
-    f->SetGradientEstimatorToCubicBSpline();
-    f->SetKernelRadius(3);
-    f->SetServoRate(this->Draw(2000.0));
-    f->SetMetersPerWorldUnit(this->Draw(0.01));
-    f->SetForceFieldGain(-this->Draw(1.0));
-    f->SetForceFieldDamping(this->Draw(5.0));
-    f->SetMaximumForce(this->Draw(10.0));
-    f->SetMaximumStiffness(this->Draw(3000.0));
-    f->GetProperty()->SetComponent(2);
-    f->GetProperty()->SetSurfaceSideToBoth();
-    f->GetProperty()->SetVisibilityFrom(this->Volume);
-    for (vtkPiecewiseFunction* function : this->Materials())
-    {
-      this->Fill(function);
-    }
-    for (int c = 0; c < 4; ++c)
-    {
-      this->Fill(this->Volume->GetScalarOpacity(c));
-      this->Fill(this->Volume->GetGradientOpacity(c));
-      this->Volume->SetScalarOpacityUnitDistance(c, this->Draw(3.0));
-      this->Volume->SetShade(c, c % 2);
-      this->Volume->SetAmbient(c, this->Draw(1.0));
-      this->Volume->SetDiffuse(c, this->Draw(1.0));
-      this->Volume->SetSpecular(c, this->Draw(1.0));
-      this->Volume->SetSpecularPower(c, this->Draw(50.0));
-    }
-    this->Volume->SetDisableGradientOpacity(3, 1);
-    this->Fill(this->Volume->GetGrayTransferFunction(0));
-    vtkNew<vtkColorTransferFunction> colors;
-    colors->SetColorSpaceToLab();
-    colors->SetClamping(0);
-    for (double x = this->Draw(1.0); x < 9.0; x += 1.0)
-    {
-      colors->AddRGBPoint(
-        x, this->Draw(1.0), this->Draw(1.0), this->Draw(1.0), this->Draw(1.0), this->Draw(1.0));
-    }
-    this->Volume->SetColor(1, colors);
-    this->Volume->SetInterpolationTypeToLinear();
-    this->Volume->SetIndependentComponents(0);
-    this->Camera->SetPosition(this->Draw(300.0), this->Draw(300.0), this->Draw(300.0));
-    this->Camera->SetFocalPoint(this->Draw(9.0), this->Draw(9.0), this->Draw(9.0));
-    this->Camera->SetViewUp(this->Draw(1.0), this->Draw(1.0), this->Draw(1.0));
-    this->Camera->SetViewAngle(this->Draw(60.0));
-    this->Camera->SetParallelProjection(1);
-    this->Camera->SetParallelScale(this->Draw(200.0));
-    this->Turn();
-  }
-
-  double Draw(double largest)
-  {
-    return largest * std::uniform_real_distribution<double>(0.1, 1.0)(this->Random);
-  }
-
-private:
-  void Fill(vtkPiecewiseFunction* function)
-  {
-    function->RemoveAllPoints();
-    function->SetClamping(0);
-    function->SetUseLogScale(true);
-    for (double x = this->Draw(1.0); x < 9.0; x += 1.0)
-    {
-      function->AddPoint(x / 3.0, this->Draw(1.0), this->Draw(1.0), this->Draw(1.0));
-    }
-  }
-
-  /// A turn about z, scaled and moved.
-  void Turn()
-  {
-    const double angle = this->Draw(3.0);
-    const double scale = this->Draw(2000.0);
-    const double turn[2] = { scale * std::cos(angle), scale * std::sin(angle) };
-    const double elements[16] = { turn[0], -turn[1], 0.0, this->Draw(50.0), turn[1], turn[0], 0.0,
-      this->Draw(50.0), 0.0, 0.0, scale, this->Draw(50.0), 0.0, 0.0, 0.0, 1.0 };
-    this->Matrix->DeepCopy(elements);
-  }
-
-  std::mt19937 Random;
 };
 } // namespace setuptest
 

@@ -5,79 +5,12 @@
  * What a setup saves comes back to the bit, in place, and nothing else changes.
  */
 
-#include "SetupRig.h"
+#include "RandomSetup.h"
+#include "SetupNumbers.h"
+
+#include <locale>
 
 using namespace setuptest;
-
-namespace
-{
-using Numbers = std::vector<double>;
-
-Numbers Nodes(vtkPiecewiseFunction* f)
-{
-  Numbers list{ static_cast<double>(f->GetClamping()), static_cast<double>(f->GetUseLogScale()),
-    static_cast<double>(f->GetAllowDuplicateScalars()) };
-  for (int i = 0; i < f->GetSize(); ++i)
-  {
-    double node[4];
-    f->GetNodeValue(i, node);
-    list.insert(list.end(), node, node + 4);
-  }
-  return list;
-}
-
-void Append(Numbers& list, const Numbers& more)
-{
-  list.insert(list.end(), more.begin(), more.end());
-}
-
-/// Everything that a setup has to bring back, as numbers.
-Numbers Everything(Scene& s)
-{
-  vtkVolumeHapticsFilter* const f = s.Filter;
-  vtkHapticProperty* const p = f->GetProperty();
-  vtkVolumeProperty* const v = s.Volume;
-  Numbers all{ 1.0 * f->GetMethod(), 1.0 * f->GetSolver(), 1.0 * f->GetGradientEstimator(),
-    1.0 * f->GetKernelRadius(), f->GetServoRate(), f->GetMetersPerWorldUnit(),
-    f->GetForceFieldGain(), f->GetForceFieldDamping(), f->GetMaximumForce(),
-    f->GetMaximumStiffness(), 1.0 * p->GetComponent(), 1.0 * p->GetSurfaceSide(),
-    p->GetVisibilityFrom() == v ? 1.0 : 0.0, 1.0 * v->GetInterpolationType(),
-    1.0 * v->GetIndependentComponents() };
-  for (vtkPiecewiseFunction* function : s.Materials())
-  {
-    Append(all, Nodes(function));
-  }
-  for (int c = 0; c < 4; ++c)
-  {
-    Append(all, Nodes(v->GetScalarOpacity(c)));
-    Append(all, Nodes(v->GetStoredGradientOpacity(c)));
-    Append(all,
-      { 1.0 * v->GetDisableGradientOpacity(c), v->GetScalarOpacityUnitDistance(c),
-        1.0 * v->GetShade(c), v->GetAmbient(c), v->GetDiffuse(c), v->GetSpecular(c),
-        v->GetSpecularPower(c), 1.0 * v->GetColorChannels(c) });
-  }
-  Append(all, Nodes(v->GetGrayTransferFunction(0)));
-  vtkColorTransferFunction* const colors = v->GetRGBTransferFunction(1);
-  Append(all, { 1.0 * colors->GetColorSpace(), 1.0 * colors->GetClamping() });
-  for (int i = 0; i < colors->GetSize(); ++i)
-  {
-    double node[6];
-    colors->GetNodeValue(i, node);
-    Append(all, Numbers(node, node + 6));
-  }
-  const vtkCamera* const c = s.Camera;
-  for (const double* x :
-    { s.Camera->GetPosition(), s.Camera->GetFocalPoint(), s.Camera->GetViewUp() })
-  {
-    Append(all, Numbers(x, x + 3));
-  }
-  Append(all,
-    { s.Camera->GetViewAngle(), 1.0 * s.Camera->GetParallelProjection(),
-      s.Camera->GetParallelScale() });
-  Append(all, Numbers(s.Matrix->GetData(), s.Matrix->GetData() + 16));
-  return all;
-}
-} // namespace
 
 TEST(Setup, EverythingComesBackToTheBit)
 {
@@ -125,11 +58,30 @@ TEST(Setup, WhatIsNotSetIsLeftOutAndWhatIsMissingStays)
   ASSERT_TRUE(saved.Setup->Save(file.c_str()));
   EXPECT_EQ(Read(file).find("Stiffness"), std::string::npos);
   RandomScene loaded(4);
-  Scene like;
   const Numbers position(loaded.Camera->GetPosition(), loaded.Camera->GetPosition() + 3);
   const double rate = loaded.Filter->GetServoRate();
   ASSERT_TRUE(loaded.Setup->Load(file.c_str()));
   EXPECT_EQ(Numbers(loaded.Camera->GetPosition(), loaded.Camera->GetPosition() + 3), position);
   EXPECT_EQ(loaded.Filter->GetServoRate(), rate);
   EXPECT_EQ(loaded.Matrix->GetElement(0, 0), saved.Matrix->GetElement(0, 0));
+}
+
+TEST(Setup, AnApplicationsLocaleDoesNotMatter)
+{
+  struct Commas : std::numpunct<char>
+  {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const std::string file = File("Locale.json");
+  RandomScene saved(5);
+  Scene loaded;
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Commas));
+  const bool saves = saved.Setup->Save(file.c_str());
+  const bool loads = loaded.Setup->Load(file.c_str());
+  const bool kept = std::use_facet<std::numpunct<char>>(std::locale()).decimal_point() == ',';
+  std::locale::global(before);
+  EXPECT_TRUE(saves && loads && kept);
+  EXPECT_EQ(Everything(loaded), Everything(saved));
 }

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The forces of the last seconds, as few enough points to plot.
+ */
+#ifndef HapticForceHistory_h
+#define HapticForceHistory_h
+
+#include "vtkNew.h"
+
+#include <array>
+#include <deque>
+
+class vtkFloatArray;
+class vtkTable;
+
+namespace VolumeHaptics
+{
+
+class HapticForceHistory
+{
+public:
+  static constexpr int Curves = 4; ///< normal, friction, drag, whole
+  /** Intervals that the time span is divided into; each gives two points a curve. */
+  static constexpr int Intervals = 240;
+
+  struct State
+  {
+    double Time; ///< s
+    std::array<double, Curves> Forces; ///< N
+  };
+
+  HapticForceHistory();
+  ~HapticForceHistory();
+
+  /** Later than the last one, or it begins anew. Forgets what is older than the span (s). */
+  void Add(const State& state, double span);
+  void Clear() { this->States.clear(); }
+  std::size_t GetSize() const { return this->States.size(); }
+
+  /** Brings the table up to date: time relative to the last state, then the curves. */
+  vtkTable* Plot(double span);
+  /** Upper end of an axis for everything within the span (N). */
+  double GetRange() const;
+
+private:
+  std::deque<State> States;
+  vtkNew<vtkTable> Table;
+  vtkNew<vtkFloatArray> Columns[1 + Curves];
+  bool IsPlotted = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How often the values of a volume occur, for the background of an editor.
+ */
+#ifndef HapticHistogram_h
+#define HapticHistogram_h
+
+class vtkImageData;
+class vtkTable;
+
+namespace VolumeHaptics
+{
+
+/**
+ * Fills the columns "value" and "share" with at most 128 bins of a component of the scalars: the
+ * middle of the bin, and log(1 + count) as a share of the largest. False, and an empty table, where
+ * there are no finite scalars. The range is theirs.
+ */
+bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double range[2]);
+
+} // namespace VolumeHaptics
+
+#endif

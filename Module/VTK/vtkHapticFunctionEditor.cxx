@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticFunctionEditor.h"
+
+#include "HapticFunctionChart.h"
+
+#include "vtkCommand.h"
+#include "vtkContextDevice2D.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHapticFunctionEditor);
+
+namespace
+{
+
+using VolumeHaptics::EditedQuantity;
+
+struct Choice
+{
+  EditedQuantity Quantity;
+  vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
+};
+
+// What an empty function stands for is as in vtkHapticProperty.
+const Choice Choices[] = {
+  { { "Stiffness (N/m)", 500.0, 1000.0, 1e5 }, &vtkHapticProperty::GetStiffness },
+  { { "Friction coefficient", 0.0, 1.0, 10.0 }, &vtkHapticProperty::GetFriction },
+  { { "Viscosity (N)", 0.0, 1.0, 100.0 }, &vtkHapticProperty::GetViscosity },
+  { { "Surface strength (N)", 2.0, 5.0, 100.0 }, &vtkHapticProperty::GetSurfaceStrength },
+  { { "Opacity", 0.0, 1.0, 1.0 }, nullptr },
+};
+
+} // namespace
+
+//------------------------------------------------------------------------------
+struct vtkHapticFunctionEditor::vtkInternals
+{
+  vtkSmartPointer<vtkHapticProperty> Property;
+  vtkSmartPointer<vtkVolumeProperty> VolumeProperty;
+  vtkSmartPointer<vtkImageData> Image;
+  vtkWeakPointer<vtkRenderer> Renderer; // that shows the editor
+  VolumeHaptics::HapticFunctionChart Chart;
+  int Held = 0;     // the button, between press and release
+  int CanDraw = -1; // not known yet
+
+  /** From the display to the viewport. */
+  void ToViewport(int& x, int& y) const
+  {
+    if (this->Renderer)
+    {
+      const int* const origin = this->Renderer->GetOrigin();
+      x -= origin[0];
+      y -= origin[1];
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkHapticFunctionEditor::vtkHapticFunctionEditor()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
+
+//------------------------------------------------------------------------------
+#define vtkHapticEditorObjectMacro(name, type, member)  \
+  void vtkHapticFunctionEditor::Set##name(type* object) \
+  {                                                     \
+    if (this->Internals->member != object)              \
+    {                                                   \
+      this->Internals->member = object;                 \
+      this->Modified();                                 \
+    }                                                   \
+  }                                                     \
+  type* vtkHapticFunctionEditor::Get##name()            \
+  {                                                     \
+    return this->Internals->member;                     \
+  }
+
+vtkHapticEditorObjectMacro(Property, vtkHapticProperty, Property);
+vtkHapticEditorObjectMacro(VolumeProperty, vtkVolumeProperty, VolumeProperty);
+vtkHapticEditorObjectMacro(InputData, vtkImageData, Image);
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::SetFunction(int function)
+{
+  const int valid = std::clamp<int>(function, STIFFNESS, OPACITY);
+  if (valid != this->Function)
+  {
+    this->Function = valid;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::NextFunction()
+{
+  const int before = this->Function;
+  do
+  {
+    this->SetFunction(this->Function == OPACITY ? STIFFNESS : this->Function + 1);
+  } while (!this->GetPiecewiseFunction() && this->Function != before);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticFunctionEditor::GetTitle()
+{
+  return Choices[this->Function].Quantity.Title;
+}
+
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
+{
+  auto& d = *this->Internals;
+  if (this->Function == OPACITY)
+  {
+    // As vtkHapticProperty::SetVisibilityFrom chooses it.
+    const int component =
+      d.Property && d.VolumeProperty && d.VolumeProperty->GetIndependentComponents()
+      ? std::min(d.Property->GetComponent(), VTK_MAX_VRCOMP - 1)
+      : 0;
+    return d.VolumeProperty ? d.VolumeProperty->GetScalarOpacity(component) : nullptr;
+  }
+  return d.Property ? (d.Property->*Choices[this->Function].Get)() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::UpdateChart()
+{
+  auto& d = *this->Internals;
+  vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
+  d.Chart.Place(this->Rectangle);
+  d.Chart.ShowData(d.Image, d.Property ? d.Property->GetComponent() : 0);
+  d.Chart.ShowFunction(function, Choices[this->Function].Quantity, d.Held != 0);
+  if (!function)
+  {
+    d.Chart.ShowNothing(
+      this->Function == OPACITY ? "No volume property to edit" : "No haptic property to edit");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::Contains(int x, int y)
+{
+  this->Internals->ToViewport(x, y);
+  const int* const r = this->Rectangle;
+  return this->GetVisibility() && x >= r[0] && x < r[0] + r[2] && y >= r[1] && y < r[1] + r[3];
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
+{
+  auto& d = *this->Internals;
+  const bool starts =
+    event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent;
+  if (d.Held == 0 ? !this->Contains(x, y) : starts && d.Held != button)
+  {
+    return d.Held != 0; // a second button while one drags is taken, and does nothing
+  }
+  if (event == vtkCommand::LeftButtonReleaseEvent && d.Held != button)
+  {
+    return d.Held != 0;
+  }
+  this->UpdateChart();
+  vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
+  const vtkMTimeType before = function ? function->GetMTime() : 0;
+  d.ToViewport(x, y);
+  d.Held = starts ? button : d.Held;
+  d.Chart.SendMouse(event, event == vtkCommand::MouseMoveEvent ? d.Held : button, x, y);
+  d.Held = event == vtkCommand::LeftButtonReleaseEvent ? 0 : d.Held;
+  if (function && function->GetMTime() > before)
+  {
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+  }
+  return true;
+}
+
+bool vtkHapticFunctionEditor::MouseMove(int x, int y)
+{
+  return this->Send(vtkCommand::MouseMoveEvent, 0, x, y);
+}
+
+bool vtkHapticFunctionEditor::ButtonPress(int button, int x, int y)
+{
+  return this->Send(vtkCommand::LeftButtonPressEvent, button, x, y);
+}
+
+bool vtkHapticFunctionEditor::ButtonRelease(int button, int x, int y)
+{
+  return this->Send(vtkCommand::LeftButtonReleaseEvent, button, x, y);
+}
+
+bool vtkHapticFunctionEditor::DoubleClick(int button, int x, int y)
+{
+  return this->Send(vtkCommand::LeftButtonDoubleClickEvent, button, x, y);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::GetDisplayPosition(
+  double value, double functionValue, double position[2])
+{
+  this->Internals->Chart.GetPosition(value, functionValue, position);
+  int origin[2] = { 0, 0 };
+  this->Internals->ToViewport(origin[0], origin[1]);
+  position[0] -= origin[0];
+  position[1] -= origin[1];
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
+{
+  auto& d = *this->Internals;
+  d.Renderer = vtkRenderer::SafeDownCast(viewport);
+  if (d.CanDraw == -1)
+  {
+    // A chart without a device to draw on would crash.
+    const auto device = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
+    d.CanDraw = device ? 1 : 0;
+    if (!device)
+    {
+      vtkErrorMacro(
+        "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
+        "vtk_module_autoinit, or in Python import vtkmodules.vtkRenderingContextOpenGL2.");
+    }
+  }
+  if (d.CanDraw == 0)
+  {
+    return 0;
+  }
+  this->UpdateChart();
+  return d.Chart.GetActor()->RenderOverlay(viewport);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Chart.GetActor()->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto& d = *this->Internals;
+  os << indent << "Property: " << d.Property.Get() << "\n";
+  os << indent << "VolumeProperty: " << d.VolumeProperty.Get() << "\n";
+  os << indent << "InputData: " << d.Image.Get() << "\n";
+  os << indent << "Function: " << this->GetTitle() << "\n";
+  os << indent << "Rectangle: " << this->Rectangle[0] << ", " << this->Rectangle[1] << ", "
+     << this->Rectangle[2] << ", " << this->Rectangle[3] << "\n";
+}

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticHeadUpDisplay
+ * @brief   what is felt, in figures and as a plot, over the scene
+ *
+ * The plot shows the last seconds of the normal, friction and drag force and, in grey, the whole
+ * force that went to the hand. The text shows the device's status, or its fault; the rate of the
+ * servo and the ticks it has missed; the force, the contact and the tissue that is touched.
+ *
+ *   display->SetDevice(device);
+ *   display->AddTissue("bone", 300.0, 3000.0);
+ *   renderer->AddViewProp(display);
+ *
+ * The plot gets its states through AddStates: vtkInteractorStyleHaptic does that. Needs
+ * VTK::RenderingContextOpenGL2 and VTK::RenderingFreeType in the application.
+ *
+ * @sa vtkInteractorStyleHaptic, vtkHapticDevice
+ */
+#ifndef vtkHapticHeadUpDisplay_h
+#define vtkHapticHeadUpDisplay_h
+
+#include "vtkProp.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkHapticDevice;
+class vtkTable;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticHeadUpDisplay : public vtkProp
+{
+public:
+  static vtkHapticHeadUpDisplay* New();
+  vtkTypeMacro(vtkHapticHeadUpDisplay, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Whose status is shown; its state is that of its last UpdateState(). */
+  void SetDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetDevice();
+  ///@}
+
+  ///@{
+  /**
+   * Append states, as vtkHapticDevice::DrainStates gives them, and forget all of them. An error names
+   * a column that is missing. Time that runs backwards begins anew.
+   */
+  void AddStates(vtkTable* states);
+  void Clear();
+  ///@}
+
+  ///@{
+  /** How far back the plot goes (s), 0.5 to 60. Default 5. */
+  vtkSetClampMacro(TimeSpan, double, 0.5, 60.0);
+  vtkGetMacro(TimeSpan, double);
+  ///@}
+
+  ///@{
+  vtkSetMacro(PlotVisibility, vtkTypeBool);
+  vtkGetMacro(PlotVisibility, vtkTypeBool);
+  vtkBooleanMacro(PlotVisibility, vtkTypeBool);
+  vtkSetMacro(TextVisibility, vtkTypeBool);
+  vtkGetMacro(TextVisibility, vtkTypeBool);
+  vtkBooleanMacro(TextVisibility, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Names of ranges of values, from (inclusive) to (exclusive). The first that fits counts. */
+  void AddTissue(const char* name, double from, double to);
+  void RemoveAllTissues();
+  std::string GetTissueName(double value);
+  ///@}
+
+  /** How many states the plot goes over. */
+  vtkIdType GetNumberOfStates();
+  /**
+   * What is plotted: columns Time (s, up to 0), Normal, Friction, Drag and Whole (N). The smallest and the
+   * largest of each of a few hundred intervals, so that no peak is lost.
+   */
+  vtkTable* GetPlotTable();
+  /** Upper end of the force axis (N): 1, 2 or 5 times a power of ten. */
+  double GetForceRange();
+  /** The text as it would be shown. */
+  std::string GetText();
+
+  ///@{
+  /** For the renderer. */
+  int RenderOverlay(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
+
+protected:
+  vtkHapticHeadUpDisplay();
+  ~vtkHapticHeadUpDisplay() override;
+
+  double TimeSpan = 5.0;
+  vtkTypeBool PlotVisibility = 1;
+  vtkTypeBool TextVisibility = 1;
+
+private:
+  vtkHapticHeadUpDisplay(const vtkHapticHeadUpDisplay&) = delete;
+  void operator=(const vtkHapticHeadUpDisplay&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticRepresentation.h"
+
+#include "HapticPart.h"
+#include "vtkHapticStateSource.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkHapticDevice.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtk_glew.h"
+
+#include <sstream>
+
+vtkStandardNewMacro(vtkHapticRepresentation);
+
+using namespace VolumeHaptics;
+
+struct vtkHapticRepresentation::vtkInternals
+{
+  vtkNew<vtkHapticStateSource> Source;
+  HapticPart Parts[8] = { { HapticPart::Sphere, 0.97, 0.97, 0.97 },
+    { HapticPart::Sphere, 0.6, 0.6, 0.6 }, { HapticPart::Sphere, 0.95, 0.85, 0.2 },
+    { HapticPart::Sphere, 0.2, 0.8, 0.8 }, { HapticPart::Rod, 0.75, 0.75, 0.75 },
+    { HapticPart::Arrow, 0.97, 0.97, 0.97 }, { HapticPart::Arrow, 0.15, 0.5, 0.95 },
+    { HapticPart::Arrow, 0.95, 0.5, 0.05 } };
+  bool HasState = false;
+  vtkSmartPointer<vtkPolyData> Trail;
+  vtkNew<vtkPolyDataMapper> TrailMapper;
+  vtkNew<vtkActor> TrailActor;
+  vtkNew<vtkTextActor> ScaleText;
+  vtkBoundingBox Box;
+  double Bounds[6];
+};
+
+namespace
+{
+/// By contact; told apart by the colour-blind, too.
+const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
+  { 0.85, 0.2, 0.65 } };
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHapticRepresentation::vtkHapticRepresentation()
+  : Internals(new vtkInternals)
+{
+  auto& d = *this->Internals;
+  d.TrailActor->SetMapper(d.TrailMapper);
+  d.TrailActor->GetProperty()->SetLineWidth(3.0f);
+  d.TrailActor->GetProperty()->LightingOff();
+  vtkTextProperty* const text = d.ScaleText->GetTextProperty();
+  text->SetFontSize(13);
+  text->SetColor(0.93, 0.95, 0.98);
+  text->SetShadow(1);
+  text->SetJustificationToRight();
+  d.ScaleText->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  d.ScaleText->GetPositionCoordinate()->SetValue(0.98, 0.02);
+  this->PickableOff();
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRepresentation::~vtkHapticRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::SetDevice(vtkHapticDevice* device)
+{
+  if (this->GetDevice() != device)
+  {
+    this->Internals->Source->SetDevice(device);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkHapticRepresentation::GetDevice()
+{
+  return this->Internals->Source->GetDevice();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::SetTrail(vtkPolyData* trace)
+{
+  if (this->Internals->Trail != trace)
+  {
+    this->Internals->Trail = trace;
+    this->Internals->TrailMapper->SetInputData(trace);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkHapticRepresentation::GetTrail()
+{
+  return this->Internals->Trail;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::SetTrailLookupTable(vtkScalarsToColors* table)
+{
+  this->Internals->TrailMapper->SetLookupTable(table);
+  this->Internals->TrailMapper->SetUseLookupTableScalarRange(table != nullptr);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::UpdateParts()
+{
+  using Source = vtkHapticStateSource;
+  auto& d = *this->Internals;
+  d.Source->SetForceScale(this->ForceScale);
+  d.Source->Update();
+  vtkPolyData* const state = d.Source->GetOutput();
+  d.HasState = state->GetNumberOfPoints() > 0;
+  const auto at = [&](vtkIdType point)
+  {
+    const double* const x = state->GetPoint(point);
+    return Vector3{ x[0], x[1], x[2] };
+  };
+  for (int part = 0; part < 8; ++part)
+  {
+    d.Parts[part].Show(d.HasState);
+  }
+  if (d.HasState)
+  {
+    const auto contact =
+      static_cast<int>(state->GetFieldData()->GetArray("Contact")->GetComponent(0, 0));
+    d.Parts[Source::PROXY].SetColor(ContactColors[contact & 3]);
+    const double radii[4] = { 0.6, 1.0, 0.35, 0.35 };
+    for (int part = Source::TIP; part <= Source::MEDIUM_POSITION; ++part)
+    {
+      d.Parts[part].PlaceSphere(at(part), radii[part] * this->Radius);
+    }
+    const bool shown[4] = { this->SpringVisibility, this->ForceVisibility,
+      this->NormalForceVisibility, this->FrictionForceVisibility };
+    for (int line = 0; line < 4; ++line)
+    {
+      const vtkIdType from = Source::SPRING + 2 * line;
+      HapticPart& part = d.Parts[Source::SPRING + line];
+      part.Show(shown[line]);
+      part.PlaceAlong(at(from), at(from + 1), (line == 0 ? 0.18 : 0.3) * this->Radius);
+    }
+    d.Parts[Source::SURFACE_POSITION].Show(this->MarkerVisibility);
+    d.Parts[Source::MEDIUM_POSITION].Show(this->MarkerVisibility);
+  }
+  std::ostringstream text;
+  text << "1 N = " << 1.0 / this->ForceScale << " " << this->WorldUnitName;
+  d.ScaleText->SetInput(text.str().c_str());
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::UpdateTrail()
+{
+  auto& d = *this->Internals;
+  vtkDataArray* const array =
+    d.Trail ? d.Trail->GetPointData()->GetArray(this->TrailArrayName.c_str()) : nullptr;
+  d.TrailMapper->SetScalarVisibility(array != nullptr);
+  if (array)
+  {
+    d.TrailMapper->SetScalarModeToUsePointFieldData();
+    d.TrailMapper->SelectColorArray(this->TrailArrayName.c_str());
+    // Vectors by their length.
+    const int component = array->GetNumberOfComponents() > 1 ? -1 : 0;
+    d.TrailMapper->SetColorModeToMapScalars();
+    d.TrailMapper->GetLookupTable()->SetVectorModeToMagnitude();
+    double range[2];
+    array->GetRange(range, component);
+    d.TrailMapper->SetScalarRange(range);
+  }
+}
+
+//------------------------------------------------------------------------------
+double* vtkHapticRepresentation::GetBounds()
+{
+  auto& d = *this->Internals;
+  this->UpdateParts();
+  d.Box.Reset();
+  for (HapticPart& part : d.Parts)
+  {
+    part.AddTo(d.Box);
+  }
+  if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
+  {
+    d.Box.AddBounds(d.Trail->GetBounds());
+  }
+  if (!d.Box.IsValid())
+  {
+    return nullptr;
+  }
+  d.Box.GetBounds(d.Bounds);
+  return d.Bounds;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  auto& d = *this->Internals;
+  this->UpdateParts();
+  for (HapticPart& part : d.Parts)
+  {
+    part.RenderOpaque(viewport);
+  }
+  if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
+  {
+    this->UpdateTrail();
+    d.TrailActor->RenderOpaqueGeometry(viewport);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
+{
+  auto& d = *this->Internals;
+  vtkRenderer* const renderer = vtkRenderer::SafeDownCast(viewport);
+  auto* const window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (this->HiddenVisibility && window)
+  {
+    vtkOpenGLState* const state = window->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable depth(state, GL_DEPTH_TEST);
+    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    for (HapticPart& part : d.Parts)
+    {
+      part.RenderHidden(viewport);
+    }
+  }
+  if (this->ScaleTextVisibility && d.HasState)
+  {
+    d.ScaleText->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
+    d.ScaleText->RenderOverlay(viewport);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  auto& d = *this->Internals;
+  for (HapticPart& part : d.Parts)
+  {
+    part.Release(window);
+  }
+  d.TrailActor->ReleaseGraphicsResources(window);
+  d.ScaleText->ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Device: " << this->GetDevice() << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "ForceScale: " << this->ForceScale << " N per world unit\n";
+  os << indent << "WorldUnitName: " << this->WorldUnitName << "\n";
+  os << indent << "Trail: " << this->GetTrail() << "\n";
+  os << indent << "TrailArrayName: " << this->TrailArrayName << "\n";
+  os << indent << "SpringVisibility: " << this->SpringVisibility << "\n";
+  os << indent << "ForceVisibility: " << this->ForceVisibility << "\n";
+  os << indent << "NormalForceVisibility: " << this->NormalForceVisibility << "\n";
+  os << indent << "FrictionForceVisibility: " << this->FrictionForceVisibility << "\n";
+  os << indent << "MarkerVisibility: " << this->MarkerVisibility << "\n";
+  os << indent << "ScaleTextVisibility: " << this->ScaleTextVisibility << "\n";
+  os << indent << "HiddenVisibility: " << this->HiddenVisibility << "\n";
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticRepresentation
+ * @brief   the hand in the scene: tip, proxy and forces
+ *
+ * One prop that draws the latest state of a vtkHapticDevice: the tip (white), where the hand is; the
+ * proxy, which the surface holds back, coloured by the contact; the spring between them; and the
+ * forces as arrows:
+ *
+ *   on the tip     the whole force on the hand (white)
+ *   on the proxy   how the surface pushes (blue) and how friction holds back (orange)
+ *
+ * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta while it
+ * is pushed through a surface. A text in the lower right corner says how long a newton is. What lies
+ * behind a surface or inside the volume shows through, faintly.
+ *
+ *   representation->SetDevice(device);
+ *   renderer->AddViewProp(representation);
+ *
+ * It shows what the device's last UpdateState() found; vtkInteractorStyleHaptic calls that. A trace or
+ * a recording can be shown, too, as a line coloured by any of its arrays: see SetTrail.
+ *
+ * @sa vtkHapticStateSource, vtkInteractorStyleHaptic
+ */
+#ifndef vtkHapticRepresentation_h
+#define vtkHapticRepresentation_h
+
+#include "vtkProp.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkHapticDevice;
+class vtkPolyData;
+class vtkScalarsToColors;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticRepresentation : public vtkProp
+{
+public:
+  static vtkHapticRepresentation* New();
+  vtkTypeMacro(vtkHapticRepresentation, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  void SetDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetDevice();
+  ///@}
+
+  ///@{
+  /** Radius of the proxy, world units. Default 1.5; the rest is in proportion. */
+  vtkSetClampMacro(Radius, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Newtons per world unit of the arrows. Default 0.1: 1 N is 10 world units long. */
+  vtkSetClampMacro(ForceScale, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkGetMacro(ForceScale, double);
+  ///@}
+
+  ///@{
+  /** Name of the world's unit in the text. Default "mm". */
+  vtkSetMacro(WorldUnitName, std::string);
+  vtkGetMacro(WorldUnitName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * What is shown. Default: spring, the three arrows, the text and what is hidden are; the markers at
+   * x_s (yellow) and x_v (turquoise), where the materials are read, are not.
+   */
+  vtkSetMacro(SpringVisibility, bool);
+  vtkGetMacro(SpringVisibility, bool);
+  vtkSetMacro(ForceVisibility, bool);
+  vtkGetMacro(ForceVisibility, bool);
+  vtkSetMacro(NormalForceVisibility, bool);
+  vtkGetMacro(NormalForceVisibility, bool);
+  vtkSetMacro(FrictionForceVisibility, bool);
+  vtkGetMacro(FrictionForceVisibility, bool);
+  vtkSetMacro(MarkerVisibility, bool);
+  vtkGetMacro(MarkerVisibility, bool);
+  vtkSetMacro(ScaleTextVisibility, bool);
+  vtkGetMacro(ScaleTextVisibility, bool);
+  vtkSetMacro(HiddenVisibility, bool);
+  vtkGetMacro(HiddenVisibility, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A line through the points of a trace (default none), coloured by one of its point arrays, of which
+   * vectors count by their length (default "Force"), through a lookup table (default VTK's own, over
+   * the array's range).
+   */
+  void SetTrail(vtkPolyData* trace);
+  vtkPolyData* GetTrail();
+  vtkSetMacro(TrailArrayName, std::string);
+  vtkGetMacro(TrailArrayName, std::string);
+  void SetTrailLookupTable(vtkScalarsToColors* table);
+  ///@}
+
+  ///@{
+  /** For the renderer. */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
+
+protected:
+  vtkHapticRepresentation();
+  ~vtkHapticRepresentation() override;
+
+  double Radius = 1.5;
+  double ForceScale = 0.1;
+  std::string WorldUnitName = "mm";
+  std::string TrailArrayName = "Force";
+  bool SpringVisibility = true;
+  bool ForceVisibility = true;
+  bool NormalForceVisibility = true;
+  bool FrictionForceVisibility = true;
+  bool MarkerVisibility = false;
+  bool ScaleTextVisibility = true;
+  bool HiddenVisibility = true;
+
+private:
+  vtkHapticRepresentation(const vtkHapticRepresentation&) = delete;
+  void operator=(const vtkHapticRepresentation&) = delete;
+
+  void UpdateParts();
+  void UpdateTrail();
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What the head-up display plots and says.
+ */
+
+#include "ScriptedStates.h"
+
+#include "../Device/DeviceRig.h"
+
+#include <vtkHapticHeadUpDisplay.h>
+
+using namespace devicetest;
+
+namespace
+{
+class HeadUpDisplay : public DeviceTest
+{
+protected:
+  double Largest(int column)
+  {
+    auto* const values =
+      vtkDataArray::SafeDownCast(this->Display->GetPlotTable()->GetColumn(column));
+    return values->GetNumberOfTuples() > 0 ? values->GetRange()[1] : 0.0;
+  }
+
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+  MessageLog DisplayLog{ this->Display };
+};
+} // namespace
+
+TEST_F(HeadUpDisplay, LosesNoPeak)
+{
+  const auto spike = [](double t) { return std::abs(t - 2.3456) < 0.0004 ? 4.0 : 1.0; };
+  this->Display->AddStates(scenetest::MakeStates(0.0, 5.0, spike));
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 5000);
+  EXPECT_LE(this->Display->GetPlotTable()->GetNumberOfRows(), 500);
+  EXPECT_EQ(this->Largest(1), 4.0);
+  EXPECT_EQ(this->Display->GetForceRange(), 5.0);
+}
+
+TEST_F(HeadUpDisplay, ForgetsWhatIsOlderThanItsSpan)
+{
+  const auto early = [](double t) { return t < 1.0 ? 7.0 : 0.9; };
+  for (int second = 0; second < 20; ++second)
+  {
+    this->Display->AddStates(scenetest::MakeStates(second, second + 1.0, early));
+    EXPECT_LE(this->Display->GetNumberOfStates(), 5001);
+    EXPECT_EQ(this->Display->GetForceRange(), second < 6 ? 10.0 : 1.0) << second;
+  }
+  EXPECT_LT(this->Largest(1), 1.0);
+  // The device has been started again.
+  this->Display->AddStates(scenetest::MakeStates(0.0, 0.5, early));
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 500);
+  this->Display->Clear();
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
+}
+
+TEST_F(HeadUpDisplay, NamesTheColumnThatIsMissing)
+{
+  const auto states = scenetest::MakeStates(0.0, 1.0, [](double) { return 1.0; });
+  states->RemoveColumnByName("DragForce");
+  this->Display->AddStates(states);
+  this->Display->AddStates(nullptr);
+  ASSERT_EQ(this->DisplayLog.Errors.size(), 2U);
+  EXPECT_NE(this->DisplayLog.Errors[0].find("DragForce"), std::string::npos);
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
+}
+
+TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
+{
+  EXPECT_EQ(this->Display->GetText(), "No device");
+  this->Display->SetDevice(this->Device);
+  EXPECT_NE(this->Display->GetText().find("Open()"), std::string::npos);
+  this->Display->AddTissue("soft", 0.0, 800.0);
+  this->Display->AddTissue("hard", 800.0, 1e9);
+  EXPECT_EQ(this->Display->GetTissueName(799.9), "soft");
+  EXPECT_EQ(this->Display->GetTissueName(800.0), "hard");
+  EXPECT_EQ(this->Display->GetTissueName(-1.0), "");
+  this->Begin();
+  this->Device->Arm();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 7.0));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetForce()[2] < -0.999; }));
+  const std::string text = this->Display->GetText();
+  for (const char* words : { "Active: virtual.", "ticks/s", "missed", "1.00 N, sticking", "value" })
+  {
+    EXPECT_NE(text.find(words), std::string::npos) << words << " in\n" << text;
+  }
+  this->Display->RemoveAllTissues();
+  EXPECT_EQ(this->Display->GetTissueName(10.0), "");
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The editor over a view: the stiffness of a preset over the histogram of the head phantom.
+#include "vtkAutoInit.h"
+#include "vtkHapticFunctionEditor.h"
+#include "vtkHapticProperty.h"
+#include "vtkNew.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTestUtilities.h"
+#include "vtkXMLImageDataReader.h"
+
+// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
+VTK_MODULE_INIT(vtkRenderingFreeType);
+
+int TestFunctionEditor(int argc, char* argv[])
+{
+  vtkNew<vtkXMLImageDataReader> head;
+  char* const file = vtkTestUtilities::GetArgOrEnvOrDefault("--volume", argc, argv, "", "");
+  head->SetFileName(file);
+  head->Update();
+  delete[] file;
+
+  vtkNew<vtkHapticProperty> property;
+  property->ApplyPreset("CT contrast");
+  vtkNew<vtkHapticFunctionEditor> editor;
+  editor->SetProperty(property);
+  editor->SetInputData(head->GetOutput());
+  editor->SetRectangle(5, 5, 300, 200);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.32, 0.34, 0.43);
+  renderer->AddViewProp(editor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(310, 210);
+  window->AddRenderer(renderer);
+  window->Render();
+  return vtkRegressionTestImage(window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+}

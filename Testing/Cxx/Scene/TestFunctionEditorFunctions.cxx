@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What each of the functions has of its own: beyond the axis, empty, or not there.
+#include "EditorMouse.h"
+
+#include "vtkAutoInit.h"
+#include "vtkHapticProperty.h"
+#include "vtkVolumeProperty.h"
+
+// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
+VTK_MODULE_INIT(vtkRenderingFreeType);
+
+using namespace editortest;
+
+int TestFunctionEditorFunctions(int, char*[])
+{
+  vtkNew<vtkHapticProperty> property;
+  vtkPiecewiseFunction* const strength = property->GetSurfaceStrength();
+  strength->AddPoint(0.0, 0.0);
+  strength->AddPoint(50.0, 1e6);
+  strength->AddPoint(100.0, 10.0);
+  vtkNew<vtkVolumeProperty> visible;
+  visible->GetScalarOpacity()->RemoveAllPoints();
+  visible->GetScalarOpacity()->AddPoint(0.0, 0.0);
+  visible->GetScalarOpacity()->AddPoint(100.0, 1.0);
+  View view;
+  Editor* const editor = view.Shown;
+  view.Window->Render(); // without anything to edit
+  editor->SetProperty(property);
+
+  // An impenetrable surface stays so, as long as it is not dragged down.
+  editor->SetFunctionToSurfaceStrength();
+  view.Window->Render();
+  const Place top = view.At(60, 1e6);
+  view.Drag(Editor::LEFT_BUTTON, view.At(50, 12), { top[0], 229 });
+  view.Check(IsNode(strength, 1, 60, 1e6, 1.0, 0.0), "a value beyond the axis stays");
+
+  // Looking at an empty function does not fill it; the first point does.
+  vtkPiecewiseFunction* const friction = property->GetFriction();
+  editor->SetFunctionToFriction();
+  view.Window->Render();
+  view.Check(friction->GetSize() == 0, "looking changes nothing");
+  view.Drag(Editor::LEFT_BUTTON, view.At(0.5, 0.5), view.At(0.5, 0.5));
+  view.Check(friction->GetSize() == 3 && IsNode(friction, 0, 0, 0, 1e-9, 1e-9) &&
+      IsNode(friction, 1, 0.5, 0.5, 0.02, 0.02),
+    "the first point brings the default along");
+
+  // Opacity: nothing to edit at first.
+  editor->SetFunctionToOpacity();
+  view.Window->Render();
+  view.Check(editor->ButtonPress(Editor::LEFT_BUTTON, 200, 100) &&
+      editor->ButtonRelease(Editor::LEFT_BUTTON, 200, 100),
+    "an editor without a function");
+  editor->SetVolumeProperty(visible);
+  view.Window->Render();
+  const vtkMTimeType before = visible->GetMTime();
+  view.Drag(Editor::LEFT_BUTTON, view.At(0, 0), view.At(0, 0.5));
+  view.Check(
+    visible->GetMTime() > before && IsNode(visible->GetScalarOpacity(), 0, 0, 0.5, 0.0, 0.02),
+    "the opacity changes");
+  editor->NextFunction();
+  view.Check(
+    editor->GetPiecewiseFunction() == property->GetStiffness(), "after the last comes the first");
+  return view.Passed ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Above the surface: tip and proxy in one place, no force; where materials are read.
+#include "ShownContact.h"
+
+VTK_MODULE_INIT(vtkRenderingFreeType)
+
+int TestRepresentationFree(int argc, char* argv[])
+{
+  return scenetest::ShowContact(argc, argv, { 0, -3.0, 0.0, 0.3, 4.0, true });
+}

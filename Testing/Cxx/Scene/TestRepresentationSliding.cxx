@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Dragged along: friction holds back; the trail is coloured by the force.
+#include "ShownContact.h"
+
+VTK_MODULE_INIT(vtkRenderingFreeType)
+
+int TestRepresentationSliding(int argc, char* argv[])
+{
+  return scenetest::ShowContact(argc, argv, { 2, 4.0, 8.0, 0.3, 4.0, false, true });
+}
