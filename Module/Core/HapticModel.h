@@ -41,7 +41,7 @@ struct HapticSettings
 {
   HapticMethod Method = HapticMethod::Proxy;
   SurfaceSide Side = SurfaceSide::Higher;
-  double TickPeriod = 1e-3;       ///< s
+  double TickPeriod = 1e-3; ///< s
   ForceCaps Caps;
   double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)

@@ -27,7 +27,7 @@ public:
 
   struct State
   {
-    double Time; ///< s
+    double Time;                       ///< s
     std::array<double, Curves> Forces; ///< N
   };
 

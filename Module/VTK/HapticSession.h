@@ -79,9 +79,9 @@ private:
   std::mutex RecordingMutex; // between the owner and the keeper; the loop never takes it
   std::unique_ptr<HapticRecording> Recording;
   std::deque<ServoSnapshot> States;
-  bool KeepsStates = false; // written by the owner, under the mutex
-  std::uint64_t TakenGeneration = 0;     // the owner's: of the last state that was taken
-  std::uint64_t FirstUntaken = 0;        // the owner's: no state to be taken is of an older one
+  bool KeepsStates = false;          // written by the owner, under the mutex
+  std::uint64_t TakenGeneration = 0; // the owner's: of the last state that was taken
+  std::uint64_t FirstUntaken = 0;    // the owner's: no state to be taken is of an older one
   /** The owner's: models by generation, from the one of the last state that was asked for. */
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
 };

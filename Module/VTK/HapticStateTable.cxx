@@ -29,8 +29,8 @@ StateTable::~StateTable() = default;
 void StateTable::Append(const ServoSnapshot& state, const Affine3& toWorld)
 {
   const TickRecord& record = state.Record;
-  const double scalars[Scalars] = { state.Time, static_cast<double>(state.Tick),
-    record.NormalForce, record.FrictionForce, record.DragForce, record.SurfaceValue,
+  const double scalars[Scalars] = { state.Time, static_cast<double>(state.Tick), record.NormalForce,
+    record.FrictionForce, record.DragForce, record.SurfaceValue,
     static_cast<double>(record.Contact), state.Armed ? 1.0 : 0.0,
     static_cast<double>(state.Fault) };
   const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;

@@ -49,8 +49,9 @@ struct Curve
   float Width;
 };
 // In the order in which they are drawn: the whole force behind the others.
-const Curve Curves[] = { { "normal", { 80, 165, 255 }, 1.8f }, { "friction", { 255, 160, 60 }, 1.8f },
-  { "drag", { 70, 215, 150 }, 1.8f }, { "whole", { 165, 170, 178 }, 3.5f } };
+const Curve Curves[] = { { "normal", { 80, 165, 255 }, 1.8f },
+  { "friction", { 255, 160, 60 }, 1.8f }, { "drag", { 70, 215, 150 }, 1.8f },
+  { "whole", { 165, 170, 178 }, 3.5f } };
 const int DrawingOrder[] = { 3, 0, 1, 2 };
 
 void SetFont(vtkTextProperty* text, int size)
@@ -171,10 +172,9 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
   {
     double command[3];
     columns[4]->GetTuple(i, command);
-    this->Internals->History.Add(
-      { columns[0]->GetComponent(i, 0),
-        { columns[1]->GetComponent(i, 0), columns[2]->GetComponent(i, 0),
-          columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } },
+    this->Internals->History.Add({ columns[0]->GetComponent(i, 0),
+                                   { columns[1]->GetComponent(i, 0), columns[2]->GetComponent(i, 0),
+                                     columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } },
       this->TimeSpan);
   }
 }
@@ -268,8 +268,8 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   if (this->TextVisibility)
   {
     const bool isFault = d.Device && d.Device->GetStatus() == vtkHapticDevice::FAULT;
-    d.Text->GetTextProperty()->SetColor(isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92,
-      isFault ? 0.45 : 0.95);
+    d.Text->GetTextProperty()->SetColor(
+      isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92, isFault ? 0.45 : 0.95);
     d.Text->SetInput(this->GetText().c_str());
     d.Text->RenderOpaqueGeometry(viewport); // draws the letters into the texture that is shown next
     drawn += d.Text->RenderOverlay(viewport);

@@ -95,8 +95,7 @@ int vtkHapticStateSource::RequestData(
   const vtkVector3d proxy(device->GetProxyPosition());
   const vtkVector3d computed(device->GetComputedForce());
   const vtkVector3d normal(device->GetNormal());
-  const vtkVector3d force =
-    this->ShowCommandedForce ? vtkVector3d(device->GetForce()) : computed;
+  const vtkVector3d force = this->ShowCommandedForce ? vtkVector3d(device->GetForce()) : computed;
   // Cells are numbered vertices first: so are the arrays.
   addVertex(TIP, tip.GetData());
   addVertex(PROXY, proxy.GetData());
@@ -110,8 +109,8 @@ int vtkHapticStateSource::RequestData(
   const vtkVector3d tangent = computed - computed.Dot(normal) * normal;
   const double length = tangent.Norm();
   const double grip = device->GetFrictionForce();
-  addLine(FRICTION_FORCE, proxy,
-    proxy + (length > 0.0 ? unit * grip / length : 0.0) * tangent, grip);
+  addLine(
+    FRICTION_FORCE, proxy, proxy + (length > 0.0 ? unit * grip / length : 0.0) * tangent, grip);
 
   vtkPolyData* const output = vtkPolyData::GetData(outputs);
   output->SetPoints(points);
@@ -119,8 +118,8 @@ int vtkHapticStateSource::RequestData(
   output->SetLines(lines);
   output->GetCellData()->AddArray(parts);
   output->GetCellData()->AddArray(newtons);
-  const std::pair<const char*, double> fields[] = {
-    { "Contact", device->GetContact() }, { "SurfaceValue", device->GetSurfaceValue() } };
+  const std::pair<const char*, double> fields[] = { { "Contact", device->GetContact() },
+    { "SurfaceValue", device->GetSurfaceValue() } };
   for (const auto& [name, value] : fields)
   {
     vtkNew<vtkDoubleArray> array;

@@ -137,10 +137,10 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   vtkVolumeHapticsFilter* const filter = d.Device->GetVolumeHaptics();
   vtkAlgorithm* const source = filter ? filter->GetInputAlgorithm(0, 0) : nullptr;
   vtkDataObject* const image = filter ? filter->GetInputDataObject(0, 0) : nullptr;
-  const vtkMTimeType time = filter ? std::max({ filter->GetMTime(),
-                                       source ? source->GetMTime() : vtkMTimeType(0),
-                                       image ? image->GetMTime() : vtkMTimeType(0) })
-                                   : vtkMTimeType(0);
+  const vtkMTimeType time = filter
+    ? std::max({ filter->GetMTime(), source ? source->GetMTime() : vtkMTimeType(0),
+        image ? image->GetMTime() : vtkMTimeType(0) })
+    : vtkMTimeType(0);
   if (placed || time != d.Published)
   {
     // Also where it fails: it will not succeed before something changes, and one error is enough.

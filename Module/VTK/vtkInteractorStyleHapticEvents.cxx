@@ -77,8 +77,7 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   }
   vtkRenderer* const renderer = this->GetHapticRenderer();
   const double fine = this->Interactor->GetShiftKey() ? FineFactor : 1.0;
-  const Vector3 way =
-    UnderPointer(renderer, now, d.Lead) - UnderPointer(renderer, before, d.Lead);
+  const Vector3 way = UnderPointer(renderer, now, d.Lead) - UnderPointer(renderer, before, d.Lead);
   d.LeadTo(d.Lead + fine * way);
 }
 
@@ -160,9 +159,8 @@ void vtkInteractorStyleHaptic::OnMouseWheelForward()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 {
-  this->LeadsTip() && !this->Interactor->GetControlKey()
-    ? this->MoveInDepth(-1.0)
-    : this->Superclass::OnMouseWheelBackward();
+  this->LeadsTip() && !this->Interactor->GetControlKey() ? this->MoveInDepth(-1.0)
+                                                         : this->Superclass::OnMouseWheelBackward();
 }
 
 //------------------------------------------------------------------------------
@@ -204,12 +202,10 @@ void vtkInteractorStyleHaptic::OnKeyPress()
   {
     this->SetClutch(true);
   }
-  else if ((key == "plus" || key == "KP_Add" || key == "minus" || key == "KP_Subtract") &&
-    d.Device)
+  else if ((key == "plus" || key == "KP_Add" || key == "minus" || key == "KP_Subtract") && d.Device)
   {
     const bool larger = key == "plus" || key == "KP_Add";
-    this->SetWorkspaceScale(
-      this->GetEffectiveScale() * (larger ? ScaleFactor : 1.0 / ScaleFactor));
+    this->SetWorkspaceScale(this->GetEffectiveScale() * (larger ? ScaleFactor : 1.0 / ScaleFactor));
   }
   else if (key == "h")
   {

@@ -90,8 +90,8 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysi
 
   vtkNew<vtkMatrix4x4> toWorld;
   vtkNew<vtkVolume> volume;
-  auto mapper = gpu ? MakeGPUMapper(sample, options.Interactive)
-                    : MakeCPUMapper(sample, options.Interactive);
+  auto mapper =
+    gpu ? MakeGPUMapper(sample, options.Interactive) : MakeCPUMapper(sample, options.Interactive);
   mapper->SetInputData(PlainImage(image, toWorld));
   volume->SetMapper(mapper);
   volume->SetProperty(property);

@@ -27,7 +27,7 @@ struct SceneOptions
   int Height = 700;
   MapperChoice Mapper = MapperChoice::Auto;
   std::string Caption;
-  bool Anatomical = true;  // letters of the marker: patient's sides instead of axes
+  bool Anatomical = true; // letters of the marker: patient's sides instead of axes
   bool OffScreen = true;
   bool Interactive = false; // coarser while something moves, and without the trail
 };

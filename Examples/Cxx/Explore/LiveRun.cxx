@@ -192,7 +192,8 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   const Agreement plan = ReplayPlan(exploration, file);
   run.IsReproduced = run.IsReproduced && plan.Ticks > 0 && plan.Wrong == 0;
   std::ostringstream text;
-  text << "  replayed by the servo in real time, the planned path gives the tips of the offline trace in "
+  text << "  replayed by the servo in real time, the planned path gives the tips of the offline "
+          "trace in "
        << plan.Ticks << " of " << plan.Ticks + plan.Others << " ticks, and the same forces in "
        << plan.Ticks - plan.Wrong << " of these, bit for bit\n";
   run.Report += text.str();

@@ -22,7 +22,9 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 {
   const Explore::Analysis& analysis = exploration.Values;
   touch.Hand->SetDevice(touch.Device);
-  touch.Hand->SetRadius(0.0016 / analysis.MetersPerWorldUnit);
+  // A newton is two centimetres long, whatever the world's unit.
+  touch.Hand->SetRadius(0.003 / analysis.MetersPerWorldUnit);
+  touch.Hand->SetForceScale(50.0 * analysis.MetersPerWorldUnit);
   touch.Scene.Renderer->AddViewProp(touch.Hand);
 
   touch.Display->SetDevice(touch.Device);

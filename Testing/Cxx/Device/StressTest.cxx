@@ -27,8 +27,8 @@ protected:
         SetConstant(property->GetStiffness(), 200.0 + 10.0 * (i % 30));
         break;
       case 2:
-        this->Filter->SetMethod(i % 3 ? vtkVolumeHapticsFilter::PROXY
-                                      : vtkVolumeHapticsFilter::FORCE_FIELD);
+        this->Filter->SetMethod(
+          i % 3 ? vtkVolumeHapticsFilter::PROXY : vtkVolumeHapticsFilter::FORCE_FIELD);
         break;
       case 3:
         this->Filter->SetGradientEstimator(i % 3);
@@ -75,8 +75,8 @@ TEST_F(Stress, AThousandChangesLeaveWholeStates)
   const auto metersPerUnit = [&](vtkIdType i)
   {
     vtkDataArray* const matrices = trace->GetFieldData()->GetArray("DeviceToWorld");
-    const double* m = matrices->GetTuple(
-      static_cast<vtkIdType>(data->GetArray("Placement")->GetComponent(i, 0)));
+    const double* m =
+      matrices->GetTuple(static_cast<vtkIdType>(data->GetArray("Placement")->GetComponent(i, 0)));
     return 1.0 / std::sqrt(m[0] * m[0] + m[4] * m[4] + m[8] * m[8]);
   };
   vtkIdType springs = 0;

@@ -6,7 +6,6 @@
 
 #include "vtkRegressionTestImage.h"
 
-
 #include <iostream>
 
 int TestTouchHead(int argc, char* argv[])

@@ -7,7 +7,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkRegressionTestImage.h"
 
-
 #include <iostream>
 
 int TestTouchHidden(int argc, char* argv[])

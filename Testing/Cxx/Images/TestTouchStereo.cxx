@@ -6,7 +6,6 @@
 
 #include "vtkRegressionTestImage.h"
 
-
 int TestTouchStereo(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::GPU);

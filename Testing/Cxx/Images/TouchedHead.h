@@ -6,6 +6,7 @@
 #include "HeadExploration.h"
 #include "TouchScene.h"
 
+#include "vtkCamera.h"
 #include "vtkRenderWindowInteractor.h"
 
 #include <chrono>
@@ -23,6 +24,7 @@ struct TouchedHead
     options.Mapper = mapper;
     options.Interactive = true;
     Explore::BuildTouchScene(this->Touch, this->Exploration, options, "virtual");
+    this->Touch.Scene.Renderer->GetActiveCamera()->Zoom(2.2);
     this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
     this->Interactor->SetInteractorStyle(this->Touch.Style);
     // What a live servo says is never the same twice.

@@ -39,11 +39,11 @@ namespace scenetest
 
 struct ContactScript
 {
-  int Contact;       ///< that the last tick is to have
-  double Depth;      ///< of the tip below the plane, mm
-  double Across;     ///< how far it is dragged along x, mm
+  int Contact;   ///< that the last tick is to have
+  double Depth;  ///< of the tip below the plane, mm
+  double Across; ///< how far it is dragged along x, mm
   double Friction;
-  double Strength;   ///< N
+  double Strength; ///< N
   bool Markers = false;
   bool Trail = false;
 };
@@ -81,8 +81,8 @@ inline vtkSmartPointer<vtkPolyData> MakePath(const ContactScript& script, vtkIdT
   for (int i = 1; i <= 20000; ++i)
   {
     const double creep = 1e-5 * i;
-    points->InsertNextPoint(
-      0.5 * script.Across + (isAcross ? creep : 0.0), 0.0, -script.Depth - (isAcross ? 0.0 : creep));
+    points->InsertNextPoint(0.5 * script.Across + (isAcross ? creep : 0.0), 0.0,
+      -script.Depth - (isAcross ? 0.0 : creep));
   }
   auto path = vtkSmartPointer<vtkPolyData>::New();
   path->SetPoints(points);

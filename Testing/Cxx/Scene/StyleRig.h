@@ -66,8 +66,8 @@ protected:
     note->SetCallback([](vtkObject*, unsigned long event, void* events, void*)
       { static_cast<std::vector<unsigned long>*>(events)->push_back(event); });
     using S = vtkInteractorStyleHaptic;
-    for (const unsigned long event : { S::ContactBeginEvent, S::ContactEndEvent, S::ArmedEvent,
-           S::DisarmedEvent, S::FaultEvent })
+    for (const unsigned long event :
+      { S::ContactBeginEvent, S::ContactEndEvent, S::ArmedEvent, S::DisarmedEvent, S::FaultEvent })
     {
       this->Style->AddObserver(event, note);
     }
