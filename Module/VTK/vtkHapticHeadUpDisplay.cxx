@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticHeadUpDisplay.h"
 
+#include "HapticForceChart.h"
 #include "HapticForceHistory.h"
 
-#include "vtkAxis.h"
-#include "vtkBlockItem.h"
-#include "vtkBrush.h"
-#include "vtkChartLegend.h"
-#include "vtkChartXY.h"
 #include "vtkContextActor.h"
 #include "vtkContextDevice2D.h"
-#include "vtkContextScene.h"
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPen.h"
-#include "vtkPlot.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkTextActor.h"
@@ -41,37 +34,6 @@ struct Tissue
   double From;
   double To;
 };
-
-struct Curve
-{
-  const char* Label;
-  unsigned char Color[3];
-  float Width;
-};
-// In the order in which they are drawn: the whole force behind the others.
-const Curve Curves[] = { { "normal", { 80, 165, 255 }, 1.8f },
-  { "friction", { 255, 160, 60 }, 1.8f }, { "drag", { 70, 215, 150 }, 1.8f },
-  { "whole", { 165, 170, 178 }, 3.5f } };
-const int DrawingOrder[] = { 3, 0, 1, 2 };
-
-void SetFont(vtkTextProperty* text, int size)
-{
-  text->SetFontSize(size);
-  text->SetColor(0.90, 0.92, 0.95);
-  text->BoldOff();
-  text->ItalicOff();
-}
-
-void SetAxis(vtkAxis* axis, const char* title)
-{
-  axis->SetTitle(title);
-  axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetNotation(vtkAxis::STANDARD_NOTATION);
-  SetFont(axis->GetTitleProperties(), 11);
-  SetFont(axis->GetLabelProperties(), 10);
-  axis->GetPen()->SetColor(170, 176, 186);
-  axis->GetGridPen()->SetColor(70, 76, 86);
-}
 } // namespace
 
 struct vtkHapticHeadUpDisplay::vtkInternals
@@ -79,43 +41,9 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkSmartPointer<vtkHapticDevice> Device;
   std::vector<Tissue> Tissues;
   HapticForceHistory History;
-  vtkNew<vtkBlockItem> Panel;
-  vtkNew<vtkChartXY> Chart;
-  vtkNew<vtkContextActor> Plot;
+  HapticForceChart Chart;
   vtkNew<vtkTextActor> Text;
   int CanDraw = -1; // not known yet
-
-  void MakeChart()
-  {
-    // Not the chart's own background, which VTK 9.1 draws in the wrong place.
-    this->Panel->SetAutoComputeDimensions(false);
-    this->Panel->GetBrush()->SetColor(15, 18, 24, 150);
-    this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, 150);
-    this->Panel->GetPen()->SetOpacity(0);
-    this->Plot->GetScene()->AddItem(this->Panel);
-    this->Plot->GetScene()->AddItem(this->Chart);
-    this->Chart->SetAutoSize(false);
-    this->Chart->SetShowLegend(true);
-    SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)");
-    SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)");
-    vtkChartLegend* const legend = this->Chart->GetLegend();
-    SetFont(legend->GetLabelProperties(), 10);
-    legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
-    legend->SetVerticalAlignment(vtkChartLegend::TOP);
-    legend->GetPen()->SetOpacity(0);
-    legend->GetBrush()->SetOpacity(0);
-  }
-  void AddCurves(vtkTable* table)
-  {
-    for (const int c : DrawingOrder)
-    {
-      vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
-      line->SetInputData(table, 0, 1 + c);
-      line->SetLabel(Curves[c].Label);
-      line->SetColor(Curves[c].Color[0], Curves[c].Color[1], Curves[c].Color[2], 255);
-      line->SetWidth(Curves[c].Width);
-    }
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -123,7 +51,7 @@ vtkHapticHeadUpDisplay::vtkHapticHeadUpDisplay()
   : Internals(new vtkInternals)
 {
   auto& d = *this->Internals;
-  SetFont(d.Text->GetTextProperty(), 14);
+  d.Text->GetTextProperty()->SetFontSize(14);
   d.Text->GetTextProperty()->SetShadow(1);
   d.Text->GetTextProperty()->SetVerticalJustificationToTop();
   d.Text->GetTextProperty()->SetLineSpacing(1.15);
@@ -285,8 +213,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
     d.CanDraw = context ? 1 : 0;
     if (context)
     {
-      d.MakeChart();
-      d.AddCurves(this->GetPlotTable());
+      d.Chart.Build(this->GetPlotTable());
     }
     else
     {
@@ -300,20 +227,16 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
     return drawn;
   }
   const int* const size = viewport->GetSize();
-  this->GetPlotTable();
-  d.Chart->GetAxis(vtkAxis::BOTTOM)->SetRange(-this->TimeSpan, 0.0);
-  d.Chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, this->GetForceRange());
-  const float width = static_cast<float>(std::min(size[0] - 20, 620));
-  const float height = static_cast<float>(std::clamp(size[1] * 3 / 10, 130, 220));
-  d.Panel->SetDimensions(10.0f, 10.0f, width, height);
-  d.Chart->SetSize(vtkRectf(10.0f, 10.0f, width - 10.0f, height - 6.0f));
-  return drawn + d.Plot->RenderOverlay(viewport);
+  d.Chart.ShowCurves(this->GetPlotTable()->GetNumberOfRows() > 0);
+  d.Chart.SetRanges(this->TimeSpan, this->GetForceRange());
+  d.Chart.Fit(size[0], size[1]);
+  return drawn + d.Chart.GetActor()->RenderOverlay(viewport);
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticHeadUpDisplay::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->Plot->ReleaseGraphicsResources(window);
+  this->Internals->Chart.GetActor()->ReleaseGraphicsResources(window);
   this->Internals->Text->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

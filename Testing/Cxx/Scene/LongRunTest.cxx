@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Half a minute of touching, with the servo at 1 kHz and frames as fast as they come: no state is
+ * missed, and memory does not grow.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticRepresentation.h>
+
+#include <fstream>
+#include <iostream>
+
+#include <unistd.h>
+
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2)
+
+using namespace scenetest;
+
+namespace
+{
+/// Of a frame, ms.
+double FrameTime(vtkRenderWindow* window)
+{
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 100; ++i)
+  {
+    window->Render();
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * 10.0;
+}
+
+/// Of this process, MiB.
+double ResidentMemory()
+{
+  double total = 0.0;
+  double resident = 0.0;
+  std::ifstream("/proc/self/statm") >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+}
+} // namespace
+
+TEST_F(StyleTest, HalfAMinuteMissesNoState)
+{
+  vtkNew<vtkHapticRepresentation> hand;
+  vtkNew<vtkHapticHeadUpDisplay> display;
+  hand->SetDevice(this->Device);
+  display->SetDevice(this->Device);
+  MessageLog displayLog(display);
+  this->Style->SetHeadUpDisplay(display);
+  this->Renderer->AddViewProp(hand);
+  this->Renderer->AddViewProp(display);
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  double last = -1.0;
+  double begun = 0.0;
+  vtkIdType states = 0;
+  vtkIdType missing = 0;
+  vtkIdType touched = 0;
+  for (int frame = 0; Clock::now() - start < std::chrono::seconds(30); ++frame)
+  {
+    const double phase = 0.02 * frame;
+    this->Pointer(150 + static_cast<int>(40.0 * std::sin(phase)), 150);
+    if (frame % 50 < 2 && frame < 600)
+    {
+      this->Pointer(150, 150,
+        frame % 100 < 50 ? vtkCommand::MouseWheelForwardEvent
+                         : vtkCommand::MouseWheelBackwardEvent);
+    }
+    this->Style->UpdateHaptics();
+    vtkTable* const table = this->Style->GetStates();
+    auto* const ticks = vtkDataArray::SafeDownCast(table->GetColumnByName("Tick"));
+    auto* const contact = vtkDataArray::SafeDownCast(table->GetColumnByName("Contact"));
+    for (vtkIdType i = 0; i < table->GetNumberOfRows(); ++i)
+    {
+      missing += last >= 0.0 && ticks->GetComponent(i, 0) != last + 1.0 ? 1 : 0;
+      touched += contact->GetComponent(i, 0) != 0.0 ? 1 : 0;
+      last = ticks->GetComponent(i, 0);
+      ++states;
+    }
+    this->Window->Render();
+    if (begun == 0.0 && Clock::now() - start > std::chrono::seconds(10))
+    {
+      begun = ResidentMemory(); // by now the plot is full
+    }
+  }
+  EXPECT_EQ(missing, 0);
+  EXPECT_GT(states, 1000);
+  EXPECT_GT(touched, 100);
+  EXPECT_LT(ResidentMemory() - begun, 16.0);
+  EXPECT_TRUE(this->Log.Errors.empty());
+  EXPECT_TRUE(displayLog.Errors.empty());
+  const double with = FrameTime(this->Window);
+  display->VisibilityOff();
+  std::cout << "A frame takes " << with << " ms with and " << FrameTime(this->Window)
+            << " ms without the head-up display.\n";
+}
