@@ -10,6 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHapticDevice.h"
+#include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -39,6 +40,7 @@ struct vtkHapticRepresentation::vtkInternals
   bool HasState = false;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;
+  vtkNew<vtkLookupTable> BlueToRed;
   vtkNew<vtkActor> TrailActor;
   vtkNew<vtkTextActor> ScaleText;
   vtkBoundingBox Box;
@@ -57,6 +59,8 @@ vtkHapticRepresentation::vtkHapticRepresentation()
   : Internals(new vtkInternals)
 {
   auto& d = *this->Internals;
+  d.BlueToRed->SetHueRange(2.0 / 3.0, 0.0);
+  d.TrailMapper->SetLookupTable(d.BlueToRed);
   d.TrailActor->SetMapper(d.TrailMapper);
   d.TrailActor->GetProperty()->SetLineWidth(3.0f);
   d.TrailActor->GetProperty()->LightingOff();
@@ -109,8 +113,9 @@ vtkPolyData* vtkHapticRepresentation::GetTrail()
 //------------------------------------------------------------------------------
 void vtkHapticRepresentation::SetTrailLookupTable(vtkScalarsToColors* table)
 {
-  this->Internals->TrailMapper->SetLookupTable(table);
-  this->Internals->TrailMapper->SetUseLookupTableScalarRange(table != nullptr);
+  auto& d = *this->Internals;
+  d.TrailMapper->SetLookupTable(table ? table : d.BlueToRed.GetPointer());
+  d.TrailMapper->SetUseLookupTableScalarRange(table != nullptr);
   this->Modified();
 }
 

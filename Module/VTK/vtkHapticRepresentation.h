@@ -90,8 +90,8 @@ public:
   ///@{
   /**
    * A line through the points of a trace (default none), coloured by one of its point arrays, of which
-   * vectors count by their length (default "Force"), through a lookup table (default VTK's own, over
-   * the array's range).
+   * vectors count by their length (default "Force"), through a lookup table (default: from blue to
+   * red over the array's range).
    */
   void SetTrail(vtkPolyData* trace);
   vtkPolyData* GetTrail();
