@@ -7,7 +7,10 @@
 #ifndef HapticForceChart_h
 #define HapticForceChart_h
 
+#include "HapticForceHistory.h"
+
 #include "vtkNew.h"
+#include "vtkType.h"
 
 class vtkBlockItem;
 class vtkChartXY;
@@ -23,14 +26,17 @@ public:
   HapticForceChart();
   ~HapticForceChart();
 
-  /** Once, with the table of a HapticForceHistory; needs something to draw charts with. */
-  void Build(vtkTable* table);
-  /** From -span (s) to 0, and from 0 to a force (N). */
-  void SetRanges(double span, double force);
-  /** Whether there is anything to draw: VTK complains of lines without points. */
-  void ShowCurves(bool shown);
+  /** Once; needs something to draw charts with. */
+  void Build();
   /** Into the lower left corner of a viewport of this size (pixels). */
   void Fit(int width, int height);
+  /** The corner of the viewport that it takes up (pixels). */
+  const int* GetExtent() const { return this->Extent; }
+  /**
+   * The table of a HapticForceHistory, from -span (s) to 0 and from 0 to a force (N). After Fit.
+   * Returns whether the chart changes.
+   */
+  bool Show(vtkTable* table, double span, double force);
 
   vtkContextActor* GetActor() { return this->Actor; }
 
@@ -38,6 +44,14 @@ private:
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
   vtkNew<vtkContextActor> Actor;
+  vtkNew<vtkTable> Lines[HapticForceHistory::Curves]; ///< as few points as look the same
+  int Viewport[2] = { 0, 0 };                         ///< pixels, as the next two
+  int Extent[2] = { 0, 0 };
+  double Height = 1.0;
+  vtkTable* Shown = nullptr; ///< what the lines were made of
+  vtkMTimeType ShownTime = 0;
+  double ShownForce = 0.0;
+  double ShownSpan = 0.0;
 };
 
 } // namespace VolumeHaptics

@@ -58,13 +58,16 @@ vtkTable* HapticForceHistory::Plot(double span)
     const double interval = intervalOf(*from);
     std::array<double, Curves> low = from->Forces;
     std::array<double, Curves> high = from->Forces;
+    std::array<bool, Curves> isFalling = {}; // the smallest comes after the largest
     auto to = from;
     for (; to != this->States.end() && intervalOf(*to) == interval; ++to)
     {
       for (int c = 0; c < Curves; ++c)
       {
-        low[c] = std::min(low[c], to->Forces[c]);
-        high[c] = std::max(high[c], to->Forces[c]);
+        const double force = to->Forces[c];
+        isFalling[c] = force < low[c] || (isFalling[c] && force <= high[c]);
+        low[c] = std::min(low[c], force);
+        high[c] = std::max(high[c], force);
       }
     }
     const double times[2] = { from->Time, (to - 1)->Time };
@@ -73,7 +76,8 @@ vtkTable* HapticForceHistory::Plot(double span)
       this->Columns[0]->InsertNextValue(static_cast<float>(times[i] - end));
       for (int c = 0; c < Curves; ++c)
       {
-        this->Columns[1 + c]->InsertNextValue(static_cast<float>(i == 0 ? low[c] : high[c]));
+        const bool isLow = (i == 1) == isFalling[c];
+        this->Columns[1 + c]->InsertNextValue(static_cast<float>(isLow ? low[c] : high[c]));
       }
     }
     from = to;
