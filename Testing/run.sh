@@ -7,8 +7,8 @@
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
 # Without --full, a short form of the sanitizer runs precedes the tests; with it, all C++ tests run under
-# the address and undefined-behaviour sanitizers, those of the device and the servo also under the thread
-# sanitizer, and the benchmarks print their ratios.
+# the address and undefined-behaviour sanitizers, those of the device, the scene and the servo also under
+# the thread sanitizer, and the benchmarks print their ratios.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -56,7 +56,7 @@ export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequ
 if [ $full = yes ]; then
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
   # Not Signals: it forks, which the thread sanitizer can't follow in a process with threads.
-  run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Device|Servo)[.]' -E Signals
+  run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Device|Scene|Servo)[.]' -E Signals
 else
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsLoopTests
   run_tests "$build_dir-thread" -R '^VolumeHaptics[.]Servo[.]'
