@@ -117,6 +117,7 @@ void HapticForceChart::Build()
   this->Actor->GetScene()->AddItem(this->Panel);
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Chart->SetAutoSize(false);
+  this->Chart->SetRenderEmpty(true); // axes before there are curves
   this->Chart->SetShowLegend(true);
   SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)");
   SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)");

@@ -6,7 +6,6 @@
 #include "vtkInteractorStyleHapticInternals.h"
 
 #include "vtkCamera.h"
-#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -107,62 +106,6 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
     const double period = 1000.0 / this->DisplayRate;
     d.Timer = this->Interactor->CreateRepeatingTimer(static_cast<unsigned long>(period));
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::OnTimer()
-{
-  if (this->Interactor->GetTimerEventId() != this->Internals->Timer)
-  {
-    this->Superclass::OnTimer();
-    return;
-  }
-  if (this->UpdateHaptics())
-  {
-    this->Interactor->Render();
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkInteractorStyleHaptic::UpdateHaptics()
-{
-  auto& d = *this->Internals;
-  if (!d.Device || !d.Device->IsRunning())
-  {
-    return false;
-  }
-  // What has changed goes to the servo first, so that it is felt before it is seen.
-  vtkRenderer* const renderer = this->GetHapticRenderer();
-  const bool placed = renderer && !this->Clutch && this->PlaceWorkspace(renderer);
-  vtkVolumeHapticsFilter* const filter = d.Device->GetVolumeHaptics();
-  vtkAlgorithm* const source = filter ? filter->GetInputAlgorithm(0, 0) : nullptr;
-  vtkDataObject* const image = filter ? filter->GetInputDataObject(0, 0) : nullptr;
-  const vtkMTimeType time = filter
-    ? std::max({ filter->GetMTime(), source ? source->GetMTime() : vtkMTimeType(0),
-        image ? image->GetMTime() : vtkMTimeType(0) })
-    : vtkMTimeType(0);
-  if (placed || time != d.Published)
-  {
-    // Also where it fails: it will not succeed before something changes, and one error is enough.
-    d.Published = time;
-    d.Device->Publish();
-  }
-
-  const bool isNew = d.Device->UpdateState();
-  d.Device->DrainStates(d.States);
-  if (d.Display)
-  {
-    d.Display->AddStates(d.States);
-  }
-  for (const unsigned long event : d.Watch.Watch(d.States))
-  {
-    this->InvokeEvent(event);
-  }
-  if (isNew)
-  {
-    this->InvokeEvent(StatesEvent);
-  }
-  return isNew;
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,10 @@
  *
  * A vtkInteractorStyleTrackballCamera with a vtkHapticDevice. Its timer is the GUI's side of the
  * servo: at DisplayRate it takes the device's states, hands the servo whatever has changed in the
- * filter (image, functions, settings), feeds the head-up display, invokes events, and renders when
- * there is something new to see. It never waits for the servo.
+ * filter (image, functions, settings), feeds the head-up display, invokes events, and renders. It never
+ * waits for the servo. While the tip or the camera moves, it renders at the interactor's desired update
+ * rate, so that mappers which adjust their sample distances sample more coarsely; at rest it renders
+ * at the still rate, once, and then for the head-up display in a tenth of the time.
  *
  * In the touch mode the mouse leads the tip of the virtual device:
  *
@@ -166,6 +168,7 @@ private:
   bool PlaceWorkspace(vtkRenderer* renderer);
   double GetEffectiveScale();
   double GetEffectiveDepthStep();
+  bool HasMoved();
   bool LeadsTip();
   void MoveInDepth(double steps);
 

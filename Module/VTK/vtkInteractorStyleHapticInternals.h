@@ -9,6 +9,7 @@
 
 #include "vtkInteractorStyleHaptic.h"
 
+#include "HapticRenderPace.h"
 #include "HapticStateWatch.h"
 #include "HapticWorkspace.h"
 
@@ -26,6 +27,11 @@ struct vtkInteractorStyleHaptic::vtkInternals
   vtkNew<vtkTable> States;
   VolumeHaptics::HapticStateWatch Watch;
   VolumeHaptics::HapticWorkspace Workspace;
+
+  VolumeHaptics::HapticRenderPace Pace;
+  VolumeHaptics::Vector3 DrawnTip;   ///< world; as last drawn
+  VolumeHaptics::Vector3 DrawnProxy; ///< world
+  bool HasHappened = false;          ///< an event, since then
 
   int Timer = 0;
   vtkMTimeType Published = 0; ///< the filter's time when the servo got it

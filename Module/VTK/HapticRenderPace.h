@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * When to draw a scene that is touched, and how well.
+ */
+#ifndef HapticRenderPace_h
+#define HapticRenderPace_h
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+/**
+ * What moves is drawn at once and as coarsely as the interactive frame rate needs; what has come to
+ * rest, once and well. After that only figures change: they may take a tenth of the time for drawing, so
+ * that a volume that takes a second to draw leaves the application free.
+ */
+class HapticRenderPace
+{
+public:
+  enum class Frame
+  {
+    None,
+    Quick,
+    Still
+  };
+  static constexpr double Pause = 0.3;     ///< s without movement that count as rest
+  static constexpr double Shortest = 0.05; ///< s between frames at rest
+
+  /** Times in s. Moves: something is elsewhere than when last drawn. IsNew: figures have changed. */
+  Frame Next(double now, bool moves, bool isNew)
+  {
+    if (moves)
+    {
+      this->LastMove = now;
+      this->IsStill = false;
+      return Frame::Quick;
+    }
+    if (!this->IsStill)
+    {
+      this->IsStill = now - this->LastMove >= Pause;
+      return this->IsStill ? Frame::Still : Frame::None;
+    }
+    const bool isDue = now - this->LastDrawn >= std::max(Shortest, 10.0 * this->Cost);
+    return isNew && isDue ? Frame::Still : Frame::None;
+  }
+
+  /** After a frame: when it was done, and how long it took. */
+  void Drawn(double now, double cost)
+  {
+    this->LastDrawn = now;
+    this->Cost = cost;
+  }
+
+private:
+  double LastMove = 0.0;
+  double LastDrawn = 0.0;
+  double Cost = 0.0;
+  bool IsStill = true;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The part of vtkInteractorStyleHaptic that its timer drives: from the servo and back, and when to draw.
+#include "vtkInteractorStyleHaptic.h"
+
+#include "HapticViewRay.h"
+#include "vtkInteractorStyleHapticInternals.h"
+
+#include "vtkDataObject.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkTimerLog.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+
+using namespace VolumeHaptics;
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnTimer()
+{
+  auto& d = *this->Internals;
+  if (this->Interactor->GetTimerEventId() != d.Timer)
+  {
+    this->Superclass::OnTimer();
+    return;
+  }
+  using Frame = HapticRenderPace::Frame;
+  const bool isNew = this->UpdateHaptics();
+  const bool moves = this->State != VTKIS_NONE || this->HasMoved();
+  const double now = vtkTimerLog::GetUniversalTime();
+  const Frame frame = d.Pace.Next(now, moves, isNew);
+  if (frame == Frame::None)
+  {
+    return;
+  }
+  // What VTK calls down-sampling: mappers draw as well as the wanted rate of frames lets them.
+  this->Interactor->GetRenderWindow()->SetDesiredUpdateRate(frame == Frame::Quick
+      ? this->Interactor->GetDesiredUpdateRate()
+      : this->Interactor->GetStillUpdateRate());
+  this->Interactor->Render();
+  const double end = vtkTimerLog::GetUniversalTime();
+  d.Pace.Drawn(end, end - now);
+  d.HasHappened = false;
+  if (d.Device)
+  {
+    const double* const tip = d.Device->GetTipPosition();
+    const double* const proxy = d.Device->GetProxyPosition();
+    d.DrawnTip = { tip[0], tip[1], tip[2] };
+    d.DrawnProxy = { proxy[0], proxy[1], proxy[2] };
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::HasMoved()
+{
+  auto& d = *this->Internals;
+  vtkRenderer* const renderer = this->GetHapticRenderer();
+  if (d.HasHappened || !d.Device || !renderer)
+  {
+    return d.HasHappened;
+  }
+  const double* const t = d.Device->GetTipPosition();
+  const double* const p = d.Device->GetProxyPosition();
+  const Vector3 tip{ t[0], t[1], t[2] };
+  const Vector3 proxy{ p[0], p[1], p[2] };
+  const int here[2] = { 0, 0 };
+  const int beside[2] = { 1, 0 };
+  const double pixel =
+    Norm(UnderPointer(renderer, beside, tip) - UnderPointer(renderer, here, tip));
+  // A hand never holds quite still: what nobody can see is no movement.
+  return Norm(tip - d.DrawnTip) > 0.5 * pixel || Norm(proxy - d.DrawnProxy) > 0.5 * pixel;
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::UpdateHaptics()
+{
+  auto& d = *this->Internals;
+  if (!d.Device || !d.Device->IsRunning())
+  {
+    return false;
+  }
+  // What has changed goes to the servo first, so that it is felt before it is seen.
+  vtkRenderer* const renderer = this->GetHapticRenderer();
+  const bool placed = renderer && !this->Clutch && this->PlaceWorkspace(renderer);
+  vtkVolumeHapticsFilter* const filter = d.Device->GetVolumeHaptics();
+  vtkAlgorithm* const source = filter ? filter->GetInputAlgorithm(0, 0) : nullptr;
+  vtkDataObject* const image = filter ? filter->GetInputDataObject(0, 0) : nullptr;
+  const vtkMTimeType time = filter
+    ? std::max({ filter->GetMTime(), source ? source->GetMTime() : vtkMTimeType(0),
+        image ? image->GetMTime() : vtkMTimeType(0) })
+    : vtkMTimeType(0);
+  if (placed || time != d.Published)
+  {
+    // Also where it fails: it will not succeed before something changes, and one error is enough.
+    d.Published = time;
+    d.Device->Publish();
+  }
+
+  const bool isNew = d.Device->UpdateState();
+  d.Device->DrainStates(d.States);
+  if (d.Display)
+  {
+    d.Display->AddStates(d.States);
+  }
+  for (const unsigned long event : d.Watch.Watch(d.States))
+  {
+    d.HasHappened = true;
+    this->InvokeEvent(event);
+  }
+  if (isNew)
+  {
+    this->InvokeEvent(StatesEvent);
+  }
+  return isNew;
+}

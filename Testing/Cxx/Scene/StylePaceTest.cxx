@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * When the style's timer draws, and how well: coarsely while something moves, well at rest, and not all
+ * the time when nothing but figures change.
+ */
+
+#include "StyleRig.h"
+
+#include <thread>
+
+using namespace scenetest;
+
+namespace
+{
+class StylePaceTest : public StyleTest
+{
+protected:
+  StylePaceTest()
+  {
+    vtkNew<vtkCallbackCommand> note;
+    note->SetClientData(this);
+    note->SetCallback(
+      [](vtkObject* window, unsigned long, void* self, void*)
+      {
+        auto* const test = static_cast<StylePaceTest*>(self);
+        const double rate = static_cast<vtkRenderWindow*>(window)->GetDesiredUpdateRate();
+        ++(rate == test->Interactor->GetDesiredUpdateRate() ? test->Quick : test->Still);
+        std::this_thread::sleep_for(std::chrono::milliseconds(test->Slowness));
+      });
+    this->Window->AddObserver(vtkCommand::StartEvent, note);
+  }
+  /// The style's timer, as an interactor's loop fires it, for some time.
+  template <typename F>
+  void Time(int milliseconds, F&& between)
+  {
+    this->Quick = 0;
+    this->Still = 0;
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::milliseconds(milliseconds);
+    for (int i = 0; Clock::now() < end; ++i)
+    {
+      between(i);
+      this->Interactor->SetTimerEventId(this->Timer);
+      this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+  void Start()
+  {
+    this->Interactor->Initialize();
+    while (this->Interactor->GetTimerDuration(this->Timer) == 0)
+    {
+      ++this->Timer;
+      ASSERT_LT(this->Timer, 1000) << "the style has no timer";
+    }
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Pointer(150, 150);
+    this->Style->TouchModeOn();
+    this->Time(800, [](int) {}); // armed, seen, at rest
+  }
+
+  int Timer = 1;
+  int Quick = 0;
+  int Still = 0;
+  int Slowness = 0; ///< of a frame, ms
+};
+} // namespace
+
+TEST_F(StylePaceTest, DrawsAtTheInteractiveRateWhileTheTipMoves)
+{
+  this->Start();
+  this->Time(500, [this](int i) { this->Pointer(100 + i % 100, 150); });
+  EXPECT_GT(this->Quick, 5);
+  EXPECT_EQ(this->Still, 0);
+}
+
+TEST_F(StylePaceTest, DrawsWellOnceAtRestAndThenForTheFigures)
+{
+  this->Start();
+  this->Pointer(180, 150);
+  this->Time(200, [](int) {});
+  EXPECT_GE(this->Quick, 1);
+  EXPECT_EQ(this->Still, 0) << "not yet at rest";
+  this->Slowness = 60;
+  this->Time(1500, [](int) {});
+  EXPECT_GE(this->Still, 1);
+  EXPECT_LE(this->Still, 4) << "frames that take 60 ms may come every 600 ms";
+  EXPECT_EQ(this->Quick, 0);
+}
