@@ -134,9 +134,9 @@ explore()
     window=()
   fi
   "$program" ${window[@]+"${window[@]}"} "$@" || status=$?
-  if [[ $status -ge 128 ]]
+  if [[ $status -eq 134 || $status -eq 139 ]]
   then
-    # VTK's X11 windows crash on a display that is set and cannot be used.
+    # VTK's X11 windows crash (SIGABRT, SIGSEGV) on a display that is set and cannot be used.
     say "The display $DISPLAY is of no use: trying again without it"
     status=0
     xvfb-run -a "$program" --pictures "$build/pictures" "$@" || status=$?

@@ -117,7 +117,6 @@ void HapticForceChart::Build()
   this->Actor->GetScene()->AddItem(this->Panel);
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Chart->SetAutoSize(false);
-  this->Chart->SetRenderEmpty(true); // axes before there are curves
   this->Chart->SetShowLegend(true);
   SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)");
   SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)");
@@ -181,8 +180,16 @@ bool HapticForceChart::Show(vtkTable* table, double span, double force)
     const int c = DrawingOrder[i];
     Simplify(vtkFloatArray::SafeDownCast(table->GetColumn(0)),
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);
-    // VTK complains of lines without points.
-    this->Chart->GetPlot(i)->SetVisible(this->Lines[c]->GetNumberOfRows() > 0);
+    if (this->Lines[c]->GetNumberOfRows() < 2)
+    {
+      // VTK complains of lines with fewer points, and draws no axes without lines.
+      for (const double t : { -span, 0.0 })
+      {
+        vtkFloatArray::SafeDownCast(this->Lines[c]->GetColumn(0))
+          ->InsertNextValue(static_cast<float>(t));
+        vtkFloatArray::SafeDownCast(this->Lines[c]->GetColumn(1))->InsertNextValue(0.0f);
+      }
+    }
   }
   return true;
 }

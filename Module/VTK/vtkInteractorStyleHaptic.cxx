@@ -24,6 +24,10 @@ using namespace VolumeHaptics;
 vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   : Internals(new vtkInternals)
 {
+  auto& d = *this->Internals;
+  d.TimerObserver->SetClientData(&d);
+  d.TimerObserver->SetCallback([](vtkObject*, unsigned long, void* self, void* id)
+    { static_cast<vtkInternals*>(self)->FiredTimer = id ? *static_cast<int*>(id) : 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -98,6 +102,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   if (this->Interactor && d.Timer != 0 && interactor != this->Interactor)
   {
     this->Interactor->DestroyTimer(d.Timer);
+    this->Interactor->RemoveObserver(d.TimerObserver);
     d.Timer = 0;
   }
   this->Superclass::SetInteractor(interactor);
@@ -105,6 +110,8 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   {
     const double period = 1000.0 / this->DisplayRate;
     d.Timer = this->Interactor->CreateRepeatingTimer(static_cast<unsigned long>(period));
+    // Before the style itself hears of the event.
+    this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "HapticStateWatch.h"
 #include "HapticWorkspace.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
@@ -34,6 +35,8 @@ struct vtkInteractorStyleHaptic::vtkInternals
   bool HasHappened = false;          ///< an event, since then
 
   int Timer = 0;
+  int FiredTimer = 0; ///< interactors hand their timer's id to observers, but styles don't get it
+  vtkNew<vtkCallbackCommand> TimerObserver;
   vtkMTimeType Published = 0; ///< the filter's time when the servo got it
   vtkMTimeType Placed = 0;    ///< the camera's time when the workspace was put there
   bool IsPlaced = false;

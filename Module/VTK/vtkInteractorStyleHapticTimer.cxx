@@ -21,7 +21,7 @@ using namespace VolumeHaptics;
 void vtkInteractorStyleHaptic::OnTimer()
 {
   auto& d = *this->Internals;
-  if (this->Interactor->GetTimerEventId() != d.Timer)
+  if (d.FiredTimer != d.Timer)
   {
     this->Superclass::OnTimer();
     return;

@@ -116,7 +116,7 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   cube->GetCubeProperty()->SetColor(0.32, 0.40, 0.52);
   cube->GetTextEdgesProperty()->SetColor(1.0, 1.0, 1.0);
   cube->GetTextEdgesProperty()->SetLineWidth(1.0f);
-  scene.Marker->SetViewport(0.0, 0.0, 0.16, 0.20);
+  scene.Marker->SetViewport(0.84, 0.0, 1.0, 0.20);
   scene.Marker->SetLayer(2);
   scene.Marker->InteractiveOff();
   scene.Marker->AddActor(cube);
