@@ -34,30 +34,30 @@ public:
   {
     if (moves)
     {
-      this->LastMove = now;
-      this->IsStill = false;
       return Frame::Quick;
     }
     if (!this->IsStill)
     {
-      this->IsStill = now - this->LastMove >= Pause;
-      return this->IsStill ? Frame::Still : Frame::None;
+      // What a person does while a frame is drawn is only seen after it; a slow frame has to wait for a
+      // longer rest, lest it be in the way.
+      const double rest = std::max(Pause, 0.5 * this->Cost);
+      return now - this->LastDrawn >= rest ? Frame::Still : Frame::None;
     }
     const bool isDue = now - this->LastDrawn >= std::max(Shortest, 10.0 * this->Cost);
     return isNew && isDue ? Frame::Still : Frame::None;
   }
 
   /** After a frame: when it was done, and how long it took. */
-  void Drawn(double now, double cost)
+  void Drawn(bool quickly, double now, double cost)
   {
     this->LastDrawn = now;
-    this->Cost = cost;
+    this->IsStill = !quickly;
+    this->Cost = quickly ? this->Cost : cost;
   }
 
 private:
-  double LastMove = 0.0;
   double LastDrawn = 0.0;
-  double Cost = 0.0;
+  double Cost = 0.0; ///< of a still frame, s
   bool IsStill = true;
 };
 

@@ -169,6 +169,7 @@ private:
   double GetEffectiveScale();
   double GetEffectiveDepthStep();
   bool HasMoved();
+  void Draw(bool quickly);
   bool LeadsTip();
   void MoveInDepth(double steps);
 

@@ -62,7 +62,7 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   const int* const before = this->Interactor->GetLastEventPosition();
   if (this->State == VTKIS_NONE && d.Editor && d.Editor->MouseMove(now[0], now[1]))
   {
-    this->Interactor->Render();
+    this->Draw(true);
     return;
   }
   if (!this->LeadsTip())
@@ -109,7 +109,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonUp()
   {
     d.EditorHasMouse = false;
     d.Editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]);
-    this->Interactor->Render();
+    this->Draw(true);
   }
   else if (this->LeadsTip())
   {
@@ -128,7 +128,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
   const int* const at = this->Interactor->GetEventPosition();
   if (d.Editor && d.Editor->DoubleClick(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]))
   {
-    this->Interactor->Render();
+    this->Draw(true);
     return;
   }
   this->Superclass::OnLeftButtonDoubleClick();
@@ -230,7 +230,7 @@ void vtkInteractorStyleHaptic::OnKeyPress()
     this->Superclass::OnKeyPress();
     return;
   }
-  this->Interactor->Render();
+  this->Draw(true);
 }
 
 //------------------------------------------------------------------------------

@@ -35,13 +35,23 @@ void vtkInteractorStyleHaptic::OnTimer()
   {
     return;
   }
+  this->Draw(frame == Frame::Quick);
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::Draw(bool quickly)
+{
+  auto& d = *this->Internals;
   // What VTK calls down-sampling: mappers draw as well as the wanted rate of frames lets them.
-  this->Interactor->GetRenderWindow()->SetDesiredUpdateRate(frame == Frame::Quick
-      ? this->Interactor->GetDesiredUpdateRate()
-      : this->Interactor->GetStillUpdateRate());
+  if (vtkRenderWindow* window = this->Interactor->GetRenderWindow())
+  {
+    window->SetDesiredUpdateRate(
+      quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
   this->Interactor->Render();
   const double end = vtkTimerLog::GetUniversalTime();
-  d.Pace.Drawn(end, end - now);
+  d.Pace.Drawn(quickly, end, end - start);
   d.HasHappened = false;
   if (d.Device)
   {

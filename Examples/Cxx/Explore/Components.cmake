@@ -30,6 +30,7 @@ set(Explore_SOURCES
   BodyIsolation.cxx
   DicomFolder.cxx
   Explorer.cxx
+  CoarseFrames.cxx
   ExplorerScene.cxx
   ForceChart.cxx
   HeaderText.cxx

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExplorerScene.h"
 
+#include "CoarseFrames.h"
 #include "SceneCamera.h"
 #include "Trail.h"
 #include "VolumeLook.h"
@@ -47,17 +48,22 @@ vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWo
   return plain;
 }
 
-/// Sampled at half a voxel and without jitter: the same picture in every run. While someone interacts,
-/// VTK samples as coarsely as the wanted frame rate needs.
-vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance, bool interactive)
+/// Sampled without jitter: the same picture in every run.
+vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(
+  double sampleDistance, bool interactive, vtkRenderWindow* window)
 {
   auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
-  mapper->SetAutoAdjustSampleDistances(interactive);
+  mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSampleDistance(static_cast<float>(sampleDistance));
   mapper->UseJitteringOff();
+  if (interactive)
+  {
+    Explore::DrawCoarselyInMotion(window, mapper);
+  }
   return mapper;
 }
 
+/// This one adjusts the distances of samples and of rays by itself.
 vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance, bool interactive)
 {
   auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
@@ -86,12 +92,14 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysi
   const bool gpu = options.Mapper == MapperChoice::GPU ||
     (options.Mapper == MapperChoice::Auto && IsGPUUsable(scene.Window, property, image));
   const double* spacing = image->GetSpacing();
-  const double sample = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
+  // A picture may take its time.
+  const double voxels = options.Interactive ? 1.0 : 0.5;
+  const double sample = voxels * std::min({ spacing[0], spacing[1], spacing[2] });
 
   vtkNew<vtkMatrix4x4> toWorld;
   vtkNew<vtkVolume> volume;
-  auto mapper =
-    gpu ? MakeGPUMapper(sample, options.Interactive) : MakeCPUMapper(sample, options.Interactive);
+  auto mapper = gpu ? MakeGPUMapper(sample, options.Interactive, scene.Window)
+                    : MakeCPUMapper(sample, options.Interactive);
   mapper->SetInputData(PlainImage(image, toWorld));
   volume->SetMapper(mapper);
   volume->SetProperty(property);
@@ -116,7 +124,7 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   cube->GetCubeProperty()->SetColor(0.32, 0.40, 0.52);
   cube->GetTextEdgesProperty()->SetColor(1.0, 1.0, 1.0);
   cube->GetTextEdgesProperty()->SetLineWidth(1.0f);
-  scene.Marker->SetViewport(0.84, 0.0, 1.0, 0.20);
+  scene.Marker->SetViewport(0.84, 0.80, 1.0, 1.0);
   scene.Marker->SetLayer(2);
   scene.Marker->InteractiveOff();
   scene.Marker->AddActor(cube);

@@ -11,6 +11,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -18,7 +19,7 @@ namespace
 using Explore::TouchScene;
 
 /// Whatever draws in two dimensions goes above the volume, and below the marker.
-void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
+void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int width)
 {
   const Explore::Analysis& analysis = exploration.Values;
   touch.Hand->SetDevice(touch.Device);
@@ -37,6 +38,8 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   touch.Editor->SetProperty(exploration.Filter->GetProperty());
   touch.Editor->SetVolumeProperty(touch.Scene.Look);
   touch.Editor->SetInputData(exploration.Body);
+  // Beside the display's plot, above the scale of the arrows.
+  touch.Editor->SetRectangle(std::max(10, width - 265), 40, 255, 190);
   touch.Editor->VisibilityOff();
   touch.Scene.Overlay->AddViewProp(touch.Editor);
 }
@@ -69,7 +72,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   {
     throw InputError("--device " + device, capture.FirstError(), "name another device, or none");
   }
-  AddParts(touch, exploration);
+  AddParts(touch, exploration, options.Width);
   touch.Setup->SetVolumeHaptics(filter);
   touch.Setup->SetVolumeProperty(touch.Scene.Look);
   touch.Setup->SetCamera(touch.Scene.Renderer->GetActiveCamera());
