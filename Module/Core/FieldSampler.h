@@ -23,7 +23,7 @@ namespace VolumeHaptics
 
 struct FieldSample
 {
-  /** The estimator's own (smoothed) value: a measure of scale for the gradient's rounding error. */
+  /** The estimator's own (smoothed) value, which belongs to ValueOffset. */
   double Value = 0.0;
   /** Per step of the index, along the index axes. */
   Vector3 Gradient;
@@ -95,6 +95,19 @@ public:
     return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
   }
 
+  /**
+   * Where, as index steps from an index inside, the gradient's own value belongs: the Gaussian's
+   * taps have their mean a little beside the position. Zero for the other estimators.
+   */
+  Vector3 ValueOffset(const Vector3& index) const noexcept
+  {
+    if (!this->View.Kernel.Mean)
+    {
+      return {};
+    }
+    return { this->MeanTap(index.X), this->MeanTap(index.Y), this->MeanTap(index.Z) };
+  }
+
   /** Whether a continuous index lies within the samples' bounding box. */
   bool IsInside(const Vector3& index) const noexcept
   {
@@ -119,6 +132,17 @@ private:
   double Checked(double value) const noexcept
   {
     return std::isfinite(value) ? value : this->View.Volume.BorderValue;
+  }
+
+  double MeanTap(double position) const noexcept
+  {
+    constexpr int intervals = GradientKernel::Intervals;
+    const double scaled = position * intervals;
+    const double whole = std::floor(scaled);
+    const double t = scaled - whole;
+    const auto interval = static_cast<std::uint64_t>(whole) % intervals;
+    const double* const c = this->View.Kernel.Mean + interval * GradientKernel::Coefficients;
+    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5]))));
   }
 
   FieldView View;

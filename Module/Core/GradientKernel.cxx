@@ -105,10 +105,23 @@ GradientKernel::GradientKernel(GradientEstimator estimator, int radius)
   }
   const int count = 2 * this->Taps;
   this->Table.resize(static_cast<std::size_t>(Intervals) * Coefficients * count);
+  this->Mean.resize(Intervals * Coefficients);
   for (int interval = 0; interval < Intervals; ++interval)
   {
-    Interpolate(
-      *this, interval, &this->Table[static_cast<std::size_t>(interval) * Coefficients * count]);
+    double* const weights =
+      &this->Table[static_cast<std::size_t>(interval) * Coefficients * count];
+    Interpolate(*this, interval, weights);
+    double* const mean = &this->Mean[interval * Coefficients];
+    for (int p = 0; p < Coefficients; ++p)
+    {
+      for (int i = 0; i < this->Taps; ++i)
+      {
+        mean[p] += (i - this->Radius) * weights[p * count + i];
+      }
+    }
+    // Seen from the position: the fraction is taken off.
+    mean[0] -= static_cast<double>(interval) / Intervals;
+    mean[1] -= 1.0 / Intervals;
   }
 }
 

@@ -42,6 +42,7 @@ enum class GradientEstimator : std::uint8_t
 struct KernelView
 {
   const double* Table = nullptr;
+  const double* Mean = nullptr;
   int Radius = 2;
   int Taps = 6;
 };
@@ -67,11 +68,17 @@ struct GradientKernel
    * constant coefficients of all of them, then the linear ones, and so on.
    */
   std::vector<double> Table;
+  /** Of the Gaussian: m as a polynomial in each interval. */
+  std::vector<double> Mean;
 
   GradientKernel() = default;
   GradientKernel(GradientEstimator estimator, int radius);
 
-  KernelView GetView() const { return { this->Table.data(), this->Radius, this->Taps }; }
+  KernelView GetView() const 
+  {
+    return { this->Table.data(), this->Mean.empty() ? nullptr : this->Mean.data(), this->Radius,
+      this->Taps };
+  }
 };
 
 /** Smoothing and derivative weights of the Gaussian at a fraction in [0, 1], by the formulas above.

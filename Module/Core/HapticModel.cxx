@@ -59,6 +59,7 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
   , WorldToDevice(Inverse(deviceToWorld))
   , DeviceToIndex(Compose(Inverse(this->Shared->IndexToWorld), deviceToWorld))
   , DeviceToWorldRotation((1.0 / SimilarityScale(deviceToWorld)) * deviceToWorld.Linear)
+  , WorldUnitsPerMeter(SimilarityScale(deviceToWorld))
   // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.
   , GradientToDevice(Transpose(this->DeviceToWorldRotation) *
       Transpose(Inverse(this->Shared->IndexToWorld.Linear)))

@@ -29,6 +29,20 @@ enum class HapticMethod : std::uint8_t
   ForceField, ///< the paper's eq. 1
 };
 
+/** How Proxy advances the proxy in a tick. */
+enum class HapticSolver : std::uint8_t
+{
+  Paper,  ///< as published, with one gradient a tick
+  Precise ///< the same law in balance where the proxy ends; see PreciseSolver.h
+};
+
+/** Where a surface begins to hold; of HapticSolver::Precise. */
+enum class ContactAlignment : std::uint8_t
+{
+  Distinctness, ///< where W_d and T_N say so
+  Edge          ///< not before V(x_p) >= (V(x_s) + V(x_v))/2
+};
+
 /** Which way a structure lies from its surface: where the scalar is higher, lower, or either. */
 enum class SurfaceSide : std::uint8_t
 {
@@ -40,6 +54,8 @@ enum class SurfaceSide : std::uint8_t
 struct HapticSettings
 {
   HapticMethod Method = HapticMethod::Proxy;
+  HapticSolver Solver = HapticSolver::Precise;
+  ContactAlignment Alignment = ContactAlignment::Distinctness;
   SurfaceSide Side = SurfaceSide::Higher;
   double TickPeriod = 1e-3; ///< s
   ForceCaps Caps;
@@ -113,6 +129,7 @@ public:
   const Affine3 WorldToDevice;
   const Affine3 DeviceToIndex;
   const Matrix3 DeviceToWorldRotation;
+  const double WorldUnitsPerMeter;
   /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
   const Matrix3 GradientToDevice;
   /** Stands in for the normal where there is no gradient: the volume's third axis. */

@@ -10,7 +10,8 @@
 #ifndef ServoTick_h
 #define ServoTick_h
 
-#include "HapticModel.h"
+#include "MaterialLaw.h"
+#include "PassiveSpring.h"
 
 namespace VolumeHaptics
 {
@@ -23,32 +24,35 @@ enum class ContactState : std::uint8_t
   Penetrating = 3 ///< it is pushed through a surface
 };
 
+/** What only PRECISE keeps from tick to tick. */
+struct PreciseState
+{
+  Vector3 ReachedTip; ///< where the tip was when the solver's budget was spent; else the tip
+  double Level = 0.0; ///< the estimator's value on the surface that holds the proxy
+  bool IsHeld = false; ///< whether Level means anything
+  PassiveSpring Spring;
+};
+
 /** What a tick keeps for the next one. */
 struct ServoState
 {
   Vector3 Proxy;
   Vector3 PreviousTip;
   bool Enabled = false; ///< when false, the next tick puts the proxy on the tip with no force
+  PreciseState Precise;
 };
 
-/** What a tick found and did. Materials, normal and gradient are those the tick used. */
-struct TickRecord
+/** What a tick found and did. The place is that of the materials that the tick used. */
+struct TickRecord : Place
 {
   Vector3 Tip;
-  Vector3 Proxy;                  ///< after the tick
-  Vector3 Force;                  ///< N, on the hand
-  double NormalForce = 0.0;       ///< N, magnitude before the drag step
-  double FrictionForce = 0.0;     ///< N, magnitude before the drag step
-  double DragForce = 0.0;         ///< N, stiffness times the distance that the drag step went back
-  Vector3 Normal;                 ///< unit, into the structure
-  double GradientMagnitude = 0.0; ///< scalar units per world unit
-  double SurfaceValue = 0.0;      ///< V(x_s)
-  double MediumValue = 0.0;       ///< V(x_v)
-  double Stiffness = 0.0;         ///< k, N/m
-  double Friction = 0.0;          ///< mu
-  double Viscosity = 0.0;         ///< R, N
-  double SurfaceStrength = 0.0;   ///< T_N W_d, N
+  Vector3 Proxy;              ///< after the tick
+  Vector3 Force;              ///< N, on the hand
+  double NormalForce = 0.0;   ///< N, magnitude before the drag step
+  double FrictionForce = 0.0; ///< N, magnitude before the drag step
+  double DragForce = 0.0;     ///< N, stiffness times the distance that the drag step went back
   ContactState Contact = ContactState::Free;
+  bool IsLate = false; ///< PRECISE spent its budget: the force is that of a tip some way back
 };
 
 /**

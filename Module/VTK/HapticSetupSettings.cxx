@@ -111,7 +111,8 @@ NumberRow ToRow(const double x[3])
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   PassChoiceMacro(node, filter, Method, { "Proxy", "ForceField" });
-  PassChoiceMacro(node, filter, Solver, { "Paper" });
+  PassChoiceMacro(node, filter, Solver, { "Paper", "Precise" });
+  PassChoiceMacro(node, filter, ContactAlignment, { "Distinctness", "Edge" });
   PassChoiceMacro(
     node, filter, GradientEstimator, { "CentralDifference", "Gaussian", "CubicBSpline" });
   PassIntegerMacro(node, filter, KernelRadius, 1, 16);

@@ -142,6 +142,9 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Estimator = static_cast<VolumeHaptics::GradientEstimator>(this->GradientEstimator);
   options.KernelRadius = this->KernelRadius;
   options.Settings.Method = static_cast<HapticMethod>(this->Method);
+  options.Settings.Solver = static_cast<VolumeHaptics::HapticSolver>(this->Solver);
+  options.Settings.Alignment =
+    static_cast<VolumeHaptics::ContactAlignment>(this->ContactAlignment);
   options.Settings.TickPeriod = tickPeriod;
   options.Settings.MaximumForce = this->MaximumForce;
   options.Settings.Caps = this->Tighten(deviceCaps);
@@ -267,7 +270,9 @@ void vtkVolumeHapticsFilter::PrintSettings(ostream& os, vtkIndent indent)
   }
   static const char* const estimators[] = { "CentralDifference", "Gaussian", "CubicBSpline" };
   os << indent << "Method: " << (this->Method == PROXY ? "Proxy" : "ForceField") << "\n";
-  os << indent << "Solver: Paper\n";
+  os << indent << "Solver: " << (this->Solver == PAPER ? "Paper" : "Precise") << "\n";
+  os << indent << "ContactAlignment: "
+     << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness") << "\n";
   os << indent << "GradientEstimator: " << estimators[this->GradientEstimator] << "\n";
   os << indent << "KernelRadius: " << this->KernelRadius << " voxels\n";
   os << indent << "ServoRate: " << this->ServoRate << " Hz\n";

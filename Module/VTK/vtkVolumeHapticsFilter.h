@@ -115,16 +115,38 @@ public:
 
   enum SolverType
   {
-    PAPER = 0
+    PAPER = 0,
+    PRECISE = 1
   };
 
   ///@{
   /**
-   * How PROXY advances the proxy in a tick: PAPER (default) as published, with one gradient a tick.
+   * How PROXY advances the proxy in a tick. PAPER: as published, one look at the volume where the proxy
+   * is when the tick begins. PRECISE (default): the same law, in balance where the proxy ends.
    */
-  vtkSetClampMacro(Solver, int, PAPER, PAPER);
+  vtkSetClampMacro(Solver, int, PAPER, PRECISE);
   vtkGetMacro(Solver, int);
   void SetSolverToPaper() { this->SetSolver(PAPER); }
+  void SetSolverToPrecise() { this->SetSolver(PRECISE); }
+  ///@}
+
+  enum ContactAlignmentType
+  {
+    DISTINCTNESS = 0,
+    EDGE = 1
+  };
+
+  ///@{
+  /**
+   * Where a surface begins to hold, with PRECISE. DISTINCTNESS (default): as soon as W_d and T_N say so,
+   * which on a blurred edge is some voxels before its middle, since x_s is r ahead. EDGE: not before
+   * V(x_p) >= (V(x_s) + V(x_v)) / 2 (within 0.1 % of their difference), so that what is felt lies on what
+   * is seen. On a linear ramp both are alike.
+   */
+  vtkSetClampMacro(ContactAlignment, int, DISTINCTNESS, EDGE);
+  vtkGetMacro(ContactAlignment, int);
+  void SetContactAlignmentToDistinctness() { this->SetContactAlignment(DISTINCTNESS); }
+  void SetContactAlignmentToEdge() { this->SetContactAlignment(EDGE); }
   ///@}
 
   enum GradientEstimatorType
@@ -247,7 +269,8 @@ protected:
 
   vtkSmartPointer<vtkHapticProperty> Property;
   int Method = PROXY;
-  int Solver = PAPER;
+  int Solver = PRECISE;
+  int ContactAlignment = DISTINCTNESS;
   int GradientEstimator = GAUSSIAN;
   int KernelRadius = 2;
   double ServoRate = 1000.0;

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A spring whose stiffness follows the tissue without giving energy away.
+ *
+ * Let the proxy rest d from the tip. When the tissue's stiffness K rises there, k = K at once would
+ * store energy that no hand has put in (SPEC 4, T15). So a rise keeps the force: the spring has slack,
+ *
+ *   |f| = K (|d| - s)   for |d| > s, else 0,
+ *
+ * and pressing on is felt with the new stiffness. A fall keeps the stretch |d| - s and with that loses
+ * energy; this goes to a reserve, out of which a later rise may first be paid, so that sliding over
+ * uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus the reserve never
+ * rises but by the hand's work. Slack and reserve end with the contact.
+ */
+#ifndef PassiveSpring_h
+#define PassiveSpring_h
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+class PassiveSpring
+{
+public:
+  /** f / |d| in N/m; not above the tissue's stiffness. */
+  double GetEffective() const noexcept { return std::max(this->Tension, Least) * this->Stiffness; }
+
+  /** K (N/m), of the tissue. */
+  double GetTissue() const noexcept { return this->Stiffness; }
+
+  /** The tip moves: d grows or shrinks from one length (m) to another. */
+  void Stretch(double from, double to) noexcept
+  {
+    if (this->Tension < 1.0)
+    {
+      const double slack = (1.0 - this->Tension) * from;
+      this->Tension = to > slack ? 1.0 - slack / to : (to > 0.0 ? 0.0 : 1.0);
+    }
+  }
+
+  /** The tissue's stiffness (N/m) at the proxy is now another one, with the tip d (m) away. */
+  void Pass(double stiffness, double d) noexcept
+  {
+    const double before = this->Stiffness;
+    const double stretch = this->Tension * d;
+    this->Stiffness = stiffness;
+    const double gain = 0.5 * (stiffness - before) * stretch * stretch;
+    if (gain <= this->Reserve)
+    {
+      this->Reserve -= gain;
+      return;
+    }
+    // As far as the reserve goes the stretch stays, from there on the force.
+    const double paid = before + 2.0 * this->Reserve / (stretch * stretch);
+    this->Tension *= paid / stiffness;
+    this->Reserve = 0.0;
+  }
+
+  /** No contact: no slack, no reserve. */
+  void Relax(double stiffness) noexcept
+  {
+    this->Stiffness = stiffness;
+    this->Tension = 1.0;
+    this->Reserve = 0.0;
+  }
+
+  /** What a fall lost is not to pay for a rise beyond this moment. */
+  void DropReserve() noexcept { this->Reserve = 0.0; }
+
+private:
+  /** Keeps the law's quotients finite where all is slack. */
+  static constexpr double Least = 1e-6;
+
+  double Stiffness = 0.0; ///< K, N/m
+  double Tension = 1.0;   ///< stretch / |d|
+  double Reserve = 0.0;   ///< J
+};
+
+} // namespace VolumeHaptics
+
+#endif

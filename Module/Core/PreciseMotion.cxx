@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PreciseMotion.h"
+
+#include "PreciseSolver.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Share of the spring that a motion may go too far. */
+constexpr double Tolerance = 2e-4;
+/** What is left of a direction's part after taking this off is rounding. */
+constexpr double SmallPart = 1e-3;
+/** To which share of itself a motion is drawn back at most; a thousandth of a voxel is less. */
+constexpr int MostTrials = 10;
+/** The nearest (voxels) that a bracket around a step of a material function gets. */
+constexpr double NarrowBracket = 1e-3;
+/** How far (voxels) a proxy is from its level at most. */
+constexpr double FarthestLevel = 0.25;
+/** V(x_p) may be this share of |V(x_s) - V(x_v)| below their mean at an edge. */
+constexpr double EdgeTolerance = 1e-3;
+
+/** A remainder where there is nothing to go too far. */
+constexpr double Nothing = std::numeric_limits<double>::infinity();
+
+/** 1 where the proxy is at or past the middle of an edge, 0 before. */
+double AtEdge(const Place& place, double value, bool isDescending) noexcept
+{
+  const double above = value - 0.5 * (place.SurfaceValue + place.MediumValue);
+  const double width = EdgeTolerance * std::abs(place.SurfaceValue - place.MediumValue);
+  const double share = 1.0 + (isDescending ? -above : above) / std::max(width, 1e-300);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+/** Finds where a falling function crosses zero between 0 and 1: regula falsi, Illinois' way. */
+class Bracket
+{
+public:
+  Bracket(double low, double high, double voxels) noexcept
+    : AtLow(low)
+    , AtHigh(high)
+    , Length(voxels)
+    , IsOpen(high < 0.0)
+  {
+  }
+
+  bool IsNarrow() const noexcept
+  {
+    return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;
+  }
+  double GetHigh() const noexcept { return this->High; }
+
+  double Next(int trial) noexcept
+  {
+    if (this->IsNarrow())
+    {
+      return this->Now = this->High;
+    }
+    const double share =
+      trial % 3 == 2 ? 0.5 : std::clamp(this->AtLow / (this->AtLow - this->AtHigh), 0.02, 0.98);
+    return this->Now = this->Low + share * (this->High - this->Low);
+  }
+
+  void Narrow(double value) noexcept
+  {
+    if (!this->IsOpen || this->Now >= this->High)
+    {
+      return;
+    }
+    if (value == Nothing)
+    {
+      this->Low = this->Now;
+    }
+    else if (value < 0.0)
+    {
+      this->High = this->Now;
+      this->AtHigh = value;
+      this->AtLow *= this->LastWasHigh ? 0.5 : 1.0;
+      this->LastWasHigh = true;
+    }
+    else
+    {
+      this->Low = this->Now;
+      this->AtLow = value;
+      this->AtHigh *= this->LastWasHigh ? 1.0 : 0.5;
+      this->LastWasHigh = false;
+    }
+  }
+
+private:
+  double Low = 0.0;
+  double High = 1.0;
+  double Now = 1.0;
+  double AtLow;
+  double AtHigh;
+  double Length;
+  bool IsOpen;
+  bool LastWasHigh = true;
+};
+
+} // namespace
+
+void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
+{
+  constexpr double least = HapticModel::MinimumStiffness;
+  if (stiffness > least && spring.GetTissue() > least && lag > 0.0)
+  {
+    spring.Pass(stiffness, lag);
+  }
+  else
+  {
+    spring.Relax(stiffness);
+  }
+}
+
+void Turn(const Spot& here, double k, const Vector3& lagBefore, Motion& motion) noexcept
+{
+  const SplitLag split = Law::Split(lagBefore, here.Normal);
+  const Balance before = Law::Weigh(here, k, split);
+  const Vector3 first =
+    motion.IsHeld ? split.Tangent : lagBefore - (before.Normal / k) * here.Normal;
+  const double radius = (here.Friction * before.Normal + here.Viscosity) / k;
+  const double firstLength = Norm(first);
+  const double length = Norm(motion.Rest);
+  // Where the spring was not yet at the end of what holds it, it had no direction.
+  if (!(firstLength > 0.9 * radius) || !(radius > 0.0) || !(length > motion.Radius))
+  {
+    return;
+  }
+  const Vector3 sum = (1.0 / firstLength) * first + (1.0 / length) * motion.Rest;
+  const double sumLength = Norm(sum);
+  if (sumLength < 1.0)
+  {
+    return; // more than a right angle has no mean worth taking
+  }
+  const Vector3 direction = (1.0 / sumLength) * sum;
+  const double along = Dot(motion.Rest, direction);
+  const double square = along * along - (length * length - motion.Radius * motion.Radius);
+  if (square > 0.0)
+  {
+    motion.Way = (along - std::sqrt(square)) * direction;
+  }
+}
+
+Spot Surroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept
+{
+  ++this->Looks;
+  const Vector3 index = this->Model.DeviceToIndex(proxy);
+  Surface surface = Law::FindSurface(this->Model, index);
+  const bool isDescending = Law::IsDescending(this->Model, lag, surface.Normal);
+  if (isDescending)
+  {
+    surface.Normal = -surface.Normal;
+    surface.Reach = -surface.Reach;
+  }
+  Spot spot;
+  Law::ReadMaterials(this->Model, index, surface, spot);
+  if (surface.GradientMagnitude > 0.0)
+  {
+    spot.Value =
+      surface.Sample.Value - Dot(surface.Sample.Gradient, this->Model.Field.ValueOffset(index));
+  }
+  const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
+  spot.Slope = isDescending ? -slope : slope;
+  if (this->Model.Settings.Alignment == ContactAlignment::Edge && spot.SurfaceStrength > 0.0)
+  {
+    spot.SurfaceStrength *= AtEdge(spot, this->Model.Field.Value(index), isDescending);
+  }
+  return spot;
+}
+
+bool Surroundings::CanGoOn() const noexcept
+{
+  return this->Looks + MostTrials + 2 <= MaximumLooks;
+}
+
+bool Surroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
+{
+  const Vector3 i = this->Model.DeviceToIndex(a);
+  const Vector3 j = this->Model.DeviceToIndex(b);
+  const std::int64_t* const n = this->Model.Field.GetView().Dimensions;
+  const auto beyond = [](double u, double v, std::int64_t count)
+  {
+    const double last = static_cast<double>(count - 1);
+    return (u < 0.0 && v < 0.0) || (u > last && v > last);
+  };
+  return beyond(i.X, j.X, n[0]) || beyond(i.Y, j.Y, n[1]) || beyond(i.Z, j.Z, n[2]);
+}
+
+Vector3 Surroundings::ToLevel(const Spot& here, double level, double push) const noexcept
+{
+  const double most = FarthestLevel / Norm(this->Model.DeviceToIndex.Linear * here.Normal);
+  const double way = (level - here.Value) / here.Slope;
+  return std::clamp(way, -most, std::max(0.0, std::min(push, most))) * here.Normal;
+}
+
+Arrival Surroundings::Arrive(
+  const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept
+{
+  const Vector3 way = share * motion.Way;
+  const Arrival end = this->Try(start, motion, way, tip);
+  const Remainder rest = this->Judge(motion, way, tip, end);
+  const double tolerance = -Tolerance * Norm(tip - end.Proxy);
+  return rest.Normal < tolerance || rest.Tangent < tolerance
+    ? this->DrawBack(start, motion, way, tip, end, rest)
+    : end;
+}
+
+Arrival Surroundings::Try(
+  const Departure& start, const Motion& motion, const Vector3& way, const Vector3& tip) noexcept
+{
+  Arrival end{ start.Proxy + way, {}, start.Spring };
+  end.There = this->Look(end.Proxy, tip - end.Proxy);
+  if (motion.IsHeld && end.There.Slope != 0.0)
+  {
+    const double push = Dot(tip - end.Proxy, end.There.Normal);
+    const Vector3 back = this->ToLevel(end.There, start.Level, push);
+    end.Proxy += back;
+    end.There.Value += end.There.Slope * Dot(back, end.There.Normal);
+  }
+  PassOn(end.Spring, end.There.Stiffness, Norm(tip - end.Proxy));
+  return end;
+}
+
+Surroundings::Remainder Surroundings::Judge(const Motion& motion, const Vector3& way,
+  const Vector3& tip, const Arrival& end) const noexcept
+{
+  const Spot& there = end.There;
+  const bool isFelt = Law::IsFelt(there);
+  const double compliance = isFelt ? 1.0 / end.Spring.GetEffective() : 0.0;
+  const SplitLag lag = Law::Split(tip - end.Proxy, there.Normal);
+  const Vector3 direction = (1.0 / Norm(way)) * way;
+  const double inward = Dot(direction, there.Normal);
+  const Vector3 aside = direction - inward * there.Normal;
+  const double across = Norm(aside);
+  const double drag = there.Viscosity * compliance;
+  const double holds = there.SurfaceStrength * compliance;
+
+  Remainder rest{ Nothing, Nothing };
+  if (!motion.IsHeld && inward > SmallPart)
+  {
+    rest.Normal = lag.Push - holds - drag * inward;
+  }
+  else if (!motion.IsHeld && inward < -SmallPart && there.Viscosity > 0.0)
+  {
+    rest.Normal = -lag.Push + drag * inward;
+  }
+  if (across > SmallPart)
+  {
+    const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
+    // Aside from its way the spring is held just the same.
+    const double pull = Dot(lag.Tangent, aside) > 0.0 ? lag.Length : Dot(lag.Tangent, aside) / across;
+    rest.Tangent = pull - grip - drag * across;
+  }
+  if (!motion.IsHeld && motion.Radius > 0.0)
+  {
+    // Drag holds all directions alike, not each for itself.
+    const double beyond = lag.Push - std::clamp(lag.Push, 0.0, holds);
+    const double total = std::hypot(beyond, lag.Length) - drag;
+    const bool isTooDeep = inward > SmallPart && lag.Push < holds;
+    rest.Normal = isTooDeep || rest.Normal == Nothing ? rest.Normal : total;
+    rest.Tangent = Dot(lag.Tangent, aside) < 0.0 || rest.Tangent == Nothing ? rest.Tangent : total;
+  }
+  return rest;
+}
+
+Arrival Surroundings::DrawBack(const Departure& start, const Motion& motion, const Vector3& way,
+  const Vector3& tip, const Arrival& first, const Remainder& rest) noexcept
+{
+  const Vector3 normalWay = Dot(way, first.There.Normal) * first.There.Normal;
+  const Vector3 tangentWay = way - normalWay;
+  const auto voxels = [&](const Vector3& part)
+  { return Norm(this->Model.DeviceToIndex.Linear * part); };
+  // By the law of the place where it begins, a motion ends with a remainder of 0.
+  Bracket normal(Norm(normalWay), rest.Normal, voxels(normalWay));
+  Bracket tangent(Norm(tangentWay), rest.Tangent, voxels(tangentWay));
+  Arrival end = first;
+  for (int trial = 0; trial < MostTrials; ++trial)
+  {
+    const bool isLast = normal.IsNarrow() && tangent.IsNarrow();
+    const Vector3 shorter = normal.Next(trial) * normalWay + tangent.Next(trial) * tangentWay;
+    end = this->Try(start, motion, shorter, tip);
+    const Remainder now = this->Judge(motion, way, tip, end);
+    const double tolerance = Tolerance * Norm(tip - end.Proxy);
+    const auto isDone = [&](const Bracket& bracket, double value)
+    { return bracket.IsNarrow() || std::abs(value) <= tolerance; };
+    if (isLast || (isDone(normal, now.Normal) && isDone(tangent, now.Tangent)))
+    {
+      return end;
+    }
+    normal.Narrow(now.Normal);
+    tangent.Narrow(now.Tangent);
+  }
+  // The side that holds.
+  return this->Try(
+    start, motion, normal.GetHigh() * normalWay + tangent.GetHigh() * tangentWay, tip);
+}
+
+} // namespace VolumeHaptics

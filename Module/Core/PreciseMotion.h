@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Single motions of solver PRECISE, see PreciseSolver.h: what a place is like, and where a motion ends.
+ */
+#ifndef PreciseMotion_h
+#define PreciseMotion_h
+
+#include "MaterialLaw.h"
+#include "PassiveSpring.h"
+
+namespace VolumeHaptics
+{
+
+/** A place as this solver sees it. */
+struct Spot : Place
+{
+  double Value = 0.0; ///< the estimator's own
+  double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
+};
+
+/** What the law asks for. */
+struct Motion
+{
+  Vector3 Way;         ///< m
+  Vector3 Rest;        ///< m; the part of the spring that no surface holds
+  double Radius = 0.0; ///< m; where friction and drag hold all of Rest's directions alike
+  bool IsHeld = false; ///< by a surface: the proxy keeps its level
+  bool IsFree = false; ///< nothing holds it
+};
+
+/** Where a motion begins. */
+struct Departure
+{
+  Vector3 Proxy;
+  PassiveSpring Spring;
+  double Level; ///< where the motion is held
+};
+
+/** Where it ends. */
+struct Arrival
+{
+  Vector3 Proxy;
+  Spot There;
+  PassiveSpring Spring;
+};
+
+/** The spring goes on to tissue of another stiffness (N/m), with the tip `lag` (m) away. */
+void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
+
+/**
+ * Turns the way into the mean of the directions in which friction or drag hold the spring before the tip's
+ * step (`lagBefore`, m) and after it: second order where one direction is first.
+ */
+void Turn(const Spot& here, double k, const Vector3& lagBefore, Motion& motion) noexcept;
+
+/** The volume around a proxy, and how often it was looked at. */
+class Surroundings
+{
+public:
+  explicit Surroundings(const HapticModel& model) noexcept
+    : Model(model)
+  {
+  }
+
+  /** The place at a proxy. With two-sided surfaces the normal goes with the spring. */
+  Spot Look(const Vector3& proxy, const Vector3& lag) noexcept;
+  /** Whether the looks suffice for another motion. */
+  bool CanGoOn() const noexcept;
+
+  /** Whether both positions lie beyond the same face of the volume. */
+  bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
+
+  /** The way from a place to a level, along the normal; not farther in than `push` (m). */
+  Vector3 ToLevel(const Spot& here, double level, double push) const noexcept;
+
+  /** Goes a share of a motion, or less: no farther than the places on the way let it. */
+  Arrival Arrive(const Departure& start, const Motion& motion, double share,
+    const Vector3& tip) noexcept;
+
+private:
+  /** Spring (m) that is left along a motion's parts; less than 0: it went too far. */
+  struct Remainder
+  {
+    double Normal;
+    double Tangent;
+  };
+
+  Arrival Try(
+    const Departure& start, const Motion& motion, const Vector3& way, const Vector3& tip) noexcept;
+  Remainder Judge(const Motion& motion, const Vector3& way, const Vector3& tip,
+    const Arrival& end) const noexcept;
+  Arrival DrawBack(const Departure& start, const Motion& motion, const Vector3& way,
+    const Vector3& tip, const Arrival& end, const Remainder& rest) noexcept;
+
+  const HapticModel& Model;
+  int Looks = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PreciseSolver.h"
+
+#include "PreciseMotion.h"
+#include "ServoTick.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Voxels that tip and proxy go at a time. */
+constexpr double LongestStep = 0.25;
+/** A motion this short (voxels) is not judged at its end. */
+constexpr double ShortStep = 1e-3;
+
+/** Motions at one tip that may lengthen the spring. */
+constexpr int MostSetbacks = 8;
+
+/** Moves the proxy of one tick. */
+class Follower
+{
+public:
+  Follower(const HapticModel& model, const ServoState& state) noexcept
+    : Field(model)
+    , Model(model)
+    , Proxy(state.Proxy)
+    , State(state.Precise)
+  {
+  }
+
+  /** Takes the tip along a straight way, and the proxy after it. */
+  void Follow(const Vector3& tip) noexcept
+  {
+    const Vector3 from = this->State.ReachedTip;
+    this->Here = this->Field.Look(this->Proxy, from - this->Proxy);
+    this->Pass(this->Here.Stiffness, Norm(from - this->Proxy));
+    const Vector3 way = tip - from;
+    const bool isBeyond = this->Field.IsBeyond(from, tip) && this->Field.IsBeyond(this->Proxy, tip);
+    const double steps = isBeyond ? 1.0 : std::max(1.0, std::ceil(this->Voxels(way) / LongestStep));
+    for (double step = 1.0; step <= steps; step += 1.0)
+    {
+      const Vector3 next = step < steps ? from + (step / steps) * way : tip;
+      if (!this->Settle(next))
+      {
+        return;
+      }
+    }
+  }
+
+  void Write(TickRecord& record) const noexcept
+  {
+    static_cast<Place&>(record) = this->Here;
+    record.Proxy = this->Proxy;
+    if (!Law::IsFelt(this->Here))
+    {
+      return;
+    }
+    record.Stiffness = this->State.Spring.GetEffective();
+    record.Force = record.Stiffness * (this->Proxy - this->State.ReachedTip);
+    record.NormalForce = this->Last.Normal;
+    record.FrictionForce = this->Last.Friction;
+    record.DragForce = std::min(this->Here.Viscosity, this->Last.Excess);
+    if (this->Pushes && this->Last.Normal > Law::ForceEpsilon)
+    {
+      record.Contact = this->WentThrough
+        ? ContactState::Penetrating
+        : (this->Slid ? ContactState::Sliding : ContactState::Sticking);
+    }
+  }
+
+  const PreciseState& GetState() const noexcept { return this->State; }
+  bool IsLate() const noexcept { return this->LooksAreSpent; }
+
+private:
+  double Voxels(const Vector3& way) const noexcept
+  {
+    return Norm(this->Model.DeviceToIndex.Linear * way);
+  }
+
+  void Pass(double stiffness, double lag) noexcept
+  {
+    PassOn(this->State.Spring, stiffness, lag);
+  }
+
+  /** Moves the proxy until the law leaves it in place; false if the looks do not suffice. */
+  bool Settle(const Vector3& tip) noexcept
+  {
+    const Vector3 before = this->State.ReachedTip;
+    this->State.Spring.Stretch(Norm(before - this->Proxy), Norm(tip - this->Proxy));
+    this->State.ReachedTip = tip;
+    bool isFirst = true;
+    int setbacks = 0;
+    for (;;)
+    {
+      if (this->Model.Settings.Side == SurfaceSide::Both &&
+        Dot(tip - this->Proxy, this->Here.Normal) < 0.0)
+      {
+        this->Here = this->Field.Look(this->Proxy, tip - this->Proxy);
+      }
+      Motion motion = this->Plan(tip);
+      if (isFirst && motion.Radius > 0.0)
+      {
+        Turn(this->Here, this->State.Spring.GetEffective(), before - this->Proxy, motion);
+      }
+      isFirst = false;
+      const double voxels = this->Voxels(motion.Way);
+      this->Note(voxels);
+      if (voxels <= ShortStep)
+      {
+        this->Creep(motion, tip);
+        return true;
+      }
+      if (!this->Field.CanGoOn() || setbacks > MostSetbacks)
+      {
+        this->LooksAreSpent = true;
+        this->State.ReachedTip = tip - motion.Way;
+        this->State.Spring.Stretch(
+          Norm(tip - this->Proxy), Norm(this->State.ReachedTip - this->Proxy));
+        return false;
+      }
+      const double share = voxels > LongestStep ? LongestStep / voxels : 1.0;
+      const Arrival end = this->Field.Arrive(
+        { this->Proxy, this->State.Spring, this->State.Level }, motion, share, tip);
+      const Vector3 lag = tip - end.Proxy;
+      const Vector3 lagBefore = tip - this->Proxy;
+      // Only the way back to the level makes the spring longer, and never for long.
+      setbacks += Dot(lag, lag) > Dot(lagBefore, lagBefore) ? 1 : 0;
+      this->Proxy = end.Proxy;
+      this->Here = end.There;
+      this->State.Spring = end.Spring;
+    }
+  }
+
+  /** What the law asks for, with the place where the proxy is. */
+  Motion Plan(const Vector3& tip) noexcept
+  {
+    Motion motion;
+    const Vector3 lag = tip - this->Proxy;
+    this->Pushes = false;
+    this->Last = Balance{};
+    if (!Law::IsFelt(this->Here))
+    {
+      this->State.IsHeld = false;
+      motion.Way = lag;
+      motion.IsFree = true;
+      return motion;
+    }
+    const double k = this->State.Spring.GetEffective();
+    const SplitLag split = Law::Split(lag, this->Here.Normal);
+    this->Pushes = split.Push > 0.0;
+    this->Last = Law::Weigh(this->Here, k, split);
+    motion.IsHeld = this->Pushes && !this->Last.IsThrough && this->Here.Slope != 0.0;
+    motion.IsFree = this->Last.Normal == 0.0 && this->Here.Viscosity == 0.0;
+    motion.Way = motion.IsFree ? lag : Law::Move(this->Here, k, split, this->Last, Vector3{});
+    const bool isOneCircle = motion.IsHeld || this->Here.Friction * this->Last.Normal == 0.0;
+    motion.Radius =
+      isOneCircle ? (this->Here.Friction * this->Last.Normal + this->Here.Viscosity) / k : 0.0;
+    motion.Rest = lag - (this->Last.Normal / k) * this->Here.Normal;
+    if (!motion.IsHeld)
+    {
+      this->State.IsHeld = false;
+      return motion;
+    }
+    if (!this->State.IsHeld)
+    {
+      this->State.IsHeld = true;
+      this->State.Level = this->Here.Value;
+    }
+    motion.Way += this->Field.ToLevel(this->Here, this->State.Level, split.Push);
+    return motion;
+  }
+
+  /** What the tick's contact will be called. */
+  void Note(double voxels) noexcept
+  {
+    const bool moves = voxels > 0.0 && this->Pushes;
+    this->WentThrough = this->WentThrough || (moves && this->Last.IsThrough);
+    this->Slid = this->Slid || (moves && this->Last.Slides);
+  }
+
+  /** A motion too short to be judged. */
+  void Creep(const Motion& motion, const Vector3& tip) noexcept
+  {
+    this->Proxy = motion.IsFree ? tip : this->Proxy + motion.Way;
+    this->Here.Value += this->Here.Slope * Dot(motion.Way, this->Here.Normal);
+    if (motion.IsFree)
+    {
+      this->State.Spring.Relax(this->Here.Stiffness);
+    }
+  }
+
+  Surroundings Field;
+  const HapticModel& Model;
+  Vector3 Proxy;
+  PreciseState State;
+  Spot Here;
+  Balance Last{};
+  bool Pushes = false;
+  bool WentThrough = false;
+  bool Slid = false;
+  bool LooksAreSpent = false;
+};
+
+} // namespace
+
+void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+{
+  if (!state.Enabled)
+  {
+    state.Proxy = record.Tip;
+    state.Precise = PreciseState{};
+    state.Precise.ReachedTip = record.Tip;
+  }
+  Follower follower(model, state);
+  follower.Follow(record.Tip);
+  follower.Write(record);
+  state.Precise = follower.GetState();
+  record.IsLate = follower.IsLate();
+}
+
+} // namespace VolumeHaptics
