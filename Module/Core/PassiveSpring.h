@@ -22,14 +22,14 @@
 namespace VolumeHaptics
 {
 
-class PassiveSpring
+struct PassiveSpring
 {
-public:
-  /** f / |d| in N/m; not above the tissue's stiffness. */
-  double GetEffective() const noexcept { return std::max(this->Tension, Least) * this->Stiffness; }
+  double Tissue = 0.0;  ///< K, N/m
+  double Tension = 1.0; ///< stretch / |d|
+  double Reserve = 0.0; ///< J
 
-  /** K (N/m), of the tissue. */
-  double GetTissue() const noexcept { return this->Stiffness; }
+  /** f / |d| in N/m; not above the tissue's stiffness. */
+  double GetEffective() const noexcept { return std::max(this->Tension, Least) * this->Tissue; }
 
   /** The tip moves: d grows or shrinks from one length (m) to another. */
   void Stretch(double from, double to) noexcept
@@ -44,9 +44,9 @@ public:
   /** The tissue's stiffness (N/m) at the proxy is now another one, with the tip d (m) away. */
   void Pass(double stiffness, double d) noexcept
   {
-    const double before = this->Stiffness;
+    const double before = this->Tissue;
     const double stretch = this->Tension * d;
-    this->Stiffness = stiffness;
+    this->Tissue = stiffness;
     const double gain = 0.5 * (stiffness - before) * stretch * stretch;
     if (gain <= this->Reserve)
     {
@@ -62,7 +62,7 @@ public:
   /** No contact: no slack, no reserve. */
   void Relax(double stiffness) noexcept
   {
-    this->Stiffness = stiffness;
+    this->Tissue = stiffness;
     this->Tension = 1.0;
     this->Reserve = 0.0;
   }
@@ -70,13 +70,8 @@ public:
   /** What a fall lost is not to pay for a rise beyond this moment. */
   void DropReserve() noexcept { this->Reserve = 0.0; }
 
-private:
   /** Keeps the law's quotients finite where all is slack. */
   static constexpr double Least = 1e-6;
-
-  double Stiffness = 0.0; ///< K, N/m
-  double Tension = 1.0;   ///< stretch / |d|
-  double Reserve = 0.0;   ///< J
 };
 
 } // namespace VolumeHaptics

@@ -11,6 +11,8 @@ namespace
 
 /** Share of the spring that a motion may go too far. */
 constexpr double Tolerance = 2e-4;
+/** Of a step of the tip, where friction and drag hold different directions differently. */
+constexpr int Parts = 8;
 /** What is left of a direction's part after taking this off is rounding. */
 constexpr double SmallPart = 1e-3;
 /** To which share of itself a motion is drawn back at most; a thousandth of a voxel is less. */
@@ -100,12 +102,26 @@ private:
   bool LastWasHigh = true;
 };
 
+/** The way of a proxy with the tip going in parts, by the law of one place. */
+Vector3 FollowInParts(
+  const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept
+{
+  Vector3 way;
+  for (int part = 1; part <= Parts; ++part)
+  {
+    const double share = static_cast<double>(part) / Parts;
+    const SplitLag split = Law::Split(lagBefore + share * (lag - lagBefore) - way, here.Normal);
+    way = Law::Move(here, k, split, Law::Weigh(here, k, split), way);
+  }
+  return way;
+}
+
 } // namespace
 
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
 {
   constexpr double least = HapticModel::MinimumStiffness;
-  if (stiffness > least && spring.GetTissue() > least && lag > 0.0)
+  if (stiffness > least && spring.Tissue > least && lag > 0.0)
   {
     spring.Pass(stiffness, lag);
   }
@@ -115,8 +131,14 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
   }
 }
 
-void Turn(const Spot& here, double k, const Vector3& lagBefore, Motion& motion) noexcept
+void Turn(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag,
+  Motion& motion) noexcept
 {
+  if (motion.Radius == 0.0)
+  {
+    motion.Way = FollowInParts(here, k, lagBefore, lag);
+    return;
+  }
   const SplitLag split = Law::Split(lagBefore, here.Normal);
   const Balance before = Law::Weigh(here, k, split);
   const Vector3 first =
@@ -237,45 +259,38 @@ Surroundings::Remainder Surroundings::Judge(const Motion& motion, const Vector3&
   const double across = Norm(aside);
   const double drag = there.Viscosity * compliance;
   const double holds = there.SurfaceStrength * compliance;
+  const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
 
-  Remainder rest{ Nothing, Nothing };
-  if (!motion.IsHeld && inward > SmallPart)
-  {
-    rest.Normal = lag.Push - holds - drag * inward;
-  }
-  else if (!motion.IsHeld && inward < -SmallPart && there.Viscosity > 0.0)
-  {
-    rest.Normal = -lag.Push + drag * inward;
-  }
-  if (across > SmallPart)
-  {
-    const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
-    // Aside from its way the spring is held just the same.
-    const double pull = Dot(lag.Tangent, aside) > 0.0 ? lag.Length : Dot(lag.Tangent, aside) / across;
-    rest.Tangent = pull - grip - drag * across;
-  }
-  if (!motion.IsHeld && motion.Radius > 0.0)
-  {
-    // Drag holds all directions alike, not each for itself.
-    const double beyond = lag.Push - std::clamp(lag.Push, 0.0, holds);
-    const double total = std::hypot(beyond, lag.Length) - drag;
-    const bool isTooDeep = inward > SmallPart && lag.Push < holds;
-    rest.Normal = isTooDeep || rest.Normal == Nothing ? rest.Normal : total;
-    rest.Tangent = Dot(lag.Tangent, aside) < 0.0 || rest.Tangent == Nothing ? rest.Tangent : total;
-  }
-  return rest;
+  // What surface and friction leave of the spring. Outward there is no surface; aside from its way the
+  // spring is held just the same.
+  const bool goesIn = !motion.IsHeld && inward > SmallPart;
+  const bool goesOut = !motion.IsHeld && inward < -SmallPart;
+  const bool goesAcross = across > SmallPart;
+  const double pull = Dot(lag.Tangent, aside);
+  const double normal =
+    goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
+  const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
+  // Drag holds both together where both are left, and each for itself where one is overdrawn.
+  const bool isWhole = normal >= 0.0 && tangent >= 0.0;
+  const double total = std::hypot(normal, tangent) - drag;
+  const bool saysNormal = goesIn || (goesOut && drag > 0.0);
+  return { saysNormal ? (isWhole ? total : normal - drag * std::abs(inward)) : Nothing,
+    goesAcross ? (isWhole ? total : tangent - drag * across) : Nothing, isWhole };
 }
 
 Arrival Surroundings::DrawBack(const Departure& start, const Motion& motion, const Vector3& way,
   const Vector3& tip, const Arrival& first, const Remainder& rest) noexcept
 {
-  const Vector3 normalWay = Dot(way, first.There.Normal) * first.There.Normal;
+  const Vector3 normalWay =
+    rest.IsWhole ? way : Dot(way, first.There.Normal) * first.There.Normal;
   const Vector3 tangentWay = way - normalWay;
   const auto voxels = [&](const Vector3& part)
   { return Norm(this->Model.DeviceToIndex.Linear * part); };
   // By the law of the place where it begins, a motion ends with a remainder of 0.
-  Bracket normal(Norm(normalWay), rest.Normal, voxels(normalWay));
-  Bracket tangent(Norm(tangentWay), rest.Tangent, voxels(tangentWay));
+  const auto along = [&](const Remainder& r)
+  { return rest.IsWhole ? std::min(r.Normal, r.Tangent) : r.Normal; };
+  Bracket normal(Norm(normalWay), along(rest), voxels(normalWay));
+  Bracket tangent(Norm(tangentWay), rest.IsWhole ? Nothing : rest.Tangent, voxels(tangentWay));
   Arrival end = first;
   for (int trial = 0; trial < MostTrials; ++trial)
   {
@@ -286,11 +301,11 @@ Arrival Surroundings::DrawBack(const Departure& start, const Motion& motion, con
     const double tolerance = Tolerance * Norm(tip - end.Proxy);
     const auto isDone = [&](const Bracket& bracket, double value)
     { return bracket.IsNarrow() || std::abs(value) <= tolerance; };
-    if (isLast || (isDone(normal, now.Normal) && isDone(tangent, now.Tangent)))
+    if (isLast || (isDone(normal, along(now)) && isDone(tangent, now.Tangent)))
     {
       return end;
     }
-    normal.Narrow(now.Normal);
+    normal.Narrow(along(now));
     tangent.Narrow(now.Tangent);
   }
   // The side that holds.

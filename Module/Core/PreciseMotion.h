@@ -26,6 +26,7 @@ struct Motion
   Vector3 Way;         ///< m
   Vector3 Rest;        ///< m; the part of the spring that no surface holds
   double Radius = 0.0; ///< m; where friction and drag hold all of Rest's directions alike
+  bool Turns = false;  ///< friction or drag give it its direction
   bool IsHeld = false; ///< by a surface: the proxy keeps its level
   bool IsFree = false; ///< nothing holds it
 };
@@ -50,10 +51,11 @@ struct Arrival
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 
 /**
- * Turns the way into the mean of the directions in which friction or drag hold the spring before the tip's
- * step (`lagBefore`, m) and after it: second order where one direction is first.
+ * Gives the way the direction that friction and drag have on average while the tip makes its step, which
+ * takes the spring from one lag (m) to another.
  */
-void Turn(const Spot& here, double k, const Vector3& lagBefore, Motion& motion) noexcept;
+void Turn(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag,
+  Motion& motion) noexcept;
 
 /** The volume around a proxy, and how often it was looked at. */
 class Surroundings
@@ -85,6 +87,7 @@ private:
   {
     double Normal;
     double Tangent;
+    bool IsWhole; ///< both are the same, of the motion as a whole
   };
 
   Arrival Try(

@@ -15,6 +15,8 @@ constexpr double LongestStep = 0.25;
 /** A motion this short (voxels) is not judged at its end. */
 constexpr double ShortStep = 1e-3;
 
+/** Of a quotient: a way of just so many steps is not to be one step more on another machine. */
+constexpr double Rounding = 1e-9;
 /** Motions at one tip that may lengthen the spring. */
 constexpr int MostSetbacks = 8;
 
@@ -38,7 +40,7 @@ public:
     this->Pass(this->Here.Stiffness, Norm(from - this->Proxy));
     const Vector3 way = tip - from;
     const bool isBeyond = this->Field.IsBeyond(from, tip) && this->Field.IsBeyond(this->Proxy, tip);
-    const double steps = isBeyond ? 1.0 : std::max(1.0, std::ceil(this->Voxels(way) / LongestStep));
+    const double steps = isBeyond ? 1.0 : std::max(1.0, std::ceil(this->Voxels(way) / LongestStep - Rounding));
     for (double step = 1.0; step <= steps; step += 1.0)
     {
       const Vector3 next = step < steps ? from + (step / steps) * way : tip;
@@ -100,9 +102,10 @@ private:
         this->Here = this->Field.Look(this->Proxy, tip - this->Proxy);
       }
       Motion motion = this->Plan(tip);
-      if (isFirst && motion.Radius > 0.0)
+      if (isFirst && motion.Turns)
       {
-        Turn(this->Here, this->State.Spring.GetEffective(), before - this->Proxy, motion);
+        Turn(this->Here, this->State.Spring.GetEffective(), before - this->Proxy,
+          tip - this->Proxy, motion);
       }
       isFirst = false;
       const double voxels = this->Voxels(motion.Way);
@@ -155,8 +158,9 @@ private:
     motion.IsFree = this->Last.Normal == 0.0 && this->Here.Viscosity == 0.0;
     motion.Way = motion.IsFree ? lag : Law::Move(this->Here, k, split, this->Last, Vector3{});
     const bool isOneCircle = motion.IsHeld || this->Here.Friction * this->Last.Normal == 0.0;
-    motion.Radius =
-      isOneCircle ? (this->Here.Friction * this->Last.Normal + this->Here.Viscosity) / k : 0.0;
+    const double holds = this->Here.Friction * this->Last.Normal + this->Here.Viscosity;
+    motion.Turns = holds > 0.0;
+    motion.Radius = isOneCircle ? holds / k : 0.0;
     motion.Rest = lag - (this->Last.Normal / k) * this->Here.Normal;
     if (!motion.IsHeld)
     {

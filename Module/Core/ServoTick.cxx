@@ -127,12 +127,37 @@ void Tick(
   }
 }
 
+std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
+{
+  const PreciseState& precise = state.Precise;
+  const Vector3& reached = precise.ReachedTip;
+  return { state.Proxy.X, state.Proxy.Y, state.Proxy.Z, state.PreviousTip.X, state.PreviousTip.Y,
+    state.PreviousTip.Z, state.Enabled ? 1.0 : 0.0, reached.X, reached.Y, reached.Z, precise.Level,
+    precise.IsHeld ? 1.0 : 0.0, precise.Spring.Tissue, precise.Spring.Tension,
+    precise.Spring.Reserve };
+}
+
+ServoState FromNumbers(const std::array<double, ServoStateSize>& n) noexcept
+{
+  ServoState state;
+  state.Proxy = { n[0], n[1], n[2] };
+  state.PreviousTip = { n[3], n[4], n[5] };
+  state.Enabled = n[6] != 0.0;
+  state.Precise.ReachedTip = { n[7], n[8], n[9] };
+  state.Precise.Level = n[10];
+  state.Precise.IsHeld = n[11] != 0.0;
+  state.Precise.Spring = { n[12], n[13], n[14] };
+  return state;
+}
+
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept
 {
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
   state.Proxy = carry(state.Proxy);
   state.Precise.ReachedTip = carry(state.Precise.ReachedTip);
   state.Precise.Spring.DropReserve();
+  // In another volume the level means nothing.
+  state.Precise.IsHeld = state.Precise.IsHeld && &from.Field == &to.Field;
 }
 
 } // namespace VolumeHaptics

@@ -42,6 +42,12 @@ struct ServoState
   PreciseState Precise;
 };
 
+constexpr int ServoStateSize = 15;
+
+/** A state for a file: every number of it, in the order of the structs. */
+std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
+ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
+
 /** What a tick found and did. The place is that of the materials that the tick used. */
 struct TickRecord : Place
 {

@@ -83,7 +83,7 @@ vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
   const auto armed = NewArray<vtkUnsignedCharArray>(points, "Armed", 1);
   const auto fault = NewArray<vtkUnsignedCharArray>(points, "Fault", 1);
   const auto matrices = NewArray<vtkDoubleArray>(fields, RecordingNames::DeviceToWorld, 16);
-  const auto initial = NewArray<vtkDoubleArray>(fields, RecordingNames::InitialState, 7);
+  const auto initial = NewArray<vtkDoubleArray>(fields, RecordingNames::InitialState, ServoStateSize);
   const auto period = NewArray<vtkDoubleArray>(fields, RecordingNames::TickPeriod, 1);
   const auto caps = NewArray<vtkDoubleArray>(fields, RecordingNames::Caps, 2);
   const auto lost = NewArray<vtkIdTypeArray>(fields, "LostTicks", 1);
@@ -112,11 +112,7 @@ vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
     }
     if (initial->GetNumberOfTuples() == 0)
     {
-      const Vector3& proxy = s.Before.Proxy;
-      const Vector3& last = s.Before.PreviousTip;
-      const double state[7] = { proxy.X, proxy.Y, proxy.Z, last.X, last.Y, last.Z,
-        s.Before.Enabled ? 1.0 : 0.0 };
-      initial->InsertNextTuple(state);
+      initial->InsertNextTuple(ToNumbers(s.Before).data());
       period->InsertNextValue(model.Settings.TickPeriod);
       caps->InsertNextTuple2(model.Settings.Caps.Stiffness, model.Settings.Caps.Damping);
     }

@@ -111,7 +111,6 @@ Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
 bool ReadRecording(vtkPolyData* path, TipPath& result)
 {
   constexpr int anyNumber = -1;
-  constexpr int stateSize = 7;
   constexpr int matrixSize = 16;
   const vtkIdType n = path->GetNumberOfPoints();
   vtkPointData* const points = path->GetPointData();
@@ -122,7 +121,7 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
   vtkDataArray* const matrices =
     FindArray(path->GetFieldData(), RecordingNames::DeviceToWorld, matrixSize, anyNumber);
   vtkDataArray* const state =
-    FindArray(path->GetFieldData(), RecordingNames::InitialState, stateSize, 1);
+    FindArray(path->GetFieldData(), RecordingNames::InitialState, ServoStateSize, 1);
   vtkDataArray* const period = FindArray(path->GetFieldData(), RecordingNames::TickPeriod, 1, 1);
   vtkDataArray* const caps = FindArray(path->GetFieldData(), RecordingNames::Caps, 2, 1);
   if (!tips || !enabled || !placement || !times || !matrices || !state || !period || !caps ||
@@ -161,9 +160,9 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
   }
   result.TickPeriod = period->GetComponent(0, 0);
   result.Caps = { caps->GetComponent(0, 0), caps->GetComponent(0, 1) };
-  result.InitialState.Proxy = ReadVector(state, 0);
-  result.InitialState.PreviousTip = ReadVector(state, 0, 3);
-  result.InitialState.Enabled = state->GetComponent(0, stateSize - 1) != 0.0;
+  std::array<double, ServoStateSize> numbers;
+  state->GetTuple(0, numbers.data());
+  result.InitialState = FromNumbers(numbers);
   return true;
 }
 
@@ -194,7 +193,7 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
       error =
         "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
         "it needs the finite point arrays DeviceTip (3), Enabled, Placement and Time, and the "
-        "field arrays DeviceToWorld (16), InitialState (7), Caps (2) and TickPeriod. Record again, "
+        "field arrays DeviceToWorld (16), InitialState (15), Caps (2) and TickPeriod. Record again, "
         "or remove DeviceTip to use the points as a path.";
       return false;
     }

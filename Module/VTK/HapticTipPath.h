@@ -27,7 +27,7 @@ constexpr const char* Placement = "Placement";         ///< point array: tuple o
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
 constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
 constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap
-constexpr const char* InitialState = "InitialState";   ///< field array: proxy, last tip, enabled
+constexpr const char* InitialState = "InitialState";   ///< field array: the ServoState
 } // namespace RecordingNames
 
 struct TipPath

@@ -15,7 +15,7 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
   EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
-  EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PAPER);
+  EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
   EXPECT_EQ(filter->GetGradientEstimator(), vtkVolumeHapticsFilter::GAUSSIAN);
   EXPECT_EQ(filter->GetKernelRadius(), 2);
   EXPECT_EQ(filter->GetServoRate(), 1000.0);
@@ -83,7 +83,7 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   EXPECT_EQ(filter->GetGradientEstimator(), vtkVolumeHapticsFilter::CENTRAL_DIFFERENCE);
   filter->SetSolver(99);
   filter->SetSolverToPaper();
-  EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PAPER);
+  EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
   filter->SetServoRate(0.0);
   EXPECT_EQ(filter->GetServoRate(), 1.0);
   filter->SetMetersPerWorldUnit(-1.0);

@@ -24,6 +24,8 @@ protected:
     this->Opacity->AddPoint(700.0, 0.0);
     this->Opacity->AddPoint(701.0, 1.0);
     this->Volume->SetScalarOpacity(this->Opacity);
+    // Shows the material of where a tick begins, which is easier to tell.
+    this->Filter->SetSolverToPaper();
   }
 
   double StrengthAt(vtkIdType tick) { return Get(this->Run(51), "SurfaceStrength", tick); }
