@@ -138,10 +138,10 @@ private:
   {
     constexpr int intervals = GradientKernel::Intervals;
     const double scaled = position * intervals;
-    const double whole = std::floor(scaled);
-    const double t = scaled - whole;
-    const auto interval = static_cast<std::uint64_t>(whole) % intervals;
-    const double* const c = this->View.Kernel.Mean + interval * GradientKernel::Coefficients;
+    const auto whole = static_cast<std::int64_t>(scaled);
+    const double t = scaled - static_cast<double>(whole);
+    const double* const c =
+      this->View.Kernel.Mean + (whole & (intervals - 1)) * GradientKernel::Coefficients;
     return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5]))));
   }
 

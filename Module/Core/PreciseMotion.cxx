@@ -272,7 +272,7 @@ Surroundings::Remainder Surroundings::Judge(const Motion& motion, const Vector3&
   const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
   // Drag holds both together where both are left, and each for itself where one is overdrawn.
   const bool isWhole = normal >= 0.0 && tangent >= 0.0;
-  const double total = std::hypot(normal, tangent) - drag;
+  const double total = std::sqrt(normal * normal + tangent * tangent) - drag;
   const bool saysNormal = goesIn || (goesOut && drag > 0.0);
   return { saysNormal ? (isWhole ? total : normal - drag * std::abs(inward)) : Nothing,
     goesAcross ? (isWhole ? total : tangent - drag * across) : Nothing, isWhole };

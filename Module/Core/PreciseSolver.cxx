@@ -14,6 +14,9 @@ namespace
 constexpr double LongestStep = 0.25;
 /** A motion this short (voxels) is not judged at its end. */
 constexpr double ShortStep = 1e-3;
+/** Nor is one of this length that is the second in a row that shrinks so fast. */
+constexpr double LongestCreep = 0.03;
+constexpr double LargestRate = 0.2;
 
 /** Of a quotient: a way of just so many steps is not to be one step more on another machine. */
 constexpr double Rounding = 1e-9;
@@ -93,6 +96,8 @@ private:
     this->State.Spring.Stretch(Norm(before - this->Proxy), Norm(tip - this->Proxy));
     this->State.ReachedTip = tip;
     bool isFirst = true;
+    double lastVoxels = 0.0;
+    Vector3 lastWay;
     int setbacks = 0;
     for (;;)
     {
@@ -110,7 +115,14 @@ private:
       isFirst = false;
       const double voxels = this->Voxels(motion.Way);
       this->Note(voxels);
-      if (voxels <= ShortStep)
+      // Motions at one tip shrink at a rate: what this one and all that follow it would do is known.
+      const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
+      const bool isLast = voxels <= LongestCreep && rate < LargestRate;
+      if (isLast && Dot(motion.Way, lastWay) > 0.0)
+      {
+        motion.Way = (1.0 / (1.0 - rate)) * motion.Way;
+      }
+      if (isLast || voxels <= ShortStep)
       {
         this->Creep(motion, tip);
         return true;
@@ -130,6 +142,8 @@ private:
       const Vector3 lagBefore = tip - this->Proxy;
       // Only the way back to the level makes the spring longer, and never for long.
       setbacks += Dot(lag, lag) > Dot(lagBefore, lagBefore) ? 1 : 0;
+      lastVoxels = share * voxels;
+      lastWay = motion.Way;
       this->Proxy = end.Proxy;
       this->Here = end.There;
       this->State.Spring = end.Spring;

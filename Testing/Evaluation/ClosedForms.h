@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The closed forms of SPEC 4 with the right answer at every tick, also where PAPER gives another one.
+ */
+#ifndef Evaluation_ClosedForms_h
+#define Evaluation_ClosedForms_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+struct Form
+{
+  std::string Name;
+  Field TheField;
+  VolumeHaptics::HapticMaterial Material;
+  Path Tips;
+  std::vector<Vector3> Forces; ///< N, one a tick
+  std::size_t FirstJudged = 0; ///< the first tick for which the form holds
+};
+
+/** T1 to T13, all that are forces in a sampled field. */
+std::vector<Form> MakeForms(const Effort& effort);
+
+/** Shares of the form's largest force. */
+struct ForceError
+{
+  double RootMeanSquare = 0.0;
+  double Worst = 0.0;
+};
+
+ForceError Compare(const Form& form, const Volume& volume, const Candidate& candidate);
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Closed ways of the tip in a static volume, over which the hand must not be given energy.
+ */
+#ifndef Evaluation_Energy_h
+#define Evaluation_Energy_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+/** Work (J) of the force on the hand along a path, by the trapezoidal rule. */
+double EnergyGiven(const Path& path, const Trace& trace);
+
+/** The energy (J) given over each of some random cycles, from nothing felt to nothing felt. */
+std::vector<double> MeasureCycles(const Candidate& candidate, int cycles);
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The figures of SPEC 5, each measured for one solver. Deterministic: seeds are fixed.
+ */
+#ifndef Evaluation_Figure_h
+#define Evaluation_Figure_h
+
+#include "Field.h"
+
+#include <string>
+#include <vector>
+
+namespace evaluation
+{
+
+/** A number that must stay below a bound. */
+struct Figure
+{
+  std::string Name;
+  std::string Unit;
+  double Value = 0.0;
+  double Bound = 0.0;
+  /** At the bound is not below it; but none is none. */
+  bool IsReached() const
+  {
+    return this->Value < this->Bound || (this->Bound == 0.0 && this->Value == 0.0);
+  }
+};
+
+using Figures = std::vector<Figure>;
+
+/** How much to measure. */
+struct Effort
+{
+  bool IsFull = false;
+  int Pick(int reduced, int full) const { return this->IsFull ? full : reduced; }
+};
+
+struct Curve
+{
+  std::string Name;
+  std::vector<double> X;
+  std::vector<double> Y;
+};
+
+/** What a picture of the report shows. */
+struct Plot
+{
+  std::string File; ///< without extension
+  std::string Title;
+  std::string XLabel;
+  std::string YLabel;
+  std::vector<Curve> Curves;
+  bool IsLogarithmic = false;
+};
+
+/** Whom a figure is measured for. */
+struct Candidate
+{
+  VolumeHaptics::HapticSolver Solver;
+  VolumeHaptics::GradientEstimator Estimator;
+};
+
+inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::HapticMaterial& m)
+{
+  Touching touching;
+  touching.Solver = candidate.Solver;
+  touching.Estimator = candidate.Estimator;
+  touching.Material = m;
+  return touching;
+}
+
+/** Force against the closed forms T1 to T16 of SPEC 4, as shares of each form's largest force. */
+Figures MeasureClosedForms(const Candidate& candidate, const Effort& effort);
+/** Iso-level tracking and drift on balls and in cavities of 20 voxels. */
+Figures MeasureTracking(const Candidate& candidate, const Effort& effort);
+/** Crossings of a blurred wall that fall through it. */
+Figures MeasureFallThrough(const Candidate& candidate, const Effort& effort);
+/** Force on a clean plane between 100 and 500 Hz. */
+Figures MeasureRipple(const Candidate& candidate, const Effort& effort);
+/** Energy that closed cycles give away. */
+Figures MeasureEnergy(const Candidate& candidate, const Effort& effort);
+/** Angle of the frictionless force to the normal of an 8-bit sphere. */
+Figures MeasureAngle(const Candidate& candidate, const Effort& effort);
+/** Where alignment Edge first holds on a blurred step. */
+Figures MeasureAlignment(const Candidate& candidate, const Effort& effort);
+/** What a tick costs. For people, not for tests. */
+Figures MeasureSpeed(const Candidate& candidate, const Effort& effort);
+
+/** The plots of the report, of both solvers. */
+std::vector<Plot> MakePlots(const Effort& effort);
+
+} // namespace evaluation
+
+#endif

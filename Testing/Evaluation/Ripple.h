@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The force on a clean plane at 0.1 m/s, which should be smooth.
+ */
+#ifndef Evaluation_Ripple_h
+#define Evaluation_Ripple_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+/** Root mean square (N) of the force at 0, 1, 2 ... 500 Hz: a 16-bit ramp or blurred edge, k = 500 N/m. */
+std::vector<double> MeasureSpectrum(const Candidate& candidate, bool isEdge);
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Fields with edges, and ways around them.
+ */
+#ifndef Evaluation_Shapes_h
+#define Evaluation_Shapes_h
+
+#include "Field.h"
+
+namespace evaluation
+{
+
+/** Not along any axis of the samples. */
+const Vector3 OddNormal = (1.0 / 3.0) * Vector3{ 1.0, -2.0, 2.0 };
+/** Where balls stand: not on a sample. */
+constexpr Vector3 OddCentre = { 0.37, -0.21, 0.43 };
+
+/** A step of a height, blurred by a Gaussian of scale `blur` (mm), at a distance (mm) from its middle. */
+inline double BlurredStep(double distance, double blur, double height)
+{
+  return 0.5 * height * (1.0 + std::erf(distance / (blur * std::sqrt(2.0))));
+}
+
+/** A point of a circle about OddCentre in a plane that no axis lies in. */
+inline Vector3 OnOddCircle(double radius, double angle)
+{
+  const Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
+  const Vector3 v = Cross(OddNormal, u);
+  return OddCentre + (radius * std::cos(angle)) * u + (radius * std::sin(angle)) * v;
+}
+
+constexpr double TwoPi = 6.283185307179586;
+
+} // namespace evaluation
+
+#endif

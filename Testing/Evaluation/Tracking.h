@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A tip that goes round inside a spherical wall of 20 voxels, 2 voxels deep, at 0.2 m/s.
+ */
+#ifndef Evaluation_Tracking_h
+#define Evaluation_Tracking_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+constexpr double SphereRadius = 20.0; // mm, of voxels of 1 mm
+/** 0.2 mm a tick. */
+constexpr int TicksPerTurn = 565;
+
+struct Wall
+{
+  std::string Name;
+  std::function<double(double)> TheField; ///< of the radius
+  VolumeHaptics::ScalarType Type;
+  double TipRadius; ///< mm
+};
+
+/** Balls and cavities. */
+std::vector<Wall> GetWalls();
+
+/** The proxy's radius (mm) after each tick. */
+std::vector<double> TrackSphere(const Candidate& candidate, const Wall& wall, int turns);
+
+} // namespace evaluation
+
+#endif
