@@ -23,7 +23,8 @@ namespace VolumeHaptics
 
 struct FieldSample
 {
-  /** The estimator's own (smoothed) value, which belongs to ValueOffset. */
+  /** The estimator's own (smoothed) value; the gradient is its derivative with CubicBSpline and
+   * GaussianWeights::OwnDerivative, else only a measure of scale. */
   double Value = 0.0;
   /** Per step of the index, along the index axes. */
   Vector3 Gradient;
@@ -95,19 +96,6 @@ public:
     return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
   }
 
-  /**
-   * Where, as index steps from an index inside, the gradient's own value belongs: the Gaussian's
-   * taps have their mean a little beside the position. Zero for the other estimators.
-   */
-  Vector3 ValueOffset(const Vector3& index) const noexcept
-  {
-    if (!this->View.Kernel.Mean)
-    {
-      return {};
-    }
-    return { this->MeanTap(index.X), this->MeanTap(index.Y), this->MeanTap(index.Z) };
-  }
-
   /** Whether a continuous index lies within the samples' bounding box. */
   bool IsInside(const Vector3& index) const noexcept
   {
@@ -132,17 +120,6 @@ private:
   double Checked(double value) const noexcept
   {
     return std::isfinite(value) ? value : this->View.Volume.BorderValue;
-  }
-
-  double MeanTap(double position) const noexcept
-  {
-    constexpr int intervals = GradientKernel::Intervals;
-    const double scaled = position * intervals;
-    const auto whole = static_cast<std::int64_t>(scaled);
-    const double t = scaled - static_cast<double>(whole);
-    const double* const c =
-      this->View.Kernel.Mean + (whole & (intervals - 1)) * GradientKernel::Coefficients;
-    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5]))));
   }
 
   FieldView View;

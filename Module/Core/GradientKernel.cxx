@@ -5,29 +5,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace VolumeHaptics
 {
 
-void ComputeGaussianWeights(int radius, double fraction, double* smoothing, double* derivative)
+namespace
+{
+
+/** w of the taps, and the least-squares fit with it. */
+void FitLine(int radius, double fraction, const std::function<double(double)>& window,
+  double* smoothing, double* derivative, double& mean)
 {
   const int taps = 2 * (radius + 1);
-  const double s = GradientKernel::ScalePerRadius * radius;
-  const double cut = radius + 1.0;
-  const double scale = 1.0 / (2.0 * s * s);
-  const double end = std::exp(-cut * cut * scale);
-
   double sum = 0.0;
   double first = 0.0;
   for (int i = 0; i < taps; ++i)
   {
     const double t = (i - radius) - fraction;
-    const double w = std::exp(-t * t * scale) - end;
+    const double w = window(t);
     smoothing[i] = w;
     sum += w;
     first += w * t;
   }
-  const double mean = first / sum;
+  mean = first / sum;
   double second = 0.0;
   for (int i = 0; i < taps; ++i)
   {
@@ -42,8 +43,60 @@ void ComputeGaussianWeights(int radius, double fraction, double* smoothing, doub
   }
 }
 
+} // namespace
+
+void ComputeGaussianWeights(int radius, double fraction, double* smoothing, double* derivative)
+{
+  const double s = GradientKernel::ScalePerRadius * radius;
+  const double cut = radius + 1.0;
+  const double scale = 1.0 / (2.0 * s * s);
+  const double end = std::exp(-cut * cut * scale);
+  double mean;
+  FitLine(
+    radius, fraction, [=](double t) { return std::exp(-t * t * scale) - end; }, smoothing,
+    derivative, mean);
+}
+
 namespace
 {
+
+/** a_i in place of the smoothing weights; the derivative's are left to Differentiate. */
+void ComputeFittedValueWeights(int radius, double fraction, double* value, double* slope)
+{
+  const double s = GradientKernel::OwnScalePerRadius * radius;
+  const double cut = radius + 1.0;
+  const double scale = 1.0 / (2.0 * s * s);
+  const double atCut = cut * cut * scale;
+  const double end = std::exp(-atCut);
+  double mean;
+  FitLine(
+    radius, fraction,
+    [=](double t)
+    {
+      const double u = t * t * scale;
+      return u < atCut ? std::exp(-u) - end * (1.0 + atCut - u) : 0.0;
+    },
+    value, slope, mean);
+  for (int i = 0; i < 2 * (radius + 1); ++i)
+  {
+    value[i] -= mean * slope[i];
+  }
+}
+
+/** The derivative's polynomials from those of the smoothing, along the fraction. */
+void Differentiate(const GradientKernel& kernel, double* coefficients)
+{
+  const int count = 2 * kernel.Taps;
+  for (int p = 0; p < GradientKernel::Coefficients; ++p)
+  {
+    for (int i = 0; i < kernel.Taps; ++i)
+    {
+      coefficients[p * count + kernel.Taps + i] = p + 1 < GradientKernel::Coefficients
+        ? GradientKernel::Intervals * (p + 1) * coefficients[(p + 1) * count + i]
+        : 0.0;
+    }
+  }
+}
 
 /**
  * Polynomials through the weights at equidistant fractions of an interval, by Newton's divided
@@ -58,8 +111,10 @@ void Interpolate(const GradientKernel& kernel, int interval, double* coefficient
   for (int j = 0; j < order; ++j)
   {
     const double fraction = (interval + node(j)) / GradientKernel::Intervals;
-    ComputeGaussianWeights(
-      kernel.Radius, fraction, weights[j].data(), weights[j].data() + kernel.Taps);
+    const auto compute = kernel.Weights == GaussianWeights::OwnDerivative
+      ? ComputeFittedValueWeights
+      : ComputeGaussianWeights;
+    compute(kernel.Radius, fraction, weights[j].data(), weights[j].data() + kernel.Taps);
   }
   for (int i = 0; i < count; ++i)
   {
@@ -94,8 +149,10 @@ void Interpolate(const GradientKernel& kernel, int interval, double* coefficient
 
 } // namespace
 
-GradientKernel::GradientKernel(GradientEstimator estimator, int radius)
+GradientKernel::GradientKernel(
+  GradientEstimator estimator, int radius, GaussianWeights weights)
   : Estimator(estimator)
+  , Weights(weights)
   , Radius(std::clamp(radius, 1, MaximumRadius))
   , Taps(2 * (this->Radius + 1))
 {
@@ -105,23 +162,15 @@ GradientKernel::GradientKernel(GradientEstimator estimator, int radius)
   }
   const int count = 2 * this->Taps;
   this->Table.resize(static_cast<std::size_t>(Intervals) * Coefficients * count);
-  this->Mean.resize(Intervals * Coefficients);
   for (int interval = 0; interval < Intervals; ++interval)
   {
-    double* const weights =
+    double* const coefficients =
       &this->Table[static_cast<std::size_t>(interval) * Coefficients * count];
-    Interpolate(*this, interval, weights);
-    double* const mean = &this->Mean[interval * Coefficients];
-    for (int p = 0; p < Coefficients; ++p)
+    Interpolate(*this, interval, coefficients);
+    if (weights == GaussianWeights::OwnDerivative)
     {
-      for (int i = 0; i < this->Taps; ++i)
-      {
-        mean[p] += (i - this->Radius) * weights[p * count + i];
-      }
+      Differentiate(*this, coefficients);
     }
-    // Seen from the position: the fraction is taken off.
-    mean[0] -= static_cast<double>(interval) / Intervals;
-    mean[1] -= 1.0 / Intervals;
   }
 }
 

@@ -21,6 +21,14 @@
  *   derivative  w_i (t_i - m) / sum w (t - m)^2,
  * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
  * interpolated by quintic polynomials, which keeps the sums that make linear fields exact.
+ *
+ * These gradients are not quite normal to the levels of any function. Where that matters (a surface whose
+ * normal they are would give a sliding hand energy) GaussianWeights::OwnDerivative takes the fit's value,
+ *   smoothing   a_i = w_i / sum w - m (the derivative weights above),
+ *   derivative  d a_i / d fraction,
+ * so that the gradient is the derivative of the smoothed value, to rounding. To leave no step in it, w goes
+ * to zero at c with its slope, w(t) = exp(-u) - exp(-u_c) (1 + u_c - u), u = t^2 / (2 s^2), and
+ * s = 0.56 Radius lets as much noise through.
  */
 #ifndef GradientKernel_h
 #define GradientKernel_h
@@ -38,11 +46,16 @@ enum class GradientEstimator : std::uint8_t
   CubicBSpline
 };
 
+enum class GaussianWeights : std::uint8_t
+{
+  FittedLine,
+  OwnDerivative
+};
+
 /** What a kernel needs at a tick; borrows the table. */
 struct KernelView
 {
   const double* Table = nullptr;
-  const double* Mean = nullptr;
   int Radius = 2;
   int Taps = 6;
 };
@@ -52,6 +65,7 @@ struct GradientKernel
   static constexpr int MaximumRadius = 16;
   /** Scale of the Gaussian, in radii. */
   static constexpr double ScalePerRadius = 0.53;
+  static constexpr double OwnScalePerRadius = 0.56;
   static constexpr int MaximumTaps = 2 * (MaximumRadius + 1);
   /** Intervals of the sub-voxel fraction: the error of a weight is about 1e-10 at most. */
   static constexpr int Intervals = 32;
@@ -59,6 +73,7 @@ struct GradientKernel
   static constexpr int Coefficients = 6;
 
   GradientEstimator Estimator = GradientEstimator::Gaussian;
+  GaussianWeights Weights = GaussianWeights::FittedLine;
   /** In voxels, 1 to MaximumRadius. */
   int Radius = 2;
   /** Taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius + 1. */
@@ -68,17 +83,12 @@ struct GradientKernel
    * constant coefficients of all of them, then the linear ones, and so on.
    */
   std::vector<double> Table;
-  /** Of the Gaussian: m as a polynomial in each interval. */
-  std::vector<double> Mean;
 
   GradientKernel() = default;
-  GradientKernel(GradientEstimator estimator, int radius);
+  GradientKernel(GradientEstimator estimator, int radius,
+    GaussianWeights weights = GaussianWeights::FittedLine);
 
-  KernelView GetView() const 
-  {
-    return { this->Table.data(), this->Mean.empty() ? nullptr : this->Mean.data(), this->Radius,
-      this->Taps };
-  }
+  KernelView GetView() const { return { this->Table.data(), this->Radius, this->Taps }; }
 };
 
 /** Smoothing and derivative weights of the Gaussian at a fraction in [0, 1], by the formulas above.

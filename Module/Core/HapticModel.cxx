@@ -18,6 +18,14 @@ double LargestColumn(const Matrix3& matrix)
   return std::max({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
 }
 
+/** PRECISE holds its proxy on levels: its normals have to be normal to them. */
+GaussianWeights ChooseWeights(const HapticSettings& settings)
+{
+  const bool isPrecise =
+    settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Precise;
+  return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
+}
+
 Vector3 MakeFallbackNormal(const Matrix3& indexToDevice)
 {
   const Vector3 axis = Transpose(indexToDevice).Row[2];
@@ -27,7 +35,7 @@ Vector3 MakeFallbackNormal(const Matrix3& indexToDevice)
 } // namespace
 
 HapticModel::Baked::Baked(const HapticModelDescription& d)
-  : Kernel(d.Estimator, d.KernelRadius)
+  : Kernel(d.Estimator, d.KernelRadius, ChooseWeights(d.Settings))
   , Field(d.View, this->Kernel)
   , Materials({ d.Material.Stiffness, d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })

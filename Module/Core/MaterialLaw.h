@@ -38,7 +38,7 @@ struct Surface
   Vector3 Normal; ///< unit, into the structure
   Vector3 Reach;  ///< x_s - x_p, as index steps
   double GradientMagnitude = 0.0;
-  FieldSample Sample; ///< zero without a gradient
+  double Value = 0.0; ///< the estimator's own, of which the gradient is taken
   double Fade = 0.0;  ///< by how much the border lets it be felt; 0 without a gradient
 };
 
@@ -102,7 +102,7 @@ inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexc
     surface.Normal = inverse * gradient;
     surface.Reach = inverse * (model.GradientToReach * sample.Gradient);
     surface.GradientMagnitude = magnitude;
-    surface.Sample = sample;
+    surface.Value = sample.Value;
     surface.Fade = model.BorderFade(index);
   }
   return surface;

@@ -179,11 +179,7 @@ Spot Surroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept
   }
   Spot spot;
   Law::ReadMaterials(this->Model, index, surface, spot);
-  if (surface.GradientMagnitude > 0.0)
-  {
-    spot.Value =
-      surface.Sample.Value - Dot(surface.Sample.Gradient, this->Model.Field.ValueOffset(index));
-  }
+  spot.Value = surface.Value;
   const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
   spot.Slope = isDescending ? -slope : slope;
   if (this->Model.Settings.Alignment == ContactAlignment::Edge && spot.SurfaceStrength > 0.0)

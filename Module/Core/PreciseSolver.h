@@ -39,7 +39,7 @@ struct ServoState;
 struct TickRecord;
 
 /** Places that a tick looks at, at most. */
-constexpr int MaximumLooks = 128;
+constexpr int MaximumLooks = 256;
 
 /** One tick from record.Tip; writes the record and all of the state but its proxy. */
 void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;

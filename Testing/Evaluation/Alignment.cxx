@@ -7,6 +7,10 @@ using namespace VolumeHaptics;
 
 namespace evaluation
 {
+namespace
+{
+constexpr double Height = 10000.0;
+}
 
 Figures MeasureAlignment(const Candidate& candidate, const Effort& effort)
 {
@@ -22,9 +26,12 @@ Figures MeasureAlignment(const Candidate& candidate, const Effort& effort)
     for (const Vector3& normal : { Vector3{ 0.0, 0.0, 1.0 }, OddNormal })
     {
       const Volume volume([&](const Vector3& x)
-        { return BlurredStep(Dot(x - OddCentre, normal), width, 10000.0); },
+        { return BlurredStep(Dot(x - OddCentre, normal), width, Height); },
         { 20.0, { 1.0, 1.0, 1.0 }, ScalarType::Int16, 0.0, 1, false });
       Touching touching = TouchingOf(candidate, MakeMaterial());
+      // A step of one unit of the scalar is no edge.
+      const double steepest = Height / (width * std::sqrt(TwoPi));
+      touching.Material.Distinctness = { { 0.05 * steepest, 0.0 }, { 0.1 * steepest, 1.0 } };
       touching.Alignment = ContactAlignment::Edge;
       const auto model = volume.Bake(touching);
       Path path = { OddCentre - 12.0 * normal };

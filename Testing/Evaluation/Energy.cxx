@@ -42,7 +42,7 @@ Field Hills(std::mt19937& random)
   };
 }
 
-/** Press, go round, and come back to where nothing is felt. */
+/** Press, go round, come back and leave: the spring has no energy when it begins nor when it ends. */
 Path ClosedWay(std::mt19937& random)
 {
   const auto uniform = [&](double low, double high)
@@ -63,9 +63,7 @@ Path ClosedWay(std::mt19937& random)
     path.push_back(start + in * OddNormal + (round * std::cos(2.0 * t + along)) * u +
       (round * std::sin(2.0 * t + along)) * v);
   }
-  // Out of everything.
   MoveTo(path, start - 6.0 * OddNormal, 0.01);
-  MoveTo(path, start, 0.01);
   return path;
 }
 
@@ -77,8 +75,11 @@ HapticMaterial AnyMaterial(std::mt19937& random, int kind)
     kind & 2 ? uniform(0.0, 0.4) : 0.0, kind & 4 ? Impenetrable : uniform(0.5, 3.0));
   if (kind & 8)
   {
-    material.Stiffness = { { -100.0, uniform(100.0, 1000.0) }, { 0.0, uniform(100.0, 1000.0) },
-      { 100.0, uniform(100.0, 1000.0) } };
+    // A soft layer on a stiff wall: what the hand presses through the one, the other must not return
+    // with more.
+    const double wall = uniform(20.0, 60.0);
+    material.Stiffness = { { wall - 20.0, uniform(200.0, 500.0) }, { wall, uniform(1000.0, 2000.0) } };
+    material.SurfaceStrength = { { wall - 20.0, uniform(0.3, 1.0) }, { wall, Impenetrable } };
   }
   return material;
 }

@@ -15,7 +15,7 @@ namespace evaluation
 /** Work (J) of the force on the hand along a path, by the trapezoidal rule. */
 double EnergyGiven(const Path& path, const Trace& trace);
 
-/** The energy (J) given over each of some random cycles, from nothing felt to nothing felt. */
+/** The energy (J) given over each of some random cycles, from no contact to no contact. */
 std::vector<double> MeasureCycles(const Candidate& candidate, int cycles);
 
 } // namespace evaluation
