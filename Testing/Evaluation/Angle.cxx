@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Figure.h"
+#include "Angle.h"
 #include "Shapes.h"
 #include "Tracking.h"
 

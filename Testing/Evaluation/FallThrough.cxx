@@ -26,8 +26,8 @@ HapticMaterial WallMaterial()
 constexpr double WholeFrom = -1.18;
 /** 90 % of T_N/k behind where the wall is whole: less than what it holds. */
 constexpr double Deepest = WholeFrom + 0.9 * 4.0;
-/** A proxy past the edge's middle is through. */
-constexpr double Through = 0.5;
+/** A proxy that is this far past where it is held is falling. */
+constexpr double Through = WholeFrom + 0.3;
 
 /** Whether a random tip that comes in, stays a while and slides is let through. */
 bool FallsThrough(const HapticModel& model, std::mt19937& random)

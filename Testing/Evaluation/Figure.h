@@ -53,7 +53,6 @@ struct Plot
   std::string XLabel;
   std::string YLabel;
   std::vector<Curve> Curves;
-  bool IsLogarithmic = false;
 };
 
 /** Whom a figure is measured for. */

@@ -82,8 +82,11 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   filter->SetGradientEstimator(-1);
   EXPECT_EQ(filter->GetGradientEstimator(), vtkVolumeHapticsFilter::CENTRAL_DIFFERENCE);
   filter->SetSolver(99);
-  filter->SetSolverToPaper();
   EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
+  filter->SetSolverToPaper();
+  EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PAPER);
+  filter->SetContactAlignment(99);
+  EXPECT_EQ(filter->GetContactAlignment(), vtkVolumeHapticsFilter::EDGE);
   filter->SetServoRate(0.0);
   EXPECT_EQ(filter->GetServoRate(), 1.0);
   filter->SetMetersPerWorldUnit(-1.0);

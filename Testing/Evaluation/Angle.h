@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where the force points.
+ */
+#ifndef Evaluation_Angle_h
+#define Evaluation_Angle_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+/** Degrees between the frictionless force and the normal of an 8-bit sphere, all over half of it. */
+std::vector<double> MeasureAngles(const Candidate& candidate);
+
+} // namespace evaluation
+
+#endif

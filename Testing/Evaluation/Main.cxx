@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * volumehaptics-evaluation [--quick] [--volume FILE.mhd] [--output FOLDER]
+ *
+ * Measures the figures of SPEC 5 for PAPER and PRECISE, prints the table, and writes a report with plots to
+ * FOLDER (default: evaluation). The exit status is the number of figures that PRECISE does not reach with
+ * the default estimator or the B-spline. --quick takes seconds instead of minutes.
+ */
+#include "RealVolume.h"
+#include "Report.h"
+
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+using namespace evaluation;
+using namespace VolumeHaptics;
+
+namespace
+{
+constexpr std::pair<const char*, GradientEstimator> Estimators[] = {
+  { "Gaussian", GradientEstimator::Gaussian },
+  { "Cubic B-spline", GradientEstimator::CubicBSpline },
+};
+
+Figures MeasureAll(const Candidate& candidate, const Effort& effort)
+{
+  Figures all;
+  for (const auto& measure : { MeasureClosedForms, MeasureTracking, MeasureFallThrough,
+         MeasureRipple, MeasureEnergy, MeasureAngle, MeasureAlignment, MeasureSpeed })
+  {
+    const Figures figures = measure(candidate, effort);
+    all.insert(all.end(), figures.begin(), figures.end());
+  }
+  return all;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Effort effort{ true };
+  std::string volume;
+  std::string folder = "evaluation";
+  for (int i = 1; i < argc; ++i)
+  {
+    const bool hasValue = i + 1 < argc;
+    if (std::strcmp(argv[i], "--quick") == 0)
+    {
+      effort.IsFull = false;
+    }
+    else if (std::strcmp(argv[i], "--volume") == 0 && hasValue)
+    {
+      volume = argv[++i];
+    }
+    else if (std::strcmp(argv[i], "--output") == 0 && hasValue)
+    {
+      folder = argv[++i];
+    }
+    else
+    {
+      std::fprintf(stderr, "usage: %s [--quick] [--volume FILE.mhd] [--output FOLDER]\n", argv[0]);
+      return 255;
+    }
+  }
+  if (!vtksys::SystemTools::MakeDirectory(folder))
+  {
+    std::fprintf(stderr, "The folder %s can't be made. Name another with --output.\n", folder.c_str());
+    return 255;
+  }
+  std::vector<Section> sections;
+  for (const auto& [name, estimator] : Estimators)
+  {
+    sections.push_back({ name, MeasureAll({ HapticSolver::Paper, estimator }, effort),
+      MeasureAll({ HapticSolver::Precise, estimator }, effort) });
+  }
+  if (!volume.empty())
+  {
+    sections.push_back({ "A real CT", MeasureRealVolume(volume, HapticSolver::Paper, effort),
+      MeasureRealVolume(volume, HapticSolver::Precise, effort) });
+  }
+  const int missed = PrintSections(sections);
+  const std::vector<Plot> plots = MakePlots(effort);
+  for (const Plot& plot : plots)
+  {
+    DrawPlot(plot, folder);
+  }
+  if (!WriteReport(sections, plots, folder))
+  {
+    std::fprintf(stderr, "%s/report.md can't be written.\n", folder.c_str());
+    return 255;
+  }
+  std::printf("\n%d figures not reached. Report: %s/report.md\n", missed, folder.c_str());
+  return std::min(missed, 254);
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What can be said of a real scan, whose right forces nobody knows.
+ */
+#ifndef Evaluation_RealVolume_h
+#define Evaluation_RealVolume_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+/**
+ * Random presses on a CT, each a closed cycle: from the air towards the middle, across, and out again, with
+ * the preset "CT contrast". Empty, with a message on stderr, where the file can't be read.
+ */
+Figures MeasureRealVolume(
+  const std::string& file, VolumeHaptics::HapticSolver solver, const Effort& effort);
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The report: report.md and its pictures in one folder.
+ */
+#ifndef Evaluation_Report_h
+#define Evaluation_Report_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+/** A table of figures with a heading. */
+struct Section
+{
+  std::string Title;
+  Figures Paper;
+  Figures Precise;
+};
+
+/** Draws a plot to FOLDER/NAME.png; needs a display, if only a virtual one. */
+void DrawPlot(const Plot& plot, const std::string& folder);
+
+/** Writes FOLDER/report.md. Returns false where the folder can't be written to. */
+bool WriteReport(const std::vector<Section>& sections, const std::vector<Plot>& plots,
+  const std::string& folder);
+
+/** The same tables, for a terminal. Returns how many of PRECISE's figures are not reached. */
+int PrintSections(const std::vector<Section>& sections);
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ZWidth.h"
+
+#include "VirtualDevice.h"
+
+using namespace VolumeHaptics;
+
+namespace evaluation
+{
+namespace
+{
+constexpr double Mass = 0.1;     // kg
+constexpr double Period = 0.001; // s
+constexpr double Pull = 2.0;     // N/m, of the hand
+constexpr int Ticks = 6000;
+
+/** Whether the simulated device swings less at the end than in the middle of a long rest on a wall. */
+bool ComesToRest(const HapticModel& model, double damping, int delay)
+{
+  VirtualDevice device;
+  device.SetDynamics({ Mass, damping, Pull, 0.0, delay, 2.0 });
+  device.Lead({ 0.0, 0.0, 0.0 });
+  ServoState state;
+  TickRecord record;
+  double middle = 0.0;
+  double end = 0.0;
+  double rest = 0.0;
+  for (int i = 0; i < Ticks; ++i)
+  {
+    DeviceSample sample;
+    device.Read(Period, sample);
+    if (i == 1)
+    {
+      device.Lead({ 0.0, 0.0, 0.02 });
+    }
+    Tick(model, state, sample.Tip, record);
+    device.Write(record.Force);
+    rest = i < Ticks / 2 ? record.Tip.Z : rest;
+    double& swing = i < 3 * Ticks / 4 ? middle : end;
+    swing = i >= Ticks / 2 ? std::max(swing, std::abs(record.Tip.Z - rest)) : swing;
+  }
+  return end < middle || end < 1e-9;
+}
+} // namespace
+
+double FindStiffestWall(const Candidate& candidate, double damping, int delay)
+{
+  const Volume slab([](const Vector3& x) { return 100.0 * x.Z; }, {});
+  double low = 10.0;
+  double high = 6000.0;
+  while (high - low > 0.005 * low)
+  {
+    const double k = std::sqrt(low * high);
+    const auto model =
+      slab.Bake(TouchingOf(candidate, MakeMaterial(k, 0.0, 0.0, Impenetrable)));
+    (ComesToRest(*model, damping, delay) ? low : high) = k;
+  }
+  return low;
+}
+
+} // namespace evaluation

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How stiff a wall can be for a device: the range between it and air is the device's Z-width.
+ */
+#ifndef Evaluation_ZWidth_h
+#define Evaluation_ZWidth_h
+
+#include "Figure.h"
+
+namespace evaluation
+{
+
+/**
+ * The stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest, with the force
+ * some ticks late. Theory (Gil et al. 2004; SPEC 4, T16): 2 b / T without delay.
+ */
+double FindStiffestWall(const Candidate& candidate, double damping, int delay);
+
+} // namespace evaluation
+
+#endif
