@@ -25,7 +25,8 @@ PROPERTY_PLAIN = ("SetSurfaceSideToHigher", "SetSurfaceSideToLower", "SetSurface
 FILTER = {
     "SetProperty": ("material",),
     "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1"),
-    "SetSolver": ("PAPER", "default"),
+    "SetSolver": ("PAPER", "PRECISE", "default"),
+    "SetContactAlignment": ("DISTINCTNESS", "default", "EDGE"),
     "SetGradientEstimator": ("CENTRAL_DIFFERENCE", "GAUSSIAN", "CUBIC_BSPLINE"),
     "SetKernelRadius": ("voxels", "Default 2"),
     "SetServoRate": ("(Hz)", "1000"),
@@ -39,6 +40,9 @@ FILTER_PLAIN = (
     "SetMethodToProxy",
     "SetMethodToForceField",
     "SetSolverToPaper",
+    "SetSolverToPrecise",
+    "SetContactAlignmentToDistinctness",
+    "SetContactAlignmentToEdge",
     "SetGradientEstimatorToCentralDifference",
     "SetGradientEstimatorToGaussian",
     "SetGradientEstimatorToCubicBSpline",
@@ -94,7 +98,7 @@ def check_array_table():
 def main():
     check(vtkHapticProperty, PROPERTY, PROPERTY_PLAIN)
     check(vtkVolumeHapticsFilter, FILTER, FILTER_PLAIN)
-    for constant, value in (("PROXY", 0), ("FORCE_FIELD", 1), ("PAPER", 0), ("GAUSSIAN", 1)):
+    for constant, value in (("PROXY", 0), ("FORCE_FIELD", 1), ("PAPER", 0), ("PRECISE", 1), ("GAUSSIAN", 1)):
         assert getattr(vtkVolumeHapticsFilter, constant) == value
     assert vtkHapticProperty.BOTH == 2
     assert "volume" in vtkVolumeHapticsFilter.__doc__ and "2002" in vtkVolumeHapticsFilter.__doc__
