@@ -149,8 +149,7 @@ void Interpolate(const GradientKernel& kernel, int interval, double* coefficient
 
 } // namespace
 
-GradientKernel::GradientKernel(
-  GradientEstimator estimator, int radius, GaussianWeights weights)
+GradientKernel::GradientKernel(GradientEstimator estimator, int radius, GaussianWeights weights)
   : Estimator(estimator)
   , Weights(weights)
   , Radius(std::clamp(radius, 1, MaximumRadius))

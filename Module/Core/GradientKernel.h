@@ -85,8 +85,8 @@ struct GradientKernel
   std::vector<double> Table;
 
   GradientKernel() = default;
-  GradientKernel(GradientEstimator estimator, int radius,
-    GaussianWeights weights = GaussianWeights::FittedLine);
+  GradientKernel(
+    GradientEstimator estimator, int radius, GaussianWeights weights = GaussianWeights::FittedLine);
 
   KernelView GetView() const { return { this->Table.data(), this->Radius, this->Taps }; }
 };

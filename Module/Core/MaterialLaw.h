@@ -124,8 +124,8 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
 }
 
 /** Materials at x_s and x_v of an index (eq. 13, section 3.3). */
-inline void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
-  Place& place) noexcept
+inline void ReadMaterials(
+  const HapticModel& model, const Vector3& index, const Surface& surface, Place& place) noexcept
 {
   // Before the values, whose sampling hides it.
   const DistinctnessTable::Values distinct = model.Distinctness(surface.GradientMagnitude);

@@ -11,8 +11,12 @@ namespace
 
 /** Share of the spring that a motion may go too far. */
 constexpr double Tolerance = 2e-4;
-/** Of a step of the tip, where friction and drag hold different directions differently. */
-constexpr int Parts = 8;
+/** Parts of a tip's step, as shares of the spring, where the mean direction is known and where not. */
+constexpr double CirclePart = 0.1;
+constexpr double FreePart = 0.005;
+constexpr double MostParts = 64.0;
+/** Of a circle's radius: whoever is nearer to its edge has a direction. */
+constexpr double OnCircle = 0.9;
 /** What is left of a direction's part after taking this off is rounding. */
 constexpr double SmallPart = 1e-3;
 /** To which share of itself a motion is drawn back at most; a thousandth of a voxel is less. */
@@ -102,18 +106,54 @@ private:
   bool LastWasHigh = true;
 };
 
-/** The way of a proxy with the tip going in parts, by the law of one place. */
-Vector3 FollowInParts(
-  const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept
+/** The part of a spring (m) that the surface does not hold, and in how wide a circle friction and drag do. */
+struct Rest
 {
-  Vector3 way;
-  for (int part = 1; part <= Parts; ++part)
+  Vector3 Way;
+  double Length;
+  double Radius;
+  bool IsCircle; ///< or else directions are held differently
+};
+
+Rest FindRest(const Spot& here, double k, const SplitLag& split, const Balance& balance,
+  const Vector3& lag) noexcept
+{
+  Rest rest;
+  rest.Way = lag - (balance.Normal / k) * here.Normal;
+  rest.Length = Norm(rest.Way);
+  const double grip = here.Friction * balance.Normal;
+  rest.Radius = (grip + here.Viscosity) / k;
+  rest.IsCircle = grip == 0.0 || (split.Push > 0.0 && !balance.IsThrough);
+  return rest;
+}
+
+/** The way of a proxy while its spring goes from one lag to another, by the law of one place. */
+Vector3 MovePart(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept
+{
+  const SplitLag split = Law::Split(lag, here.Normal);
+  const Balance balance = Law::Weigh(here, k, split);
+  const Vector3 way = Law::Move(here, k, split, balance, Vector3{});
+  const Rest rest = FindRest(here, k, split, balance, lag);
+  if (!rest.IsCircle || !(rest.Length > rest.Radius))
   {
-    const double share = static_cast<double>(part) / Parts;
-    const SplitLag split = Law::Split(lagBefore + share * (lag - lagBefore) - way, here.Normal);
-    way = Law::Move(here, k, split, Law::Weigh(here, k, split), way);
+    return way;
   }
-  return way;
+  const SplitLag splitBefore = Law::Split(lagBefore, here.Normal);
+  const Rest before = FindRest(here, k, splitBefore, Law::Weigh(here, k, splitBefore), lagBefore);
+  if (!(before.Length > OnCircle * before.Radius))
+  {
+    return way; // it had no direction yet
+  }
+  const Vector3 sum = (1.0 / before.Length) * before.Way + (1.0 / rest.Length) * rest.Way;
+  const double length = Norm(sum);
+  if (length < 1.0)
+  {
+    return way; // more than a right angle has no mean worth taking
+  }
+  const Vector3 direction = (1.0 / length) * sum;
+  const double along = Dot(rest.Way, direction);
+  const double square = along * along - (rest.Length * rest.Length - rest.Radius * rest.Radius);
+  return square > 0.0 ? (along - std::sqrt(square)) * direction : way;
 }
 
 } // namespace
@@ -121,49 +161,40 @@ Vector3 FollowInParts(
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
 {
   constexpr double least = HapticModel::MinimumStiffness;
-  if (stiffness > least && spring.Tissue > least && lag > 0.0)
+  if (!(lag > 0.0))
+  {
+    spring.Relax(stiffness);
+  }
+  else if (stiffness > least && spring.Tissue > least)
   {
     spring.Pass(stiffness, lag);
   }
   else
   {
-    spring.Relax(stiffness);
+    // Where nothing is felt the spring has no energy to keep. Its slack stays what it is.
+    spring.Tissue = stiffness;
+    spring.DropReserve();
   }
 }
 
-void Turn(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag,
-  Motion& motion) noexcept
+Vector3 MoveAlong(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept
 {
-  if (motion.Radius == 0.0)
+  const Vector3 step = lag - lagBefore;
+  const double push = k * Dot(lag, here.Normal);
+  const double pushBefore = k * Dot(lagBefore, here.Normal);
+  const bool isThrough = std::max(push, pushBefore) > here.SurfaceStrength;
+  // Nor where a surface is left or met.
+  const bool isCircle = here.Friction == 0.0 || (!isThrough && (push > 0.0) == (pushBefore > 0.0));
+  const double longest = (isCircle ? CirclePart : FreePart) * Norm(lag);
+  const double parts = std::clamp(std::ceil(Norm(step) / longest), 1.0, MostParts);
+  Vector3 way;
+  for (double part = 1.0; part <= parts; part += 1.0)
   {
-    motion.Way = FollowInParts(here, k, lagBefore, lag);
-    return;
+    const Vector3 from = lagBefore + ((part - 1.0) / parts) * step - way;
+    const Vector3 to = lagBefore + (part / parts) * step - way;
+    way += MovePart(here, k, from, to);
   }
-  const SplitLag split = Law::Split(lagBefore, here.Normal);
-  const Balance before = Law::Weigh(here, k, split);
-  const Vector3 first =
-    motion.IsHeld ? split.Tangent : lagBefore - (before.Normal / k) * here.Normal;
-  const double radius = (here.Friction * before.Normal + here.Viscosity) / k;
-  const double firstLength = Norm(first);
-  const double length = Norm(motion.Rest);
-  // Where the spring was not yet at the end of what holds it, it had no direction.
-  if (!(firstLength > 0.9 * radius) || !(radius > 0.0) || !(length > motion.Radius))
-  {
-    return;
-  }
-  const Vector3 sum = (1.0 / firstLength) * first + (1.0 / length) * motion.Rest;
-  const double sumLength = Norm(sum);
-  if (sumLength < 1.0)
-  {
-    return; // more than a right angle has no mean worth taking
-  }
-  const Vector3 direction = (1.0 / sumLength) * sum;
-  const double along = Dot(motion.Rest, direction);
-  const double square = along * along - (length * length - motion.Radius * motion.Radius);
-  if (square > 0.0)
-  {
-    motion.Way = (along - std::sqrt(square)) * direction;
-  }
+  return way;
 }
 
 Spot Surroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept
@@ -207,11 +238,16 @@ bool Surroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
   return beyond(i.X, j.X, n[0]) || beyond(i.Y, j.Y, n[1]) || beyond(i.Z, j.Z, n[2]);
 }
 
-Vector3 Surroundings::ToLevel(const Spot& here, double level, double push) const noexcept
+Vector3 Surroundings::ToLevel(
+  const Spot& here, double k, double level, const Vector3& lag) const noexcept
 {
   const double most = FarthestLevel / Norm(this->Model.DeviceToIndex.Linear * here.Normal);
+  const double push = Dot(lag, here.Normal);
   const double way = (level - here.Value) / here.Slope;
-  return std::clamp(way, -most, std::max(0.0, std::min(push, most))) * here.Normal;
+  // Not past the tip, and not out to where the surface could not hold the spring.
+  const double in = std::clamp(push, 0.0, most);
+  const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
+  return std::clamp(way, -out, in) * here.Normal;
 }
 
 Arrival Surroundings::Arrive(
@@ -233,17 +269,19 @@ Arrival Surroundings::Try(
   end.There = this->Look(end.Proxy, tip - end.Proxy);
   if (motion.IsHeld && end.There.Slope != 0.0)
   {
-    const double push = Dot(tip - end.Proxy, end.There.Normal);
-    const Vector3 back = this->ToLevel(end.There, start.Level, push);
+    PassOn(end.Spring, end.There.Stiffness, Norm(tip - end.Proxy));
+    const Vector3 back =
+      this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, tip - end.Proxy);
     end.Proxy += back;
     end.There.Value += end.There.Slope * Dot(back, end.There.Normal);
+    return end;
   }
   PassOn(end.Spring, end.There.Stiffness, Norm(tip - end.Proxy));
   return end;
 }
 
-Surroundings::Remainder Surroundings::Judge(const Motion& motion, const Vector3& way,
-  const Vector3& tip, const Arrival& end) const noexcept
+Surroundings::Remainder Surroundings::Judge(
+  const Motion& motion, const Vector3& way, const Vector3& tip, const Arrival& end) const noexcept
 {
   const Spot& there = end.There;
   const bool isFelt = Law::IsFelt(there);
@@ -263,8 +301,7 @@ Surroundings::Remainder Surroundings::Judge(const Motion& motion, const Vector3&
   const bool goesOut = !motion.IsHeld && inward < -SmallPart;
   const bool goesAcross = across > SmallPart;
   const double pull = Dot(lag.Tangent, aside);
-  const double normal =
-    goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
+  const double normal = goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
   const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
   // Drag holds both together where both are left, and each for itself where one is overdrawn.
   const bool isWhole = normal >= 0.0 && tangent >= 0.0;
@@ -277,8 +314,7 @@ Surroundings::Remainder Surroundings::Judge(const Motion& motion, const Vector3&
 Arrival Surroundings::DrawBack(const Departure& start, const Motion& motion, const Vector3& way,
   const Vector3& tip, const Arrival& first, const Remainder& rest) noexcept
 {
-  const Vector3 normalWay =
-    rest.IsWhole ? way : Dot(way, first.There.Normal) * first.There.Normal;
+  const Vector3 normalWay = rest.IsWhole ? way : Dot(way, first.There.Normal) * first.There.Normal;
   const Vector3 tangentWay = way - normalWay;
   const auto voxels = [&](const Vector3& part)
   { return Norm(this->Model.DeviceToIndex.Linear * part); };

@@ -24,9 +24,6 @@ struct Spot : Place
 struct Motion
 {
   Vector3 Way;         ///< m
-  Vector3 Rest;        ///< m; the part of the spring that no surface holds
-  double Radius = 0.0; ///< m; where friction and drag hold all of Rest's directions alike
-  bool Turns = false;  ///< friction or drag give it its direction
   bool IsHeld = false; ///< by a surface: the proxy keeps its level
   bool IsFree = false; ///< nothing holds it
 };
@@ -51,11 +48,11 @@ struct Arrival
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 
 /**
- * Gives the way the direction that friction and drag have on average while the tip makes its step, which
- * takes the spring from one lag (m) to another.
+ * The way of a proxy (m) while the tip makes a step that takes the spring from one lag (m) to another, by
+ * the law of one place: second order in the step where friction and drag hold all directions alike.
  */
-void Turn(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag,
-  Motion& motion) noexcept;
+Vector3 MoveAlong(
+  const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept;
 
 /** The volume around a proxy, and how often it was looked at. */
 class Surroundings
@@ -74,12 +71,12 @@ public:
   /** Whether both positions lie beyond the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
-  /** The way from a place to a level, along the normal; not farther in than `push` (m). */
-  Vector3 ToLevel(const Spot& here, double level, double push) const noexcept;
+  /** The way from a place to a level, along the normal, as far as the spring's balance lets it. */
+  Vector3 ToLevel(const Spot& here, double k, double level, const Vector3& lag) const noexcept;
 
   /** Goes a share of a motion, or less: no farther than the places on the way let it. */
-  Arrival Arrive(const Departure& start, const Motion& motion, double share,
-    const Vector3& tip) noexcept;
+  Arrival Arrive(
+    const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept;
 
 private:
   /** Spring (m) that is left along a motion's parts; less than 0: it went too far. */

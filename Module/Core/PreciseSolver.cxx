@@ -14,9 +14,9 @@ namespace
 constexpr double LongestStep = 0.25;
 /** A motion this short (voxels) is not judged at its end. */
 constexpr double ShortStep = 1e-3;
-/** Nor is one of this length that is the second in a row that shrinks so fast. */
+/** Nor is a longer one, up to this, that would leave so little to be done. */
 constexpr double LongestCreep = 0.03;
-constexpr double LargestRate = 0.2;
+constexpr double LongestRest = 2e-3;
 
 /** Of a quotient: a way of just so many steps is not to be one step more on another machine. */
 constexpr double Rounding = 1e-9;
@@ -40,10 +40,11 @@ public:
   {
     const Vector3 from = this->State.ReachedTip;
     this->Here = this->Field.Look(this->Proxy, from - this->Proxy);
-    this->Pass(this->Here.Stiffness, Norm(from - this->Proxy));
+    this->Refresh(Norm(from - this->Proxy));
     const Vector3 way = tip - from;
     const bool isBeyond = this->Field.IsBeyond(from, tip) && this->Field.IsBeyond(this->Proxy, tip);
-    const double steps = isBeyond ? 1.0 : std::max(1.0, std::ceil(this->Voxels(way) / LongestStep - Rounding));
+    const double steps =
+      isBeyond ? 1.0 : std::max(1.0, std::ceil(this->Voxels(way) / LongestStep - Rounding));
     for (double step = 1.0; step <= steps; step += 1.0)
     {
       const Vector3 next = step < steps ? from + (step / steps) * way : tip;
@@ -84,15 +85,25 @@ private:
     return Norm(this->Model.DeviceToIndex.Linear * way);
   }
 
-  void Pass(double stiffness, double lag) noexcept
+  /** The tissue where the proxy has been since the last tick: whatever changed there, nobody moved. */
+  void Refresh(double lag) noexcept
   {
-    PassOn(this->State.Spring, stiffness, lag);
+    PassiveSpring& spring = this->State.Spring;
+    const double reserve = spring.Reserve;
+    spring.DropReserve();
+    PassOn(spring, this->Here.Stiffness, lag);
+    spring.Reserve += spring.Tension > 0.0 && lag > 0.0 ? reserve : 0.0;
   }
 
   /** Moves the proxy until the law leaves it in place; false if the looks do not suffice. */
   bool Settle(const Vector3& tip) noexcept
   {
     const Vector3 before = this->State.ReachedTip;
+    if (!Law::IsFelt(this->Here))
+    {
+      // All slack, but for what the hand does now: a proxy on its way to the tip brings no force along.
+      this->State.Spring.Tension = 0.0;
+    }
     this->State.Spring.Stretch(Norm(before - this->Proxy), Norm(tip - this->Proxy));
     this->State.ReachedTip = tip;
     bool isFirst = true;
@@ -106,21 +117,16 @@ private:
       {
         this->Here = this->Field.Look(this->Proxy, tip - this->Proxy);
       }
-      Motion motion = this->Plan(tip);
-      if (isFirst && motion.Turns)
-      {
-        Turn(this->Here, this->State.Spring.GetEffective(), before - this->Proxy,
-          tip - this->Proxy, motion);
-      }
+      Motion motion = this->Plan(tip, isFirst ? before : tip);
       isFirst = false;
       const double voxels = this->Voxels(motion.Way);
       this->Note(voxels);
       // Motions at one tip shrink at a rate: what this one and all that follow it would do is known.
       const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
-      const bool isLast = voxels <= LongestCreep && rate < LargestRate;
+      const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
       if (isLast && Dot(motion.Way, lastWay) > 0.0)
       {
-        motion.Way = (1.0 / (1.0 - rate)) * motion.Way;
+        this->Lengthen(motion, 1.0 / (1.0 - rate), tip);
       }
       if (isLast || voxels <= ShortStep)
       {
@@ -151,7 +157,7 @@ private:
   }
 
   /** What the law asks for, with the place where the proxy is. */
-  Motion Plan(const Vector3& tip) noexcept
+  Motion Plan(const Vector3& tip, const Vector3& tipBefore) noexcept
   {
     Motion motion;
     const Vector3 lag = tip - this->Proxy;
@@ -170,23 +176,33 @@ private:
     this->Last = Law::Weigh(this->Here, k, split);
     motion.IsHeld = this->Pushes && !this->Last.IsThrough && this->Here.Slope != 0.0;
     motion.IsFree = this->Last.Normal == 0.0 && this->Here.Viscosity == 0.0;
-    motion.Way = motion.IsFree ? lag : Law::Move(this->Here, k, split, this->Last, Vector3{});
-    const bool isOneCircle = motion.IsHeld || this->Here.Friction * this->Last.Normal == 0.0;
-    const double holds = this->Here.Friction * this->Last.Normal + this->Here.Viscosity;
-    motion.Turns = holds > 0.0;
-    motion.Radius = isOneCircle ? holds / k : 0.0;
-    motion.Rest = lag - (this->Last.Normal / k) * this->Here.Normal;
+    const bool turns = this->Here.Friction * this->Last.Normal + this->Here.Viscosity > 0.0;
+    if (motion.IsFree)
+    {
+      motion.Way = lag;
+    }
+    else if (turns && this->Last.Excess > this->Here.Viscosity)
+    {
+      motion.Way = MoveAlong(this->Here, k, tipBefore - this->Proxy, lag);
+    }
+    else
+    {
+      motion.Way = Law::Move(this->Here, k, split, this->Last, Vector3{});
+    }
     if (!motion.IsHeld)
     {
       this->State.IsHeld = false;
       return motion;
     }
-    if (!this->State.IsHeld)
+    // The surface may have been left and met again on the way.
+    const double inward = Dot(motion.Way, this->Here.Normal);
+    if (!this->State.IsHeld || std::abs(inward) > Rounding * Norm(motion.Way))
     {
       this->State.IsHeld = true;
-      this->State.Level = this->Here.Value;
+      this->State.Level = this->Here.Value + this->Here.Slope * inward;
+      return motion;
     }
-    motion.Way += this->Field.ToLevel(this->Here, this->State.Level, split.Push);
+    motion.Way += this->Field.ToLevel(this->Here, k, this->State.Level, lag);
     return motion;
   }
 
@@ -196,6 +212,18 @@ private:
     const bool moves = voxels > 0.0 && this->Pushes;
     this->WentThrough = this->WentThrough || (moves && this->Last.IsThrough);
     this->Slid = this->Slid || (moves && this->Last.Slides);
+  }
+
+  /** Makes a motion longer, if the spring stays within what the place holds. */
+  void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept
+  {
+    const Vector3 way = factor * motion.Way;
+    const double force = this->State.Spring.GetEffective() * Norm(tip - this->Proxy - way);
+    const double mu = this->Here.Friction;
+    if (force < this->Here.SurfaceStrength * std::sqrt(1.0 + mu * mu) + this->Here.Viscosity)
+    {
+      motion.Way = way;
+    }
   }
 
   /** A motion too short to be judged. */

@@ -27,8 +27,8 @@ enum class ContactState : std::uint8_t
 /** What only PRECISE keeps from tick to tick. */
 struct PreciseState
 {
-  Vector3 ReachedTip; ///< where the tip was when the solver's budget was spent; else the tip
-  double Level = 0.0; ///< the estimator's value on the surface that holds the proxy
+  Vector3 ReachedTip;  ///< where the tip was when the solver's budget was spent; else the tip
+  double Level = 0.0;  ///< the estimator's value on the surface that holds the proxy
   bool IsHeld = false; ///< whether Level means anything
   PassiveSpring Spring;
 };

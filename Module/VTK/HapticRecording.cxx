@@ -83,7 +83,8 @@ vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
   const auto armed = NewArray<vtkUnsignedCharArray>(points, "Armed", 1);
   const auto fault = NewArray<vtkUnsignedCharArray>(points, "Fault", 1);
   const auto matrices = NewArray<vtkDoubleArray>(fields, RecordingNames::DeviceToWorld, 16);
-  const auto initial = NewArray<vtkDoubleArray>(fields, RecordingNames::InitialState, ServoStateSize);
+  const auto initial =
+    NewArray<vtkDoubleArray>(fields, RecordingNames::InitialState, ServoStateSize);
   const auto period = NewArray<vtkDoubleArray>(fields, RecordingNames::TickPeriod, 1);
   const auto caps = NewArray<vtkDoubleArray>(fields, RecordingNames::Caps, 2);
   const auto lost = NewArray<vtkIdTypeArray>(fields, "LostTicks", 1);

@@ -193,7 +193,8 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
       error =
         "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
         "it needs the finite point arrays DeviceTip (3), Enabled, Placement and Time, and the "
-        "field arrays DeviceToWorld (16), InitialState (15), Caps (2) and TickPeriod. Record again, "
+        "field arrays DeviceToWorld (16), InitialState (15), Caps (2) and TickPeriod. Record "
+        "again, "
         "or remove DeviceTip to use the points as a path.";
       return false;
     }

@@ -105,8 +105,8 @@ VolumeHaptics::ForceCaps vtkVolumeHapticsFilter::Tighten(
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
-  vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
-  std::string& error)
+  vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps,
+  vtkMatrix4x4* deviceToWorld, std::string& error)
 {
   using namespace VolumeHaptics;
 
@@ -143,8 +143,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.KernelRadius = this->KernelRadius;
   options.Settings.Method = static_cast<HapticMethod>(this->Method);
   options.Settings.Solver = static_cast<VolumeHaptics::HapticSolver>(this->Solver);
-  options.Settings.Alignment =
-    static_cast<VolumeHaptics::ContactAlignment>(this->ContactAlignment);
+  options.Settings.Alignment = static_cast<VolumeHaptics::ContactAlignment>(this->ContactAlignment);
   options.Settings.TickPeriod = tickPeriod;
   options.Settings.MaximumForce = this->MaximumForce;
   options.Settings.Caps = this->Tighten(deviceCaps);
@@ -271,8 +270,8 @@ void vtkVolumeHapticsFilter::PrintSettings(ostream& os, vtkIndent indent)
   static const char* const estimators[] = { "CentralDifference", "Gaussian", "CubicBSpline" };
   os << indent << "Method: " << (this->Method == PROXY ? "Proxy" : "ForceField") << "\n";
   os << indent << "Solver: " << (this->Solver == PAPER ? "Paper" : "Precise") << "\n";
-  os << indent << "ContactAlignment: "
-     << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness") << "\n";
+  os << indent << "ContactAlignment: " << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness")
+     << "\n";
   os << indent << "GradientEstimator: " << estimators[this->GradientEstimator] << "\n";
   os << indent << "KernelRadius: " << this->KernelRadius << " voxels\n";
   os << indent << "ServoRate: " << this->ServoRate << " Hz\n";

@@ -139,7 +139,8 @@ Form TwoSprings(bool jumps)
   return form;
 }
 
-Form Round(const char* name, const Field& field, double radius, double friction, int ticks, int turns)
+Form Round(
+  const char* name, const Field& field, double radius, double friction, int ticks, int turns)
 {
   // T10 to T12: the proxy stays at 20 mm. With friction it lags by asin(20/rho sin phi) - phi; that
   // holds from the first quarter of a turn on.

@@ -28,8 +28,8 @@ Field Hills(std::mt19937& random)
   {
     const Vector3 direction = { uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-1.0, 1.0) };
     const double length = uniform(15.0, 50.0);
-    waves.push_back({ (TwoPi / length / Norm(direction)) * direction, uniform(0.0, TwoPi),
-      uniform(10.0, 40.0) });
+    waves.push_back(
+      { (TwoPi / length / Norm(direction)) * direction, uniform(0.0, TwoPi), uniform(10.0, 40.0) });
   }
   return [waves](const Vector3& x)
   {
@@ -78,7 +78,8 @@ HapticMaterial AnyMaterial(std::mt19937& random, int kind)
     // A soft layer on a stiff wall: what the hand presses through the one, the other must not return
     // with more.
     const double wall = uniform(20.0, 60.0);
-    material.Stiffness = { { wall - 20.0, uniform(200.0, 500.0) }, { wall, uniform(1000.0, 2000.0) } };
+    material.Stiffness = { { wall - 20.0, uniform(200.0, 500.0) },
+      { wall, uniform(1000.0, 2000.0) } };
     material.SurfaceStrength = { { wall - 20.0, uniform(0.3, 1.0) }, { wall, Impenetrable } };
   }
   return material;

@@ -12,7 +12,7 @@ namespace evaluation
 namespace
 {
 constexpr double Height = 1000.0;
-constexpr double Blur = 1.0;   // voxels, of 1 mm
+constexpr double Blur = 1.0;    // voxels, of 1 mm
 constexpr double Fastest = 3.0; // mm a tick, which is 3 m/s
 
 /** Whole from half of the steepest gradient on, which is 1.18 mm before the edge's middle. */

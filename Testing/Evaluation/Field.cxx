@@ -84,8 +84,8 @@ Matrix3 OddRotation()
 }
 } // namespace
 
-HapticMaterial MakeMaterial(double stiffness, double friction, double viscosity,
-  double surfaceStrength, double distinctness)
+HapticMaterial MakeMaterial(
+  double stiffness, double friction, double viscosity, double surfaceStrength, double distinctness)
 {
   HapticMaterial material;
   material.Stiffness = ConstantPolyline(stiffness);
@@ -107,8 +107,8 @@ Volume::Volume(const Field& field, const Sampling& sampling)
     this->View.Stride[axis] = count;
     count *= n[axis];
   }
-  const Matrix3 scale = Matrix3::FromColumns(
-    { spacing[0], 0, 0 }, { 0, spacing[1], 0 }, { 0, 0, spacing[2] });
+  const Matrix3 scale =
+    Matrix3::FromColumns({ spacing[0], 0, 0 }, { 0, spacing[1], 0 }, { 0, 0, spacing[2] });
   this->IndexToWorld.Linear = sampling.IsTurned ? OddRotation() * scale : scale;
   const Vector3 centre = { 0.5 * (n[0] - 1), 0.5 * (n[1] - 1), 0.5 * (n[2] - 1) };
   const Vector3 odd = sampling.IsTurned ? Vector3{ 0.31, -0.17, 0.23 } : Vector3{};

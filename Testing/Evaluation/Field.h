@@ -23,8 +23,8 @@ using Field = std::function<double(const Vector3&)>;
 /** How a field is sampled, around the origin. */
 struct Sampling
 {
-  double HalfSize = 24.0;                        ///< mm, of a cube
-  Vector3 Spacing = { 1.0, 1.0, 1.0 };           ///< mm
+  double HalfSize = 24.0;              ///< mm, of a cube
+  Vector3 Spacing = { 1.0, 1.0, 1.0 }; ///< mm
   VolumeHaptics::ScalarType Type = VolumeHaptics::ScalarType::Float64;
   double Noise = 0.0; ///< standard deviation
   unsigned Seed = 1;

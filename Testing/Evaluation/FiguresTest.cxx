@@ -29,8 +29,7 @@ std::ostream& operator<<(std::ostream& os, const Subject& subject)
   return os << subject.Name;
 }
 
-class EvaluationFigures
-  : public testing::TestWithParam<std::tuple<Subject, GradientEstimator>>
+class EvaluationFigures : public testing::TestWithParam<std::tuple<Subject, GradientEstimator>>
 {
 };
 

@@ -68,7 +68,8 @@ int main(int argc, char* argv[])
   }
   if (!vtksys::SystemTools::MakeDirectory(folder))
   {
-    std::fprintf(stderr, "The folder %s can't be made. Name another with --output.\n", folder.c_str());
+    std::fprintf(
+      stderr, "The folder %s can't be made. Name another with --output.\n", folder.c_str());
     return 255;
   }
   std::vector<Section> sections;

@@ -48,8 +48,8 @@ Plot PlotDrift()
 
 Plot PlotLeak()
 {
-  Plot plot{ "leak", "Round in a cavity of 20 voxels, 2 voxels deep, 0.2 m/s", "turns",
-    "force (N)", {} };
+  Plot plot{ "leak", "Round in a cavity of 20 voxels, 2 voxels deep, 0.2 m/s", "turns", "force (N)",
+    {} };
   const Wall cavity = GetWalls()[1];
   for (const Named& solver : Solvers)
   {

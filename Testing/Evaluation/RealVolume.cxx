@@ -35,8 +35,8 @@ Path PressSomewhere(const HapticModel& model, const double* bounds, std::mt19937
   const double up = uniform(-0.3, 0.9);
   const double flat = std::sqrt(1.0 - up * up);
   const Vector3 out = { flat * std::cos(around), flat * std::sin(around), up };
-  const double radius = 0.5 *
-    Norm({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  const double radius =
+    0.5 * Norm({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
   Path path = { middle + radius * out };
   ServoState state;
   TickRecord record;
@@ -95,8 +95,7 @@ Figures MeasureRealVolume(const std::string& file, HapticSolver solver, const Ef
       times.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
       const TickRecord& tick = trace[i];
-      const double bound =
-        tick.SurfaceStrength * std::hypot(1.0, tick.Friction) + tick.Viscosity;
+      const double bound = tick.SurfaceStrength * std::hypot(1.0, tick.Friction) + tick.Viscosity;
       beyond = std::max(beyond, Norm(tick.Force) - bound);
       late += tick.IsLate ? 1 : 0;
     }

@@ -30,8 +30,8 @@ std::string Bound(const Figure& figure)
 
 } // namespace
 
-bool WriteReport(const std::vector<Section>& sections, const std::vector<Plot>& plots,
-  const std::string& folder)
+bool WriteReport(
+  const std::vector<Section>& sections, const std::vector<Plot>& plots, const std::string& folder)
 {
   std::ofstream out(folder + "/report.md");
   out << "# PAPER and PRECISE, measured\n\n"

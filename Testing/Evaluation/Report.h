@@ -24,8 +24,8 @@ struct Section
 void DrawPlot(const Plot& plot, const std::string& folder);
 
 /** Writes FOLDER/report.md. Returns false where the folder can't be written to. */
-bool WriteReport(const std::vector<Section>& sections, const std::vector<Plot>& plots,
-  const std::string& folder);
+bool WriteReport(
+  const std::vector<Section>& sections, const std::vector<Plot>& plots, const std::string& folder);
 
 /** The same tables, for a terminal. Returns how many of PRECISE's figures are not reached. */
 int PrintSections(const std::vector<Section>& sections);

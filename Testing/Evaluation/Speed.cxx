@@ -30,7 +30,8 @@ std::vector<double> TimeTicks(const Candidate& candidate, double millimetersPerT
     const Vector3 tip = 0.001 * OnOddCircle(18.0, millimetersPerTick / 18.0 * i);
     const auto start = std::chrono::steady_clock::now();
     Tick(*model, state, tip, record);
-    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   std::sort(times.begin(), times.end());
   return times;

@@ -52,8 +52,7 @@ double FindStiffestWall(const Candidate& candidate, double damping, int delay)
   while (high - low > 0.005 * low)
   {
     const double k = std::sqrt(low * high);
-    const auto model =
-      slab.Bake(TouchingOf(candidate, MakeMaterial(k, 0.0, 0.0, Impenetrable)));
+    const auto model = slab.Bake(TouchingOf(candidate, MakeMaterial(k, 0.0, 0.0, Impenetrable)));
     (ComesToRest(*model, damping, delay) ? low : high) = k;
   }
   return low;

@@ -50,7 +50,8 @@ static void Configure(vtkVolumeHapticsFilter* filter, Scene& scene)
   {
     filter->SetMethodToForceField();
   }
-  filter->SetSolverToPaper();
+  filter->SetSolver(scene.solver == Solver::Paper ? vtkVolumeHapticsFilter::PAPER
+                                                  : vtkVolumeHapticsFilter::PRECISE);
   filter->SetProperty(scene.property);
   filter->SetKernelRadius(scene.kernelRadius);
   filter->SetServoRate(scene.servoRate);

@@ -36,6 +36,13 @@ enum class Estimator
 inline constexpr Estimator AllEstimators[] = { Estimator::CentralDifference, Estimator::Gaussian,
   Estimator::CubicBSpline };
 
+/// The reference plays the paper's; only the module has the other one.
+enum class Solver
+{
+  Paper,
+  Precise
+};
+
 enum class Side
 {
   Higher,
@@ -51,6 +58,7 @@ struct Scene
   int component = 0;
   Side side = Side::Higher;
   Method method = Method::Proxy;
+  Solver solver = Solver::Paper;
   Estimator estimator = Estimator::Gaussian;
   int kernelRadius = 2;
   double servoRate = 1000.0;
