@@ -47,6 +47,7 @@ struct DeviceSample
   Vector3 Tip;               ///< m
   std::uint32_t Buttons = 0; ///< bit 0 is the main one
   bool Fresh = false;        ///< measured since the last Read
+  bool Begins = false;       ///< the stylus is taken up here; where it was before means nothing
 };
 
 enum class DeviceState : std::uint8_t

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PreciseMotion.h"
 
+#include "Bracket.h"
 #include "PreciseSolver.h"
 
 namespace VolumeHaptics
@@ -11,25 +12,14 @@ namespace
 
 /** Share of the spring that a motion may go too far. */
 constexpr double Tolerance = 2e-4;
-/** Parts of a tip's step, as shares of the spring, where the mean direction is known and where not. */
-constexpr double CirclePart = 0.1;
-constexpr double FreePart = 0.005;
-constexpr double MostParts = 64.0;
-/** Of a circle's radius: whoever is nearer to its edge has a direction. */
-constexpr double OnCircle = 0.9;
 /** What is left of a direction's part after taking this off is rounding. */
 constexpr double SmallPart = 1e-3;
 /** To which share of itself a motion is drawn back at most; a thousandth of a voxel is less. */
 constexpr int MostTrials = 10;
-/** The nearest (voxels) that a bracket around a step of a material function gets. */
-constexpr double NarrowBracket = 1e-3;
 /** How far (voxels) a proxy is from its level at most. */
 constexpr double FarthestLevel = 0.25;
 /** V(x_p) may be this share of |V(x_s) - V(x_v)| below their mean at an edge. */
 constexpr double EdgeTolerance = 1e-3;
-
-/** A remainder where there is nothing to go too far. */
-constexpr double Nothing = std::numeric_limits<double>::infinity();
 
 /** 1 where the proxy is at or past the middle of an edge, 0 before. */
 double AtEdge(const Place& place, double value, bool isDescending) noexcept
@@ -38,122 +28,6 @@ double AtEdge(const Place& place, double value, bool isDescending) noexcept
   const double width = EdgeTolerance * std::abs(place.SurfaceValue - place.MediumValue);
   const double share = 1.0 + (isDescending ? -above : above) / std::max(width, 1e-300);
   return std::clamp(share, 0.0, 1.0);
-}
-
-/** Finds where a falling function crosses zero between 0 and 1: regula falsi, Illinois' way. */
-class Bracket
-{
-public:
-  Bracket(double low, double high, double voxels) noexcept
-    : AtLow(low)
-    , AtHigh(high)
-    , Length(voxels)
-    , IsOpen(high < 0.0)
-  {
-  }
-
-  bool IsNarrow() const noexcept
-  {
-    return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;
-  }
-  double GetHigh() const noexcept { return this->High; }
-
-  double Next(int trial) noexcept
-  {
-    if (this->IsNarrow())
-    {
-      return this->Now = this->High;
-    }
-    const double share =
-      trial % 3 == 2 ? 0.5 : std::clamp(this->AtLow / (this->AtLow - this->AtHigh), 0.02, 0.98);
-    return this->Now = this->Low + share * (this->High - this->Low);
-  }
-
-  void Narrow(double value) noexcept
-  {
-    if (!this->IsOpen || this->Now >= this->High)
-    {
-      return;
-    }
-    if (value == Nothing)
-    {
-      this->Low = this->Now;
-    }
-    else if (value < 0.0)
-    {
-      this->High = this->Now;
-      this->AtHigh = value;
-      this->AtLow *= this->LastWasHigh ? 0.5 : 1.0;
-      this->LastWasHigh = true;
-    }
-    else
-    {
-      this->Low = this->Now;
-      this->AtLow = value;
-      this->AtHigh *= this->LastWasHigh ? 1.0 : 0.5;
-      this->LastWasHigh = false;
-    }
-  }
-
-private:
-  double Low = 0.0;
-  double High = 1.0;
-  double Now = 1.0;
-  double AtLow;
-  double AtHigh;
-  double Length;
-  bool IsOpen;
-  bool LastWasHigh = true;
-};
-
-/** The part of a spring (m) that the surface does not hold, and in how wide a circle friction and drag do. */
-struct Rest
-{
-  Vector3 Way;
-  double Length;
-  double Radius;
-  bool IsCircle; ///< or else directions are held differently
-};
-
-Rest FindRest(const Spot& here, double k, const SplitLag& split, const Balance& balance,
-  const Vector3& lag) noexcept
-{
-  Rest rest;
-  rest.Way = lag - (balance.Normal / k) * here.Normal;
-  rest.Length = Norm(rest.Way);
-  const double grip = here.Friction * balance.Normal;
-  rest.Radius = (grip + here.Viscosity) / k;
-  rest.IsCircle = grip == 0.0 || (split.Push > 0.0 && !balance.IsThrough);
-  return rest;
-}
-
-/** The way of a proxy while its spring goes from one lag to another, by the law of one place. */
-Vector3 MovePart(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept
-{
-  const SplitLag split = Law::Split(lag, here.Normal);
-  const Balance balance = Law::Weigh(here, k, split);
-  const Vector3 way = Law::Move(here, k, split, balance, Vector3{});
-  const Rest rest = FindRest(here, k, split, balance, lag);
-  if (!rest.IsCircle || !(rest.Length > rest.Radius))
-  {
-    return way;
-  }
-  const SplitLag splitBefore = Law::Split(lagBefore, here.Normal);
-  const Rest before = FindRest(here, k, splitBefore, Law::Weigh(here, k, splitBefore), lagBefore);
-  if (!(before.Length > OnCircle * before.Radius))
-  {
-    return way; // it had no direction yet
-  }
-  const Vector3 sum = (1.0 / before.Length) * before.Way + (1.0 / rest.Length) * rest.Way;
-  const double length = Norm(sum);
-  if (length < 1.0)
-  {
-    return way; // more than a right angle has no mean worth taking
-  }
-  const Vector3 direction = (1.0 / length) * sum;
-  const double along = Dot(rest.Way, direction);
-  const double square = along * along - (rest.Length * rest.Length - rest.Radius * rest.Radius);
-  return square > 0.0 ? (along - std::sqrt(square)) * direction : way;
 }
 
 } // namespace
@@ -175,26 +49,6 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
     spring.Tissue = stiffness;
     spring.DropReserve();
   }
-}
-
-Vector3 MoveAlong(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept
-{
-  const Vector3 step = lag - lagBefore;
-  const double push = k * Dot(lag, here.Normal);
-  const double pushBefore = k * Dot(lagBefore, here.Normal);
-  const bool isThrough = std::max(push, pushBefore) > here.SurfaceStrength;
-  // Nor where a surface is left or met.
-  const bool isCircle = here.Friction == 0.0 || (!isThrough && (push > 0.0) == (pushBefore > 0.0));
-  const double longest = (isCircle ? CirclePart : FreePart) * Norm(lag);
-  const double parts = std::clamp(std::ceil(Norm(step) / longest), 1.0, MostParts);
-  Vector3 way;
-  for (double part = 1.0; part <= parts; part += 1.0)
-  {
-    const Vector3 from = lagBefore + ((part - 1.0) / parts) * step - way;
-    const Vector3 to = lagBefore + (part / parts) * step - way;
-    way += MovePart(here, k, from, to);
-  }
-  return way;
 }
 
 Spot Surroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept

@@ -77,7 +77,7 @@ public:
   }
 
   const PreciseState& GetState() const noexcept { return this->State; }
-  bool IsLate() const noexcept { return this->LooksAreSpent; }
+  bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
   double Voxels(const Vector3& way) const noexcept
@@ -263,7 +263,7 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
   follower.Follow(record.Tip);
   follower.Write(record);
   state.Precise = follower.GetState();
-  record.IsLate = follower.IsLate();
+  record.IsUnfinished = follower.IsUnfinished();
 }
 
 } // namespace VolumeHaptics

@@ -27,7 +27,7 @@
  * Work. A tick looks at MaximumLooks places at most. If that is not enough (a tip at tens of voxels a tick),
  * the proxy is where it came to, the force is that of a tip some way back, where this proxy is in balance,
  * and the next tick goes on from there: the force neither jumps nor exceeds what the material can hold,
- * nothing is skipped, and TickRecord::IsLate says so.
+ * nothing is skipped, and TickRecord::IsUnfinished says so.
  */
 #ifndef PreciseSolver_h
 #define PreciseSolver_h

@@ -134,6 +134,7 @@ void ServoLoop::FollowCommands() noexcept
     this->TickCost.Reset();
     this->WakeLatency.Reset();
     this->MissedTicks.store(0, std::memory_order_relaxed);
+    this->UnfinishedTicks.store(0, std::memory_order_relaxed);
     this->StatisticsStart = 0;
   }
   this->Limits.Update();
@@ -152,11 +153,21 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
     // The loop stood still, and the hand did not: start from the tip.
     this->State.Enabled = false;
   }
+  if (sample.Begins || (sample.Fresh && !this->HasSample))
+  {
+    // Not on the way from where no hand has been.
+    this->State.Enabled = false;
+  }
+  this->HasSample = this->HasSample || sample.Fresh;
   s.Before = this->State;
   const HapticModel* const model = this->Current->Model.get();
   if (model)
   {
     VolumeHaptics::Tick(*model, this->State, sample.Tip, s.Record);
+    if (s.Record.IsUnfinished)
+    {
+      this->UnfinishedTicks.fetch_add(1, std::memory_order_relaxed);
+    }
   }
   else
   {

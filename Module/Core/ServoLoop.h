@@ -108,6 +108,11 @@ public:
   /** Time keeping since the last ResetStatistics. */
   const TimeHistogram& GetTickCost() const noexcept { return this->TickCost; }
   const TimeHistogram& GetWakeLatency() const noexcept { return this->WakeLatency; }
+  /** Ticks in which the solver spent its budget (PreciseSolver.h). */
+  std::uint64_t GetUnfinishedTicks() const noexcept
+  {
+    return this->UnfinishedTicks.load(std::memory_order_relaxed);
+  }
   std::uint64_t GetMissedTicks() const noexcept
   {
     return this->MissedTicks.load(std::memory_order_relaxed);
@@ -168,6 +173,7 @@ private:
   // The servo's own.
   const Published* Current = nullptr;
   ServoState State;
+  bool HasSample = false; ///< a fresh one, ever
   SafetyStage Safety;
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
@@ -179,6 +185,7 @@ private:
   TimeHistogram WakeLatency;
   std::atomic<std::uint64_t> TickCount{ 0 };
   std::atomic<std::uint64_t> MissedTicks{ 0 };
+  std::atomic<std::uint64_t> UnfinishedTicks{ 0 };
   std::atomic<double> TickRate{ 0.0 };
   std::atomic<Privilege> RealTimePriority{ Privilege::Unknown };
   std::atomic<Privilege> LockedMemory{ Privilege::Unknown };

@@ -104,7 +104,7 @@ void Tick(
   record.Force = Vector3{};
   record.NormalForce = record.FrictionForce = record.DragForce = 0.0;
   record.Contact = ContactState::Free;
-  record.IsLate = false;
+  record.IsUnfinished = false;
 
   const bool isField = model.Settings.Method == HapticMethod::ForceField;
   if (!isField && model.Settings.Solver == HapticSolver::Precise)

@@ -58,7 +58,7 @@ struct TickRecord : Place
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
   double DragForce = 0.0;     ///< N, stiffness times the distance that the drag step went back
   ContactState Contact = ContactState::Free;
-  bool IsLate = false; ///< PRECISE spent its budget: the force is that of a tip some way back
+  bool IsUnfinished = false; ///< PRECISE spent its budget: the force is that of a tip some way back
 };
 
 /**

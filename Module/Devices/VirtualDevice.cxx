@@ -34,17 +34,23 @@ DeviceLimits VirtualDevice::StrongDesktopDevice()
 
 void VirtualDevice::Lead(const Vector3& target) noexcept
 {
-  this->Target.Write(target);
+  this->Places = std::max<std::uint64_t>(this->Places, 1);
+  this->Orders.Write({ target, this->Places });
+}
+
+void VirtualDevice::Place(const Vector3& position) noexcept
+{
+  ++this->Places;
+  this->Orders.Write({ position, this->Places });
 }
 
 void VirtualDevice::Follow(double period) noexcept
 {
-  const Vector3 way = this->Target.Read() - this->Position;
+  const Vector3 way = this->Target - this->Position;
   const double distance = Norm(way);
   const double most = this->Dynamics.HandSpeed * period;
   // The target itself, to the bit, where it is within reach.
-  this->Position =
-    distance <= most ? this->Target.Read() : this->Position + (most / distance) * way;
+  this->Position = distance <= most ? this->Target : this->Position + (most / distance) * way;
 }
 
 void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
@@ -53,7 +59,7 @@ void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
   constexpr int steps = 8;
   const double h = period / steps;
   const double m = this->Dynamics.Mass;
-  const Vector3 target = this->Target.Read();
+  const Vector3 target = this->Target;
   const auto acceleration = [&](const Vector3& x, const Vector3& v)
   {
     return (1.0 / m) *
@@ -77,10 +83,16 @@ void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
 
 DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
 {
-  if (this->Target.Update() && !this->Led)
+  if (this->Orders.Update())
   {
-    // The hand takes the stylus where it wants to begin.
-    this->Position = this->Target.Read();
+    this->Target = this->Orders.Read().Target;
+  }
+  sample.Begins = this->Orders.Read().Places != this->PlacesDone;
+  if (sample.Begins)
+  {
+    this->PlacesDone = this->Orders.Read().Places;
+    this->Position = this->Target;
+    this->Velocity = {};
     this->Led = true;
   }
   else if (this->Dynamics.Mass > 0.0)

@@ -48,6 +48,8 @@ public:
   ///@{
   /** One thread outside the loop: where the hand leads the tip (m), and which buttons it holds. */
   void Lead(const Vector3& target) noexcept;
+  /** Takes the stylus up at another position (m), as the first Lead does. */
+  void Place(const Vector3& position) noexcept;
   void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
   /** While the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
@@ -75,7 +77,13 @@ private:
 
   VirtualDynamics Dynamics;
   DeviceLimits Limits = StrongDesktopDevice();
-  TripleBuffer<Vector3> Target;
+  struct Order
+  {
+    Vector3 Target;
+    std::uint64_t Places = 0; ///< how often the stylus was taken up so far
+  };
+  TripleBuffer<Order> Orders;
+  std::uint64_t Places = 0; ///< of the leading thread
   std::atomic<std::uint32_t> Buttons{ 0 };
   std::atomic<bool> Frozen{ false };
   std::atomic<bool> Unplugged{ false };
@@ -87,6 +95,8 @@ private:
   Vector3 Velocity;
   std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
   int QueueHead = 0;
+  Vector3 Target;
+  std::uint64_t PlacesDone = 0;
   bool Led = false;
 };
 

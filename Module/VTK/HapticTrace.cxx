@@ -40,6 +40,7 @@ HapticTrace::HapticTrace()
   this->Viscosity->SetName("Viscosity");
   this->SurfaceStrength->SetName("SurfaceStrength");
   this->Contact->SetName("Contact");
+  this->Unfinished->SetName("Unfinished");
   for (vtkDoubleArray* vector : { this->Tip.Get(), this->Force.Get(), this->Normal.Get() })
   {
     vector->SetNumberOfComponents(3);
@@ -60,6 +61,7 @@ void HapticTrace::Reserve(vtkIdType ticks)
     array->Allocate(ticks * array->GetNumberOfComponents());
   }
   this->Contact->Allocate(ticks);
+  this->Unfinished->Allocate(ticks);
 }
 
 void HapticTrace::Append(const HapticModel& model, double time, const TickRecord& record)
@@ -84,6 +86,7 @@ void HapticTrace::Append(const HapticModel& model, double time, const TickRecord
   this->Viscosity->InsertNextValue(record.Viscosity);
   this->SurfaceStrength->InsertNextValue(record.SurfaceStrength);
   this->Contact->InsertNextValue(static_cast<unsigned char>(record.Contact));
+  this->Unfinished->InsertNextValue(record.IsUnfinished ? 1 : 0);
 }
 
 void HapticTrace::WriteTo(vtkPolyData* output)
@@ -101,10 +104,11 @@ void HapticTrace::WriteTo(vtkPolyData* output)
     output->SetLines(lines);
   }
   vtkPointData* const data = output->GetPointData();
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ this->Time, this->Tip,
-         this->Force, this->NormalForce, this->FrictionForce, this->DragForce, this->Normal,
-         this->Value, this->GradientMagnitude, this->SurfaceValue, this->MediumValue,
-         this->Stiffness, this->Friction, this->Viscosity, this->SurfaceStrength, this->Contact })
+  for (vtkDataArray* array :
+    std::initializer_list<vtkDataArray*>{ this->Time, this->Tip, this->Force, this->NormalForce,
+      this->FrictionForce, this->DragForce, this->Normal, this->Value, this->GradientMagnitude,
+      this->SurfaceValue, this->MediumValue, this->Stiffness, this->Friction, this->Viscosity,
+      this->SurfaceStrength, this->Contact, this->Unfinished })
   {
     data->AddArray(array);
   }

@@ -53,6 +53,7 @@ private:
   vtkNew<vtkDoubleArray> Viscosity;
   vtkNew<vtkDoubleArray> SurfaceStrength;
   vtkNew<vtkUnsignedCharArray> Contact;
+  vtkNew<vtkUnsignedCharArray> Unfinished;
 };
 
 } // namespace VolumeHaptics

@@ -147,9 +147,12 @@ public:
   ///@{
   /**
    * Where the hand leads the tip of the virtual device (world). Without simulated dynamics the tip
-   * goes there at 2 m/s or less; the first call puts it there.
+   * goes there at 2 m/s or less; the first call puts it there. PlaceVirtualTip does so at any time: the
+   * hand takes the stylus up there anew, and feels nothing of the way. Disarm before; an armed device
+   * takes it for a hand that is too fast.
    */
   void SetVirtualTip(double x, double y, double z);
+  void PlaceVirtualTip(double x, double y, double z);
   void SetVirtualTip(const double x[3]) VTK_SIZEHINT(3);
   void SetVirtualButtons(int buttons);
   ///@}
@@ -252,12 +255,14 @@ public:
   /**
    * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration
    * (s) that a percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to
-   * 1/8 of it; and ticks that were left out because the loop was late.
+   * 1/8 of it; ticks that were left out because the loop was late; and ticks that solver PRECISE could not
+   * finish (a tip that jumps by tens of voxels), which the next ones did.
    */
   double GetTickRate();
   double GetTickPercentile(double p);
   double GetWakePercentile(double p);
   vtkIdType GetMissedTicks();
+  vtkIdType GetUnfinishedTicks();
   void ResetStatistics();
   ///@}
 

@@ -150,6 +150,13 @@ vtkIdType vtkHapticDevice::GetMissedTicks()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkHapticDevice::GetUnfinishedTicks()
+{
+  HapticSession* const session = this->Internals->Holder.GetSession();
+  return session ? static_cast<vtkIdType>(session->GetLoop().GetUnfinishedTicks()) : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::ResetStatistics()
 {
   if (HapticSession* session = this->Internals->Holder.GetSession())

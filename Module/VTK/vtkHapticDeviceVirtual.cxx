@@ -8,18 +8,40 @@
 
 using namespace VolumeHaptics;
 
+namespace
+{
+/** The virtual device and where it is to go (m); nullptr, with an error, where it can't. */
+VirtualDevice* FindVirtual(vtkHapticDevice* self, VirtualDevice* device, const Vector3& world)
+{
+  if (!device || !IsFinite(world))
+  {
+    vtkErrorWithObjectMacro(
+      self, << (device ? "The virtual tip must be finite; it stays where it was."
+                       : "There is no virtual device to lead: Open(\"virtual\") first."));
+    return nullptr;
+  }
+  return device;
+}
+} // namespace
+
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetVirtualTip(double x, double y, double z)
 {
   const Vector3 world{ x, y, z };
-  VirtualDevice* const device = this->Internals->Holder.GetVirtual();
-  if (!device || !IsFinite(world))
+  if (auto* device = FindVirtual(this, this->Internals->Holder.GetVirtual(), world))
   {
-    vtkErrorMacro(<< (device ? "The virtual tip must be finite; it stays where it was."
-                             : "There is no virtual device to lead: Open(\"virtual\") first."));
-    return;
+    device->Lead(Inverse(this->Internals->GetPlacement())(world));
   }
-  device->Lead(Inverse(this->Internals->GetPlacement())(world));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::PlaceVirtualTip(double x, double y, double z)
+{
+  const Vector3 world{ x, y, z };
+  if (auto* device = FindVirtual(this, this->Internals->Holder.GetVirtual(), world))
+  {
+    device->Place(Inverse(this->Internals->GetPlacement())(world));
+  }
 }
 
 //------------------------------------------------------------------------------

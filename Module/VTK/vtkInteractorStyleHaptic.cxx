@@ -211,7 +211,8 @@ void vtkInteractorStyleHaptic::SetTouchMode(bool on)
     {
       FindFirstContact(renderer, pointer, filter, start);
     }
-    d.LeadTo(start);
+    d.Lead = start;
+    d.Device->PlaceVirtualTip(start.X, start.Y, start.Z);
   }
   this->TouchMode = on;
   if (d.Device)

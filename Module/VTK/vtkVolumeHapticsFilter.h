@@ -15,12 +15,31 @@
  *   x_p += t/|t| (|t| - mu |d.N|)        if |t| > mu |d.N|, t = d - N (d.N)       (eqs. 8 to 10)
  *   x_p += (x_0 - x_p) min(1, R / (k |x_0 - x_p|))                                (eq. 14)
  *
- * where d is taken anew in each line, k, mu and T_N belong to the value at x_s = x_0 + r N and R to
- * the value at x_v = x_0 - r N (fig. 4), and r is KernelRadius times the largest spacing. Beyond the
- * volume the border's value holds and there is no surface; over the last KernelRadius voxels inside
- * it surfaces fade. Where a sample is NaN or infinite there is no surface, and the value of the first
- * finite corner of the volume stands in (0 where all corners are not finite). The first tick of a
- * path puts the proxy on the tip, without force.
+ * (solver PAPER), where d is taken anew in each line, k, mu and T_N belong to the value at
+ * x_s = x_0 + r N and R to that at x_v = x_0 - r N (fig. 4); r is KernelRadius times the largest
+ * spacing. Beyond the volume the border's value holds and there is no surface; over the last
+ * KernelRadius voxels inside it surfaces fade. Where a sample is NaN or infinite there is no surface,
+ * and the value of the first finite corner of the volume stands in (0 where no corner is finite). The
+ * first tick of a path puts the proxy on the tip, without force.
+ *
+ * Solver PRECISE (default) is the same law for motions that are not small. With F = k (x_tip - x),
+ *
+ *   x' = 0                        while |F - q| <= R,
+ *   F  = q + R x' / |x'|          else,
+ *
+ * along the tip's straight way, where q is what surface and friction hold of F, with N, k, mu, T and
+ * R of the place x. The tip goes a quarter of a voxel at a time at most. At one place the proxy's
+ * motion exists and is unique: the drag's is the proximal map of R |m| after the surface's, both
+ * convex, and friction, which is not, comes after the surface. A motion is judged at its end and drawn
+ * back to the first point that holds as much as the spring pulls (there is one, since the spring gets
+ * shorter); at a step of a material function, to a thousandth of a voxel on the side that holds. While
+ * a surface holds, the proxy stays on the level of the smoothed value where it met it: it neither
+ * drifts nor leaks. Where k rises the force stays, where it falls the stretch, so that no energy is
+ * created; the array Stiffness is then the spring's own, |F| / |d|. A tick looks at 256 places at
+ * most. If these do not do (a tip that jumps by tens of voxels), the proxy is where it came to, with
+ * the force in balance there, the array Unfinished is 1, and the next tick goes on. GAUSSIAN is then
+ * the derivative of its own smoothed value, for N to be normal to levels; CENTRAL_DIFFERENCE can't be,
+ * and holds its proxy to a hundredth of a voxel only.
  *
  * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
  * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is not
@@ -49,6 +68,7 @@
  *   Viscosity          N; R
  *   SurfaceStrength    N; T_N W_d
  *   Contact            0 free, 1 sticking, 2 sliding, 3 penetrating
+ *   Unfinished         1 where PRECISE left a tick's way to the next, else 0
  *
  * The same input gives the same output, to the bit. Without a path the output is empty. Input that
  * can't be touched gives one error that names the input and the cure, and an empty output. A long
@@ -121,8 +141,8 @@ public:
 
   ///@{
   /**
-   * How PROXY advances the proxy in a tick. PAPER: as published, one look at the volume where the proxy
-   * is when the tick begins. PRECISE (default): the same law, in balance where the proxy ends.
+   * How PROXY advances the proxy in a tick. PAPER: as published, one look at the volume where the
+   * proxy is when the tick begins. PRECISE (default): the same law, in balance where the proxy ends.
    */
   vtkSetClampMacro(Solver, int, PAPER, PRECISE);
   vtkGetMacro(Solver, int);
@@ -138,10 +158,10 @@ public:
 
   ///@{
   /**
-   * Where a surface begins to hold, with PRECISE. DISTINCTNESS (default): as soon as W_d and T_N say so,
-   * which on a blurred edge is some voxels before its middle, since x_s is r ahead. EDGE: not before
-   * V(x_p) >= (V(x_s) + V(x_v)) / 2 (within 0.1 % of their difference), so that what is felt lies on what
-   * is seen. On a linear ramp both are alike.
+   * Where a surface begins to hold, with PRECISE. DISTINCTNESS (default): as soon as W_d and T_N say
+   * so, on a blurred edge some voxels before its middle, since x_s is r ahead. EDGE: not before
+   * V(x_p) >= (V(x_s) + V(x_v)) / 2 (within 0.1 % of their difference), so that what is felt lies on
+   * what is seen. On a linear ramp both are alike.
    */
   vtkSetClampMacro(ContactAlignment, int, DISTINCTNESS, EDGE);
   vtkGetMacro(ContactAlignment, int);
@@ -181,58 +201,41 @@ public:
 
   ///@{
   /**
-   * Ticks per second (Hz), 1 to 100000. Default 1000.
+   * Ticks per second (Hz), 1 to 100000, default 1000; and metres of hand motion for one world unit,
+   * 1e-12 or more. The default 0.001 means life-size for data in millimetres; 0.002 means twice
+   * life-size, and no stiffer.
    */
   vtkSetClampMacro(ServoRate, double, 1.0, 1e5);
   vtkGetMacro(ServoRate, double);
-  ///@}
-
-  ///@{
-  /**
-   * Metres of hand motion for one world unit, 1e-12 or more. The default 0.001 means life-size for
-   * data in millimetres; 0.002 means twice life-size, and no stiffer.
-   */
   vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
   vtkGetMacro(MetersPerWorldUnit, double);
   ///@}
 
   ///@{
   /**
-   * C1 of eq. 1 (N per scalar unit per world unit), for FORCE_FIELD. Default 0.01.
+   * For FORCE_FIELD: C1 of eq. 1 (N per scalar unit per world unit), default 0.01, and C2 of eq. 1
+   * (N s/m), 0 or more. Default 0.
    */
   vtkSetMacro(ForceFieldGain, double);
   vtkGetMacro(ForceFieldGain, double);
-  ///@}
-
-  ///@{
-  /**
-   * C2 of eq. 1 (N s/m), 0 or more, for FORCE_FIELD. Default 0.
-   */
   vtkSetClampMacro(ForceFieldDamping, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ForceFieldDamping, double);
   ///@}
 
   ///@{
   /**
-   * Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not limit.
+   * Longest force (N) that the trace shows; longer ones are shortened. And the cap on the stiffness
+   * (N/m) whatever the material says: what a device and its sampling can hold stable. 0 (default)
+   * does not limit.
    */
   vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumForce, double);
-  ///@}
-
-  ///@{
-  /**
-   * Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can hold
-   * stable. 0 (default) does not cap.
-   */
   vtkSetClampMacro(MaximumStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumStiffness, double);
   ///@}
 
   ///@{
-  /**
-   * The path of the tip, on port 1.
-   */
+  /** The path of the tip, on port 1. */
   void SetPathConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetPathData(vtkPolyData* path);
   ///@}

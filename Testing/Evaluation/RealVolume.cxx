@@ -97,7 +97,7 @@ Figures MeasureRealVolume(const std::string& file, HapticSolver solver, const Ef
       const TickRecord& tick = trace[i];
       const double bound = tick.SurfaceStrength * std::hypot(1.0, tick.Friction) + tick.Viscosity;
       beyond = std::max(beyond, Norm(tick.Force) - bound);
-      late += tick.IsLate ? 1 : 0;
+      late += tick.IsUnfinished ? 1 : 0;
     }
     given = std::max(given, EnergyGiven(path, trace));
   }

@@ -67,6 +67,7 @@ ARRAYS = {
     "Viscosity": "N",
     "SurfaceStrength": "T_N W_d",
     "Contact": "penetrating",
+    "Unfinished": "PRECISE",
 }
 
 

@@ -96,7 +96,7 @@ inline int ShowContact(int argc, char* argv[], const ContactScript& script)
   vtkIdType ticks = 0;
   filter->SetPathData(MakePath(script, ticks));
   filter->GetProperty()->GetFriction()->AddPoint(0.0, script.Friction);
-  filter->GetProperty()->GetSurfaceStrength()->AddPoint(180.0, 0.0);
+  filter->GetProperty()->GetSurfaceStrength()->AddPoint(199.99, 0.0);
   filter->GetProperty()->GetSurfaceStrength()->AddPoint(200.0, script.Strength);
   filter->Update();
 

@@ -55,6 +55,21 @@ TEST_F(Virtual, TheFirstLeadPutsTheTipThere)
   EXPECT_EQ(sample.Tip.Z, 0.3);
 }
 
+TEST_F(Virtual, PlacingTakesTheStylusUpAnewAndSaysSoOnce)
+{
+  this->Device.Lead({ 0.1, 0.2, 0.3 });
+  EXPECT_TRUE(this->Read().Begins);
+  this->Device.Lead({ 0.1, 0.2, 0.4 });
+  EXPECT_FALSE(this->Read().Begins);
+  this->Device.Place({ 0.0, 0.0, 0.1 });
+  // Led on before anybody looked.
+  this->Device.Lead({ 0.0, 0.0, 0.1001 });
+  const DeviceSample sample = this->Read();
+  EXPECT_TRUE(sample.Begins);
+  EXPECT_EQ(sample.Tip.Z, 0.1001);
+  EXPECT_FALSE(this->Read().Begins);
+}
+
 TEST_F(Virtual, ThenItGoesStraightAtTheHandsSpeedAndArrivesToTheBit)
 {
   this->Begin({});
