@@ -8,7 +8,7 @@
 #
 # Without --full, a short form of the sanitizer runs precedes the tests; with it, all C++ tests run under
 # the address and undefined-behaviour sanitizers, those of the device, the scene and the servo also under
-# the thread sanitizer, and the benchmarks print their ratios.
+# the thread sanitizer, the benchmarks print their ratios, and the evaluation its whole table.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -67,6 +67,8 @@ if [ $full = yes ]; then
   echo "== Benchmarks"
   "$build_dir/bin/volumehaptics-benchmark"
   "$build_dir/bin/volumehaptics-servo-benchmark"
+  echo "== Evaluation"
+  xvfb-run -a "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
 echo "== Tests"

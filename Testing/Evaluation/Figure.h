@@ -22,6 +22,7 @@ struct Figure
   std::string Unit;
   double Value = 0.0;
   double Bound = 0.0;
+  bool IsTime = false; ///< of this machine, in this run: not for tests
   /** At the bound is not below it; but none is none. */
   bool IsReached() const
   {

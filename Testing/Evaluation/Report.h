@@ -27,7 +27,7 @@ void DrawPlot(const Plot& plot, const std::string& folder);
 bool WriteReport(
   const std::vector<Section>& sections, const std::vector<Plot>& plots, const std::string& folder);
 
-/** The same tables, for a terminal. Returns how many of PRECISE's figures are not reached. */
+/** The same tables, for a terminal. Returns how many of PRECISE's figures, times aside, are not reached. */
 int PrintSections(const std::vector<Section>& sections);
 
 } // namespace evaluation
