@@ -6,9 +6,10 @@
 #
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
-# Without --full, a short form of the sanitizer runs precedes the tests; with it, all C++ tests run under
-# the address and undefined-behaviour sanitizers, those of the device, the scene and the servo also under
-# the thread sanitizer, the benchmarks print their ratios, and the evaluation its whole table.
+# Without --full, a short form of the sanitizer runs and of the fuzzer precedes the tests; with it, all C++
+# tests run under the address and undefined-behaviour sanitizers, those of the device, the scene and the servo
+# also under the thread sanitizer, the fuzzer searches for ten minutes, the benchmarks print their ratios, and
+# the evaluation its whole table.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,7 +18,7 @@ build_dir=$root/build/test
 for argument in "$@"; do
   case $argument in
     --full) full=yes ;;
-    -h | --help) sed -n '5,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    -h | --help) sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
     -*) echo "$0: unknown option $argument; try --help" >&2; exit 2 ;;
     *) build_dir=$argument ;;
   esac
@@ -62,6 +63,9 @@ else
   run_tests "$build_dir-thread" -R '^VolumeHaptics[.]Servo[.]'
 fi
 unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
+
+echo "== Fuzzing"
+"$root/Testing/Fuzz/fuzz.sh" "$build_dir-fuzz" $([ $full = yes ] && echo 600 || echo 20)
 
 if [ $full = yes ]; then
   echo "== Benchmarks"

@@ -35,7 +35,7 @@ Vector3 MakeFallbackNormal(const Matrix3& indexToDevice)
 } // namespace
 
 HapticModel::Baked::Baked(const HapticModelDescription& d)
-  : Kernel(d.Estimator, d.KernelRadius, ChooseWeights(d.Settings))
+  : Kernel(MakeKernel(d))
   , Field(d.View, this->Kernel)
   , Materials({ d.Material.Stiffness, d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })
@@ -44,6 +44,11 @@ HapticModel::Baked::Baked(const HapticModelDescription& d)
   , Settings(d.Settings)
   , Samples(d.Samples)
 {
+}
+
+GradientKernel HapticModel::MakeKernel(const HapticModelDescription& d)
+{
+  return { d.Estimator, d.KernelRadius, ChooseWeights(d.Settings) };
 }
 
 HapticModel::HapticModel(const HapticModelDescription& description)

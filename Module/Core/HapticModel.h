@@ -98,6 +98,9 @@ public:
   HapticModel(const HapticModel&) = delete;
   HapticModel& operator=(const HapticModel&) = delete;
 
+  /** What a model with these settings would be given. */
+  static GradientKernel MakeKernel(const HapticModelDescription& description);
+
   /** Below this stiffness (N/m) nothing is felt: the proxy follows the tip. */
   static constexpr double MinimumStiffness = 1e-3;
 

@@ -10,8 +10,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Voxels that tip and proxy go at a time. */
+/** Voxels that tip and proxy go at a time; the tip may go this share of the spring, if that is more. */
 constexpr double LongestStep = 0.25;
+constexpr double SpringShare = 0.02;
 /** A motion this short (voxels) is not judged at its end. */
 constexpr double ShortStep = 1e-3;
 /** Nor is a longer one, up to this, that would leave so little to be done. */
@@ -41,14 +42,16 @@ public:
     const Vector3 from = this->State.ReachedTip;
     this->Here = this->Field.Look(this->Proxy, from - this->Proxy);
     this->Refresh(Norm(from - this->Proxy));
-    const Vector3 way = tip - from;
-    const bool isBeyond = this->Field.IsBeyond(from, tip) && this->Field.IsBeyond(this->Proxy, tip);
-    const double steps =
-      isBeyond ? 1.0 : std::max(1.0, std::ceil(this->Voxels(way) / LongestStep - Rounding));
-    for (double step = 1.0; step <= steps; step += 1.0)
+    Vector3 at = from;
+    for (double steps = 2.0; steps > 1.0;)
     {
-      const Vector3 next = step < steps ? from + (step / steps) * way : tip;
-      if (!this->Settle(next))
+      // Far from the proxy a longer step turns the spring no more.
+      const double longest = std::max(LongestStep, SpringShare * this->Voxels(at - this->Proxy));
+      const bool isBeyond = this->Field.IsBeyond(at, tip) && this->Field.IsBeyond(this->Proxy, tip);
+      const Vector3 way = tip - at;
+      steps = isBeyond ? 1.0 : std::ceil(this->Voxels(way) / longest - Rounding);
+      at = steps > 1.0 ? at + (1.0 / steps) * way : tip;
+      if (!this->Settle(at))
       {
         return;
       }

@@ -11,7 +11,7 @@
  *
  * with normal, material and thresholds of the place x where the proxy is. PAPER is one explicit step of it.
  *
- * How. The tip goes in steps of a quarter of a voxel at most; after each, the proxy moves until the law
+ * How. The tip goes in steps of a quarter of a voxel or 2 % of the spring; after each, the proxy moves until the law
  * leaves it in place. A motion is that of Law::Move, no longer than a quarter of a voxel, and is judged at
  * its end: where the place there holds more than the spring pulls, the end is drawn back to where both are
  * equal (regula falsi, along the normal and across it; at a step of a transfer function, bisection to a

@@ -60,7 +60,8 @@ Vector3 MovePart(const Spot& here, double k, const Vector3& lagBefore, const Vec
   }
   const Vector3 direction = (1.0 / length) * sum;
   const double along = Dot(rest.Way, direction);
-  const double square = along * along - (rest.Length * rest.Length - rest.Radius * rest.Radius);
+  const Vector3 aside = rest.Way - along * direction;
+  const double square = rest.Radius * rest.Radius - Dot(aside, aside);
   return square > 0.0 ? (along - std::sqrt(square)) * direction : way;
 }
 

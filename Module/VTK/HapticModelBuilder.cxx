@@ -3,6 +3,7 @@
 #include "HapticModelBuilder.h"
 
 #include "HapticFunctions.h"
+#include "HapticNoise.h"
 #include "HapticVolumeView.h"
 
 #include "vtkDataArray.h"
@@ -83,6 +84,22 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
     PositiveMask(ToPolyline(volume->GetGradientOpacity(component), 1.0), 1.0 / average);
 }
 
+/** Keeps noise from being felt where nobody has said from which gradient on there is a surface. */
+void BakeNoiseRamp(vtkHapticProperty* property, vtkDataArray* scalars, HapticModelDescription& d)
+{
+  Polyline ramp;
+  if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
+  {
+    const double noise = EstimateNoise(scalars, d.View, property->GetComponent());
+    ramp = MakeNoiseRamp(noise, HapticModel::MakeKernel(d), d.IndexToWorld);
+  }
+  if (!ramp.empty())
+  {
+    d.Material.Distinctness = ramp;
+  }
+  property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
+}
+
 /** Holds a reference to the array; made and dropped outside the servo thread. */
 std::shared_ptr<const void> ShareArray(vtkDataArray* array)
 {
@@ -120,6 +137,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   d.KernelRadius = options.KernelRadius;
   d.Settings = options.Settings;
   d.Settings.Side = static_cast<SurfaceSide>(property->GetSurfaceSide());
+  BakeNoiseRamp(property, scalars, d);
   return std::make_shared<const HapticModel>(d);
 }
 

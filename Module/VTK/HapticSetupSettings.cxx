@@ -63,6 +63,9 @@ void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProp
   }
   PassIntegerMacro(node, filter->GetProperty(), Component, 0, VTK_INT_MAX);
   PassChoiceMacro(node, filter->GetProperty(), SurfaceSide, { "Higher", "Lower", "Both" });
+  node.Flag(
+    "DistinctnessFromNoise", [=] { return filter->GetProperty()->GetDistinctnessFromNoise(); },
+    [=](bool on) { filter->GetProperty()->SetDistinctnessFromNoise(on); });
   // Another property's visibility is nothing that this setup could bring back.
   if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
     filter->GetProperty()->GetVisibilityFrom() == visible)

@@ -78,6 +78,13 @@ vtkVolumeProperty* vtkHapticProperty::GetVisibilityFrom()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticProperty::NoteNoiseRamp(double start, double full)
+{
+  this->NoiseRamp[0] = start;
+  this->NoiseRamp[1] = full;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticProperty::DeepCopy(vtkHapticProperty* source)
 {
   if (!source || source == this)
@@ -92,6 +99,7 @@ void vtkHapticProperty::DeepCopy(vtkHapticProperty* source)
   this->SetVisibilityFrom(source->GetVisibilityFrom());
   this->SetComponent(source->GetComponent());
   this->SetSurfaceSide(source->GetSurfaceSide());
+  this->SetDistinctnessFromNoise(source->GetDistinctnessFromNoise());
 }
 
 //------------------------------------------------------------------------------
@@ -132,4 +140,15 @@ void vtkHapticProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Component: " << this->Component << "\n";
   static const char* const sides[] = { "Higher", "Lower", "Both" };
   os << indent << "SurfaceSide: " << sides[this->SurfaceSide] << "\n";
+  os << indent << "DistinctnessFromNoise: " << (this->DistinctnessFromNoise ? "On" : "Off") << "\n";
+  os << indent << "NoiseRamp: ";
+  if (this->NoiseRamp[1] > 0.0)
+  {
+    os << "0 at " << this->NoiseRamp[0] << ", 1 at " << this->NoiseRamp[1]
+       << " scalar units per world unit\n";
+  }
+  else
+  {
+    os << "(none)\n";
+  }
 }

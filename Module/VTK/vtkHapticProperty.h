@@ -12,7 +12,7 @@
  *   Friction         mu (>= 0, default 0), of the value inside the surface, V(x_s)
  *   SurfaceStrength  T_N (N, >= 0, default 2), of the value inside the surface, V(x_s)
  *   Viscosity        R (N, >= 0, default 0), of the value outside the surface, V(x_v)
- *   Distinctness     W_d (0 to 1, default 1), of the gradient magnitude at the proxy
+ *   Distinctness     W_d (0 to 1, default from the noise), of the gradient magnitude at the proxy
  *
  * The gradient magnitude is in scalar units per world unit (HU/mm for CT), never per voxel. A
  * surface holds the proxy up to T_N W_d newtons; beyond that it is penetrated. A huge T_N makes a
@@ -82,11 +82,30 @@ public:
   ///@{
   /**
    * Distinctness W_d (0 to 1), which scales the surface strength (eq. 13), against the gradient
-   * magnitude in scalar units per world unit. Without points: 1.
+   * magnitude in scalar units per world unit. Without points: see DistinctnessFromNoise.
    */
   void SetDistinctness(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetDistinctness();
   ///@}
+
+  ///@{
+  /**
+   * What a Distinctness without points stands for. On (default): a ramp that keeps the noise of the image
+   * that is touched from being felt, 0 up to 3.4 times the noise of its gradient and 1 from twice that on;
+   * the noise is estimated from the flattest blocks of the image. 1 where the image has no noise. Off: 1.
+   * NoiseRamp has the two gradient magnitudes (scalar units per world unit) of the ramp that was set last,
+   * when a filter with this property last ran or was published; 0, 0 where none was.
+   */
+  vtkSetMacro(DistinctnessFromNoise, bool);
+  vtkGetMacro(DistinctnessFromNoise, bool);
+  vtkBooleanMacro(DistinctnessFromNoise, bool);
+  vtkGetVector2Macro(NoiseRamp, double);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** Whoever bakes this property says which ramp it has set. No modification. */
+  void NoteNoiseRamp(double start, double full);
+#endif
 
   ///@{
   /**
@@ -111,9 +130,18 @@ public:
    */
   vtkSetClampMacro(SurfaceSide, int, HIGHER, BOTH);
   vtkGetMacro(SurfaceSide, int);
-  void SetSurfaceSideToHigher() { this->SetSurfaceSide(HIGHER); }
-  void SetSurfaceSideToLower() { this->SetSurfaceSide(LOWER); }
-  void SetSurfaceSideToBoth() { this->SetSurfaceSide(BOTH); }
+  void SetSurfaceSideToHigher()
+  {
+    this->SetSurfaceSide(HIGHER);
+  }
+  void SetSurfaceSideToLower()
+  {
+    this->SetSurfaceSide(LOWER);
+  }
+  void SetSurfaceSideToBoth()
+  {
+    this->SetSurfaceSide(BOTH);
+  }
   ///@}
 
   /**
@@ -162,6 +190,8 @@ protected:
   vtkSmartPointer<vtkVolumeProperty> VisibilityFrom;
   int Component = 0;
   int SurfaceSide = HIGHER;
+  bool DistinctnessFromNoise = true;
+  double NoiseRamp[2] = { 0.0, 0.0 };
 
 private:
   vtkHapticProperty(const vtkHapticProperty&) = delete;

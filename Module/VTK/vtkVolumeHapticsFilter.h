@@ -28,7 +28,7 @@
  *   F  = q + R x' / |x'|          else,
  *
  * along the tip's straight way, where q is what surface and friction hold of F, with N, k, mu, T and
- * R of the place x. The tip goes a quarter of a voxel at a time at most. At one place the proxy's
+ * R of the place x. The tip goes a quarter of a voxel (or 2 % of the spring) at a time. At one place the proxy's
  * motion exists and is unique: the drag's is the proximal map of R |m| after the surface's, both
  * convex, and friction, which is not, comes after the surface. A motion is judged at its end and drawn
  * back to the first point that holds as much as the spring pulls (there is one, since the spring gets
@@ -201,8 +201,8 @@ public:
 
   ///@{
   /**
-   * Ticks per second (Hz), 1 to 100000, default 1000; and metres of hand motion for one world unit,
-   * 1e-12 or more. The default 0.001 means life-size for data in millimetres; 0.002 means twice
+   * Ticks per second (Hz), 1 to 100000, default 1000. Metres of hand motion for one world unit, 1e-12
+   * or more. The default 0.001 means life-size for data in millimetres; 0.002 means twice
    * life-size, and no stiffer.
    */
   vtkSetClampMacro(ServoRate, double, 1.0, 1e5);

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How noisy an image is, and from which gradient on a surface is more than noise.
+ */
+#ifndef HapticNoise_h
+#define HapticNoise_h
+
+#include "HapticModel.h"
+
+class vtkDataArray;
+
+namespace VolumeHaptics
+{
+
+/**
+ * The standard deviation of the noise (scalar units) of a structured array: what is left of blocks of 5^3
+ * samples when the best quadratic is taken off, in the flattest tenth of some thousand blocks. Blocks that
+ * are all the smallest or the largest value (padding, saturation) do not count. 0 where there is no noise,
+ * and for images of less than 5 samples along an axis.
+ */
+double EstimateNoise(vtkDataArray* scalars, const VolumeView& view, int component);
+
+/**
+ * The ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4 sigma_g, which a
+ * hundredth of the gradients of pure noise exceed (SPEC 6), 1 from twice that on. sigma_g is the noise of a
+ * component of the estimated gradient per world unit, along the axis with the finest spacing. Empty without
+ * noise.
+ */
+Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld);
+
+} // namespace VolumeHaptics
+
+#endif

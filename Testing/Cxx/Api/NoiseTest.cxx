@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Distinctness set from the image's noise, where nobody has set one.
+ */
+
+#include "ApiRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+#include <random>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double Sigma = 20.0;
+
+class Noise : public testing::Test
+{
+protected:
+  /// Noise on a function of z.
+  vtkSmartPointer<vtkImageData> MakeNoisy(const std::function<double(double)>& clean, double sigma)
+  {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    return MakeImage(48, VTK_SHORT,
+      [&](const Point& x) { return std::round(clean(x[2]) + sigma * normal(random)); });
+  }
+  /// The ramp's start after a tick in the image.
+  double FindStart(vtkImageData* image)
+  {
+    this->Filter->SetInputData(0, image);
+    this->Filter->SetPathData(MakePath({ { 20.0, 20.0, 20.0 }, { 20.0, 20.0, 20.1 } }));
+    this->Filter->Update();
+    const double* const ramp = this->Filter->GetProperty()->GetNoiseRamp();
+    EXPECT_EQ(ramp[1], 2.0 * ramp[0]);
+    return ramp[0];
+  }
+  vtkNew<vtkVolumeHapticsFilter> Filter;
+};
+
+double Edge(double z)
+{
+  return 500.0 * (1.0 + std::erf((z - 24.0) / 1.5));
+}
+} // namespace
+
+TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
+{
+  // SPEC 6: 0.106 sigma per voxel of the default Gaussian; 3.4 times that is no more than noise.
+  const double expected = 3.4 * 0.106 * Sigma;
+  EXPECT_NEAR(this->FindStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
+  EXPECT_NEAR(this->FindStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),
+    expected, 0.1 * expected);
+  vtkSmartPointer<vtkImageData> padded = this->MakeNoisy(Edge, Sigma);
+  vtkDataArray* const scalars = padded->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples() / 2; ++i)
+  {
+    scalars->SetTuple1(i, -2000.0);
+  }
+  EXPECT_NEAR(this->FindStart(padded), expected, 0.1 * expected);
+  vtkSmartPointer<vtkImageData> wide = this->MakeNoisy(Edge, Sigma);
+  wide->SetSpacing(2.0, 2.0, 4.0);
+  EXPECT_NEAR(this->FindStart(wide), expected / 2.0, 0.1 * expected) << "per world unit";
+}
+
+TEST_F(Noise, ThatIsNotThereSetsNothing)
+{
+  EXPECT_EQ(this->FindStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, 0.0)), 0.0);
+  EXPECT_EQ(
+    this->FindStart(this->MakeNoisy([](double z) { return z > 24.0 ? 1000.0 : 0.0; }, 0.0)), 0.0);
+  const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy(Edge, Sigma);
+  vtkHapticProperty* const property = this->Filter->GetProperty();
+  property->DistinctnessFromNoiseOff();
+  EXPECT_EQ(this->FindStart(noisy), 0.0);
+  property->DistinctnessFromNoiseOn();
+  EXPECT_GT(this->FindStart(noisy), 0.0);
+  property->GetDistinctness()->AddPoint(0.0, 1.0);
+  EXPECT_EQ(this->FindStart(noisy), 0.0) << "somebody has set one";
+}
+
+TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
+{
+  const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy([](double) { return 0.0; }, Sigma);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform(6.0, 41.0);
+  std::vector<Point> anywhere;
+  for (int i = 0; i < 4000; ++i)
+  {
+    anywhere.push_back({ uniform(random), uniform(random), uniform(random) });
+  }
+  this->Filter->SetSolverToPaper();
+  for (const int estimator : { vtkVolumeHapticsFilter::CENTRAL_DIFFERENCE,
+         vtkVolumeHapticsFilter::GAUSSIAN, vtkVolumeHapticsFilter::CUBIC_BSPLINE })
+  {
+    this->Filter->SetGradientEstimator(estimator);
+    const double start = this->FindStart(noisy);
+    this->Filter->SetPathData(MakePath(anywhere));
+    this->Filter->Update();
+    int above = 0;
+    vtkPolyData* const output = this->Filter->GetOutput();
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      above += Get(output, "GradientMagnitude", i) > start;
+    }
+    EXPECT_GT(above, 0.002 * 4000) << "estimator " << estimator;
+    EXPECT_LT(above, 0.03 * 4000) << "estimator " << estimator;
+  }
+}

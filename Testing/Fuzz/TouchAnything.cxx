@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TouchAnything.h"
+
+#include "ServoTick.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+constexpr int MostTicks = 400;
+constexpr double Rounding = 1e-6; // of a force
+
+/** Deals out bytes; zeros when there are no more. */
+class Dealer
+{
+public:
+  Dealer(const std::uint8_t* bytes, std::size_t size)
+    : Bytes(bytes)
+    , Left(size)
+  {
+  }
+
+  bool HasMore() const { return this->Left > 0; }
+  std::uint8_t Byte()
+  {
+    if (this->Left == 0)
+    {
+      return 0;
+    }
+    --this->Left;
+    return *this->Bytes++;
+  }
+  int Choose(int count) { return this->Byte() % count; }
+  /** Between two numbers, in steps of 1/65535. */
+  double Between(double low, double high)
+  {
+    const int word = this->Byte() * 256 + this->Byte();
+    return low + (high - low) * word / 65535.0;
+  }
+  void Fill(void* to, std::size_t size)
+  {
+    const std::size_t some = size < this->Left ? size : this->Left;
+    std::memcpy(to, this->Bytes, some);
+    std::memset(static_cast<char*>(to) + some, 0, size - some);
+    this->Bytes += some;
+    this->Left -= some;
+  }
+
+private:
+  const std::uint8_t* Bytes;
+  std::size_t Left;
+};
+
+void Check(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    std::fprintf(stderr, "Violated: %s\n", what);
+    std::abort();
+  }
+}
+
+/** One to four points, in ascending order, maybe with the same X: a step. */
+Polyline Function(Dealer& dealer, double most)
+{
+  Polyline line;
+  double x = dealer.Between(-1000.0, 1000.0);
+  for (int points = 1 + dealer.Choose(4); points > 0; --points)
+  {
+    line.push_back({ x, dealer.Between(0.0, most) });
+    x += dealer.Choose(3) == 0 ? 0.0 : dealer.Between(0.0, 500.0);
+  }
+  return line;
+}
+
+constexpr std::size_t Sizes[] = { 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
+constexpr int MostSamples = 12;
+
+struct Scene
+{
+  HapticModelDescription Description;
+  std::vector<char> Samples;
+};
+
+void Deal(Dealer& dealer, Scene& scene)
+{
+  HapticModelDescription& d = scene.Description;
+  d.View.Type = static_cast<ScalarType>(dealer.Choose(10));
+  d.KernelRadius = 1 + dealer.Choose(3);
+  std::int64_t count = 1;
+  for (int a = 0; a < 3; ++a)
+  {
+    d.View.Dimensions[a] = 2 * d.KernelRadius + 1 + dealer.Choose(MostSamples - 6);
+    d.View.Stride[a] = count;
+    count *= d.View.Dimensions[a];
+  }
+  d.Estimator = static_cast<GradientEstimator>(dealer.Choose(3));
+  d.Settings.Solver = dealer.Choose(4) == 0 ? HapticSolver::Paper : HapticSolver::Precise;
+  d.Settings.Side = static_cast<SurfaceSide>(dealer.Choose(3));
+  d.Settings.Alignment = static_cast<ContactAlignment>(dealer.Choose(2));
+  d.IndexToWorld.Linear = Matrix3::FromColumns({ dealer.Between(0.1, 3.0), 0.0, 0.0 },
+    { dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0), 0.0 },
+    { 0.0, dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0) });
+  d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
+  HapticMaterial& m = d.Material;
+  m.Stiffness = Function(dealer, 3000.0);
+  m.Friction = Function(dealer, 2.0);
+  m.SurfaceStrength = Function(dealer, dealer.Choose(3) == 0 ? 1e9 : 5.0);
+  m.Viscosity = Function(dealer, 2.0);
+  m.Distinctness = Function(dealer, 1.0);
+  const std::size_t size = Sizes[static_cast<int>(d.View.Type)];
+  scene.Samples.resize(count * size);
+  if (dealer.Choose(2))
+  {
+    // Raw bytes: any number that the type has.
+    dealer.Fill(scene.Samples.data(), scene.Samples.size() / 2);
+  }
+  else
+  {
+    // Something that is like a volume: few bytes, and a pattern of them.
+    const std::uint8_t seed = dealer.Byte();
+    for (std::size_t i = 0; i < scene.Samples.size(); i += size)
+    {
+      scene.Samples[i] = static_cast<char>((i / size) * seed + (i / size) / 7);
+    }
+  }
+  d.View.Data = scene.Samples.data();
+}
+
+Vector3 DealTip(Dealer& dealer, const Vector3& before)
+{
+  // A hand that is a hundred metres away is odd enough; numbers beyond are refused.
+  constexpr double oddities[] = { HUGE_VAL, 1e300, 100.0, -100.0 };
+  switch (dealer.Choose(16))
+  {
+    case 0:
+      return { dealer.Between(-0.02, 0.05), dealer.Between(-0.02, 0.05),
+        dealer.Between(-0.02, 0.05) };
+    case 1:
+      return { before.X, std::nan(""), before.Z };
+    case 2:
+      return { before.X, before.Y, oddities[dealer.Choose(4)] };
+    case 3:
+      return before;
+    default:
+      return before +
+        Vector3{ dealer.Between(-0.003, 0.003), dealer.Between(-0.003, 0.003),
+          dealer.Between(-0.003, 0.003) };
+  }
+}
+} // namespace
+
+void TouchAnything(const std::uint8_t* bytes, std::size_t size)
+{
+  Dealer dealer(bytes, size);
+  Scene scene;
+  Deal(dealer, scene);
+  const HapticModel model(scene.Description);
+  ServoState state;
+  TickRecord record;
+  Vector3 tip = { 0.005, 0.005, 0.005 };
+  for (int tick = 0; tick < MostTicks && dealer.HasMore(); ++tick)
+  {
+    const Vector3 next = DealTip(dealer, tip);
+    ServoState stored = FromNumbers(ToNumbers(state));
+    TickRecord again;
+    Tick(model, state, next, record);
+    Tick(model, stored, next, again);
+    Check(IsFinite(record.Force) && IsFinite(record.Proxy), "force and proxy are finite");
+    Check(Norm(record.Force - again.Force) == 0.0, "a stored state goes on the same");
+    const double bound =
+      record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;
+    // Where the tip was far away, rounding is, too.
+    constexpr double far = 1e-9;
+    Check(Norm(record.Force) <= bound * (1.0 + Rounding) + far, "the material holds the force");
+    tip = IsFinite(next) && Norm(next) < 1.0 ? next : tip;
+  }
+}

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Searches for bytes that break the tick, with Clang's libFuzzer and the address and undefined-behaviour
+# sanitizers.
+#
+# usage: Testing/Fuzz/fuzz.sh BUILD_DIR SECONDS
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build_dir=$1
+seconds=$2
+# shellcheck source=../../CMake/install-packages.sh
+source "$root/CMake/install-packages.sh"
+require_packages clang libclang-rt-14-dev
+mkdir -p "$build_dir/corpus"
+options=(-std=c++17 -g -ffp-contract=off -fsanitize=fuzzer-no-link,address,undefined
+  -fno-sanitize-recover=all -I"$root/Module/Core")
+# The kernels are many: optimised they take minutes.
+clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
+  "$root/Module/Core/FieldKernelsBaseline.cxx" &
+objects=()
+for file in FieldSampler GradientKernel HapticModel PiecewiseTable PreciseMotion PreciseSolver \
+  PreciseWay ServoTick; do
+  clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$root/Module/Core/$file.cxx"
+  objects+=("$build_dir/$file.o")
+done
+wait
+clang++ "${options[@]}" -fsanitize=fuzzer -O1 -o "$build_dir/touch-anything" "${objects[@]}" \
+  "$build_dir/FieldKernels.o" "$root"/Testing/Fuzz/{LibFuzzer,TouchAnything}.cxx
+"$build_dir/touch-anything" -max_len=6000 -timeout=10 -max_total_time="$seconds" -print_final_stats=1 \
+  "$build_dir/corpus"
