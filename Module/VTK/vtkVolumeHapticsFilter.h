@@ -201,35 +201,50 @@ public:
 
   ///@{
   /**
-   * Ticks per second (Hz), 1 to 100000, default 1000. Metres of hand motion for one world unit, 1e-12
-   * or more. The default 0.001 means life-size for data in millimetres; 0.002 means twice
-   * life-size, and no stiffer.
+   * Ticks per second (Hz), 1 to 100000. Default 1000.
    */
   vtkSetClampMacro(ServoRate, double, 1.0, 1e5);
   vtkGetMacro(ServoRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Metres of hand motion for one world unit, 1e-12 or more. The default 0.001 means life-size for
+   * data in millimetres; 0.002 means twice life-size, and no stiffer.
+   */
   vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
   vtkGetMacro(MetersPerWorldUnit, double);
   ///@}
 
   ///@{
   /**
-   * For FORCE_FIELD: C1 of eq. 1 (N per scalar unit per world unit), default 0.01, and C2 of eq. 1
-   * (N s/m), 0 or more. Default 0.
+   * C1 of eq. 1 (N per scalar unit per world unit), for FORCE_FIELD. Default 0.01.
    */
   vtkSetMacro(ForceFieldGain, double);
   vtkGetMacro(ForceFieldGain, double);
+  ///@}
+
+  ///@{
+  /**
+   * C2 of eq. 1 (N s/m), 0 or more, for FORCE_FIELD. Default 0.
+   */
   vtkSetClampMacro(ForceFieldDamping, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ForceFieldDamping, double);
   ///@}
 
   ///@{
   /**
-   * Longest force (N) that the trace shows; longer ones are shortened. And the cap on the stiffness
-   * (N/m) whatever the material says: what a device and its sampling can hold stable. 0 (default)
-   * does not limit.
+   * Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not limit.
    */
   vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumForce, double);
+  ///@}
+
+  ///@{
+  /**
+   * Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can hold
+   * stable. 0 (default) does not cap.
+   */
   vtkSetClampMacro(MaximumStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumStiffness, double);
   ///@}

@@ -95,7 +95,7 @@ const std::vector<Estimator>& GetEstimators()
 }
 
 std::unique_ptr<HapticModel> MakeModel(
-  const BallVolume& volume, const Estimator& estimator, HapticMethod method)
+  const BallVolume& volume, const Estimator& estimator, HapticMethod method, HapticSolver solver)
 {
   HapticModelDescription description;
   description.View = volume.View;
@@ -104,6 +104,7 @@ std::unique_ptr<HapticModel> MakeModel(
   description.KernelRadius = estimator.Radius;
   description.Material = MakeMaterial(volume);
   description.Settings.Method = method;
+  description.Settings.Solver = solver;
   description.Settings.ForceFieldGain = 0.01;
   description.Settings.ForceFieldDamping = 0.5;
   return std::make_unique<HapticModel>(description);

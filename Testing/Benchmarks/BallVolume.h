@@ -51,7 +51,8 @@ const std::vector<Estimator>& GetEstimators();
 /** A model in life size with a material table like that of a CT. Borrows the volume. */
 std::unique_ptr<VolumeHaptics::HapticModel> MakeModel(const BallVolume& volume,
   const Estimator& estimator,
-  VolumeHaptics::HapticMethod method = VolumeHaptics::HapticMethod::Proxy);
+  VolumeHaptics::HapticMethod method = VolumeHaptics::HapticMethod::Proxy,
+  VolumeHaptics::HapticSolver solver = VolumeHaptics::HapticSolver::Paper);
 
 } // namespace benchmarks
 

@@ -22,11 +22,12 @@ struct Scene
   const BallVolume& Volume;
   Estimator Gradient;
   HapticMethod Method;
+  HapticSolver Solver = HapticSolver::Paper;
 };
 
 void Slide(benchmark::State& bench, const Scene& scene)
 {
-  const auto model = MakeModel(scene.Volume, scene.Gradient, scene.Method);
+  const auto model = MakeModel(scene.Volume, scene.Gradient, scene.Method, scene.Solver);
   Positions tips = SlideAt(scene.Volume, BallRadius - Depth);
   for (Vector3& tip : tips)
   {
@@ -36,6 +37,7 @@ void Slide(benchmark::State& bench, const Scene& scene)
   ServoState start;
   start.Proxy = 0.001 * SlideAt(scene.Volume, BallRadius).front();
   start.PreviousTip = tips.front();
+  start.Precise.ReachedTip = start.Proxy;
   start.Enabled = true;
 
   ServoState state = start;
@@ -85,6 +87,9 @@ void RegisterTickBenchmarks(const BallVolume& volume)
       NameOf("tick", estimator.Name, "slide", volume.Name).c_str(), Slide, scene);
     benchmark::RegisterBenchmark(
       NameOf("tick", estimator.Name, "random", volume.Name).c_str(), Jump, scene);
+    benchmark::RegisterBenchmark(
+      NameOf("precise_tick", estimator.Name, "slide", volume.Name).c_str(), Slide,
+      Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
     benchmark::RegisterBenchmark(
       NameOf("force_field_tick", estimator.Name, "slide", volume.Name).c_str(), Slide,
       Scene{ volume, estimator, HapticMethod::ForceField });
