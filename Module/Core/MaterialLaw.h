@@ -116,6 +116,18 @@ inline bool IsDescending(
   return side == SurfaceSide::Lower || (side == SurfaceSide::Both && Dot(lag, normal) < 0.0);
 }
 
+/** Turns a surface towards its structure; whether that is against the gradient. */
+inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
+{
+  const bool isDescending = IsDescending(model, lag, surface.Normal);
+  if (isDescending)
+  {
+    surface.Normal = -surface.Normal;
+    surface.Reach = -surface.Reach;
+  }
+  return isDescending;
+}
+
 inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
 {
   const double push = Dot(lag, normal);

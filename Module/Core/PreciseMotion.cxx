@@ -56,12 +56,7 @@ Spot Surroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept
   ++this->Looks;
   const Vector3 index = this->Model.DeviceToIndex(proxy);
   Surface surface = Law::FindSurface(this->Model, index);
-  const bool isDescending = Law::IsDescending(this->Model, lag, surface.Normal);
-  if (isDescending)
-  {
-    surface.Normal = -surface.Normal;
-    surface.Reach = -surface.Reach;
-  }
+  const bool isDescending = Law::Orient(this->Model, lag, surface);
   Spot spot;
   Law::ReadMaterials(this->Model, index, surface, spot);
   spot.Value = surface.Value;
@@ -95,7 +90,7 @@ bool Surroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
 Vector3 Surroundings::ToLevel(
   const Spot& here, double k, double level, const Vector3& lag) const noexcept
 {
-  const double most = FarthestLevel / Norm(this->Model.DeviceToIndex.Linear * here.Normal);
+  const double most = FarthestLevel / this->Voxels(here.Normal);
   const double push = Dot(lag, here.Normal);
   const double way = (level - here.Value) / here.Slope;
   // Not past the tip, and not out to where the surface could not hold the spring.
@@ -120,17 +115,15 @@ Arrival Surroundings::Try(
   const Departure& start, const Motion& motion, const Vector3& way, const Vector3& tip) noexcept
 {
   Arrival end{ start.Proxy + way, {}, start.Spring };
-  end.There = this->Look(end.Proxy, tip - end.Proxy);
+  const Vector3 lag = tip - end.Proxy;
+  end.There = this->Look(end.Proxy, lag);
+  PassOn(end.Spring, end.There.Stiffness, Norm(lag));
   if (motion.IsHeld && end.There.Slope != 0.0)
   {
-    PassOn(end.Spring, end.There.Stiffness, Norm(tip - end.Proxy));
-    const Vector3 back =
-      this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, tip - end.Proxy);
+    const Vector3 back = this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, lag);
     end.Proxy += back;
     end.There.Value += end.There.Slope * Dot(back, end.There.Normal);
-    return end;
   }
-  PassOn(end.Spring, end.There.Stiffness, Norm(tip - end.Proxy));
   return end;
 }
 
@@ -170,13 +163,12 @@ Arrival Surroundings::DrawBack(const Departure& start, const Motion& motion, con
 {
   const Vector3 normalWay = rest.IsWhole ? way : Dot(way, first.There.Normal) * first.There.Normal;
   const Vector3 tangentWay = way - normalWay;
-  const auto voxels = [&](const Vector3& part)
-  { return Norm(this->Model.DeviceToIndex.Linear * part); };
   // By the law of the place where it begins, a motion ends with a remainder of 0.
   const auto along = [&](const Remainder& r)
   { return rest.IsWhole ? std::min(r.Normal, r.Tangent) : r.Normal; };
-  Bracket normal(Norm(normalWay), along(rest), voxels(normalWay));
-  Bracket tangent(Norm(tangentWay), rest.IsWhole ? Nothing : rest.Tangent, voxels(tangentWay));
+  Bracket normal(Norm(normalWay), along(rest), this->Voxels(normalWay));
+  Bracket tangent(
+    Norm(tangentWay), rest.IsWhole ? Nothing : rest.Tangent, this->Voxels(tangentWay));
   Arrival end = first;
   for (int trial = 0; trial < MostTrials; ++trial)
   {

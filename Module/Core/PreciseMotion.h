@@ -68,6 +68,12 @@ public:
   /** Whether the looks suffice for another motion. */
   bool CanGoOn() const noexcept;
 
+  /** The length of a way (m) in voxels. */
+  double Voxels(const Vector3& way) const noexcept
+  {
+    return Norm(this->Model.DeviceToIndex.Linear * way);
+  }
+
   /** Whether both positions lie beyond the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 

@@ -30,7 +30,7 @@ class Follower
 public:
   Follower(const HapticModel& model, const ServoState& state) noexcept
     : Field(model)
-    , Model(model)
+    , IsTwoSided(model.Settings.Side == SurfaceSide::Both)
     , Proxy(state.Proxy)
     , State(state.Precise)
   {
@@ -46,10 +46,11 @@ public:
     for (double steps = 2.0; steps > 1.0;)
     {
       // Far from the proxy a longer step turns the spring no more.
-      const double longest = std::max(LongestStep, SpringShare * this->Voxels(at - this->Proxy));
+      const double longest =
+        std::max(LongestStep, SpringShare * this->Field.Voxels(at - this->Proxy));
       const bool isBeyond = this->Field.IsBeyond(at, tip) && this->Field.IsBeyond(this->Proxy, tip);
       const Vector3 way = tip - at;
-      steps = isBeyond ? 1.0 : std::ceil(this->Voxels(way) / longest - Rounding);
+      steps = isBeyond ? 1.0 : std::ceil(this->Field.Voxels(way) / longest - Rounding);
       at = steps > 1.0 ? at + (1.0 / steps) * way : tip;
       if (!this->Settle(at))
       {
@@ -83,11 +84,6 @@ public:
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
-  double Voxels(const Vector3& way) const noexcept
-  {
-    return Norm(this->Model.DeviceToIndex.Linear * way);
-  }
-
   /** The tissue where the proxy has been since the last tick: whatever changed there, nobody moved. */
   void Refresh(double lag) noexcept
   {
@@ -115,14 +111,13 @@ private:
     int setbacks = 0;
     for (;;)
     {
-      if (this->Model.Settings.Side == SurfaceSide::Both &&
-        Dot(tip - this->Proxy, this->Here.Normal) < 0.0)
+      if (this->IsTwoSided && Dot(tip - this->Proxy, this->Here.Normal) < 0.0)
       {
         this->Here = this->Field.Look(this->Proxy, tip - this->Proxy);
       }
       Motion motion = this->Plan(tip, isFirst ? before : tip);
       isFirst = false;
-      const double voxels = this->Voxels(motion.Way);
+      const double voxels = this->Field.Voxels(motion.Way);
       this->Note(voxels);
       // Motions at one tip shrink at a rate: what this one and all that follow it would do is known.
       const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
@@ -241,7 +236,7 @@ private:
   }
 
   Surroundings Field;
-  const HapticModel& Model;
+  const bool IsTwoSided;
   Vector3 Proxy;
   PreciseState State;
   Spot Here;

@@ -64,10 +64,9 @@ void StepOnce(
   const Vector3 lag = tip - position;
   const Vector3 index = model.DeviceToIndex(position);
   Surface surface = Law::FindSurface(model, index);
-  if (!isField && Law::IsDescending(model, lag, surface.Normal))
+  if (!isField)
   {
-    surface.Normal = -surface.Normal;
-    surface.Reach = -surface.Reach;
+    Law::Orient(model, lag, surface);
   }
   // Before the materials, so that the processor has it by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);

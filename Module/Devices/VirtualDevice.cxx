@@ -93,7 +93,6 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
     this->PlacesDone = this->Orders.Read().Places;
     this->Position = this->Target;
     this->Velocity = {};
-    this->Led = true;
   }
   else if (this->Dynamics.Mass > 0.0)
   {
@@ -108,7 +107,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
   {
     return DeviceState::Lost;
   }
-  if (this->Frozen.load() || !this->Led)
+  if (this->Frozen.load() || this->PlacesDone == 0)
   {
     return DeviceState::Running;
   }

@@ -96,8 +96,7 @@ private:
   std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
   int QueueHead = 0;
   Vector3 Target;
-  std::uint64_t PlacesDone = 0;
-  bool Led = false;
+  std::uint64_t PlacesDone = 0; ///< 0: nobody has taken it up yet
 };
 
 } // namespace VolumeHaptics

@@ -28,9 +28,9 @@ set(Explore_VTK_COMPONENTS
 # Everything but main(), relative to this folder: the image tests compile it, too.
 set(Explore_SOURCES
   BodyIsolation.cxx
+  CoarseFrames.cxx
   DicomFolder.cxx
   Explorer.cxx
-  CoarseFrames.cxx
   ExplorerScene.cxx
   ForceChart.cxx
   HeaderText.cxx
