@@ -4,8 +4,6 @@
 
 #include "Shapes.h"
 
-#include <random>
-
 using namespace VolumeHaptics;
 
 namespace evaluation
@@ -15,8 +13,7 @@ namespace
 /** A field of hills and hollows. */
 Field Hills(std::mt19937& random)
 {
-  const auto uniform = [&](double low, double high)
-  { return std::uniform_real_distribution<double>(low, high)(random); };
+  Uniform uniform(random);
   struct Wave
   {
     Vector3 Number;
@@ -45,14 +42,11 @@ Field Hills(std::mt19937& random)
 /** Press, go round, come back and leave: the spring has no energy when it begins nor when it ends. */
 Path ClosedWay(std::mt19937& random)
 {
-  const auto uniform = [&](double low, double high)
-  { return std::uniform_real_distribution<double>(low, high)(random); };
+  Uniform uniform(random);
   const Vector3 start = { uniform(-6.0, 6.0), uniform(-6.0, 6.0), uniform(-6.0, 6.0) };
   const double depth = uniform(0.5, 4.0);
   const double reach = uniform(1.0, 6.0);
   const double along = uniform(0.0, TwoPi);
-  Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
-  Vector3 v = Cross(OddNormal, u);
   Path path;
   constexpr int ticks = 4000;
   for (int i = 0; i <= ticks; ++i)
@@ -60,8 +54,8 @@ Path ClosedWay(std::mt19937& random)
     const double t = TwoPi * i / ticks;
     const double in = 0.5 * (1.0 - std::cos(t)) * depth;
     const double round = reach * std::sin(0.5 * t) * std::sin(0.5 * t);
-    path.push_back(start + in * OddNormal + (round * std::cos(2.0 * t + along)) * u +
-      (round * std::sin(2.0 * t + along)) * v);
+    path.push_back(start + in * OddNormal + (round * std::cos(2.0 * t + along)) * OddAside +
+      (round * std::sin(2.0 * t + along)) * OddUp);
   }
   MoveTo(path, start - 6.0 * OddNormal, 0.01);
   return path;
@@ -69,8 +63,7 @@ Path ClosedWay(std::mt19937& random)
 
 HapticMaterial AnyMaterial(std::mt19937& random, int kind)
 {
-  const auto uniform = [&](double low, double high)
-  { return std::uniform_real_distribution<double>(low, high)(random); };
+  Uniform uniform(random);
   HapticMaterial material = MakeMaterial(uniform(300.0, 1000.0), kind & 1 ? uniform(0.0, 0.5) : 0.0,
     kind & 2 ? uniform(0.0, 0.4) : 0.0, kind & 4 ? Impenetrable : uniform(0.5, 3.0));
   if (kind & 8)

@@ -3,8 +3,6 @@
 #include "Figure.h"
 #include "Shapes.h"
 
-#include <random>
-
 using namespace VolumeHaptics;
 
 namespace evaluation
@@ -32,10 +30,9 @@ constexpr double Through = WholeFrom + 0.3;
 /** Whether a random tip that comes in, stays a while and slides is let through. */
 bool FallsThrough(const HapticModel& model, std::mt19937& random)
 {
-  const auto uniform = [&](double low, double high)
-  { return std::uniform_real_distribution<double>(low, high)(random); };
-  const Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
-  const Vector3 v = Cross(OddNormal, u);
+  Uniform uniform(random);
+  const Vector3& u = OddAside;
+  const Vector3& v = OddUp;
   Path path = { uniform(-8.0, 8.0) * u + uniform(-8.0, 8.0) * v + uniform(-8.0, -5.0) * OddNormal };
   const double speed = uniform(0.0, 1.0) * uniform(0.0, 1.0) * (Fastest - 0.2) + 0.2;
   const Vector3 goal =

@@ -11,6 +11,7 @@
 #include "RealVolume.h"
 #include "Report.h"
 
+#include "vtkImageData.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -72,16 +73,21 @@ int main(int argc, char* argv[])
       stderr, "The folder %s can't be made. Name another with --output.\n", folder.c_str());
     return 255;
   }
+  vtkSmartPointer<vtkImageData> image;
+  if (!volume.empty() && !(image = ReadRealVolume(volume)))
+  {
+    return 255;
+  }
   std::vector<Section> sections;
   for (const auto& [name, estimator] : Estimators)
   {
     sections.push_back({ name, MeasureAll({ HapticSolver::Paper, estimator }, effort),
       MeasureAll({ HapticSolver::Precise, estimator }, effort) });
   }
-  if (!volume.empty())
+  if (image)
   {
-    sections.push_back({ "A real CT", MeasureRealVolume(volume, HapticSolver::Paper, effort),
-      MeasureRealVolume(volume, HapticSolver::Precise, effort) });
+    sections.push_back({ "A real CT", MeasureRealVolume(image, HapticSolver::Paper, effort),
+      MeasureRealVolume(image, HapticSolver::Precise, effort) });
   }
   const int missed = PrintSections(sections);
   const std::vector<Plot> plots = MakePlots(effort);

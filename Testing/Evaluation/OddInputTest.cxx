@@ -43,8 +43,7 @@ TEST_P(Robustness, FlatVoxelsAreNoObstacle)
   sampling.Spacing = { 0.5, 0.5, 5.0 };
   Path path = { 2.0 * OddNormal };
   MoveTo(path, 4.0 * OddNormal, 0.1);
-  const Vector3 aside = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
-  MoveTo(path, 4.0 * OddNormal + 10.0 * aside, 0.2);
+  MoveTo(path, 4.0 * OddNormal + 10.0 * OddAside, 0.2);
   const Trace trace = this->Feel([](const Vector3& x) { return 100.0 * Dot(x, OddNormal); },
     sampling, MakeMaterial(500.0, 0.0, 0.0, Impenetrable), path);
   for (std::size_t i = 25; i < trace.size(); ++i)

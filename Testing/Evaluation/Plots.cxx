@@ -27,60 +27,67 @@ const Named Solvers[] = {
   { "PRECISE", { HapticSolver::Precise, GradientEstimator::Gaussian } },
 };
 
-Plot PlotDrift()
+/** A plot with a curve for each solver. */
+template <typename MakeCurve>
+Plot PlotSolvers(
+  const char* file, const char* title, const char* x, const char* y, MakeCurve&& make)
 {
-  Plot plot{ "drift", "Round a ball of 20 voxels, 2 voxels deep, 0.2 m/s", "turns",
-    "proxy's radius (voxels)", {} };
-  const std::vector<Wall> walls = GetWalls();
+  Plot plot{ file, title, x, y, {} };
   for (const Named& solver : Solvers)
   {
     Curve curve{ solver.Name, {}, {} };
-    const std::vector<double> radii = TrackSphere(solver.Who, walls[0], 5);
-    for (std::size_t i = 0; i < radii.size(); i += 5)
-    {
-      curve.X.push_back(static_cast<double>(i) / TicksPerTurn);
-      curve.Y.push_back(radii[i]);
-    }
+    make(solver.Who, curve);
     plot.Curves.push_back(std::move(curve));
   }
   return plot;
+}
+
+/** Some value of the proxy's radius against turns. */
+template <typename GetValue>
+void TraceTurns(
+  const Candidate& candidate, const Wall& wall, int turns, Curve& curve, GetValue&& getValue)
+{
+  const std::vector<double> radii = TrackSphere(candidate, wall, turns);
+  for (std::size_t i = 0; i < radii.size(); i += 5)
+  {
+    curve.X.push_back(static_cast<double>(i) / TicksPerTurn);
+    curve.Y.push_back(getValue(radii[i]));
+  }
+}
+
+Plot PlotDrift()
+{
+  return PlotSolvers("drift", "Round a ball of 20 voxels, 2 voxels deep, 0.2 m/s", "turns",
+    "proxy's radius (voxels)",
+    [](const Candidate& candidate, Curve& curve)
+    { TraceTurns(candidate, GetWalls()[0], 5, curve, [](double radius) { return radius; }); });
 }
 
 Plot PlotLeak()
 {
-  Plot plot{ "leak", "Round in a cavity of 20 voxels, 2 voxels deep, 0.2 m/s", "turns", "force (N)",
-    {} };
   const Wall cavity = GetWalls()[1];
-  for (const Named& solver : Solvers)
-  {
-    Curve curve{ solver.Name, {}, {} };
-    const std::vector<double> radii = TrackSphere(solver.Who, cavity, 12);
-    for (std::size_t i = 0; i < radii.size(); i += 5)
+  return PlotSolvers("leak", "Round in a cavity of 20 voxels, 2 voxels deep, 0.2 m/s", "turns",
+    "force (N)",
+    [&](const Candidate& candidate, Curve& curve)
     {
-      curve.X.push_back(static_cast<double>(i) / TicksPerTurn);
-      curve.Y.push_back(0.5 * (cavity.TipRadius - radii[i]));
-    }
-    plot.Curves.push_back(std::move(curve));
-  }
-  return plot;
+      TraceTurns(candidate, cavity, 12, curve,
+        [&](double radius) { return 0.5 * (cavity.TipRadius - radius); });
+    });
 }
 
 Plot PlotRipple()
 {
-  Plot plot{ "ripple", "Sliding on a clean plane, blurred edge, 0.1 m/s", "frequency (Hz)",
-    "force, log10 of N RMS", {} };
-  for (const Named& solver : Solvers)
-  {
-    Curve curve{ solver.Name, {}, {} };
-    const std::vector<double> spectrum = MeasureSpectrum(solver.Who, true);
-    for (std::size_t i = 1; i < spectrum.size(); ++i)
+  return PlotSolvers("ripple", "Sliding on a clean plane, blurred edge, 0.1 m/s", "frequency (Hz)",
+    "force, log10 of N RMS",
+    [](const Candidate& candidate, Curve& curve)
     {
-      curve.X.push_back(static_cast<double>(i));
-      curve.Y.push_back(std::log10(std::max(spectrum[i], 1e-12)));
-    }
-    plot.Curves.push_back(std::move(curve));
-  }
-  return plot;
+      const std::vector<double> spectrum = MeasureSpectrum(candidate, true);
+      for (std::size_t i = 1; i < spectrum.size(); ++i)
+      {
+        curve.X.push_back(static_cast<double>(i));
+        curve.Y.push_back(std::log10(std::max(spectrum[i], 1e-12)));
+      }
+    });
 }
 
 /** 2 b / T. */
@@ -89,48 +96,38 @@ Curve Theory()
   return { "2 b / T", { 0.0, 1.0 }, { 0.0, 2000.0 } };
 }
 
-/** How much of what is measured lies below a value. */
-Curve Distribution(const char* name, std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  Curve curve{ name, {}, {} };
-  const std::size_t step = std::max<std::size_t>(1, values.size() / 500);
-  for (std::size_t i = 0; i < values.size(); i += step)
-  {
-    curve.X.push_back(values[i]);
-    curve.Y.push_back(100.0 * static_cast<double>(i) / static_cast<double>(values.size()));
-  }
-  return curve;
-}
-
+/** The share of ticks at which the angle is smaller. */
 Plot PlotAngle()
 {
-  Plot plot{ "angle", "Force and true normal, 8-bit sphere, 2 voxels deep", "angle (degrees)",
-    "share of ticks below (%)", {} };
-  for (const Named& solver : Solvers)
-  {
-    plot.Curves.push_back(Distribution(solver.Name, MeasureAngles(solver.Who)));
-  }
-  return plot;
+  return PlotSolvers("angle", "Force and true normal, 8-bit sphere, 2 voxels deep",
+    "angle (degrees)", "share of ticks below (%)",
+    [](const Candidate& candidate, Curve& curve)
+    {
+      std::vector<double> angles = MeasureAngles(candidate);
+      std::sort(angles.begin(), angles.end());
+      const std::size_t step = std::max<std::size_t>(1, angles.size() / 500);
+      for (std::size_t i = 0; i < angles.size(); i += step)
+      {
+        curve.X.push_back(angles[i]);
+        curve.Y.push_back(100.0 * static_cast<double>(i) / static_cast<double>(angles.size()));
+      }
+    });
 }
 
 Plot PlotEnergy(const Effort& effort)
 {
-  Plot plot{ "energy", "Closed cycles: energy that the hand loses, by size", "cycle",
-    "log10 of uJ (gains are drawn at -3)", {} };
-  for (const Named& solver : Solvers)
-  {
-    std::vector<double> energies = MeasureCycles(solver.Who, effort.Pick(32, 320));
-    std::sort(energies.begin(), energies.end());
-    Curve curve{ solver.Name, {}, {} };
-    for (std::size_t i = 0; i < energies.size(); ++i)
+  return PlotSolvers("energy", "Closed cycles: energy that the hand loses, by size", "cycle",
+    "log10 of uJ (gains are drawn at -3)",
+    [&](const Candidate& candidate, Curve& curve)
     {
-      curve.X.push_back(static_cast<double>(i));
-      curve.Y.push_back(std::log10(std::max(-1e6 * energies[i], 1e-3)));
-    }
-    plot.Curves.push_back(std::move(curve));
-  }
-  return plot;
+      std::vector<double> energies = MeasureCycles(candidate, effort.Pick(32, 320));
+      std::sort(energies.begin(), energies.end());
+      for (std::size_t i = 0; i < energies.size(); ++i)
+      {
+        curve.X.push_back(static_cast<double>(i));
+        curve.Y.push_back(std::log10(std::max(-1e6 * energies[i], 1e-3)));
+      }
+    });
 }
 
 Plot PlotZWidth(const Effort& effort)

@@ -14,7 +14,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <random>
 
 using namespace VolumeHaptics;
 
@@ -27,8 +26,7 @@ constexpr double Speed = 0.2; // mm a tick
 /** In along a line until something resists, then deeper, aside and out. */
 Path PressSomewhere(const HapticModel& model, const double* bounds, std::mt19937& random)
 {
-  const auto uniform = [&](double low, double high)
-  { return std::uniform_real_distribution<double>(low, high)(random); };
+  Uniform uniform(random);
   const Vector3 middle = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
     0.5 * (bounds[4] + bounds[5]) };
   const double around = uniform(0.0, TwoPi);
@@ -58,18 +56,23 @@ Path PressSomewhere(const HapticModel& model, const double* bounds, std::mt19937
 }
 } // namespace
 
-Figures MeasureRealVolume(const std::string& file, HapticSolver solver, const Effort& effort)
+vtkSmartPointer<vtkImageData> ReadRealVolume(const std::string& file)
 {
   vtkNew<vtkMetaImageReader> reader;
   if (!reader->CanReadFile(file.c_str()))
   {
     std::fprintf(stderr, "%s is not a MetaImage (.mhd, .mha) that can be read.\n", file.c_str());
-    return {};
+    return nullptr;
   }
   reader->SetFileName(file.c_str());
   reader->Update();
+  return reader->GetOutput();
+}
+
+Figures MeasureRealVolume(vtkImageData* image, HapticSolver solver, const Effort& effort)
+{
   vtkNew<vtkVolumeHapticsFilter> filter;
-  filter->SetInputDataObject(0, reader->GetOutput());
+  filter->SetInputDataObject(0, image);
   filter->GetProperty()->ApplyPreset("CT contrast");
   filter->SetSolver(solver == HapticSolver::Paper ? vtkVolumeHapticsFilter::PAPER
                                                   : vtkVolumeHapticsFilter::PRECISE);
@@ -85,7 +88,7 @@ Figures MeasureRealVolume(const std::string& file, HapticSolver solver, const Ef
   std::vector<double> times;
   for (int press = effort.Pick(20, 400); press > 0; --press)
   {
-    const Path path = PressSomewhere(*model, reader->GetOutput()->GetBounds(), random);
+    const Path path = PressSomewhere(*model, image->GetBounds(), random);
     ServoState state;
     Trace trace(path.size());
     for (std::size_t i = 0; i < path.size(); ++i)

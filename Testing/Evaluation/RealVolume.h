@@ -9,15 +9,22 @@
 
 #include "Figure.h"
 
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+
 namespace evaluation
 {
 
+/** A MetaImage. Null, with a message on stderr, where the file can't be read. */
+vtkSmartPointer<vtkImageData> ReadRealVolume(const std::string& file);
+
 /**
  * Random presses on a CT, each a closed cycle: from the air towards the middle, across, and out again, with
- * the preset "CT contrast". Empty, with a message on stderr, where the file can't be read.
+ * the preset "CT contrast". Empty, with VTK's error, where the image can't be touched.
  */
 Figures MeasureRealVolume(
-  const std::string& file, VolumeHaptics::HapticSolver solver, const Effort& effort);
+  vtkImageData* image, VolumeHaptics::HapticSolver solver, const Effort& effort);
 
 } // namespace evaluation
 

@@ -9,11 +9,16 @@
 
 #include "Field.h"
 
+#include <random>
+
 namespace evaluation
 {
 
 /** Not along any axis of the samples. */
 const Vector3 OddNormal = (1.0 / 3.0) * Vector3{ 1.0, -2.0, 2.0 };
+/** With OddNormal, two unit vectors at right angles. */
+const Vector3 OddAside = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
+const Vector3 OddUp = Cross(OddNormal, OddAside);
 /** Where balls stand: not on a sample. */
 constexpr Vector3 OddCentre = { 0.37, -0.21, 0.43 };
 
@@ -26,12 +31,28 @@ inline double BlurredStep(double distance, double blur, double height)
 /** A point of a circle about OddCentre in a plane that no axis lies in. */
 inline Vector3 OnOddCircle(double radius, double angle)
 {
-  const Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
-  const Vector3 v = Cross(OddNormal, u);
-  return OddCentre + (radius * std::cos(angle)) * u + (radius * std::sin(angle)) * v;
+  return OddCentre + (radius * std::cos(angle)) * OddAside + (radius * std::sin(angle)) * OddUp;
 }
 
 constexpr double TwoPi = 6.283185307179586;
+
+/** Numbers between two bounds, each as likely. */
+class Uniform
+{
+public:
+  explicit Uniform(std::mt19937& random)
+    : Random(random)
+  {
+  }
+
+  double operator()(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(this->Random);
+  }
+
+private:
+  std::mt19937& Random;
+};
 
 } // namespace evaluation
 

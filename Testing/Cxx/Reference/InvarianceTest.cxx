@@ -9,7 +9,6 @@
 #include "RandomScene.h"
 
 #include <gtest/gtest.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 #include <iostream>
@@ -43,22 +42,12 @@ TEST(Invariance, RigidMotionOfVolumeAndPath)
     Scene scene;
     scene.estimator = AllEstimators[seed % 3];
     scene.side = Side(seed / 3 % 3);
-    const Geometry geometry = RandomGeometry(random, scene.kernelRadius);
-    const Field field = RandomField(random, geometry, 30.0);
-    scene.image = Sample(geometry, field);
-    GentleMaterial(scene, -1.0, 1.0);
-    RandomWalk(scene, random, geometry, 150);
+    const Geometry geometry = GentleScene(scene, random, 150);
     const Trace first = RunFilter(scene);
 
     const Mat3 rotation = random.Rotation();
     const Vec3 translation = random.Uniform(0.0, 100.0) * random.UnitVector();
-    vtkSmartPointer<vtkImageData> moved = MakeImage(Moved(geometry, rotation, translation));
-    moved->GetPointData()->ShallowCopy(scene.image->GetPointData());
-    scene.image = moved;
-    for (Vec3& point : scene.path)
-    {
-      point = rotation * point + translation;
-    }
+    MoveScene(scene, geometry, rotation, translation);
     const Trace second = MovedBack(RunFilter(scene), rotation, translation);
     const Difference difference = CompareForces(first, second);
     EXPECT_LE(difference.worst, 1e-12) << "seed " << seed << ": " << difference.text;

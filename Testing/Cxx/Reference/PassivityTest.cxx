@@ -8,24 +8,12 @@
 #include "RandomScene.h"
 
 #include <gtest/gtest.h>
-#include <vtkPiecewiseFunction.h>
 
 using namespace reference;
 
 namespace
 {
 constexpr double Rounding = 1e-10; // N
-
-// A walk that stops for 20 ticks at every 30th.
-std::vector<Vec3> WithStops(const std::vector<Vec3>& path)
-{
-  std::vector<Vec3> result;
-  for (std::size_t i = 0; i < path.size(); ++i)
-  {
-    result.insert(result.end(), i % 30 == 29 ? 20 : 1, path[i]);
-  }
-  return result;
-}
 } // namespace
 
 TEST(Passivity, AStaticTipNeverGainsEnergy)
@@ -37,9 +25,7 @@ TEST(Passivity, AStaticTipNeverGainsEnergy)
     Scene scene;
     Random random(4000 + seed);
     RandomScene(scene, random, seed % 2 ? Curves::Linear : Curves::Curved, 150);
-    vtkPiecewiseFunction* stiffness = scene.property->GetStiffness();
-    stiffness->RemoveAllPoints();
-    stiffness->AddPoint(0.0, random.Uniform(50.0, 2000.0));
+    ConstantStiffness(scene, random);
     scene.path = WithStops(scene.path);
     const Trace trace = RunFilter(scene);
     for (std::size_t tick = 1; tick < trace.size(); ++tick)

@@ -11,7 +11,6 @@
 #include "RandomScene.h"
 
 #include <gtest/gtest.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 #include <string>
@@ -69,21 +68,12 @@ TEST(PreciseInvariance, RigidMotionOfVolumeAndPath)
     Scene scene;
     scene.solver = Solver::Precise;
     scene.estimator = AllEstimators[seed % 3];
-    const Geometry geometry = RandomGeometry(random, scene.kernelRadius);
-    scene.image = Sample(geometry, RandomField(random, geometry, 30.0));
-    GentleMaterial(scene, -1.0, 1.0);
-    RandomWalk(scene, random, geometry, 150);
+    const Geometry geometry = GentleScene(scene, random, 150);
     const Trace first = RunFilter(scene);
 
     const Mat3 rotation = random.Rotation();
     const Vec3 translation = random.Uniform(0.0, 100.0) * random.UnitVector();
-    vtkSmartPointer<vtkImageData> moved = MakeImage(Moved(geometry, rotation, translation));
-    moved->GetPointData()->ShallowCopy(scene.image->GetPointData());
-    scene.image = moved;
-    for (Vec3& point : scene.path)
-    {
-      point = rotation * point + translation;
-    }
+    MoveScene(scene, geometry, rotation, translation);
     SCOPED_TRACE("seed " + std::to_string(seed));
     ExpectSame(scene, first, RunFilter(scene), rotation);
   }

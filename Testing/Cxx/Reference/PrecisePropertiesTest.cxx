@@ -9,7 +9,6 @@
 #include "RandomScene.h"
 
 #include <gtest/gtest.h>
-#include <vtkPiecewiseFunction.h>
 
 #include <algorithm>
 
@@ -36,23 +35,10 @@ void OnRandomScenes(Check&& check)
     scene.solver = Solver::Precise;
     if (seed % 2)
     {
-      vtkPiecewiseFunction* const stiffness = scene.property->GetStiffness();
-      stiffness->RemoveAllPoints();
-      stiffness->AddPoint(0.0, random.Uniform(50.0, 2000.0));
+      ConstantStiffness(scene, random);
     }
     check(scene, random);
   }
-}
-
-/// A walk that stops for 20 ticks at every 30th.
-std::vector<Vec3> WithStops(const std::vector<Vec3>& path)
-{
-  std::vector<Vec3> result;
-  for (std::size_t i = 0; i < path.size(); ++i)
-  {
-    result.insert(result.end(), i % 30 == 29 ? 20 : 1, path[i]);
-  }
-  return result;
 }
 
 /// Whether the solver has followed the tip all its way (after a jump it may need some ticks).

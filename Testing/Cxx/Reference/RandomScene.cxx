@@ -185,6 +185,23 @@ void RandomWalk(Scene& scene, Random& random, const Geometry& geometry, int tick
   }
 }
 
+std::vector<Vec3> WithStops(const std::vector<Vec3>& path)
+{
+  std::vector<Vec3> result;
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    result.insert(result.end(), i % 30 == 29 ? 20 : 1, path[i]);
+  }
+  return result;
+}
+
+void ConstantStiffness(Scene& scene, Random& random)
+{
+  vtkPiecewiseFunction* const stiffness = scene.property->GetStiffness();
+  stiffness->RemoveAllPoints();
+  stiffness->AddPoint(0.0, random.Uniform(50.0, 2000.0));
+}
+
 void RandomScene(Scene& scene, Random& random, Curves curves, int ticks)
 {
   scene.kernelRadius = random.Integer(1, 4);
@@ -196,5 +213,26 @@ void RandomScene(Scene& scene, Random& random, Curves curves, int ticks)
   scene.metersPerWorldUnit = random.Chance(0.5) ? 0.001 : random.Uniform(0.0003, 0.005);
   scene.servoRate = random.Chance(0.5) ? 1000.0 : random.Uniform(500.0, 4000.0);
   RandomWalk(scene, random, geometry, ticks);
+}
+
+Geometry GentleScene(Scene& scene, Random& random, int ticks)
+{
+  const Geometry geometry = RandomGeometry(random, scene.kernelRadius);
+  scene.image = Sample(geometry, RandomField(random, geometry, 30.0));
+  GentleMaterial(scene, -1.0, 1.0);
+  RandomWalk(scene, random, geometry, ticks);
+  return geometry;
+}
+
+void MoveScene(
+  Scene& scene, const Geometry& geometry, const Mat3& rotation, const Vec3& translation)
+{
+  const vtkSmartPointer<vtkImageData> moved = MakeImage(Moved(geometry, rotation, translation));
+  moved->GetPointData()->ShallowCopy(scene.image->GetPointData());
+  scene.image = moved;
+  for (Vec3& point : scene.path)
+  {
+    point = rotation * point + translation;
+  }
 }
 } // namespace reference

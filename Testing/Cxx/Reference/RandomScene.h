@@ -43,8 +43,21 @@ void GentleMaterial(Scene& scene, double low, double high);
 /// A smooth walk that presses, slides, jumps now and then and strays out of the volume.
 void RandomWalk(Scene& scene, Random& random, const Geometry& geometry, int ticks);
 
-/// All of the above.
+/// The walk, stopping for 20 ticks at every 30th.
+std::vector<Vec3> WithStops(const std::vector<Vec3>& path);
+
+/// The same stiffness, of 50 to 2000 N/m, everywhere.
+void ConstantStiffness(Scene& scene, Random& random);
+
+/// A random volume, material, settings and walk.
 void RandomScene(Scene& scene, Random& random, Curves curves, int ticks);
+
+/// A long-waved field of some random geometry, which is returned, a gentle material and a walk.
+Geometry GentleScene(Scene& scene, Random& random, int ticks);
+
+/// Moves the volume and the path: x -> rotation x + translation.
+void MoveScene(
+  Scene& scene, const Geometry& geometry, const Mat3& rotation, const Vec3& translation);
 } // namespace reference
 
 #endif
