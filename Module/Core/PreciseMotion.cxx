@@ -114,7 +114,7 @@ Arrival Surroundings::Arrive(
 Arrival Surroundings::Try(
   const Departure& start, const Motion& motion, const Vector3& way, const Vector3& tip) noexcept
 {
-  Arrival end{ start.Proxy + way, {}, start.Spring };
+  Arrival end{ start.Proxy + way, {}, 0.0, start.Spring };
   const Vector3 lag = tip - end.Proxy;
   end.There = this->Look(end.Proxy, lag);
   PassOn(end.Spring, end.There.Stiffness, Norm(lag));
@@ -122,6 +122,7 @@ Arrival Surroundings::Try(
   {
     const Vector3 back = this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, lag);
     end.Proxy += back;
+    end.Stray = this->Voxels(back);
     end.There.Value += end.There.Slope * Dot(back, end.There.Normal);
   }
   return end;

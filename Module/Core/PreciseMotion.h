@@ -7,18 +7,10 @@
 #ifndef PreciseMotion_h
 #define PreciseMotion_h
 
-#include "MaterialLaw.h"
-#include "PassiveSpring.h"
+#include "ServoTick.h"
 
 namespace VolumeHaptics
 {
-
-/** A place as this solver sees it. */
-struct Spot : Place
-{
-  double Value = 0.0; ///< the estimator's own
-  double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
-};
 
 /** What the law asks for. */
 struct Motion
@@ -41,6 +33,7 @@ struct Arrival
 {
   Vector3 Proxy;
   Spot There;
+  double Stray; ///< voxels by which the proxy lies off the place that was looked up
   PassiveSpring Spring;
 };
 
@@ -49,10 +42,11 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 
 /**
  * The way of a proxy (m) while the tip makes a step that takes the spring from one lag (m) to another, by
- * the law of one place: second order in the step where friction and drag hold all directions alike.
+ * the law of one place: second order in the step where friction and drag hold all directions alike. What the law
+ * says of the last lag alone is `plain`.
  */
-Vector3 MoveAlong(
-  const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag) noexcept;
+Vector3 MoveAlong(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag,
+  const Vector3& plain) noexcept;
 
 /** The volume around a proxy, and how often it was looked at. */
 class Surroundings

@@ -130,10 +130,13 @@ std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
 {
   const PreciseState& precise = state.Precise;
   const Vector3& reached = precise.ReachedTip;
+  const Spot& here = precise.Here;
   return { state.Proxy.X, state.Proxy.Y, state.Proxy.Z, state.PreviousTip.X, state.PreviousTip.Y,
     state.PreviousTip.Z, state.Enabled ? 1.0 : 0.0, reached.X, reached.Y, reached.Z, precise.Level,
     precise.IsHeld ? 1.0 : 0.0, precise.Spring.Tissue, precise.Spring.Tension,
-    precise.Spring.Reserve };
+    precise.Spring.Reserve, here.Normal.X, here.Normal.Y, here.Normal.Z, here.GradientMagnitude,
+    here.SurfaceValue, here.MediumValue, here.Stiffness, here.Friction, here.Viscosity,
+    here.SurfaceStrength, here.Value, here.Slope, precise.Stray, precise.Gain };
 }
 
 ServoState FromNumbers(const std::array<double, ServoStateSize>& n) noexcept
@@ -146,6 +149,19 @@ ServoState FromNumbers(const std::array<double, ServoStateSize>& n) noexcept
   state.Precise.Level = n[10];
   state.Precise.IsHeld = n[11] != 0.0;
   state.Precise.Spring = { n[12], n[13], n[14] };
+  Spot& here = state.Precise.Here;
+  here.Normal = { n[15], n[16], n[17] };
+  here.GradientMagnitude = n[18];
+  here.SurfaceValue = n[19];
+  here.MediumValue = n[20];
+  here.Stiffness = n[21];
+  here.Friction = n[22];
+  here.Viscosity = n[23];
+  here.SurfaceStrength = n[24];
+  here.Value = n[25];
+  here.Slope = n[26];
+  state.Precise.Stray = n[27];
+  state.Precise.Gain = n[28];
   return state;
 }
 
@@ -155,6 +171,8 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   state.Proxy = carry(state.Proxy);
   state.Precise.ReachedTip = carry(state.Precise.ReachedTip);
   state.Precise.Spring.DropReserve();
+  state.Precise.Stray = PreciseState::Unknown;
+  state.Precise.Gain = 1.0;
   // In another volume the level means nothing.
   state.Precise.IsHeld = state.Precise.IsHeld && &from.Field == &to.Field;
 }

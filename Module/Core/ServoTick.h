@@ -24,13 +24,25 @@ enum class ContactState : std::uint8_t
   Penetrating = 3 ///< it is pushed through a surface
 };
 
+/** A place as PRECISE sees it. */
+struct Spot : Place
+{
+  double Value = 0.0; ///< the estimator's own
+  double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
+};
+
 /** What only PRECISE keeps from tick to tick. */
 struct PreciseState
 {
+  static constexpr double Unknown = std::numeric_limits<double>::max();
+
   Vector3 ReachedTip;  ///< where the tip was when the solver's budget was spent; else the tip
   double Level = 0.0;  ///< the estimator's value on the surface that holds the proxy
   bool IsHeld = false; ///< whether Level means anything
   PassiveSpring Spring;
+  double Gain = 1.0;      ///< by which a tick's way was longer than what its beginning asked for
+  Spot Here;              ///< the place where the proxy was when it was last looked up
+  double Stray = Unknown; ///< by how many voxels, at most, the proxy has left it since
 };
 
 /** What a tick keeps for the next one. */
@@ -42,7 +54,7 @@ struct ServoState
   PreciseState Precise;
 };
 
-constexpr int ServoStateSize = 15;
+constexpr int ServoStateSize = 29;
 
 /** A state for a file: every number of it, in the order of the structs. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

@@ -7,6 +7,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -162,6 +163,10 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
   result.Caps = { caps->GetComponent(0, 0), caps->GetComponent(0, 1) };
   std::array<double, ServoStateSize> numbers;
   state->GetTuple(0, numbers.data());
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
+  {
+    return false;
+  }
   result.InitialState = FromNumbers(numbers);
   return true;
 }
@@ -192,10 +197,12 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
     {
       error =
         "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
-        "it needs the finite point arrays DeviceTip (3), Enabled, Placement and Time, and the "
-        "field arrays DeviceToWorld (16), InitialState (15), Caps (2) and TickPeriod. Record "
-        "again, "
-        "or remove DeviceTip to use the points as a path.";
+        "it needs, all finite, the point arrays DeviceTip (3), Enabled, Placement and Time, and "
+        "the "
+        "field arrays DeviceToWorld (16), InitialState (" +
+        std::to_string(ServoStateSize) +
+        "), Caps (2) and TickPeriod. Record again, or remove DeviceTip to use the points as a "
+        "path.";
       return false;
     }
     return true;
