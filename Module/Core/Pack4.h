@@ -21,9 +21,11 @@
 #if defined(__GNUC__)
 #define VOLUME_HAPTICS_INLINE static inline __attribute__((always_inline))
 #define VOLUME_HAPTICS_OUTLINE static __attribute__((noinline))
+#define VOLUME_HAPTICS_PREFETCH(address) __builtin_prefetch(address)
 #else
 #define VOLUME_HAPTICS_INLINE static inline
 #define VOLUME_HAPTICS_OUTLINE static
+#define VOLUME_HAPTICS_PREFETCH(address) static_cast<void>(address)
 #endif
 
 namespace VolumeHaptics

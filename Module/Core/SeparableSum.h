@@ -193,6 +193,20 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
   return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
 }
 
+/** More rows than the processor sees ahead of the sum: cold, they are to be on their way all at once. */
+template <typename T>
+VOLUME_HAPTICS_INLINE void PrefetchRows(
+  const T* corner, int count, std::int64_t line, std::int64_t plane)
+{
+  for (int k = 0; k < count; ++k)
+  {
+    for (int j = 0; j < count; ++j)
+    {
+      VOLUME_HAPTICS_PREFETCH(corner + k * plane + j * line);
+    }
+  }
+}
+
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double Separable(
   const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
@@ -205,6 +219,10 @@ VOLUME_HAPTICS_INLINE double Separable(
   {
     const T* const corner =
       static_cast<const T*>(view.Data) + first[0] + first[1] * stride[1] + first[2] * stride[2];
+    if constexpr (N > 4)
+    {
+      PrefetchRows(corner, N, stride[1], stride[2]);
+    }
     const double value = SumBlock<T, N, WithGradient>(corner, stride[1], stride[2], foot, gradient);
     if (!std::is_floating_point_v<T> || IsNumber(value))
     {
