@@ -73,6 +73,8 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
   , DeviceToIndex(Compose(Inverse(this->Shared->IndexToWorld), deviceToWorld))
   , DeviceToWorldRotation((1.0 / SimilarityScale(deviceToWorld)) * deviceToWorld.Linear)
   , WorldUnitsPerMeter(SimilarityScale(deviceToWorld))
+  // The rows are at right angles.
+  , MostVoxelsPerMeter(LargestColumn(Transpose(this->DeviceToIndex.Linear)))
   // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.
   , GradientToDevice(Transpose(this->DeviceToWorldRotation) *
       Transpose(Inverse(this->Shared->IndexToWorld.Linear)))

@@ -133,6 +133,7 @@ public:
   const Affine3 DeviceToIndex;
   const Matrix3 DeviceToWorldRotation;
   const double WorldUnitsPerMeter;
+  const double MostVoxelsPerMeter; ///< along the axis of the smallest spacing
   /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
   const Matrix3 GradientToDevice;
   /** Stands in for the normal where there is no gradient: the volume's third axis. */

@@ -37,22 +37,25 @@ constexpr int MostSetbacks = 8;
 void Follower::Follow(const Vector3& tip) noexcept
 {
   const Vector3 from = this->State.ReachedTip;
+  const Vector3 lag = from - this->Proxy;
   if (this->State.Stray > LongestStray)
   {
-    this->LookAround(from - this->Proxy);
+    this->LookAround(lag);
+    this->Refresh(Norm(lag));
   }
-  this->Refresh(Norm(from - this->Proxy));
   Vector3 at = from;
   for (double steps = 2.0; steps > 1.0;)
   {
-    // Far from the proxy a longer step turns the spring no more.
-    const double longest =
-      std::max(LongestStep, SpringShare * this->Field.Voxels(at - this->Proxy));
     const Vector3 way = tip - at;
-    steps = std::ceil(this->Field.Voxels(way) / longest - Rounding);
-    if (steps > 1.0 && this->Field.IsBeyond(at, tip) && this->Field.IsBeyond(this->Proxy, tip))
+    const double voxels = this->Field.Voxels(way);
+    steps = 1.0;
+    if (voxels > LongestStep * (1.0 + Rounding) &&
+      !(this->Field.IsBeyond(at, tip) && this->Field.IsBeyond(this->Proxy, tip)))
     {
-      steps = 1.0;
+      // Far from the proxy a longer step turns the spring no more.
+      const double longest =
+        std::max(LongestStep, SpringShare * this->Field.Voxels(at - this->Proxy));
+      steps = std::ceil(voxels / longest - Rounding);
     }
     at = steps > 1.0 ? at + (1.0 / steps) * way : tip;
     if (!this->Settle(at))
@@ -106,7 +109,10 @@ bool Follower::Settle(const Vector3& tip) noexcept
     // All slack, but for what the hand does now: a proxy on its way to the tip brings no force along.
     this->State.Spring.Tension = 0.0;
   }
-  this->State.Spring.Stretch(Norm(before - this->Proxy), Norm(tip - this->Proxy));
+  if (this->State.Spring.Tension < 1.0)
+  {
+    this->State.Spring.Stretch(Norm(before - this->Proxy), Norm(tip - this->Proxy));
+  }
   this->State.ReachedTip = tip;
   bool isFirst = true;
   const Vector3 start = this->Proxy;
@@ -215,7 +221,7 @@ Motion Follower::Plan(const Vector3& tip, const Vector3* tipBefore) noexcept
     this->State.Level = here.Value + here.Slope * inward;
     return motion;
   }
-  motion.Way += this->Field.ToLevel(here, k, this->State.Level, lag);
+  motion.Way += this->Field.ToLevel(here, k, this->State.Level, lag) * here.Normal;
   return motion;
 }
 
@@ -254,7 +260,8 @@ void Follower::Learn(const Vector3& firstWay, const Vector3& way, bool isJudged)
 void Follower::Creep(const Motion& motion, const Vector3& tip) noexcept
 {
   Spot& here = this->State.Here;
-  this->State.Stray += std::max(this->Field.Voxels(motion.Way), LeastStray);
+  const double voxels = this->Field.GetVoxelsPerMeter() * Norm(motion.Way);
+  this->State.Stray += std::max(voxels, LeastStray);
   this->Proxy = motion.IsFree ? tip : this->Proxy + motion.Way;
   here.Value += here.Slope * Dot(motion.Way, here.Normal);
   if (motion.IsFree)

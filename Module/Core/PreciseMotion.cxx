@@ -87,16 +87,16 @@ bool Surroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
   return beyond(i.X, j.X, n[0]) || beyond(i.Y, j.Y, n[1]) || beyond(i.Z, j.Z, n[2]);
 }
 
-Vector3 Surroundings::ToLevel(
+double Surroundings::ToLevel(
   const Spot& here, double k, double level, const Vector3& lag) const noexcept
 {
-  const double most = FarthestLevel / this->Voxels(here.Normal);
+  const double most = FarthestLevel / this->Model.MostVoxelsPerMeter;
   const double push = Dot(lag, here.Normal);
   const double way = (level - here.Value) / here.Slope;
   // Not past the tip, and not out to where the surface could not hold the spring.
   const double in = std::clamp(push, 0.0, most);
   const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
-  return std::clamp(way, -out, in) * here.Normal;
+  return std::clamp(way, -out, in);
 }
 
 Arrival Surroundings::Arrive(
@@ -120,10 +120,10 @@ Arrival Surroundings::Try(
   PassOn(end.Spring, end.There.Stiffness, Norm(lag));
   if (motion.IsHeld && end.There.Slope != 0.0)
   {
-    const Vector3 back = this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, lag);
-    end.Proxy += back;
-    end.Stray = this->Voxels(back);
-    end.There.Value += end.There.Slope * Dot(back, end.There.Normal);
+    const double back = this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, lag);
+    end.Proxy += back * end.There.Normal;
+    end.Stray = this->Model.MostVoxelsPerMeter * std::abs(back);
+    end.There.Value += end.There.Slope * back;
   }
   return end;
 }

@@ -33,7 +33,7 @@ struct Arrival
 {
   Vector3 Proxy;
   Spot There;
-  double Stray; ///< voxels by which the proxy lies off the place that was looked up
+  double Stray; ///< voxels by which the proxy lies off the place that was looked up, at most
   PassiveSpring Spring;
 };
 
@@ -68,11 +68,14 @@ public:
     return Norm(this->Model.DeviceToIndex.Linear * way);
   }
 
+  /** How many voxels a metre is, at most. */
+  double GetVoxelsPerMeter() const noexcept { return this->Model.MostVoxelsPerMeter; }
+
   /** Whether both positions lie beyond the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
-  /** The way from a place to a level, along the normal, as far as the spring's balance lets it. */
-  Vector3 ToLevel(const Spot& here, double k, double level, const Vector3& lag) const noexcept;
+  /** The way (m) along the normal from a place to a level, as far as the spring's balance lets it. */
+  double ToLevel(const Spot& here, double k, double level, const Vector3& lag) const noexcept;
 
   /** Goes a share of a motion, or less: no farther than the places on the way let it. */
   Arrival Arrive(

@@ -42,8 +42,9 @@ protected:
     for (int i = 0; Clock::now() < end; ++i)
     {
       between(i);
+      // What the hand did is to be felt before it is drawn.
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
   void Start()
@@ -88,25 +89,4 @@ TEST_F(StylePaceTest, DrawsWellOnceAtRestAndThenForTheFigures)
   EXPECT_GE(this->Still, 1);
   EXPECT_LE(this->Still, 4) << "frames that take 60 ms may come every 600 ms";
   EXPECT_EQ(this->Quick, 0);
-}
-
-TEST_F(StylePaceTest, IsDrivenByTheInteractorsLoop)
-{
-  ASSERT_TRUE(this->Device->Open("virtual"));
-  ASSERT_TRUE(this->Device->Start());
-  this->Interactor->Initialize();
-  vtkNew<vtkCallbackCommand> count;
-  int updates = 0;
-  count->SetClientData(&updates);
-  count->SetCallback(
-    [](vtkObject* style, unsigned long, void* updates, void*)
-    {
-      if (++*static_cast<int*>(updates) == 20)
-      {
-        static_cast<vtkInteractorStyle*>(style)->GetInteractor()->TerminateApp();
-      }
-    });
-  this->Style->AddObserver(vtkInteractorStyleHaptic::StatesEvent, count);
-  this->Interactor->Start(); // ends after 20 updates
-  EXPECT_EQ(updates, 20);
 }
