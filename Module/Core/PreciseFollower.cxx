@@ -20,12 +20,14 @@ constexpr double LongestRest = 2e-3;
  * Voxels that a proxy may creep before its place is looked up again, and what a tick counts at least: a place
  * that is kept from another model, by a recording that is played there, does not last.
  */
-constexpr double LongestStray = 5e-3;
+constexpr double LongestStray = 1e-3;
 constexpr double LeastStray = LongestStray / 32.0;
 
 /** A bolder guess is not worth its judgement. */
 constexpr double LeastGain = 0.5;
 constexpr double MostGain = 1.5;
+/** Of a new gain: what it leaves over shows in the next tick's. */
+constexpr double LearnedShare = 0.5;
 
 /** Of a quotient: a way of just so many steps is not to be one step more on another machine. */
 constexpr double Rounding = 1e-9;
@@ -249,7 +251,7 @@ void Follower::Learn(const Vector3& firstWay, const Vector3& way, bool isJudged)
   if (isJudged)
   {
     const double gain = Dot(firstWay, way) / Dot(firstWay, firstWay);
-    this->State.Gain = std::clamp(gain, LeastGain, MostGain);
+    this->State.Gain += LearnedShare * (std::clamp(gain, LeastGain, MostGain) - this->State.Gain);
   }
   else if (!this->State.IsHeld)
   {

@@ -20,9 +20,9 @@
  * Where friction or drag turn the motion, it takes the mean of its first and last direction (second order).
  *
  * A hand that slides does from tick to tick what it did before, which saves most of the looks: the place where
- * the last tick ended is kept until the proxy has strayed from it by 5e-3 voxels, and where a surface holds, a
- * tick's first motion is as much longer than what its beginning asks for as the last tick's whole way was.
- * A tick of a tenth of a voxel then looks once. No judgement rests on what is kept: it only proposes motions.
+ * the last tick ended is kept until the proxy has strayed from it by 1e-3 voxels, and where a surface holds, a
+ * tick's first motion is as much longer than what its beginning asks for as the whole ways of the last ticks were.
+ * A tick of a tenth of a voxel then looks once or twice. No judgement rests on what is kept: it only proposes motions.
  *
  * Existence and uniqueness. With the place frozen, a motion is unique: the drag's is the proximal map of
  * R|m| after that of the surface (both convex; the law takes normal before friction, which makes it
