@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticModel.h"
 
+#include "SurfaceMesh.h"
+
 namespace VolumeHaptics
 {
 namespace
@@ -43,6 +45,7 @@ HapticModel::Baked::Baked(const HapticModelDescription& d)
   , IndexToWorld(d.IndexToWorld)
   , Settings(d.Settings)
   , Samples(d.Samples)
+  , Mesh(d.Mesh)
 {
 }
 
@@ -68,6 +71,7 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
   , Field(this->Shared->Field)
   , Materials(this->Shared->Materials)
   , Distinctness(this->Shared->Distinctness)
+  , Mesh(this->Shared->Mesh.get())
   , DeviceToWorld(deviceToWorld)
   , WorldToDevice(Inverse(deviceToWorld))
   , DeviceToIndex(Compose(Inverse(this->Shared->IndexToWorld), deviceToWorld))
@@ -92,7 +96,7 @@ std::size_t HapticModel::GetMemorySize() const noexcept
 {
   return sizeof(*this) + sizeof(Baked) + this->Kernel.Table.capacity() * sizeof(double) +
     this->Materials.GetMemorySize() - sizeof(this->Materials) + this->Distinctness.GetMemorySize() -
-    sizeof(this->Distinctness);
+    sizeof(this->Distinctness) + (this->Mesh ? this->Mesh->GetMemorySize() : 0);
 }
 
 } // namespace VolumeHaptics

@@ -22,11 +22,13 @@
 
 namespace VolumeHaptics
 {
+class SurfaceMesh;
 
 enum class HapticMethod : std::uint8_t
 {
-  Proxy,      ///< the paper's section 3
-  ForceField, ///< the paper's eq. 1
+  Proxy,       ///< the paper's section 3
+  ForceField,  ///< the paper's eq. 1
+  SurfaceProxy ///< a sphere on the triangles of a mesh; see SurfaceProxy.h
 };
 
 /** How Proxy advances the proxy in a tick. */
@@ -62,6 +64,9 @@ struct HapticSettings
   double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
+  double IsoValue = 0.0;          ///< whose material the surfaces of a mesh have
+  double ProxyRadius = 0.5;       ///< world units, more than 0; of SurfaceProxy
+  bool ForceShading = true;       ///< of SurfaceProxy, where the mesh has normals
 };
 
 /** Material functions of the scalar, and functions of the gradient magnitude per world unit. */
@@ -86,6 +91,7 @@ struct HapticModelDescription
   int KernelRadius = 2; ///< voxels
   HapticMaterial Material;
   HapticSettings Settings;
+  std::shared_ptr<const SurfaceMesh> Mesh; ///< in the world; for HapticMethod::SurfaceProxy
 };
 
 class HapticModel
@@ -117,6 +123,7 @@ private:
     const Affine3 IndexToWorld;
     const HapticSettings Settings;
     const std::shared_ptr<const void> Samples;
+    const std::shared_ptr<const SurfaceMesh> Mesh;
   };
   HapticModel(std::shared_ptr<const Baked> baked, const Affine3& deviceToWorld);
 
@@ -128,6 +135,7 @@ public:
   const FieldSampler& Field;
   const MaterialTable& Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable& Distinctness; ///< channels W_d, visibility
+  const SurfaceMesh* const Mesh;         ///< null without one
   const Affine3 DeviceToWorld;
   const Affine3 WorldToDevice;
   const Affine3 DeviceToIndex;

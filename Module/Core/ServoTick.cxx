@@ -3,6 +3,7 @@
 #include "ServoTick.h"
 
 #include "PreciseSolver.h"
+#include "SurfaceProxy.h"
 
 namespace VolumeHaptics
 {
@@ -105,14 +106,18 @@ void Tick(
   record.Contact = ContactState::Free;
   record.IsUnfinished = false;
 
-  const bool isField = model.Settings.Method == HapticMethod::ForceField;
-  if (!isField && model.Settings.Solver == HapticSolver::Precise)
+  const HapticMethod method = model.Settings.Method;
+  if (method == HapticMethod::SurfaceProxy && model.Mesh)
+  {
+    StepSurfaceProxy(model, state, record);
+  }
+  else if (method == HapticMethod::Proxy && model.Settings.Solver == HapticSolver::Precise)
   {
     StepPrecise(model, state, record);
   }
   else
   {
-    StepOnce(model, isField, state, record);
+    StepOnce(model, method == HapticMethod::ForceField, state, record);
   }
   state.Proxy = record.Proxy;
   state.PreviousTip = tip;

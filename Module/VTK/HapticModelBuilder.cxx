@@ -4,6 +4,7 @@
 
 #include "HapticFunctions.h"
 #include "HapticNoise.h"
+#include "HapticSurface.h"
 #include "HapticVolumeView.h"
 
 #include "vtkDataArray.h"
@@ -100,6 +101,25 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkDataArray* scalars, HapticMod
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
+/** The mesh and the proxy's radius, where the method is one of surfaces. */
+bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
+  const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
+{
+  if (d.Settings.Method != HapticMethod::SurfaceProxy)
+  {
+    return true;
+  }
+  if (d.Settings.ProxyRadius == 0.0)
+  {
+    const double* const spacing = image->GetSpacing();
+    d.Settings.ProxyRadius =
+      0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  }
+  const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue };
+  d.Mesh = options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error);
+  return d.Mesh != nullptr;
+}
+
 /** Holds a reference to the array; made and dropped outside the servo thread. */
 std::shared_ptr<const void> ShareArray(vtkDataArray* array)
 {
@@ -137,6 +157,10 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   d.KernelRadius = options.KernelRadius;
   d.Settings = options.Settings;
   d.Settings.Side = static_cast<SurfaceSide>(property->GetSurfaceSide());
+  if (!BakeSurface(image, scalars, property->GetComponent(), options, d, error))
+  {
+    return nullptr;
+  }
   BakeNoiseRamp(property, scalars, d);
   return std::make_shared<const HapticModel>(d);
 }

@@ -14,16 +14,21 @@
 class vtkDataArray;
 class vtkHapticProperty;
 class vtkImageData;
+class vtkPolyData;
 
 namespace VolumeHaptics
 {
+class HapticSurface;
 
 struct HapticModelOptions
 {
   GradientEstimator Estimator = GradientEstimator::Gaussian;
   int KernelRadius = 2;
   Affine3 DeviceToWorld;
-  HapticSettings Settings; ///< the surface side is taken from the property
+  HapticSettings
+    Settings; ///< the surface side is taken from the property; a radius of 0 is half a voxel
+  HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
+  vtkPolyData* Surface = nullptr;    ///< or else the isosurface
 };
 
 /**

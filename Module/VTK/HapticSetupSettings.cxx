@@ -113,7 +113,7 @@ NumberRow ToRow(const double x[3])
 //------------------------------------------------------------------------------
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
-  PassChoiceMacro(node, filter, Method, { "Proxy", "ForceField" });
+  PassChoiceMacro(node, filter, Method, { "Proxy", "ForceField", "SurfaceProxy" });
   PassChoiceMacro(node, filter, Solver, { "Paper", "Precise" });
   PassChoiceMacro(node, filter, ContactAlignment, { "Distinctness", "Edge" });
   PassChoiceMacro(
@@ -123,6 +123,11 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
   PassNumberMacro(node, filter, MetersPerWorldUnit, (NumberRange{ 1e-12, 1e12 }));
   PassNumberMacro(node, filter, ForceFieldGain, AnyNumber());
   PassNumberMacro(node, filter, ForceFieldDamping, NotNegative());
+  PassNumberMacro(node, filter, IsoValue, AnyNumber());
+  PassNumberMacro(node, filter, ProxyRadius, NotNegative());
+  node.Flag(
+    "ForceShading", [=] { return filter->GetForceShading(); },
+    [=](bool on) { filter->SetForceShading(on); });
   PassNumberMacro(node, filter, MaximumForce, NotNegative());
   PassNumberMacro(node, filter, MaximumStiffness, NotNegative());
   PassProperty(node, filter, visible);

@@ -4,6 +4,7 @@
 
 #include "HapticHash.h"
 #include "HapticModelBuilder.h"
+#include "HapticSurface.h"
 #include "HapticTipPath.h"
 #include "HapticTrace.h"
 #include "HapticVolumeView.h"
@@ -20,15 +21,14 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 vtkStandardNewMacro(vtkVolumeHapticsFilter);
 
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
+  : Surfaces(new VolumeHaptics::HapticSurface)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
@@ -60,6 +60,12 @@ vtkHapticProperty* vtkVolumeHapticsFilter::GetProperty()
 void vtkVolumeHapticsFilter::SetPathData(vtkPolyData* path)
 {
   this->SetInputDataInternal(1, path);
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetSurfaceData(vtkPolyData* surface)
+{
+  this->SetInputDataInternal(2, surface);
 }
 
 //------------------------------------------------------------------------------
@@ -121,21 +127,9 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
       "SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
     return nullptr;
   }
-  const std::pair<const char*, double> settings[] = { { "ServoRate", 1.0 / tickPeriod },
-    { "MetersPerWorldUnit", this->MetersPerWorldUnit }, { "ForceFieldGain", this->ForceFieldGain },
-    { "ForceFieldDamping", this->ForceFieldDamping }, { "MaximumForce", this->MaximumForce },
-    { "MaximumStiffness", this->MaximumStiffness } };
-  for (const auto& [setting, value] : settings)
-  {
-    if (!std::isfinite(value))
-    {
-      error = std::string("The setting ") + setting +
-        " of vtkVolumeHapticsFilter is not a finite number. Set" + setting + "() to one.";
-      return nullptr;
-    }
-  }
   HapticModelOptions options;
-  if (!this->ReadPlacement(deviceToWorld, options.DeviceToWorld, error))
+  error = this->CheckSettings(1.0 / tickPeriod);
+  if (!error.empty() || !this->ReadPlacement(deviceToWorld, options.DeviceToWorld, error))
   {
     return nullptr;
   }
@@ -149,6 +143,11 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Settings.Caps = this->Tighten(deviceCaps);
   options.Settings.ForceFieldGain = this->ForceFieldGain;
   options.Settings.ForceFieldDamping = this->ForceFieldDamping;
+  options.Settings.IsoValue = this->IsoValue;
+  options.Settings.ProxyRadius = this->ProxyRadius;
+  options.Settings.ForceShading = this->ForceShading;
+  options.Surfaces = this->Surfaces.get();
+  options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
 }
 
@@ -162,6 +161,12 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   {
     source->Update(this->GetInputConnection(0, 0)->GetIndex());
   }
+  vtkAlgorithm* const surfaceSource = this->GetInputAlgorithm(2, 0);
+  if (surfaceSource)
+  {
+    surfaceSource->Update(this->GetInputConnection(2, 0)->GetIndex());
+  }
+  vtkDataObject* const surface = this->GetInputDataObject(2, 0);
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
   if (!image)
   {
@@ -171,8 +176,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   // Where only the device has moved, as it does with every frame while it follows the camera, what is
   // baked is shared.
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
-  const vtkMTimeType time =
-    std::max({ this->GetMTime(), image->GetMTime(), scalars ? scalars->GetMTime() : 0 });
+  const vtkMTimeType time = std::max({ this->GetMTime(), image->GetMTime(),
+    scalars ? scalars->GetMTime() : 0, surface ? surface->GetMTime() : 0 });
   VolumeHaptics::Affine3 placement;
   auto model = this->LastBaked.lock();
   const bool isCurrent = model && time == this->LastBakedTime &&
@@ -252,32 +257,4 @@ void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->PrintSettings(os, indent);
-}
-
-//------------------------------------------------------------------------------
-void vtkVolumeHapticsFilter::PrintSettings(ostream& os, vtkIndent indent)
-{
-  os << indent << "Property: ";
-  if (this->Property)
-  {
-    os << "\n";
-    this->Property->PrintSelf(os, indent.GetNextIndent());
-  }
-  else
-  {
-    os << "(none)\n";
-  }
-  static const char* const estimators[] = { "CentralDifference", "Gaussian", "CubicBSpline" };
-  os << indent << "Method: " << (this->Method == PROXY ? "Proxy" : "ForceField") << "\n";
-  os << indent << "Solver: " << (this->Solver == PAPER ? "Paper" : "Precise") << "\n";
-  os << indent << "ContactAlignment: " << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness")
-     << "\n";
-  os << indent << "GradientEstimator: " << estimators[this->GradientEstimator] << "\n";
-  os << indent << "KernelRadius: " << this->KernelRadius << " voxels\n";
-  os << indent << "ServoRate: " << this->ServoRate << " Hz\n";
-  os << indent << "MetersPerWorldUnit: " << this->MetersPerWorldUnit << "\n";
-  os << indent << "ForceFieldGain: " << this->ForceFieldGain << "\n";
-  os << indent << "ForceFieldDamping: " << this->ForceFieldDamping << "\n";
-  os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
-  os << indent << "MaximumStiffness: " << this->MaximumStiffness << " N/m\n";
 }

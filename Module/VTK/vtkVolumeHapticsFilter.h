@@ -49,6 +49,9 @@
  * order; with a point array "Time" (s) the path is resampled to ServoRate. A recording of
  * vtkHapticDevice is replayed tick by tick, to the bit.
  *
+ * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of
+ * the isosurface at IsoValue. Polygons and strips count; with point normals the force is shaded.
+ *
  * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline, and the
  * point arrays
  *
@@ -95,6 +98,7 @@ class vtkMatrix4x4;
 namespace VolumeHaptics
 {
 class HapticModel;
+class HapticSurface;
 struct Affine3;
 struct ForceCaps;
 } // namespace VolumeHaptics
@@ -118,19 +122,25 @@ public:
   enum MethodType
   {
     PROXY = 0,
-    FORCE_FIELD = 1
+    FORCE_FIELD = 1,
+    SURFACE_PROXY = 2
   };
 
   ///@{
   /**
    * PROXY (default) is the method above. FORCE_FIELD is the general approach that the paper
    * compares itself with (eq. 1): f = -ForceFieldGain grad V - ForceFieldDamping v_tip, without a
-   * proxy. Its NormalForce and DragForce are the magnitudes of the two terms.
+   * proxy. Its NormalForce and DragForce are the magnitudes of the two terms. SURFACE_PROXY is the
+   * polygonal surface haptics that the paper compares itself with (Ruspini et al. 1997): a sphere of
+   * ProxyRadius that no triangle of the surface lets through, with stiffness and friction of the
+   * material at IsoValue, and neither drag nor a limit to what the surface holds: Viscosity,
+   * SurfaceStrength and GradientMagnitude are 0.
    */
-  vtkSetClampMacro(Method, int, PROXY, FORCE_FIELD);
+  vtkSetClampMacro(Method, int, PROXY, SURFACE_PROXY);
   vtkGetMacro(Method, int);
   void SetMethodToProxy() { this->SetMethod(PROXY); }
   void SetMethodToForceField() { this->SetMethod(FORCE_FIELD); }
+  void SetMethodToSurfaceProxy() { this->SetMethod(SURFACE_PROXY); }
   ///@}
 
   enum SolverType
@@ -234,6 +244,32 @@ public:
 
   ///@{
   /**
+   * Scalar value whose isosurface SURFACE_PROXY touches, and whose material its surface has. Default 0.
+   */
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the sphere (world units) of SURFACE_PROXY: gaps narrower than its diameter are not felt.
+   * 0 (default) stands for half of the smallest spacing.
+   */
+  vtkSetClampMacro(ProxyRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ProxyRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Turn the force of SURFACE_PROXY smoothly from triangle to triangle, by the point normals. Default on.
+   */
+  vtkSetMacro(ForceShading, bool);
+  vtkGetMacro(ForceShading, bool);
+  vtkBooleanMacro(ForceShading, bool);
+  ///@}
+
+  ///@{
+  /**
    * Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not limit.
    */
   vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
@@ -253,6 +289,12 @@ public:
   /** The path of the tip, on port 1. */
   void SetPathConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetPathData(vtkPolyData* path);
+  ///@}
+
+  ///@{
+  /** The surface for SURFACE_PROXY, on port 2. */
+  void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
+  void SetSurfaceData(vtkPolyData* surface);
   ///@}
 
   /** Includes the property and its functions. */
@@ -295,6 +337,9 @@ protected:
   double MetersPerWorldUnit = 0.001;
   double ForceFieldGain = 0.01;
   double ForceFieldDamping = 0.0;
+  double IsoValue = 0.0;
+  double ProxyRadius = 0.0;
+  bool ForceShading = true;
   double MaximumForce = 0.0;
   double MaximumStiffness = 0.0;
 
@@ -302,6 +347,7 @@ private:
 #ifndef __VTK_WRAP__
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
+  std::string CheckSettings(double rate) const;
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
     std::string& error);
@@ -309,6 +355,7 @@ private:
 
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
   vtkMTimeType LastBakedTime = 0;
+  std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
 #endif
 
   vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;

@@ -24,7 +24,7 @@ PROPERTY = {
 PROPERTY_PLAIN = ("SetSurfaceSideToHigher", "SetSurfaceSideToLower", "SetSurfaceSideToBoth")
 FILTER = {
     "SetProperty": ("material",),
-    "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1"),
+    "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1", "SURFACE_PROXY", "Ruspini"),
     "SetSolver": ("PAPER", "PRECISE", "default"),
     "SetContactAlignment": ("DISTINCTNESS", "default", "EDGE"),
     "SetGradientEstimator": ("CENTRAL_DIFFERENCE", "GAUSSIAN", "CUBIC_BSPLINE"),
@@ -33,12 +33,17 @@ FILTER = {
     "SetMetersPerWorldUnit": ("Metres", "0.001"),
     "SetForceFieldGain": ("(N per scalar unit per world unit)", "eq. 1", "Default"),
     "SetForceFieldDamping": ("(N s/m)", "eq. 1", "Default 0"),
+    "SetIsoValue": ("isosurface", "Default 0"),
+    "SetProxyRadius": ("world units", "0 (default)"),
+    "SetForceShading": ("normals", "Default on"),
     "SetMaximumForce": ("(N)", "0 (default)"),
     "SetPathConnection": ("path", "port 1"),
+    "SetSurfaceConnection": ("surface", "port 2"),
 }
 FILTER_PLAIN = (
     "SetMethodToProxy",
     "SetMethodToForceField",
+    "SetMethodToSurfaceProxy",
     "SetSolverToPaper",
     "SetSolverToPrecise",
     "SetContactAlignmentToDistinctness",
@@ -49,7 +54,7 @@ FILTER_PLAIN = (
     "SetPathData",
     "SetInputArrayToProcess",
 )
-NO_GETTER = ("SetPathConnection",)
+NO_GETTER = ("SetPathConnection", "SetSurfaceConnection")
 ARRAYS = {
     "Time": "s",
     "Tip": "world",

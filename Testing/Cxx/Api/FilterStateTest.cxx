@@ -23,7 +23,10 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetForceFieldDamping(), 0.0);
   EXPECT_EQ(filter->GetMaximumForce(), 0.0);
   EXPECT_EQ(filter->GetMaximumStiffness(), 0.0);
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 2);
+  EXPECT_EQ(filter->GetIsoValue(), 0.0);
+  EXPECT_EQ(filter->GetProxyRadius(), 0.0);
+  EXPECT_TRUE(filter->GetForceShading());
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
   ASSERT_NE(filter->GetProperty(), nullptr);
   EXPECT_EQ(filter->GetProperty(), filter->GetProperty());
@@ -44,6 +47,9 @@ TEST(FilterState, EverySetterModifiesOnChangeOnly)
     { "MetersPerWorldUnit", [&] { filter->SetMetersPerWorldUnit(0.002); } },
     { "ForceFieldGain", [&] { filter->SetForceFieldGain(0.5); } },
     { "ForceFieldDamping", [&] { filter->SetForceFieldDamping(0.5); } },
+    { "IsoValue", [&] { filter->SetIsoValue(7.0); } },
+    { "ProxyRadius", [&] { filter->SetProxyRadius(0.3); } },
+    { "ForceShading", [&] { filter->ForceShadingOff(); } },
     { "MaximumForce", [&] { filter->SetMaximumForce(3.0); } },
     { "MaximumStiffness", [&] { filter->SetMaximumStiffness(800.0); } },
     { "Property", [&] { filter->SetProperty(property); } },
@@ -78,7 +84,9 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   filter->SetKernelRadius(1000);
   EXPECT_EQ(filter->GetKernelRadius(), 16);
   filter->SetMethod(99);
-  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::FORCE_FIELD);
+  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::SURFACE_PROXY);
+  filter->SetProxyRadius(-1.0);
+  EXPECT_EQ(filter->GetProxyRadius(), 0.0);
   filter->SetGradientEstimator(-1);
   EXPECT_EQ(filter->GetGradientEstimator(), vtkVolumeHapticsFilter::CENTRAL_DIFFERENCE);
   filter->SetSolver(99);

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceProxy.h"
+
+#include "HalfSpaces.h"
+#include "ServoTick.h"
+#include "SurfaceMesh.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Shares of the radius: what counts as touching, what is kept from a triangle, and what is no motion. */
+constexpr double Margin = 3e-3;
+constexpr double Distance = 1e-6;
+constexpr double Still = 1e-5;
+/** In a valley the shadings of its two sides may lead to and fro: after so many passes this is no motion, too. */
+constexpr double ShadedStill = 5e-3;
+constexpr int ManyPasses = 8;
+
+/** Ways that shrink no faster than this are taken whole at once, by their geometric series; or not at all. */
+constexpr double SlowRate = 0.2;
+constexpr double SlowestRate = 0.9;
+
+/** A sphere among triangles, in world units. */
+class Sphere
+{
+public:
+  Sphere(const HapticModel& model, const Vector3& centre) noexcept
+    : Mesh(*model.Mesh)
+    , Radius(model.Settings.ProxyRadius)
+    , IsShaded(model.Settings.ForceShading && this->Mesh.HasNormals())
+    , Centre(centre)
+  {
+  }
+
+  const Vector3& GetCentre() const noexcept { return this->Centre; }
+  bool IsShading() const noexcept { return this->IsShaded; }
+  bool IsTouching() const noexcept { return this->True.GetCount() > 0; }
+
+  /** The nearest point to a goal that what the sphere touches allows. */
+  Vector3 FindSubgoal(const Vector3& goal) noexcept
+  {
+    this->True.Clear();
+    this->Shaded.Clear();
+    this->Mesh.VisitNear(
+      this->Centre, this->Radius * (1.0 + Margin), [&](std::int32_t i) { this->Touch(i); });
+    const Vector3 shaded = this->IsShaded ? this->Shaded.Nearest(goal, this->Centre) : goal;
+    return this->True.Nearest(shaded, this->Centre);
+  }
+
+  /** Goes a way, or up to the first triangle. */
+  void Move(const Vector3& way) noexcept
+  {
+    double first = Never;
+    this->Mesh.VisitAlong(this->Centre, way, this->Radius,
+      [&](std::int32_t i)
+      {
+        first =
+          std::min(first, MeetingTime(this->Mesh.GetTriangle(i), this->Centre, way, this->Radius));
+        return std::min(first, 1.0);
+      });
+    const double gap = Distance * this->Radius / Norm(way);
+    this->Centre += (first <= 1.0 ? std::max(0.0, first - gap) : 1.0) * way;
+  }
+
+private:
+  void Touch(std::int32_t i) noexcept
+  {
+    const TrianglePoint nearest = NearestPoint(this->Mesh.GetTriangle(i), this->Centre);
+    const Vector3 off = this->Centre - nearest.Position;
+    const double distance = Norm(off);
+    // A centre that is on a triangle has no side: what put it there has to take it away.
+    if (distance > this->Radius * (1.0 + Margin) || distance == 0.0)
+    {
+      return;
+    }
+    const Vector3 normal = (1.0 / distance) * off;
+    const double missing = this->Radius * (1.0 + Distance) - distance;
+    this->True.Add({ normal, Dot(normal, this->Centre) + missing });
+    if (this->IsShaded)
+    {
+      const Vector3 smooth = this->Mesh.GetNormal(i, nearest);
+      const double length = std::copysign(Norm(smooth), Dot(smooth, normal));
+      const Vector3 shaded = length != 0.0 ? (1.0 / length) * smooth : normal;
+      this->Shaded.Add({ shaded, Dot(shaded, this->Centre) + missing });
+    }
+  }
+
+  const SurfaceMesh& Mesh;
+  const double Radius;
+  const bool IsShaded;
+  Vector3 Centre;
+  HalfSpaces True;
+  HalfSpaces Shaded;
+};
+
+} // namespace
+
+void StepSurfaceProxy(
+  const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
+{
+  const MaterialTable::Values material = model.Materials(model.Settings.IsoValue);
+  const double k = Law::Capped(material[0], model.Settings.Caps.Stiffness);
+  static_cast<Place&>(record) = Place{};
+  record.Normal = model.FallbackNormal;
+  record.SurfaceValue = record.MediumValue = model.Settings.IsoValue;
+  record.Stiffness = k;
+  record.Friction = material[1];
+  record.Proxy = record.Tip;
+  if (!state.Enabled || k <= HapticModel::MinimumStiffness || material[4] == 0.0)
+  {
+    return;
+  }
+  const double scale = model.WorldUnitsPerMeter;
+  const double radius = model.Settings.ProxyRadius;
+  const Vector3 goal = model.DeviceToWorld(record.Tip);
+  Sphere sphere(model, model.DeviceToWorld(state.Proxy));
+  bool slides = false;
+  Vector3 held;
+  double rest = 0.0;
+  double lastExcess = 0.0;
+  record.IsUnfinished = true;
+  for (int pass = 0; pass < MaximumPasses && record.IsUnfinished; ++pass)
+  {
+    const Vector3 subgoal = sphere.FindSubgoal(goal);
+    const Vector3 way = subgoal - sphere.GetCentre();
+    held = goal - subgoal;
+    rest = Norm(way);
+    const double excess = rest - record.Friction * Norm(held);
+    // While it touches. Between, it may fall towards the tip.
+    const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
+    const double still = sphere.IsShading() && pass >= ManyPasses ? ShadedStill : Still;
+    if (excess <= still * radius)
+    {
+      record.IsUnfinished = false;
+      break;
+    }
+    // Not against friction: a way too far is not taken back.
+    const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
+    sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * way);
+    slides = slides || sphere.IsTouching();
+    lastExcess = sphere.IsTouching() ? (isSlow ? 0.0 : excess) : lastExcess;
+  }
+  if (!sphere.IsTouching() && !record.IsUnfinished)
+  {
+    return;
+  }
+  record.Proxy = model.WorldToDevice(sphere.GetCentre());
+  record.Force = k * (record.Proxy - record.Tip);
+  record.NormalForce = k * Norm(held) / scale;
+  record.FrictionForce = k * rest / scale;
+  if (record.NormalForce > Law::ForceEpsilon)
+  {
+    // What holds the proxy back lies along the spring, as far as friction does not.
+    record.Normal = (1.0 / Norm(held)) * (Transpose(model.DeviceToWorldRotation) * held);
+    record.Contact = slides ? ContactState::Sliding : ContactState::Sticking;
+  }
+}
+
+} // namespace VolumeHaptics

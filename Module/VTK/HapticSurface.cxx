@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticSurface.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+Vector3 ReadTuple(vtkDataArray* array, vtkIdType i)
+{
+  return { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2) };
+}
+
+/** Triangles and points of a surface of triangles; points by one map, normals by another. */
+std::shared_ptr<const SurfaceMesh> MakeMesh(
+  vtkPolyData* surface, const Affine3& map, const Matrix3& mapNormals)
+{
+  const vtkIdType count = surface->GetNumberOfPoints();
+  vtkDataArray* const wanted = surface->GetPointData()->GetNormals();
+  vtkDataArray* const normals = wanted && wanted->GetNumberOfComponents() == 3 ? wanted : nullptr;
+  std::vector<Vector3> points(count);
+  std::vector<Vector3> directions(normals ? count : 0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    points[i] = map(ReadTuple(surface->GetPoints()->GetData(), i));
+    if (normals)
+    {
+      const Vector3 direction = mapNormals * ReadTuple(normals, i);
+      const double length = Norm(direction);
+      directions[i] = length > 0.0 ? (1.0 / length) * direction : Vector3{};
+    }
+  }
+  std::vector<SurfaceMesh::Indices> triangles;
+  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    cells->GetCurrentCell(size, corners);
+    if (size == 3)
+    {
+      triangles.push_back({ static_cast<std::int32_t>(corners[0]),
+        static_cast<std::int32_t>(corners[1]), static_cast<std::int32_t>(corners[2]) });
+    }
+  }
+  return std::make_shared<SurfaceMesh>(std::move(points), triangles, std::move(directions));
+}
+
+std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& error)
+{
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    if (!IsFinite(ReadTuple(surface->GetPoints()->GetData(), i)))
+    {
+      error = "The surface on input port 2 has a coordinate that is NaN or infinite at point " +
+        std::to_string(i) + ". Replace or remove that point.";
+      return nullptr;
+    }
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->SetInputData(surface);
+  triangles->Update();
+  const auto mesh = surface->GetNumberOfPoints() > 0
+    ? MakeMesh(triangles->GetOutput(), Affine3{}, Matrix3{})
+    : nullptr;
+  if (!mesh || mesh->GetNumberOfTriangles() == 0)
+  {
+    error =
+      "The surface on input port 2 has no triangles to touch. Connect a vtkPolyData with polygons "
+      "or strips, or nothing to touch the isosurface at IsoValue.";
+    return nullptr;
+  }
+  return mesh;
+}
+
+std::shared_ptr<const SurfaceMesh> MeshOf(
+  const IsoSurface& iso, const Affine3& indexToWorld, std::string& error)
+{
+  // Found in steps of the index: what stands where in the world is the image's geometry, whole.
+  vtkNew<vtkImageData> samples;
+  samples->SetDimensions(iso.Image->GetDimensions());
+  samples->GetPointData()->SetScalars(iso.Scalars);
+  vtkNew<vtkFlyingEdges3D> edges;
+  edges->SetInputData(samples);
+  edges->SetArrayComponent(iso.Component);
+  edges->SetValue(0, iso.Value);
+  edges->ComputeNormalsOn();
+  edges->ComputeGradientsOff();
+  edges->ComputeScalarsOff();
+  edges->Update();
+  const auto mesh = edges->GetOutput()->GetNumberOfPoints() > 0
+    ? MakeMesh(edges->GetOutput(), indexToWorld, Transpose(Inverse(indexToWorld.Linear)))
+    : nullptr;
+  if (!mesh || mesh->GetNumberOfTriangles() == 0)
+  {
+    double range[2];
+    iso.Scalars->GetFiniteRange(range, iso.Component);
+    std::ostringstream message;
+    message << "There is no isosurface at the IsoValue " << iso.Value
+            << " of vtkVolumeHapticsFilter: the scalars of the input image go from " << range[0]
+            << " to " << range[1]
+            << ". SetIsoValue() to a value between them, or connect a surface to input port 2.";
+    error = message.str();
+    return nullptr;
+  }
+  return mesh;
+}
+
+} // namespace
+
+std::shared_ptr<const SurfaceMesh> HapticSurface::Get(
+  vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error)
+{
+  // Times are unique over all objects: the newest one says what the mesh is made of.
+  const Key key = surface
+    ? Key{ surface->GetMTime(), 0.0, -1 }
+    : Key{ std::max(iso.Image->GetMTime(), iso.Scalars->GetMTime()), iso.Value, iso.Component };
+  if (!this->Mesh || key != this->MadeOf)
+  {
+    this->Mesh = surface ? MeshOf(surface, error) : MeshOf(iso, indexToWorld, error);
+    this->MadeOf = key;
+  }
+  return this->Mesh;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The triangles that SURFACE_PROXY touches: those of an isosurface, or given ones.
+ */
+#ifndef HapticSurface_h
+#define HapticSurface_h
+
+#include "SurfaceMesh.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <string>
+#include <tuple>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+struct Affine3;
+
+/** Where an isosurface is looked for. */
+struct IsoSurface
+{
+  vtkImageData* Image;
+  vtkDataArray* Scalars;
+  int Component;
+  double Value;
+};
+
+/** Makes meshes, and keeps the last one for as long as nothing that it came from changes. */
+class HapticSurface
+{
+public:
+  /**
+   * The triangles of a surface in the world or, where it is null, of the isosurface (vtkFlyingEdges3D). Null, with
+   * the cure in `error`, where there are none or a point is not finite.
+   */
+  std::shared_ptr<const SurfaceMesh> Get(
+    vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
+
+private:
+  /** Time of what it was made of, value, component; the component is -1 of a given surface. */
+  using Key = std::tuple<vtkMTimeType, double, int>;
+
+  std::shared_ptr<const SurfaceMesh> Mesh;
+  Key MadeOf{ 0, 0.0, 0 };
+};
+
+} // namespace VolumeHaptics
+
+#endif

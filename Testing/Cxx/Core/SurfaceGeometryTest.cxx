@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Half-spaces, swept spheres and the tree of boxes beside what is found the long way.
+ */
+
+#include "HalfSpaces.h"
+#include "MeshScene.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+using namespace coretest;
+
+namespace
+{
+class Dice
+{
+public:
+  explicit Dice(int seed)
+    : Random(seed)
+  {
+  }
+  double operator()(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(this->Random);
+  }
+  Vector3 Point(double reach)
+  {
+    return { (*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach) };
+  }
+  Triangle Any() { return { { this->Point(2.0), this->Point(2.0), this->Point(2.0) } }; }
+
+private:
+  std::mt19937 Random;
+};
+
+double Distance(const Triangle& triangle, const Vector3& x)
+{
+  return Norm(x - NearestPoint(triangle, x).Position);
+}
+} // namespace
+
+TEST(SurfaceGeometry, TheNearestPointOfHalfSpacesIsAllowedAndNoneIsNearer)
+{
+  Dice dice(1);
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    // All of them allow 0, so that there is an answer.
+    HalfSpaces spaces;
+    std::vector<HalfSpace> all;
+    for (int i = trial % 9; i >= 0; --i)
+    {
+      const Vector3 direction = dice.Point(1.0);
+      all.push_back({ (1.0 / Norm(direction)) * direction, dice(-1.0, 0.0) });
+      spaces.Add(all.back());
+    }
+    const Vector3 goal = dice.Point(3.0);
+    const Vector3 found = spaces.Nearest(goal, {});
+    // Dykstra's alternating projections go to the same point.
+    Vector3 y = goal;
+    std::vector<Vector3> corrections(all.size());
+    for (int round = 0; round < 3000; ++round)
+    {
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        const Vector3 from = y + corrections[i];
+        const double missing = std::max(0.0, all[i].Bound - Dot(all[i].Normal, from));
+        y = from + missing * all[i].Normal;
+        corrections[i] = from - y;
+      }
+    }
+    for (const HalfSpace& space : all)
+    {
+      EXPECT_GE(Dot(space.Normal, found), space.Bound - 1e-9);
+    }
+    EXPECT_LE(Norm(found - goal), Norm(y - goal) + 1e-6) << trial;
+  }
+}
+
+TEST(SurfaceGeometry, WhereNothingIsAllowedTheProxyStays)
+{
+  HalfSpaces spaces;
+  spaces.Add({ { 0.0, 0.0, 1.0 }, 1.0 });
+  spaces.Add({ { 0.0, 0.0, -1.0 }, 1.0 });
+  const Vector3 stay = { 1.0, 2.0, 3.0 };
+  EXPECT_EQ(Norm(spaces.Nearest({ 5.0, 0.0, 0.0 }, stay) - stay), 0.0);
+}
+
+TEST(SurfaceGeometry, TheNearestPointOfATriangleHasItsWeights)
+{
+  Dice dice(2);
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    const Triangle triangle = dice.Any();
+    const Vector3 x = dice.Point(4.0);
+    const TrianglePoint nearest = NearestPoint(triangle, x);
+    const auto& [a, b, c] = triangle.Corner;
+    const auto& w = nearest.Weight;
+    EXPECT_LE(Norm(w[0] * a + w[1] * b + w[2] * c - nearest.Position), 1e-12);
+    EXPECT_NEAR(w[0] + w[1] + w[2], 1.0, 1e-12);
+    EXPECT_GE(std::min({ w[0], w[1], w[2] }), 0.0);
+    for (int i = 0; i < 50; ++i)
+    {
+      const double u = dice(0.0, 1.0);
+      const double v = dice(0.0, 1.0 - u);
+      EXPECT_GE(Norm(x - (u * a + v * b + (1.0 - u - v) * c)), Distance(triangle, x) - 1e-12);
+    }
+  }
+}
+
+TEST(SurfaceGeometry, AMovingSphereMeetsATriangleWhereItIsARadiusAway)
+{
+  Dice dice(3);
+  int met = 0;
+  for (int trial = 0; trial < 5000; ++trial)
+  {
+    const Triangle triangle = dice.Any();
+    const Vector3 start = dice.Point(4.0);
+    const Vector3 way = dice.Point(6.0);
+    const double radius = dice(0.05, 1.0);
+    const double time = MeetingTime(triangle, start, way, radius);
+    const double end = std::min(time, 1.0);
+    if (Distance(triangle, start) <= radius)
+    {
+      continue;
+    }
+    for (int i = 0; i < 100; ++i)
+    {
+      EXPECT_GE(Distance(triangle, start + (end * i / 100) * way), radius - 1e-9) << trial;
+    }
+    if (time <= 1.0)
+    {
+      EXPECT_NEAR(Distance(triangle, start + time * way), radius, 1e-9) << trial;
+      ++met;
+    }
+  }
+  EXPECT_GT(met, 200);
+}
+
+TEST(SurfaceGeometry, TheTreeFindsWhatIsNearAndWhatIsMetFirst)
+{
+  const auto ball = MakeBall(20.0, 24, false);
+  const auto count = static_cast<std::int32_t>(ball->GetNumberOfTriangles());
+  EXPECT_EQ(count, 2 * 2 * 24 * 24 - 2 * 2 * 24) << "the poles' have no area";
+  Dice dice(4);
+  for (int trial = 0; trial < 500; ++trial)
+  {
+    const Vector3 start = dice.Point(30.0);
+    const Vector3 way = dice.Point(40.0);
+    const double radius = dice(0.1, 3.0);
+    std::set<std::int32_t> near;
+    ball->VisitNear(start, radius, [&](std::int32_t i) { EXPECT_TRUE(near.insert(i).second); });
+    double first = Never;
+    double foundFirst = Never;
+    for (std::int32_t i = 0; i < count; ++i)
+    {
+      const Triangle triangle = ball->GetTriangle(i);
+      EXPECT_TRUE(Distance(triangle, start) > radius || near.count(i) == 1);
+      first = std::min(first, MeetingTime(triangle, start, way, radius));
+    }
+    ball->VisitAlong(start, way, radius,
+      [&](std::int32_t i)
+      {
+        foundFirst = std::min(foundFirst, MeetingTime(ball->GetTriangle(i), start, way, radius));
+        return std::min(foundFirst, 1.0);
+      });
+    EXPECT_EQ(foundFirst, first) << trial;
+  }
+}
