@@ -127,6 +127,7 @@ bool Follower::Settle(const Vector3& tip) noexcept
     if (this->IsTwoSided && Dot(tip - this->Proxy, this->State.Here.Normal) < 0.0)
     {
       this->LookAround(tip - this->Proxy);
+      PassOn(this->State.Spring, this->State.Here.Stiffness, Norm(tip - this->Proxy));
     }
     Motion motion = this->Plan(tip, isFirst ? &before : nullptr);
     if (isFirst)

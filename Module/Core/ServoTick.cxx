@@ -178,6 +178,13 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   state.Precise.Spring.DropReserve();
   state.Precise.Stray = PreciseState::Unknown;
   state.Precise.Gain = 1.0;
+  const HapticSettings& was = from.Settings;
+  if (was.Method != to.Settings.Method || was.Solver != to.Settings.Solver)
+  {
+    // Only PRECISE keeps its state up to date.
+    state.Precise = PreciseState{};
+    state.Precise.ReachedTip = carry(state.PreviousTip);
+  }
   // In another volume the level means nothing.
   state.Precise.IsHeld = state.Precise.IsHeld && &from.Field == &to.Field;
 }

@@ -18,6 +18,8 @@ constexpr double Still = 1e-5;
 /** In a valley the shadings of its two sides may lead to and fro: after so many passes this is no motion, too. */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
+/** Of the angle between a triangle and its shading. */
+constexpr double LeastCosine = 0.8;
 
 /** Ways that shrink no faster than this are taken whole at once, by their geometric series; or not at all. */
 constexpr double SlowRate = 0.2;
@@ -46,7 +48,7 @@ public:
     this->Shaded.Clear();
     this->Mesh.VisitNear(
       this->Centre, this->Radius * (1.0 + Margin), [&](std::int32_t i) { this->Touch(i); });
-    const Vector3 shaded = this->IsShaded ? this->Shaded.Nearest(goal, this->Centre) : goal;
+    const Vector3 shaded = this->IsShaded ? this->Shaded.Nearest(goal, goal) : goal;
     return this->True.Nearest(shaded, this->Centre);
   }
 
@@ -77,13 +79,17 @@ private:
       return;
     }
     const Vector3 normal = (1.0 / distance) * off;
-    const double missing = this->Radius * (1.0 + Distance) - distance;
+    // What it overlaps, since it began there or the mesh came, lets it no deeper, but does not throw it out.
+    const double overlap = this->Radius * (1.0 + Distance) - distance;
+    const double missing = overlap > Margin * this->Radius ? 0.0 : overlap;
     this->True.Add({ normal, Dot(normal, this->Centre) + missing });
     if (this->IsShaded)
     {
       const Vector3 smooth = this->Mesh.GetNormal(i, nearest);
       const double length = std::copysign(Norm(smooth), Dot(smooth, normal));
-      const Vector3 shaded = length != 0.0 ? (1.0 / length) * smooth : normal;
+      // At a sharp edge the normals are those of another face.
+      const bool isSmooth = Dot(smooth, normal) / length > LeastCosine;
+      const Vector3 shaded = isSmooth ? (1.0 / length) * smooth : normal;
       this->Shaded.Add({ shaded, Dot(shaded, this->Centre) + missing });
     }
   }

@@ -46,7 +46,9 @@ double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre,
 
 TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept
 {
-  const auto& [a, b, c] = triangle.Corner;
+  const Vector3& a = triangle.Corner[0];
+  const Vector3& b = triangle.Corner[1];
+  const Vector3& c = triangle.Corner[2];
   const auto at = [&](double u, double v, double w) {
     return TrianglePoint{ u * a + v * b + w * c, { u, v, w } };
   };
@@ -117,9 +119,9 @@ double MeetingTime(
   {
     const double time = (std::abs(height) - radius) / closing;
     const Vector3 touched = centre + time * way - radius * normal;
-    const Vector3 beside = touched - NearestPoint(triangle, touched).Position;
-    // Within the face, to rounding: else an edge is met.
-    if (time <= 1.0 && Dot(beside, beside) <= 1e-24 * (Dot(touched, touched) + radius * radius))
+    const auto& weight = NearestPoint(triangle, touched).Weight;
+    // Else an edge is met, at the same time where this is only just not so.
+    if (time <= 1.0 && weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0)
     {
       return time;
     }

@@ -20,6 +20,9 @@ namespace VolumeHaptics
 namespace
 {
 
+/** Boxes are of single precision. */
+constexpr double FarthestPoint = 1e30;
+
 Vector3 ReadTuple(vtkDataArray* array, vtkIdType i)
 {
   return { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2) };
@@ -31,7 +34,10 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(
 {
   const vtkIdType count = surface->GetNumberOfPoints();
   vtkDataArray* const wanted = surface->GetPointData()->GetNormals();
-  vtkDataArray* const normals = wanted && wanted->GetNumberOfComponents() == 3 ? wanted : nullptr;
+  vtkDataArray* const normals =
+    wanted && wanted->GetNumberOfComponents() == 3 && wanted->GetNumberOfTuples() == count
+    ? wanted
+    : nullptr;
   std::vector<Vector3> points(count);
   std::vector<Vector3> directions(normals ? count : 0);
   for (vtkIdType i = 0; i < count; ++i)
@@ -64,10 +70,28 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
 {
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    if (!IsFinite(ReadTuple(surface->GetPoints()->GetData(), i)))
+    const Vector3 point = ReadTuple(surface->GetPoints()->GetData(), i);
+    if (!(Norm(point) < FarthestPoint))
     {
-      error = "The surface on input port 2 has a coordinate that is NaN or infinite at point " +
+      error = "The surface on input port 2 has a coordinate that is NaN, infinite or beyond 1e30 "
+              "at point " +
         std::to_string(i) + ". Replace or remove that point.";
+      return nullptr;
+    }
+  }
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    double ids[2] = { 0.0, 0.0 };
+    if (cells->GetNumberOfConnectivityIds() > 0)
+    {
+      cells->GetConnectivityArray()->GetRange(ids);
+    }
+    if (ids[0] < 0.0 ||
+      (ids[1] > 0.0 && ids[1] >= static_cast<double>(surface->GetNumberOfPoints())))
+    {
+      error = "A cell of the surface on input port 2 has a point that does not exist. Correct its "
+              "polygons "
+              "and strips.";
       return nullptr;
     }
   }
@@ -127,10 +151,10 @@ std::shared_ptr<const SurfaceMesh> MeshOf(
 std::shared_ptr<const SurfaceMesh> HapticSurface::Get(
   vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error)
 {
-  // Times are unique over all objects: the newest one says what the mesh is made of.
   const Key key = surface
-    ? Key{ surface->GetMTime(), 0.0, -1 }
-    : Key{ std::max(iso.Image->GetMTime(), iso.Scalars->GetMTime()), iso.Value, iso.Component };
+    ? Key{ surface, nullptr, surface->GetMTime(), 0.0, 0 }
+    : Key{ iso.Image, iso.Scalars, std::max(iso.Image->GetMTime(), iso.Scalars->GetMTime()),
+        iso.Value, iso.Component };
   if (!this->Mesh || key != this->MadeOf)
   {
     this->Mesh = surface ? MeshOf(surface, error) : MeshOf(iso, indexToWorld, error);

@@ -44,11 +44,11 @@ public:
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
 private:
-  /** Time of what it was made of, value, component; the component is -1 of a given surface. */
-  using Key = std::tuple<vtkMTimeType, double, int>;
+  /** What it was made of, and when; value and component of an isosurface. */
+  using Key = std::tuple<const void*, const void*, vtkMTimeType, double, int>;
 
   std::shared_ptr<const SurfaceMesh> Mesh;
-  Key MadeOf{ 0, 0.0, 0 };
+  Key MadeOf{ nullptr, nullptr, 0, 0.0, 0 };
 };
 
 } // namespace VolumeHaptics

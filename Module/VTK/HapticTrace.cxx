@@ -41,6 +41,7 @@ HapticTrace::HapticTrace()
   this->SurfaceStrength->SetName("SurfaceStrength");
   this->Contact->SetName("Contact");
   this->Unfinished->SetName("Unfinished");
+  this->Energy->SetName("Energy");
   for (vtkDoubleArray* vector : { this->Tip.Get(), this->Force.Get(), this->Normal.Get() })
   {
     vector->SetNumberOfComponents(3);
@@ -52,11 +53,12 @@ HapticTrace::~HapticTrace() = default;
 void HapticTrace::Reserve(vtkIdType ticks)
 {
   this->Proxies->Allocate(ticks);
-  for (vtkDoubleArray* array : { this->Time.Get(), this->Tip.Get(), this->Force.Get(),
-         this->NormalForce.Get(), this->FrictionForce.Get(), this->DragForce.Get(),
-         this->Normal.Get(), this->Value.Get(), this->GradientMagnitude.Get(),
-         this->SurfaceValue.Get(), this->MediumValue.Get(), this->Stiffness.Get(),
-         this->Friction.Get(), this->Viscosity.Get(), this->SurfaceStrength.Get() })
+  for (vtkDoubleArray* array :
+    { this->Time.Get(), this->Tip.Get(), this->Force.Get(), this->NormalForce.Get(),
+      this->FrictionForce.Get(), this->DragForce.Get(), this->Normal.Get(), this->Value.Get(),
+      this->GradientMagnitude.Get(), this->SurfaceValue.Get(), this->MediumValue.Get(),
+      this->Stiffness.Get(), this->Friction.Get(), this->Viscosity.Get(),
+      this->SurfaceStrength.Get(), this->Energy.Get() })
   {
     array->Allocate(ticks * array->GetNumberOfComponents());
   }
@@ -87,6 +89,19 @@ void HapticTrace::Append(const HapticModel& model, double time, const TickRecord
   this->SurfaceStrength->InsertNextValue(record.SurfaceStrength);
   this->Contact->InsertNextValue(static_cast<unsigned char>(record.Contact));
   this->Unfinished->InsertNextValue(record.IsUnfinished ? 1 : 0);
+  this->Energy->InsertNextValue(this->AddWork(record));
+}
+
+double HapticTrace::AddWork(const TickRecord& record)
+{
+  // A tip that is nowhere does nothing.
+  if (this->Energy->GetNumberOfValues() > 0 && IsFinite(record.Tip) && IsFinite(this->LastTip))
+  {
+    this->Work += 0.5 * Dot(record.Force + this->LastForce, record.Tip - this->LastTip);
+  }
+  this->LastTip = record.Tip;
+  this->LastForce = record.Force;
+  return this->Work;
 }
 
 void HapticTrace::WriteTo(vtkPolyData* output)
@@ -108,7 +123,7 @@ void HapticTrace::WriteTo(vtkPolyData* output)
     std::initializer_list<vtkDataArray*>{ this->Time, this->Tip, this->Force, this->NormalForce,
       this->FrictionForce, this->DragForce, this->Normal, this->Value, this->GradientMagnitude,
       this->SurfaceValue, this->MediumValue, this->Stiffness, this->Friction, this->Viscosity,
-      this->SurfaceStrength, this->Contact, this->Unfinished })
+      this->SurfaceStrength, this->Contact, this->Unfinished, this->Energy })
   {
     data->AddArray(array);
   }

@@ -36,6 +36,9 @@ public:
   void WriteTo(vtkPolyData* output);
 
 private:
+  /** Work (J) that the hand has been given, up to a tick. */
+  double AddWork(const TickRecord& record);
+
   vtkNew<vtkPoints> Proxies;
   vtkNew<vtkDoubleArray> Time;
   vtkNew<vtkDoubleArray> Tip;
@@ -54,6 +57,10 @@ private:
   vtkNew<vtkDoubleArray> SurfaceStrength;
   vtkNew<vtkUnsignedCharArray> Contact;
   vtkNew<vtkUnsignedCharArray> Unfinished;
+  vtkNew<vtkDoubleArray> Energy;
+  Vector3 LastTip;
+  Vector3 LastForce;
+  double Work = 0.0;
 };
 
 } // namespace VolumeHaptics

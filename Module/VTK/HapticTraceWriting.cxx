@@ -10,8 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkXMLPolyDataWriter.h"
 #include "vtkStringArray.h"
+#include "vtkXMLPolyDataWriter.h"
 #include "vtk_jsoncpp.h"
 #include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
@@ -34,7 +34,7 @@ std::string Unit(const std::string& array)
     { "FrictionForce", " (N)" }, { "DragForce", " (N)" }, { "Viscosity", " (N)" },
     { "SurfaceStrength", " (N)" }, { "Stiffness", " (N/m)" }, { "Value", " (scalar)" },
     { "SurfaceValue", " (scalar)" }, { "MediumValue", " (scalar)" },
-    { "GradientMagnitude", " (scalar/world)" } };
+    { "GradientMagnitude", " (scalar/world)" }, { "Energy", " (J)" } };
   for (const auto& [name, unit] : units)
   {
     if (array == name)

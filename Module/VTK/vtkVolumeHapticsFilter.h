@@ -71,6 +71,8 @@
  *   Viscosity          N; R
  *   SurfaceStrength    N; T_N W_d
  *   Contact            0 free, 1 sticking, 2 sliding, 3 penetrating
+ *   Energy             J; given to the hand so far, by trapezoids: what a path that ends without force
+ *                      ends with is what was created (FORCE_FIELD can) or, below 0, spent
  *   Unfinished         1 where PRECISE left a tick's way to the next, else 0
  *
  * The same input gives the same output, to the bit. Without a path the output is empty. Input that
@@ -252,10 +254,11 @@ public:
 
   ///@{
   /**
-   * Radius of the sphere (world units) of SURFACE_PROXY: gaps narrower than its diameter are not felt.
+   * Radius of the sphere (world units) of SURFACE_PROXY, 0 to 1e9; some voxels at most, since a tick
+   * looks at all triangles that it touches. Gaps narrower than its diameter are not felt.
    * 0 (default) stands for half of the smallest spacing.
    */
-  vtkSetClampMacro(ProxyRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(ProxyRadius, double, 0.0, 1e9);
   vtkGetMacro(ProxyRadius, double);
   ///@}
 

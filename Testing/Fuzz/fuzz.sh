@@ -21,10 +21,12 @@ options=(-std=c++17 -g -ffp-contract=off -fsanitize=fuzzer-no-link,address,undef
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
   "$root/Module/Core/FieldKernelsBaseline.cxx" &
 objects=()
-for file in FieldSampler GradientKernel HapticModel PiecewiseTable PreciseMotion PreciseSolver \
-  PreciseWay ServoTick; do
-  clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$root/Module/Core/$file.cxx"
-  objects+=("$build_dir/$file.o")
+for source in "$root"/Module/Core/*.cxx; do
+  file=$(basename "$source" .cxx)
+  if [[ $file != FieldKernels* ]]; then
+    clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$source"
+    objects+=("$build_dir/$file.o")
+  fi
 done
 wait
 clang++ "${options[@]}" -fsanitize=fuzzer -O1 -o "$build_dir/touch-anything" "${objects[@]}" \

@@ -73,6 +73,7 @@ ARRAYS = {
     "SurfaceStrength": "T_N W_d",
     "Contact": "penetrating",
     "Unfinished": "PRECISE",
+    "Energy": "J",
 }
 
 

@@ -39,7 +39,7 @@ std::string Unit(const std::string& array)
     { "FrictionForce", " (N)" }, { "DragForce", " (N)" }, { "Stiffness", " (N/m)" },
     { "Viscosity", " (N)" }, { "SurfaceStrength", " (N)" }, { "Value", " (scalar)" },
     { "SurfaceValue", " (scalar)" }, { "MediumValue", " (scalar)" },
-    { "GradientMagnitude", " (scalar/world)" } };
+    { "GradientMagnitude", " (scalar/world)" }, { "Energy", " (J)" } };
   const auto unit = units.find(array);
   return unit == units.end() ? std::string() : unit->second;
 }

@@ -7,6 +7,7 @@
 
 #include "ApiRig.h"
 
+#include <vtkCellArray.h>
 #include <vtkSphereSource.h>
 
 #include <limits>
@@ -46,9 +47,19 @@ TEST_F(BadSurface, ASurfacesPointsAreFinite)
   this->ExpectError({ "port 2", "NaN", "point 7" });
 }
 
-TEST_F(BadSurface, TheRadiusIsANumber)
+TEST_F(BadSurface, ACellsPointsExist)
 {
-  this->Filter->SetProxyRadius(std::numeric_limits<double>::infinity());
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkPolyData* const surface = sphere->GetOutput();
+  const vtkIdType wrong[] = { 0, 1, surface->GetNumberOfPoints() };
+  surface->GetPolys()->InsertNextCell(3, wrong);
+  this->Filter->SetSurfaceData(surface);
+  this->ExpectError({ "port 2", "point that does not exist" });
+}
+
+TEST_F(BadSurface, TheIsoValueIsANumber)
+{
   this->Filter->SetIsoValue(std::numeric_limits<double>::quiet_NaN());
   this->ExpectError({ "IsoValue", "finite" });
 }

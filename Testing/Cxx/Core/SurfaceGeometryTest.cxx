@@ -141,6 +141,20 @@ TEST(SurfaceGeometry, AMovingSphereMeetsATriangleWhereItIsARadiusAway)
   EXPECT_GT(met, 200);
 }
 
+TEST(SurfaceGeometry, ALargeTriangleIsNotMissed)
+{
+  Dice dice(5);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    const Vector3 u = dice.Point(1e5);
+    const Vector3 v = dice.Point(1e5);
+    const Vector3 normal = (1.0 / Norm(Cross(u, v))) * Cross(u, v);
+    const Triangle triangle{ { -0.3 * u - 0.3 * v, 0.7 * u - 0.3 * v, 0.7 * v - 0.3 * u } };
+    const Vector3 start = 5.0 * normal + dice.Point(0.1);
+    EXPECT_LE(MeetingTime(triangle, start, -10.0 * normal, 0.1), 1.0) << trial;
+  }
+}
+
 TEST(SurfaceGeometry, TheTreeFindsWhatIsNearAndWhatIsMetFirst)
 {
   const auto ball = MakeBall(20.0, 24, false);

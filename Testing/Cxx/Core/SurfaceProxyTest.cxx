@@ -117,6 +117,46 @@ TEST_F(SurfaceProxy, ShadingSmoothsTheForceOverACoarseMesh)
   EXPECT_LT(worst[1], 0.6 * worst[0]);
 }
 
+TEST_F(SurfaceProxy, ShadingStopsAtSharpEdges)
+{
+  // Each face of the cube with normals of its own.
+  Corners points;
+  Corners normals;
+  Faces faces;
+  const Vector3 axes[3] = { { 10, 0, 0 }, { 0, 10, 0 }, { 0, 0, 10 } };
+  for (int face = 0; face < 6; ++face)
+  {
+    const Vector3 n = face < 3 ? axes[face] : -axes[face - 3];
+    const Vector3& u = axes[(face + 1) % 3];
+    const Vector3& v = axes[(face + 2) % 3];
+    const int p = int(points.size());
+    for (const Vector3& corner : { n - u - v, n + u - v, n + u + v, n - u + v })
+    {
+      points.push_back(corner);
+      normals.push_back(0.1 * n);
+    }
+    faces.push_back({ p, p + 1, p + 2 });
+    faces.push_back({ p, p + 2, p + 3 });
+  }
+  const auto cube = std::make_shared<SurfaceMesh>(points, faces, normals);
+  Hand hand(DescribeMesh(this->Volume, cube), { 14.0, 0.3, 14.0 });
+  hand.Lead({ 10.2, 0.3, 10.2 });
+  const double s = std::sqrt(0.5);
+  this->ExpectAt(hand, { 10.0 + s, 0.3, 10.0 + s });
+  hand.Lead({ 5.0, 0.3, 9.0 });
+  this->ExpectAt(hand, { 5.0, 0.3, 11.0 });
+}
+
+TEST_F(SurfaceProxy, WhatItOverlapsDoesNotThrowItOut)
+{
+  Hand hand(DescribeMesh(this->Volume, MakeFloor()), { 0.0, 0.0, 0.2 });
+  hand.Lead({ 0.0, 0.0, 0.1 });
+  this->ExpectAt(hand, { 0.0, 0.0, 0.2 });
+  hand.Lead({ 0.0, 0.0, 5.0 });
+  hand.Lead({ 0.0, 0.0, -1.0 });
+  this->ExpectAt(hand, { 0.0, 0.0, 1.0 });
+}
+
 TEST_F(SurfaceProxy, FrictionHoldsAndSlidesAsTheLawSays)
 {
   Hand hand(DescribeMesh(this->Volume, MakeFloor(), 0.5), { 0.0, 0.0, 5.0 });
