@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Meshes whose contacts are known, and a model to touch them.
+ * Meshes whose contacts are known, and random shapes.
  */
 #ifndef MeshScene_h
 #define MeshScene_h
 
-#include "CoreScene.h"
 #include "SurfaceMesh.h"
 
 #include <memory>
+#include <random>
 
 namespace coretest
 {
+using namespace VolumeHaptics;
 using Corners = std::vector<Vector3>;
 using Faces = std::vector<SurfaceMesh::Indices>;
 
@@ -79,52 +80,28 @@ inline std::shared_ptr<SurfaceMesh> MakeBall(double radius, int n, bool hasNorma
   return std::make_shared<SurfaceMesh>(points, faces, hasNormals ? normals : Corners{});
 }
 
-/// World units of a millimetre, a sphere of 1 mm, 500 N/m.
-inline HapticModelDescription DescribeMesh(
-  const TestVolume& volume, std::shared_ptr<const SurfaceMesh> mesh, double friction = 0.0)
-{
-  HapticModelDescription description = Describe(volume);
-  description.Settings.Method = HapticMethod::SurfaceProxy;
-  description.Settings.ProxyRadius = 1.0;
-  description.Material.Friction = ConstantPolyline(friction);
-  description.Mesh = std::move(mesh);
-  return description;
-}
-
-/// Leads a tip (mm) along straight ways, step by step (mm).
-class Hand
+/// Random numbers, points and triangles.
+class Dice
 {
 public:
-  Hand(const HapticModelDescription& description, const Vector3& start)
-    : Model(description)
-    , Tip(start)
+  explicit Dice(int seed)
+    : Random(seed)
   {
-    this->Tick();
   }
-  const TickRecord& Lead(const Vector3& goal, double step = 0.1)
+  double operator()(double low, double high)
   {
-    const Vector3 way = goal - this->Tip;
-    const double steps = std::ceil(Norm(way) / step);
-    const Vector3 from = this->Tip;
-    for (double i = 1.0; i <= steps; i += 1.0)
-    {
-      this->Tip = from + (i / steps) * way;
-      this->Tick();
-    }
-    return this->Record;
+    return std::uniform_real_distribution<double>(low, high)(this->Random);
   }
-  const TickRecord& Tick()
+  Vector3 Point(double reach)
   {
-    VolumeHaptics::Tick(this->Model, this->State, 0.001 * this->Tip, this->Record);
-    return this->Record;
+    return { (*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach) };
   }
-  Vector3 Proxy() const { return 1000.0 * this->Record.Proxy; }
+  Triangle Any() { return { { this->Point(2.0), this->Point(2.0), this->Point(2.0) } }; }
 
-  const HapticModel Model;
-  Vector3 Tip;
-  ServoState State;
-  TickRecord Record;
+private:
+  std::mt19937 Random;
 };
+
 } // namespace coretest
 
 #endif

@@ -2,93 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Half-spaces, swept spheres and the tree of boxes beside what is found the long way.
+ * Swept spheres and the tree of boxes beside what is found the long way.
  */
 
-#include "HalfSpaces.h"
 #include "MeshScene.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <set>
 
 using namespace coretest;
 
 namespace
 {
-class Dice
-{
-public:
-  explicit Dice(int seed)
-    : Random(seed)
-  {
-  }
-  double operator()(double low, double high)
-  {
-    return std::uniform_real_distribution<double>(low, high)(this->Random);
-  }
-  Vector3 Point(double reach)
-  {
-    return { (*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach) };
-  }
-  Triangle Any() { return { { this->Point(2.0), this->Point(2.0), this->Point(2.0) } }; }
-
-private:
-  std::mt19937 Random;
-};
-
 double Distance(const Triangle& triangle, const Vector3& x)
 {
   return Norm(x - NearestPoint(triangle, x).Position);
 }
 } // namespace
-
-TEST(SurfaceGeometry, TheNearestPointOfHalfSpacesIsAllowedAndNoneIsNearer)
-{
-  Dice dice(1);
-  for (int trial = 0; trial < 2000; ++trial)
-  {
-    // All of them allow 0, so that there is an answer.
-    HalfSpaces spaces;
-    std::vector<HalfSpace> all;
-    for (int i = trial % 9; i >= 0; --i)
-    {
-      const Vector3 direction = dice.Point(1.0);
-      all.push_back({ (1.0 / Norm(direction)) * direction, dice(-1.0, 0.0) });
-      spaces.Add(all.back());
-    }
-    const Vector3 goal = dice.Point(3.0);
-    const Vector3 found = spaces.Nearest(goal, {});
-    // Dykstra's alternating projections go to the same point.
-    Vector3 y = goal;
-    std::vector<Vector3> corrections(all.size());
-    for (int round = 0; round < 3000; ++round)
-    {
-      for (std::size_t i = 0; i < all.size(); ++i)
-      {
-        const Vector3 from = y + corrections[i];
-        const double missing = std::max(0.0, all[i].Bound - Dot(all[i].Normal, from));
-        y = from + missing * all[i].Normal;
-        corrections[i] = from - y;
-      }
-    }
-    for (const HalfSpace& space : all)
-    {
-      EXPECT_GE(Dot(space.Normal, found), space.Bound - 1e-9);
-    }
-    EXPECT_LE(Norm(found - goal), Norm(y - goal) + 1e-6) << trial;
-  }
-}
-
-TEST(SurfaceGeometry, WhereNothingIsAllowedTheProxyStays)
-{
-  HalfSpaces spaces;
-  spaces.Add({ { 0.0, 0.0, 1.0 }, 1.0 });
-  spaces.Add({ { 0.0, 0.0, -1.0 }, 1.0 });
-  const Vector3 stay = { 1.0, 2.0, 3.0 };
-  EXPECT_EQ(Norm(spaces.Nearest({ 5.0, 0.0, 0.0 }, stay) - stay), 0.0);
-}
 
 TEST(SurfaceGeometry, TheNearestPointOfATriangleHasItsWeights)
 {
