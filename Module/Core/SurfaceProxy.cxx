@@ -128,7 +128,7 @@ void StepSurfaceProxy(
   double rest = 0.0;
   double lastExcess = 0.0;
   record.IsUnfinished = true;
-  for (int pass = 0; pass < MaximumPasses && record.IsUnfinished; ++pass)
+  for (int pass = 0; pass < MaximumPasses; ++pass)
   {
     const Vector3 subgoal = sphere.FindSubgoal(goal);
     const Vector3 way = subgoal - sphere.GetCentre();

@@ -90,8 +90,7 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
       (ids[1] > 0.0 && ids[1] >= static_cast<double>(surface->GetNumberOfPoints())))
     {
       error = "A cell of the surface on input port 2 has a point that does not exist. Correct its "
-              "polygons "
-              "and strips.";
+              "polygons and strips.";
       return nullptr;
     }
   }
