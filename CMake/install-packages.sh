@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
-# Sourced by the scripts that a person starts, so that each can bring along what it needs:
+# Sourced by the scripts that a person starts, so that each can bring along what it needs (and a screen):
 #
 #   source CMake/install-packages.sh
 #   require_packages cmake ninja-build
@@ -52,4 +52,11 @@ require_packages()
     echo "Cure: look at apt-get's message above; as root, run: $cure" >&2
     return 1
   fi
+}
+
+# Runs a command on a screen of its own, off to the side. Left to itself, Xvfb starts anew whenever its
+# last client leaves, and refuses who connects meanwhile: one of some 400 programs run in a row.
+with_own_screen()
+{
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$@"
 }

@@ -125,7 +125,7 @@ explore()
   local status=0
   if [[ -z "${DISPLAY:-}" ]]
   then
-    xvfb-run -a "$program" --pictures "$build/pictures" "$@"
+    with_own_screen "$program" --pictures "$build/pictures" "$@"
     return
   fi
   local window=(--pictures "$build/pictures")
@@ -139,7 +139,7 @@ explore()
     # VTK's X11 windows crash (SIGABRT, SIGSEGV) on a display that is set and cannot be used.
     say "The display $DISPLAY is of no use: trying again without it"
     status=0
-    xvfb-run -a "$program" --pictures "$build/pictures" "$@" || status=$?
+    with_own_screen "$program" --pictures "$build/pictures" "$@" || status=$?
   fi
   return "$status"
 }

@@ -24,4 +24,4 @@ head_ct=$root/build/explore/data/Cranium.mhd
 
 cmake -S "$root" -B "$root/build/test" -G Ninja -DBUILD_TESTING=ON > /dev/null
 cmake --build "$root/build/test" --target volumehaptics-evaluation
-exec xvfb-run -a "$root/build/test/bin/volumehaptics-evaluation" "${options[@]}" "$@"
+with_own_screen "$root/build/test/bin/volumehaptics-evaluation" "${options[@]}" "$@"

@@ -31,7 +31,7 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
 
 jobs=$(nproc)
 # Without a display, or with somebody's: tests always render off to the side.
-run_tests() { xvfb-run -a ctest --test-dir "$1" --output-on-failure --no-tests=error "${@:2}"; }
+run_tests() { with_own_screen ctest --test-dir "$1" --output-on-failure --no-tests=error "${@:2}"; }
 
 echo "== Building in $build_dir"
 cmake -S "$root" -B "$build_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
@@ -72,7 +72,7 @@ if [ $full = yes ]; then
   "$build_dir/bin/volumehaptics-benchmark"
   "$build_dir/bin/volumehaptics-servo-benchmark"
   echo "== Evaluation"
-  xvfb-run -a "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
+  with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
 echo "== Tests"
