@@ -37,26 +37,6 @@ vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
 vtkVolumeHapticsFilter::~vtkVolumeHapticsFilter() = default;
 
 //------------------------------------------------------------------------------
-void vtkVolumeHapticsFilter::SetProperty(vtkHapticProperty* property)
-{
-  if (this->Property != property)
-  {
-    this->Property = property;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkHapticProperty* vtkVolumeHapticsFilter::GetProperty()
-{
-  if (!this->Property)
-  {
-    this->Property = vtkSmartPointer<vtkHapticProperty>::New();
-  }
-  return this->Property;
-}
-
-//------------------------------------------------------------------------------
 void vtkVolumeHapticsFilter::SetPathData(vtkPolyData* path)
 {
   this->SetInputDataInternal(1, path);
@@ -66,13 +46,6 @@ void vtkVolumeHapticsFilter::SetPathData(vtkPolyData* path)
 void vtkVolumeHapticsFilter::SetSurfaceData(vtkPolyData* surface)
 {
   this->SetInputDataInternal(2, surface);
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkVolumeHapticsFilter::GetMTime()
-{
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->Property ? std::max(time, this->Property->GetMTime()) : time;
 }
 
 //------------------------------------------------------------------------------
@@ -256,5 +229,4 @@ int vtkVolumeHapticsFilter::RequestData(
 void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->PrintSettings(os, indent);
 }

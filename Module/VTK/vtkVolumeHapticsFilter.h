@@ -79,19 +79,17 @@
  * can't be touched gives one error that names the input and the cure, and an empty output. A long
  * path reports progress and can be aborted; the output then ends where it was aborted.
  *
- * @sa vtkHapticProperty, vtkHapticDevice
+ * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice
  */
 #ifndef vtkVolumeHapticsFilter_h
 #define vtkVolumeHapticsFilter_h
 
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h"        // for ivars
+#include "vtkVolumeHapticsAlgorithm.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::shared_ptr
 #include <string> // for std::string
 
-class vtkHapticProperty;
 class vtkImageData;
 class vtkInformation;
 class vtkMatrix4x4;
@@ -106,187 +104,12 @@ struct ForceCaps;
 } // namespace VolumeHaptics
 #endif
 
-class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsFilter : public vtkPolyDataAlgorithm
+class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsFilter : public vtkVolumeHapticsAlgorithm
 {
 public:
   static vtkVolumeHapticsFilter* New();
-  vtkTypeMacro(vtkVolumeHapticsFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkVolumeHapticsFilter, vtkVolumeHapticsAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The materials. Created with its defaults on first Get; nullptr goes back to those.
-   */
-  void SetProperty(vtkHapticProperty* property);
-  vtkHapticProperty* GetProperty();
-  ///@}
-
-  enum MethodType
-  {
-    PROXY = 0,
-    FORCE_FIELD = 1,
-    SURFACE_PROXY = 2
-  };
-
-  ///@{
-  /**
-   * PROXY (default) is the method above. FORCE_FIELD is the general approach that the paper
-   * compares itself with (eq. 1): f = -ForceFieldGain grad V - ForceFieldDamping v_tip, without a
-   * proxy. Its NormalForce and DragForce are the magnitudes of the two terms. SURFACE_PROXY is the
-   * polygonal surface haptics that the paper compares itself with (Ruspini et al. 1997): a sphere of
-   * ProxyRadius that no triangle of the surface lets through, with stiffness and friction of the
-   * material at IsoValue, and neither drag nor a limit to what the surface holds: Viscosity,
-   * SurfaceStrength and GradientMagnitude are 0.
-   */
-  vtkSetClampMacro(Method, int, PROXY, SURFACE_PROXY);
-  vtkGetMacro(Method, int);
-  void SetMethodToProxy() { this->SetMethod(PROXY); }
-  void SetMethodToForceField() { this->SetMethod(FORCE_FIELD); }
-  void SetMethodToSurfaceProxy() { this->SetMethod(SURFACE_PROXY); }
-  ///@}
-
-  enum SolverType
-  {
-    PAPER = 0,
-    PRECISE = 1
-  };
-
-  ///@{
-  /**
-   * How PROXY advances the proxy in a tick. PAPER: as published, one look at the volume where the
-   * proxy is when the tick begins. PRECISE (default): the same law, in balance where the proxy ends.
-   */
-  vtkSetClampMacro(Solver, int, PAPER, PRECISE);
-  vtkGetMacro(Solver, int);
-  void SetSolverToPaper() { this->SetSolver(PAPER); }
-  void SetSolverToPrecise() { this->SetSolver(PRECISE); }
-  ///@}
-
-  enum ContactAlignmentType
-  {
-    DISTINCTNESS = 0,
-    EDGE = 1
-  };
-
-  ///@{
-  /**
-   * Where a surface begins to hold, with PRECISE. DISTINCTNESS (default): as soon as W_d and T_N say
-   * so, on a blurred edge some voxels before its middle, since x_s is r ahead. EDGE: not before
-   * V(x_p) >= (V(x_s) + V(x_v)) / 2 (within 0.1 % of their difference), so that what is felt lies on
-   * what is seen. On a linear ramp both are alike.
-   */
-  vtkSetClampMacro(ContactAlignment, int, DISTINCTNESS, EDGE);
-  vtkGetMacro(ContactAlignment, int);
-  void SetContactAlignmentToDistinctness() { this->SetContactAlignment(DISTINCTNESS); }
-  void SetContactAlignmentToEdge() { this->SetContactAlignment(EDGE); }
-  ///@}
-
-  enum GradientEstimatorType
-  {
-    CENTRAL_DIFFERENCE = 0,
-    GAUSSIAN = 1,
-    CUBIC_BSPLINE = 2
-  };
-
-  ///@{
-  /**
-   * How gradients are estimated: CENTRAL_DIFFERENCE of six trilinear samples KernelRadius voxels
-   * away; GAUSSIAN (default), the derivative of a Gaussian of scale 0.53 KernelRadius voxels, which
-   * noise disturbs least; CUBIC_BSPLINE, the analytic derivative of a smoothing cubic B-spline over
-   * 64 voxels. Values are trilinear with the first two and B-spline values with the third.
-   */
-  vtkSetClampMacro(GradientEstimator, int, CENTRAL_DIFFERENCE, CUBIC_BSPLINE);
-  vtkGetMacro(GradientEstimator, int);
-  void SetGradientEstimatorToCentralDifference() { this->SetGradientEstimator(CENTRAL_DIFFERENCE); }
-  void SetGradientEstimatorToGaussian() { this->SetGradientEstimator(GAUSSIAN); }
-  void SetGradientEstimatorToCubicBSpline() { this->SetGradientEstimator(CUBIC_BSPLINE); }
-  ///@}
-
-  ///@{
-  /**
-   * Radius of the gradient kernel in voxels, 1 to 16. Times the largest spacing it is the distance
-   * r from the proxy at which materials are picked. Default 2.
-   */
-  vtkSetClampMacro(KernelRadius, int, 1, 16);
-  vtkGetMacro(KernelRadius, int);
-  ///@}
-
-  ///@{
-  /**
-   * Ticks per second (Hz), 1 to 100000. Default 1000.
-   */
-  vtkSetClampMacro(ServoRate, double, 1.0, 1e5);
-  vtkGetMacro(ServoRate, double);
-  ///@}
-
-  ///@{
-  /**
-   * Metres of hand motion for one world unit, 1e-12 or more. The default 0.001 means life-size for
-   * data in millimetres; 0.002 means twice life-size, and no stiffer.
-   */
-  vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
-  vtkGetMacro(MetersPerWorldUnit, double);
-  ///@}
-
-  ///@{
-  /**
-   * C1 of eq. 1 (N per scalar unit per world unit), for FORCE_FIELD. Default 0.01.
-   */
-  vtkSetMacro(ForceFieldGain, double);
-  vtkGetMacro(ForceFieldGain, double);
-  ///@}
-
-  ///@{
-  /**
-   * C2 of eq. 1 (N s/m), 0 or more, for FORCE_FIELD. Default 0.
-   */
-  vtkSetClampMacro(ForceFieldDamping, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ForceFieldDamping, double);
-  ///@}
-
-  ///@{
-  /**
-   * Scalar value whose isosurface SURFACE_PROXY touches, and whose material its surface has. Default 0.
-   */
-  vtkSetMacro(IsoValue, double);
-  vtkGetMacro(IsoValue, double);
-  ///@}
-
-  ///@{
-  /**
-   * Radius of the sphere (world units) of SURFACE_PROXY, 0 to 1e9; some voxels at most, since a tick
-   * looks at all triangles that it touches. Gaps narrower than its diameter are not felt.
-   * 0 (default) stands for half of the smallest spacing.
-   */
-  vtkSetClampMacro(ProxyRadius, double, 0.0, 1e9);
-  vtkGetMacro(ProxyRadius, double);
-  ///@}
-
-  ///@{
-  /**
-   * Turn the force of SURFACE_PROXY smoothly from triangle to triangle, by the point normals. Default on.
-   */
-  vtkSetMacro(ForceShading, bool);
-  vtkGetMacro(ForceShading, bool);
-  vtkBooleanMacro(ForceShading, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not limit.
-   */
-  vtkSetClampMacro(MaximumForce, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumForce, double);
-  ///@}
-
-  ///@{
-  /**
-   * Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can hold
-   * stable. 0 (default) does not cap.
-   */
-  vtkSetClampMacro(MaximumStiffness, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumStiffness, double);
-  ///@}
 
   ///@{
   /** The path of the tip, on port 1. */
@@ -299,12 +122,6 @@ public:
   void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
-
-  /** Includes the property and its functions. */
-  vtkMTimeType GetMTime() override;
-
-  /** Print the settings and the property, without the pipeline around them: for recordings. */
-  void PrintSettings(ostream& os, vtkIndent indent);
 
   /**
    * MD5 of the scalars that are touched and of their shape, as a recording carries it; empty where
@@ -330,27 +147,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  vtkSmartPointer<vtkHapticProperty> Property;
-  int Method = PROXY;
-  int Solver = PRECISE;
-  int ContactAlignment = DISTINCTNESS;
-  int GradientEstimator = GAUSSIAN;
-  int KernelRadius = 2;
-  double ServoRate = 1000.0;
-  double MetersPerWorldUnit = 0.001;
-  double ForceFieldGain = 0.01;
-  double ForceFieldDamping = 0.0;
-  double IsoValue = 0.0;
-  double ProxyRadius = 0.0;
-  bool ForceShading = true;
-  double MaximumForce = 0.0;
-  double MaximumStiffness = 0.0;
-
 private:
 #ifndef __VTK_WRAP__
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
-  std::string CheckSettings(double rate) const;
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
     std::string& error);

@@ -33,9 +33,9 @@ headers_of(Module/VTK vtk)
 set(any_vtk "[\"</]vtk[A-Za-z0-9_]*\\.h")
 set(core "Module/Core/*.h" "Module/Core/*.cxx")
 set(device_files "Module/Devices/*.h" "Module/Devices/*.cxx")
-set(filter "Module/VTK/vtkVolumeHapticsFilter.*" "Module/VTK/HapticModelBuilder.*"
-  "Module/VTK/HapticTrace.*" "Module/VTK/HapticTipPath.*" "Module/VTK/HapticVolumeView.*"
-  "Module/VTK/HapticFunctions.*")
+set(filter "Module/VTK/vtkVolumeHapticsFilter.*" "Module/VTK/vtkVolumeHapticsAlgorithm.*"
+  "Module/VTK/HapticModelBuilder.*" "Module/VTK/HapticTrace.*" "Module/VTK/HapticTipPath.*"
+  "Module/VTK/HapticVolumeView.*" "Module/VTK/HapticFunctions.*")
 set(module ${core} ${device_files} "Module/VTK/*.h" "Module/VTK/*.cxx")
 
 forbid("Core must not know VTK." "${any_vtk}" ${core})

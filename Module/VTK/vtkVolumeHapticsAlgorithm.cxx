@@ -1,15 +1,48 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The settings of vtkVolumeHapticsFilter as numbers and as text.
-#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeHapticsAlgorithm.h"
 
 #include "vtkHapticProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 //------------------------------------------------------------------------------
-std::string vtkVolumeHapticsFilter::CheckSettings(double rate) const
+vtkVolumeHapticsAlgorithm::vtkVolumeHapticsAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+vtkVolumeHapticsAlgorithm::~vtkVolumeHapticsAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::SetProperty(vtkHapticProperty* property)
+{
+  if (this->Property != property)
+  {
+    this->Property = property;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticProperty* vtkVolumeHapticsAlgorithm::GetProperty()
+{
+  if (!this->Property)
+  {
+    this->Property = vtkSmartPointer<vtkHapticProperty>::New();
+  }
+  return this->Property;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkVolumeHapticsAlgorithm::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Property ? std::max(time, this->Property->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate) const
 {
   const std::pair<const char*, double> settings[] = { { "ServoRate", rate },
     { "MetersPerWorldUnit", this->MetersPerWorldUnit }, { "ForceFieldGain", this->ForceFieldGain },
@@ -28,7 +61,7 @@ std::string vtkVolumeHapticsFilter::CheckSettings(double rate) const
 }
 
 //------------------------------------------------------------------------------
-void vtkVolumeHapticsFilter::PrintSettings(ostream& os, vtkIndent indent)
+void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
 {
   os << indent << "Property: ";
   if (this->Property)
@@ -57,4 +90,11 @@ void vtkVolumeHapticsFilter::PrintSettings(ostream& os, vtkIndent indent)
   os << indent << "ForceShading: " << (this->ForceShading ? "On" : "Off") << "\n";
   os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
   os << indent << "MaximumStiffness: " << this->MaximumStiffness << " N/m\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->PrintSettings(os, indent);
 }
