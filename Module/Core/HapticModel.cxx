@@ -14,17 +14,11 @@ double SimilarityScale(const Affine3& map)
   return std::cbrt(std::abs(Determinant(map.Linear)));
 }
 
-double LargestColumn(const Matrix3& matrix)
-{
-  const Matrix3 columns = Transpose(matrix);
-  return std::max({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
-}
-
-/** PRECISE holds its proxy on levels: its normals have to be normal to them. */
+/** PRECISE and LOCAL_SURFACE hold their proxy on levels: normals have to be normal to them. */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {
-  const bool isPrecise =
-    settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Precise;
+  const bool isPrecise = settings.Method == HapticMethod::LocalSurface ||
+    (settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Precise);
   return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
 }
 
@@ -72,6 +66,7 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
   , Materials(this->Shared->Materials)
   , Distinctness(this->Shared->Distinctness)
   , Mesh(this->Shared->Mesh.get())
+  , IndexToWorld(this->Shared->IndexToWorld)
   , DeviceToWorld(deviceToWorld)
   , WorldToDevice(Inverse(deviceToWorld))
   , DeviceToIndex(Compose(Inverse(this->Shared->IndexToWorld), deviceToWorld))

@@ -26,9 +26,10 @@ class SurfaceMesh;
 
 enum class HapticMethod : std::uint8_t
 {
-  Proxy,       ///< the paper's section 3
-  ForceField,  ///< the paper's eq. 1
-  SurfaceProxy ///< a sphere on the triangles of a mesh; see SurfaceProxy.h
+  Proxy,        ///< the paper's section 3
+  ForceField,   ///< the paper's eq. 1
+  SurfaceProxy, ///< a sphere on the triangles of a mesh; see SurfaceProxy.h
+  LocalSurface  ///< a plane or quadric that a slow loop renews; see LocalSurfaceSolver.h
 };
 
 /** How Proxy advances the proxy in a tick. */
@@ -43,6 +44,13 @@ enum class ContactAlignment : std::uint8_t
 {
   Distinctness, ///< where W_d and T_N say so
   Edge          ///< not before V(x_p) >= (V(x_s) + V(x_v))/2
+};
+
+/** What stands in for the surface near the proxy; of HapticMethod::LocalSurface. */
+enum class LocalSurfaceShape : std::uint8_t
+{
+  Plane,
+  Quadric
 };
 
 /** Which way a structure lies from its surface: where the scalar is higher, lower, or either. */
@@ -64,9 +72,12 @@ struct HapticSettings
   double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
-  double IsoValue = 0.0;          ///< whose material the surfaces of a mesh have
+  double IsoValue = 0.0;          ///< of the surface of SurfaceProxy and LocalSurface
   double ProxyRadius = 0.5;       ///< world units, more than 0; of SurfaceProxy
   bool ForceShading = true;       ///< of SurfaceProxy, where the mesh has normals
+  double LocalSurfaceRate = 60.0; ///< Hz, of the slow loop of LocalSurface
+  double RecoveryTime = 0.015;    ///< s, from one surface to the next, of LocalSurface
+  LocalSurfaceShape LocalShape = LocalSurfaceShape::Plane;
 };
 
 /** Material functions of the scalar, and functions of the gradient magnitude per world unit. */
@@ -136,6 +147,7 @@ public:
   const MaterialTable& Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable& Distinctness; ///< channels W_d, visibility
   const SurfaceMesh* const Mesh;         ///< null without one
+  const Affine3& IndexToWorld;
   const Affine3 DeviceToWorld;
   const Affine3 WorldToDevice;
   const Affine3 DeviceToIndex;

@@ -154,6 +154,19 @@ inline void ReadMaterials(
   place.Viscosity = outside[3] * (outside[4] * distinct[1]);
 }
 
+/** For methods whose surface is that of one value: its material; whether anything at all is felt there. */
+inline bool ReadIsoMaterial(const HapticModel& model, Place& place) noexcept
+{
+  const double iso = model.Settings.IsoValue;
+  const MaterialTable::Values material = model.Materials(iso);
+  place = Place{};
+  place.Normal = model.FallbackNormal;
+  place.SurfaceValue = place.MediumValue = iso;
+  place.Stiffness = Capped(material[0], model.Settings.Caps.Stiffness);
+  place.Friction = material[1];
+  return place.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
+}
+
 /** Whether anything at all is felt here; where not, the proxy goes with the tip. */
 inline bool IsFelt(const Place& place) noexcept
 {

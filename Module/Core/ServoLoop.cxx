@@ -4,7 +4,6 @@
 
 #include "ServoClock.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace VolumeHaptics
@@ -60,28 +59,9 @@ ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
   , Period(static_cast<std::int64_t>(NanosecondsPerSecond / rate + 0.5))
   , Trace(TraceCapacity)
 {
-  this->Kept.push_back(std::make_unique<const Published>());
-  this->Next.store(this->Kept.back().get());
 }
 
 ServoLoop::~ServoLoop() = default;
-
-std::uint64_t ServoLoop::Publish(std::shared_ptr<const HapticModel> model)
-{
-  this->Kept.push_back(
-    std::make_unique<const Published>(Published{ std::move(model), ++this->Generation }));
-  this->Next.store(this->Kept.back().get(), std::memory_order_release);
-  this->Collect();
-  return this->Generation;
-}
-
-void ServoLoop::Collect()
-{
-  const std::uint64_t inUse = this->GetAcknowledged();
-  const auto first = std::find_if(this->Kept.begin(), this->Kept.end(),
-    [&](const std::unique_ptr<const Published>& kept) { return kept->Generation >= inUse; });
-  this->Kept.erase(this->Kept.begin(), first);
-}
 
 void ServoLoop::AskForRealTime() noexcept
 {
@@ -93,7 +73,7 @@ void ServoLoop::AskForRealTime() noexcept
 
 void ServoLoop::FollowModel() noexcept
 {
-  const Published* const next = this->Next.load(std::memory_order_acquire);
+  const PublishedModel* const next = this->Models.GetLatest();
   if (next == this->Current)
   {
     return;
@@ -109,7 +89,7 @@ void ServoLoop::FollowModel() noexcept
     this->State.Enabled = false;
   }
   this->Current = next;
-  this->Acknowledged.store(next->Generation, std::memory_order_release);
+  this->Models.Acknowledge(next->Generation);
 }
 
 void ServoLoop::FollowCommands() noexcept
@@ -163,7 +143,9 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   const HapticModel* const model = this->Current->Model.get();
   if (model)
   {
-    VolumeHaptics::Tick(*model, this->State, sample.Tip, s.Record);
+    VolumeHaptics::Tick(*model, this->State, sample.Tip, s.Record,
+      this->Fitter.FindAnswer(*model, this->State.Local));
+    this->Fitter.Ask(*model, this->State.Local);
     if (s.Record.IsUnfinished)
     {
       this->UnfinishedTicks.fetch_add(1, std::memory_order_relaxed);

@@ -5,18 +5,21 @@
  * The servo loop: one tick after the other at a fixed rate, on a thread of its own.
  *
  * What goes in and out never makes the loop wait:
- * - a model is published by swapping a pointer. The loop acknowledges the generation that it uses
- * from now on; only the publishing thread frees what is older (Collect);
+ * - a model is published by swapping a pointer (ModelExchange.h);
+ * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
  * - commands (arm, disarm, stop) and limits are single atomics.
  *
- * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; ReadState
+ * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter to the
+ * slow loop; ReadState
  * to one reader; Drain to one recorder; everything else to the owner (the GUI thread).
  */
 #ifndef ServoLoop_h
 #define ServoLoop_h
 
 #include "DeviceBackend.h"
+#include "LocalSurfaceFitter.h"
+#include "ModelExchange.h"
 #include "SafetyStage.h"
 #include "ServoTick.h"
 #include "TimeHistogram.h"
@@ -25,7 +28,6 @@
 
 #include <atomic>
 #include <memory>
-#include <vector>
 
 namespace VolumeHaptics
 {
@@ -66,17 +68,23 @@ public:
 
   /** The worker: returns after RequestStop, with zero force sent. */
   void Run() noexcept;
-  void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
+  /** The slow worker, without which LOCAL_SURFACE finds no surface: returns after RequestStop, too. */
+  void RunFitter() noexcept { this->Fitter.Run(); }
+  void RequestStop() noexcept
+  {
+    this->StopRequested.store(true, std::memory_order_release);
+    this->Fitter.RequestStop();
+  }
 
   /** Uses a model from the next tick on; nullptr stops touching. Returns its generation. */
-  std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
-  /** Frees the models that the loop no longer uses. */
-  void Collect();
-  /** The generation that the loop has seen. */
-  std::uint64_t GetAcknowledged() const noexcept
+  std::uint64_t Publish(std::shared_ptr<const HapticModel> model)
   {
-    return this->Acknowledged.load(std::memory_order_acquire);
+    return this->Models.Publish(std::move(model));
   }
+  /** Frees the models that the loop no longer uses. */
+  void Collect() { this->Models.Collect(); }
+  /** The generation that the loop has seen. */
+  std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
   /** No state that is yet to be read or drained is of an older generation. */
   std::uint64_t GetWrittenGeneration() const noexcept
@@ -131,13 +139,6 @@ public:
   Privilege GetLockedMemory() const noexcept { return this->LockedMemory.load(); }
 
 private:
-  /** What the pointer that is swapped points to. */
-  struct Published
-  {
-    std::shared_ptr<const HapticModel> Model;
-    std::uint64_t Generation = 0;
-  };
-
   /** From any thread. */
   void Command(bool arm) noexcept
   {
@@ -156,11 +157,9 @@ private:
   DeviceBackend& Backend;
   const std::int64_t Period; // ns
 
-  std::atomic<const Published*> Next;
-  std::atomic<std::uint64_t> Acknowledged{ 0 };
+  ModelExchange Models;
+  LocalSurfaceFitter Fitter{ this->Models };
   std::atomic<std::uint64_t> WrittenGeneration{ 0 };
-  std::vector<std::unique_ptr<const Published>> Kept; // the owner's, oldest first
-  std::uint64_t Generation = 0;                       // the owner's
 
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> Recording{ false };
@@ -171,7 +170,7 @@ private:
   TraceRing<ServoSnapshot> Trace;
 
   // The servo's own.
-  const Published* Current = nullptr;
+  const PublishedModel* Current = nullptr;
   ServoState State;
   bool HasSample = false; ///< a fresh one, ever
   SafetyStage Safety;

@@ -85,8 +85,8 @@ void StepOnce(
 
 } // namespace
 
-void Tick(
-  const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept
+void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
+  const LocalAnswer& answer) noexcept
 {
   // Also false for NaN.
   const bool isSomewhere =
@@ -104,12 +104,16 @@ void Tick(
   record.Force = Vector3{};
   record.NormalForce = record.FrictionForce = record.DragForce = 0.0;
   record.Contact = ContactState::Free;
-  record.IsUnfinished = false;
+  record.IsUnfinished = record.IsRenewed = false;
 
   const HapticMethod method = model.Settings.Method;
   if (method == HapticMethod::SurfaceProxy && model.Mesh)
   {
     StepSurfaceProxy(model, state, record);
+  }
+  else if (method == HapticMethod::LocalSurface)
+  {
+    StepLocalSurface(model, state, record, answer);
   }
   else if (method == HapticMethod::Proxy && model.Settings.Solver == HapticSolver::Precise)
   {
@@ -131,45 +135,6 @@ void Tick(
   }
 }
 
-std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
-{
-  const PreciseState& precise = state.Precise;
-  const Vector3& reached = precise.ReachedTip;
-  const Spot& here = precise.Here;
-  return { state.Proxy.X, state.Proxy.Y, state.Proxy.Z, state.PreviousTip.X, state.PreviousTip.Y,
-    state.PreviousTip.Z, state.Enabled ? 1.0 : 0.0, reached.X, reached.Y, reached.Z, precise.Level,
-    precise.IsHeld ? 1.0 : 0.0, precise.Spring.Tissue, precise.Spring.Tension,
-    precise.Spring.Reserve, here.Normal.X, here.Normal.Y, here.Normal.Z, here.GradientMagnitude,
-    here.SurfaceValue, here.MediumValue, here.Stiffness, here.Friction, here.Viscosity,
-    here.SurfaceStrength, here.Value, here.Slope, precise.Stray, precise.Gain };
-}
-
-ServoState FromNumbers(const std::array<double, ServoStateSize>& n) noexcept
-{
-  ServoState state;
-  state.Proxy = { n[0], n[1], n[2] };
-  state.PreviousTip = { n[3], n[4], n[5] };
-  state.Enabled = n[6] != 0.0;
-  state.Precise.ReachedTip = { n[7], n[8], n[9] };
-  state.Precise.Level = n[10];
-  state.Precise.IsHeld = n[11] != 0.0;
-  state.Precise.Spring = { n[12], n[13], n[14] };
-  Spot& here = state.Precise.Here;
-  here.Normal = { n[15], n[16], n[17] };
-  here.GradientMagnitude = n[18];
-  here.SurfaceValue = n[19];
-  here.MediumValue = n[20];
-  here.Stiffness = n[21];
-  here.Friction = n[22];
-  here.Viscosity = n[23];
-  here.SurfaceStrength = n[24];
-  here.Value = n[25];
-  here.Slope = n[26];
-  state.Precise.Stray = n[27];
-  state.Precise.Gain = n[28];
-  return state;
-}
-
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept
 {
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
@@ -181,9 +146,10 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   const HapticSettings& was = from.Settings;
   if (was.Method != to.Settings.Method || was.Solver != to.Settings.Solver)
   {
-    // Only PRECISE keeps its state up to date.
+    // Methods and solvers keep but their own state up to date.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = carry(state.PreviousTip);
+    StartLocalSurface(to.DeviceToWorld(state.Proxy), state.Local);
   }
   // In another volume the level means nothing.
   state.Precise.IsHeld = state.Precise.IsHeld && &from.Field == &to.Field;

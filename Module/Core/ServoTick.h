@@ -10,6 +10,7 @@
 #ifndef ServoTick_h
 #define ServoTick_h
 
+#include "LocalSurfaceSolver.h"
 #include "MaterialLaw.h"
 #include "PassiveSpring.h"
 
@@ -52,9 +53,10 @@ struct ServoState
   Vector3 PreviousTip;
   bool Enabled = false; ///< when false, the next tick puts the proxy on the tip with no force
   PreciseState Precise;
+  LocalState Local;
 };
 
-constexpr int ServoStateSize = 29;
+constexpr int ServoStateSize = 70;
 
 /** A state for a file: every number of it, in the order of the structs. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
@@ -71,16 +73,17 @@ struct TickRecord : Place
   double DragForce = 0.0;     ///< N, stiffness times the distance that the drag step went back
   ContactState Contact = ContactState::Free;
   bool IsUnfinished = false; ///< PRECISE spent its budget: the force is that of a tip some way back
+  bool IsRenewed = false;    ///< LOCAL_SURFACE got an answer from the slow loop
 };
 
 /**
  * Advances the state by one tick and writes what happened.
  *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not finite, or a
- * million kilometres away, gives zero force and disables the state.
+ * million kilometres away, gives zero force and disables the state. The answer is for LOCAL_SURFACE only.
  */
-void Tick(
-  const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept;
+void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
+  const LocalAnswer& answer = LocalAnswer::Simulated()) noexcept;
 
 /**
  * Takes the state from one placement of the device to another. The proxy rests on the volume: when the

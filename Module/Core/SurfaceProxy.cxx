@@ -107,18 +107,12 @@ private:
 void StepSurfaceProxy(
   const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
 {
-  const MaterialTable::Values material = model.Materials(model.Settings.IsoValue);
-  const double k = Law::Capped(material[0], model.Settings.Caps.Stiffness);
-  static_cast<Place&>(record) = Place{};
-  record.Normal = model.FallbackNormal;
-  record.SurfaceValue = record.MediumValue = model.Settings.IsoValue;
-  record.Stiffness = k;
-  record.Friction = material[1];
   record.Proxy = record.Tip;
-  if (!state.Enabled || k <= HapticModel::MinimumStiffness || material[4] == 0.0)
+  if (!Law::ReadIsoMaterial(model, record) || !state.Enabled)
   {
     return;
   }
+  const double k = record.Stiffness;
   const double scale = model.WorldUnitsPerMeter;
   const double radius = model.Settings.ProxyRadius;
   const Vector3 goal = model.DeviceToWorld(record.Tip);

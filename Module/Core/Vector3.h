@@ -107,6 +107,13 @@ constexpr Matrix3 Inverse(const Matrix3& m) noexcept
     s * Cross(m.Row[1], m.Row[2]), s * Cross(m.Row[2], m.Row[0]), s * Cross(m.Row[0], m.Row[1]));
 }
 
+/** The length of the longest column: of an index step, in the space that a matrix leads to. */
+inline double LargestColumn(const Matrix3& m) noexcept
+{
+  const Matrix3 columns = Transpose(m);
+  return std::fmax(Norm(columns.Row[0]), std::fmax(Norm(columns.Row[1]), Norm(columns.Row[2])));
+}
+
 /** x -> Linear x + Offset. */
 struct Affine3
 {

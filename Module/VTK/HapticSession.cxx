@@ -39,6 +39,7 @@ HapticSession::HapticSession(DeviceBackend& backend, double rate, const SafetyLi
     this->Publish(std::move(model));
   }
   this->LoopThread = this->Threader->SpawnThread(&HapticSession::RunLoop, this);
+  this->FitterThread = this->Threader->SpawnThread(&HapticSession::RunFitter, this);
   this->KeeperThread = this->Threader->SpawnThread(&HapticSession::RunKeeper, this);
 }
 
@@ -47,6 +48,7 @@ HapticSession::~HapticSession()
   // Our own flags stop the threads; TerminateThread only joins them.
   this->Loop.RequestStop();
   this->Threader->TerminateThread(this->LoopThread);
+  this->Threader->TerminateThread(this->FitterThread);
   this->KeeperStop.store(true);
   this->Threader->TerminateThread(this->KeeperThread);
 }
@@ -54,6 +56,12 @@ HapticSession::~HapticSession()
 VTK_THREAD_RETURN_TYPE HapticSession::RunLoop(void* info)
 {
   UserData<HapticSession>(info)->Loop.Run();
+  return VTK_THREAD_RETURN_VALUE;
+}
+
+VTK_THREAD_RETURN_TYPE HapticSession::RunFitter(void* info)
+{
+  UserData<HapticSession>(info)->Loop.RunFitter();
   return VTK_THREAD_RETURN_VALUE;
 }
 

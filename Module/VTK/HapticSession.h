@@ -64,6 +64,7 @@ public:
 
 private:
   static VTK_THREAD_RETURN_TYPE RunLoop(void* info);
+  static VTK_THREAD_RETURN_TYPE RunFitter(void* info);
   static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
   void Keep();
   void Drain();
@@ -74,6 +75,7 @@ private:
   ServoLoop Loop;
   vtkNew<vtkMultiThreader> Threader;
   int LoopThread = -1;
+  int FitterThread = -1;
   int KeeperThread = -1;
   std::atomic<bool> KeeperStop{ false };
   std::mutex RecordingMutex; // between the owner and the keeper; the loop never takes it

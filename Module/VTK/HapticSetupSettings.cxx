@@ -113,7 +113,7 @@ NumberRow ToRow(const double x[3])
 //------------------------------------------------------------------------------
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
-  PassChoiceMacro(node, filter, Method, { "Proxy", "ForceField", "SurfaceProxy" });
+  PassChoiceMacro(node, filter, Method, { "Proxy", "ForceField", "SurfaceProxy", "LocalSurface" });
   PassChoiceMacro(node, filter, Solver, { "Paper", "Precise" });
   PassChoiceMacro(node, filter, ContactAlignment, { "Distinctness", "Edge" });
   PassChoiceMacro(
@@ -128,6 +128,9 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
   node.Flag(
     "ForceShading", [=] { return filter->GetForceShading(); },
     [=](bool on) { filter->SetForceShading(on); });
+  PassChoiceMacro(node, filter, LocalSurfaceShape, { "Plane", "Quadric" });
+  PassNumberMacro(node, filter, LocalSurfaceRate, (NumberRange{ 1.0, 1000.0 }));
+  PassNumberMacro(node, filter, RecoveryTime, (NumberRange{ 0.0, 10.0 }));
   PassNumberMacro(node, filter, MaximumForce, NotNegative());
   PassNumberMacro(node, filter, MaximumStiffness, NotNegative());
   PassProperty(node, filter, visible);

@@ -117,6 +117,7 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
   vtkPointData* const points = path->GetPointData();
   vtkDataArray* const tips = FindArray(points, RecordingNames::DeviceTip, 3, n);
   vtkDataArray* const enabled = FindArray(points, RecordingNames::Enabled, 1, n);
+  vtkDataArray* const renewed = FindArray(points, RecordingNames::Renewed, 1, n);
   vtkDataArray* const placement = FindArray(points, RecordingNames::Placement, 1, n);
   vtkDataArray* const times = FindArray(points, "Time", 1, n);
   vtkDataArray* const matrices =
@@ -125,8 +126,8 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
     FindArray(path->GetFieldData(), RecordingNames::InitialState, ServoStateSize, 1);
   vtkDataArray* const period = FindArray(path->GetFieldData(), RecordingNames::TickPeriod, 1, 1);
   vtkDataArray* const caps = FindArray(path->GetFieldData(), RecordingNames::Caps, 2, 1);
-  if (!tips || !enabled || !placement || !times || !matrices || !state || !period || !caps ||
-    !(period->GetComponent(0, 0) > 0.0))
+  if (!tips || !enabled || !renewed || !placement || !times || !matrices || !state || !period ||
+    !caps || !(period->GetComponent(0, 0) > 0.0))
   {
     return false;
   }
@@ -157,6 +158,7 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
     result.Tips.push_back(tip);
     result.PlacementOf.push_back(index);
     result.Enabled.push_back(enabled->GetComponent(i, 0) != 0.0);
+    result.Renewed.push_back(renewed->GetComponent(i, 0) != 0.0);
     result.Times.push_back(times->GetComponent(i, 0));
   }
   result.TickPeriod = period->GetComponent(0, 0);
@@ -197,9 +199,9 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
     {
       error =
         "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
-        "it needs, all finite, the point arrays DeviceTip (3), Enabled, Placement and Time, and "
-        "the "
-        "field arrays DeviceToWorld (16), InitialState (" +
+        "it needs, all finite, the point arrays DeviceTip (3), Enabled, Renewed, Placement and "
+        "Time, "
+        "and the field arrays DeviceToWorld (16), InitialState (" +
         std::to_string(ServoStateSize) +
         "), Caps (2) and TickPeriod. Record again, or remove DeviceTip to use the points as a "
         "path.";

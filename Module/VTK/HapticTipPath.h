@@ -21,9 +21,10 @@ namespace VolumeHaptics
 /** Names of what a recording carries beyond a trace, so that it can be replayed to the bit. */
 namespace RecordingNames
 {
-constexpr const char* DeviceTip = "DeviceTip";         ///< point array: the tip in device space (m)
-constexpr const char* Enabled = "Enabled";             ///< point array: 1 where the tick enabled
-constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
+constexpr const char* DeviceTip = "DeviceTip"; ///< point array: the tip in device space (m)
+constexpr const char* Enabled = "Enabled";     ///< point array: 1 where the tick enabled
+constexpr const char* Placement = "Placement"; ///< point array: tuple of DeviceToWorld
+constexpr const char* Renewed = "Renewed";     ///< point array: 1 where a local surface came
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
 constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
 constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap
@@ -39,6 +40,7 @@ struct TipPath
   std::vector<Affine3> Placements;
   std::vector<int> PlacementOf; ///< per tick
   std::vector<bool> Enabled;    ///< per tick
+  std::vector<bool> Renewed;    ///< per tick
   ServoState InitialState;
   double TickPeriod = 0.0; ///< s, of the servo that recorded
   ForceCaps Caps;          ///< of the device that recorded

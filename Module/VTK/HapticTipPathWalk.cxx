@@ -36,7 +36,15 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
   {
     this->State.Enabled = false;
   }
-  VolumeHaptics::Tick(*model, this->State, this->Path.Tips[i], record);
+  // A surface counts from the tick in which the slow loop's answer came.
+  LocalSurface surface;
+  LocalAnswer answer;
+  if (this->Path.Renewed[i])
+  {
+    surface = FitLocalSurface(*model, this->State.Local.Asked);
+    answer.Surface = &surface;
+  }
+  VolumeHaptics::Tick(*model, this->State, this->Path.Tips[i], record, answer);
   return model;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticTrace.h"
 
+#include "HapticTipPath.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
@@ -41,6 +43,7 @@ HapticTrace::HapticTrace()
   this->SurfaceStrength->SetName("SurfaceStrength");
   this->Contact->SetName("Contact");
   this->Unfinished->SetName("Unfinished");
+  this->Renewed->SetName(RecordingNames::Renewed);
   this->Energy->SetName("Energy");
   for (vtkDoubleArray* vector : { this->Tip.Get(), this->Force.Get(), this->Normal.Get() })
   {
@@ -64,6 +67,7 @@ void HapticTrace::Reserve(vtkIdType ticks)
   }
   this->Contact->Allocate(ticks);
   this->Unfinished->Allocate(ticks);
+  this->Renewed->Allocate(ticks);
 }
 
 void HapticTrace::Append(const HapticModel& model, double time, const TickRecord& record)
@@ -89,6 +93,7 @@ void HapticTrace::Append(const HapticModel& model, double time, const TickRecord
   this->SurfaceStrength->InsertNextValue(record.SurfaceStrength);
   this->Contact->InsertNextValue(static_cast<unsigned char>(record.Contact));
   this->Unfinished->InsertNextValue(record.IsUnfinished ? 1 : 0);
+  this->Renewed->InsertNextValue(record.IsRenewed ? 1 : 0);
   this->Energy->InsertNextValue(this->AddWork(record));
 }
 
@@ -123,7 +128,7 @@ void HapticTrace::WriteTo(vtkPolyData* output)
     std::initializer_list<vtkDataArray*>{ this->Time, this->Tip, this->Force, this->NormalForce,
       this->FrictionForce, this->DragForce, this->Normal, this->Value, this->GradientMagnitude,
       this->SurfaceValue, this->MediumValue, this->Stiffness, this->Friction, this->Viscosity,
-      this->SurfaceStrength, this->Contact, this->Unfinished, this->Energy })
+      this->SurfaceStrength, this->Contact, this->Unfinished, this->Renewed, this->Energy })
   {
     data->AddArray(array);
   }

@@ -57,6 +57,7 @@ private:
   vtkNew<vtkDoubleArray> SurfaceStrength;
   vtkNew<vtkUnsignedCharArray> Contact;
   vtkNew<vtkUnsignedCharArray> Unfinished;
+  vtkNew<vtkUnsignedCharArray> Renewed;
   vtkNew<vtkDoubleArray> Energy;
   Vector3 LastTip;
   Vector3 LastForce;

@@ -47,7 +47,8 @@ std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate) const
   const std::pair<const char*, double> settings[] = { { "ServoRate", rate },
     { "MetersPerWorldUnit", this->MetersPerWorldUnit }, { "ForceFieldGain", this->ForceFieldGain },
     { "ForceFieldDamping", this->ForceFieldDamping }, { "IsoValue", this->IsoValue },
-    { "ProxyRadius", this->ProxyRadius }, { "MaximumForce", this->MaximumForce },
+    { "ProxyRadius", this->ProxyRadius }, { "LocalSurfaceRate", this->LocalSurfaceRate },
+    { "RecoveryTime", this->RecoveryTime }, { "MaximumForce", this->MaximumForce },
     { "MaximumStiffness", this->MaximumStiffness } };
   for (const auto& [setting, value] : settings)
   {
@@ -74,7 +75,7 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
     os << "(none)\n";
   }
   static const char* const estimators[] = { "CentralDifference", "Gaussian", "CubicBSpline" };
-  static const char* const methods[] = { "Proxy", "ForceField", "SurfaceProxy" };
+  static const char* const methods[] = { "Proxy", "ForceField", "SurfaceProxy", "LocalSurface" };
   os << indent << "Method: " << methods[this->Method] << "\n";
   os << indent << "Solver: " << (this->Solver == PAPER ? "Paper" : "Precise") << "\n";
   os << indent << "ContactAlignment: " << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness")
@@ -88,6 +89,10 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "ProxyRadius: " << this->ProxyRadius << "\n";
   os << indent << "ForceShading: " << (this->ForceShading ? "On" : "Off") << "\n";
+  os << indent
+     << "LocalSurfaceShape: " << (this->LocalSurfaceShape == QUADRIC ? "Quadric" : "Plane") << "\n";
+  os << indent << "LocalSurfaceRate: " << this->LocalSurfaceRate << " Hz\n";
+  os << indent << "RecoveryTime: " << this->RecoveryTime << " s\n";
   os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
   os << indent << "MaximumStiffness: " << this->MaximumStiffness << " N/m\n";
 }

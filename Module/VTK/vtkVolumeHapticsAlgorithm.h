@@ -35,7 +35,8 @@ public:
   {
     PROXY = 0,
     FORCE_FIELD = 1,
-    SURFACE_PROXY = 2
+    SURFACE_PROXY = 2,
+    LOCAL_SURFACE = 3
   };
 
   ///@{
@@ -46,13 +47,17 @@ public:
    * polygonal surface haptics that the paper compares itself with (Ruspini et al. 1997): a sphere of
    * ProxyRadius that no triangle of the surface lets through, with stiffness and friction of the
    * material at IsoValue, and neither drag nor a limit to what the surface holds: Viscosity,
-   * SurfaceStrength and GradientMagnitude are 0.
+   * SurfaceStrength and GradientMagnitude are 0. LOCAL_SURFACE is the intermediate representation that
+   * the paper compares itself with (Mark et al. 1996): a slow loop fits a plane or a
+   * quadric to the isosurface at IsoValue near the proxy, and the servo touches that, with the material at
+   * IsoValue, without drag or limit. What the hand meets faster than the slow loop looks, it falls through.
    */
-  vtkSetClampMacro(Method, int, PROXY, SURFACE_PROXY);
+  vtkSetClampMacro(Method, int, PROXY, LOCAL_SURFACE);
   vtkGetMacro(Method, int);
   void SetMethodToProxy() { this->SetMethod(PROXY); }
   void SetMethodToForceField() { this->SetMethod(FORCE_FIELD); }
   void SetMethodToSurfaceProxy() { this->SetMethod(SURFACE_PROXY); }
+  void SetMethodToLocalSurface() { this->SetMethod(LOCAL_SURFACE); }
   ///@}
 
   enum SolverType
@@ -156,7 +161,8 @@ public:
 
   ///@{
   /**
-   * Scalar value whose isosurface SURFACE_PROXY touches, and whose material its surface has. Default 0.
+   * Scalar value whose isosurface SURFACE_PROXY and LOCAL_SURFACE touch, and whose material it has.
+   * Default 0.
    */
   vtkSetMacro(IsoValue, double);
   vtkGetMacro(IsoValue, double);
@@ -179,6 +185,41 @@ public:
   vtkSetMacro(ForceShading, bool);
   vtkGetMacro(ForceShading, bool);
   vtkBooleanMacro(ForceShading, bool);
+  ///@}
+
+  enum LocalSurfaceShapeType
+  {
+    PLANE = 0,
+    QUADRIC = 1
+  };
+
+  ///@{
+  /**
+   * What LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that also bends as the normal does over
+   * KernelRadius voxels to either side. A plane is flat between two looks of the slow loop.
+   */
+  vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
+  vtkGetMacro(LocalSurfaceShape, int);
+  void SetLocalSurfaceShapeToPlane() { this->SetLocalSurfaceShape(PLANE); }
+  void SetLocalSurfaceShapeToQuadric() { this->SetLocalSurfaceShape(QUADRIC); }
+  ///@}
+
+  ///@{
+  /**
+   * How often LOCAL_SURFACE's slow loop looks (Hz), 1 to 1000; 30 to 100 are usual. Its answer comes one
+   * period later: with a device from a thread of its own, offline in simulated time. Default 60.
+   */
+  vtkSetClampMacro(LocalSurfaceRate, double, 1.0, 1000.0);
+  vtkGetMacro(LocalSurfaceRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Time (s) in which LOCAL_SURFACE goes over from one surface to the next, 0 to 10: longer ones are
+   * smoother, and follow later. Default 0.015.
+   */
+  vtkSetClampMacro(RecoveryTime, double, 0.0, 10.0);
+  vtkGetMacro(RecoveryTime, double);
   ///@}
 
   ///@{
@@ -226,6 +267,9 @@ protected:
   double IsoValue = 0.0;
   double ProxyRadius = 0.0;
   bool ForceShading = true;
+  int LocalSurfaceShape = PLANE;
+  double LocalSurfaceRate = 60.0;
+  double RecoveryTime = 0.015;
   double MaximumForce = 0.0;
   double MaximumStiffness = 0.0;
 

@@ -119,6 +119,10 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Settings.IsoValue = this->IsoValue;
   options.Settings.ProxyRadius = this->ProxyRadius;
   options.Settings.ForceShading = this->ForceShading;
+  options.Settings.LocalShape =
+    static_cast<VolumeHaptics::LocalSurfaceShape>(this->LocalSurfaceShape);
+  options.Settings.LocalSurfaceRate = this->LocalSurfaceRate;
+  options.Settings.RecoveryTime = this->RecoveryTime;
   options.Surfaces = this->Surfaces.get();
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);

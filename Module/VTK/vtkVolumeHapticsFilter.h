@@ -74,6 +74,7 @@
  *   Energy             J; given to the hand so far, by trapezoids: what a path that ends without force
  *                      ends with is what was created (FORCE_FIELD can) or, below 0, spent
  *   Unfinished         1 where PRECISE left a tick's way to the next, else 0
+ *   Renewed            1 where LOCAL_SURFACE got a new surface from its slow loop, else 0
  *
  * The same input gives the same output, to the bit. Without a path the output is empty. Input that
  * can't be touched gives one error that names the input and the cure, and an empty output. A long

@@ -101,6 +101,11 @@ void Deal(Dealer& dealer, Scene& scene)
   }
   d.Estimator = static_cast<GradientEstimator>(dealer.Choose(3));
   d.Settings.Solver = dealer.Choose(4) == 0 ? HapticSolver::Paper : HapticSolver::Precise;
+  d.Settings.Method = dealer.Choose(4) == 0 ? HapticMethod::LocalSurface : HapticMethod::Proxy;
+  d.Settings.IsoValue = dealer.Between(-1000.0, 1000.0);
+  d.Settings.LocalSurfaceRate = dealer.Between(1.0, 1000.0);
+  d.Settings.RecoveryTime = dealer.Between(0.0, 0.1);
+  d.Settings.LocalShape = static_cast<LocalSurfaceShape>(dealer.Choose(2));
   d.Settings.Side = static_cast<SurfaceSide>(dealer.Choose(3));
   d.Settings.Alignment = static_cast<ContactAlignment>(dealer.Choose(2));
   d.IndexToWorld.Linear = Matrix3::FromColumns({ dealer.Between(0.1, 3.0), 0.0, 0.0 },
@@ -173,10 +178,12 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
     Tick(model, stored, next, again);
     Check(IsFinite(record.Force) && IsFinite(record.Proxy), "force and proxy are finite");
     Check(Norm(record.Force - again.Force) == 0.0, "a stored state goes on the same");
-    const double bound =
-      record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;
     // Where the tip was far away, rounding is, too.
     constexpr double far = 1e-9;
+    const bool isLocal = model.Settings.Method == HapticMethod::LocalSurface;
+    const double bound = isLocal
+      ? record.NormalForce * std::hypot(1.0, record.Friction)
+      : record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;
     Check(Norm(record.Force) <= bound * (1.0 + Rounding) + far, "the material holds the force");
     tip = IsFinite(next) && Norm(next) < 1.0 ? next : tip;
   }

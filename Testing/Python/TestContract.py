@@ -24,7 +24,7 @@ PROPERTY = {
 PROPERTY_PLAIN = ("SetSurfaceSideToHigher", "SetSurfaceSideToLower", "SetSurfaceSideToBoth")
 FILTER = {
     "SetProperty": ("material",),
-    "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1", "SURFACE_PROXY", "Ruspini"),
+    "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1", "SURFACE_PROXY", "Ruspini", "LOCAL_SURFACE", "Mark"),
     "SetSolver": ("PAPER", "PRECISE", "default"),
     "SetContactAlignment": ("DISTINCTNESS", "default", "EDGE"),
     "SetGradientEstimator": ("CENTRAL_DIFFERENCE", "GAUSSIAN", "CUBIC_BSPLINE"),
@@ -36,6 +36,9 @@ FILTER = {
     "SetIsoValue": ("isosurface", "Default 0"),
     "SetProxyRadius": ("world units", "0 (default)"),
     "SetForceShading": ("normals", "Default on"),
+    "SetLocalSurfaceShape": ("PLANE (default)", "QUADRIC"),
+    "SetLocalSurfaceRate": ("Hz", "Default 60"),
+    "SetRecoveryTime": ("(s)", "Default 0.015"),
     "SetMaximumForce": ("(N)", "0 (default)"),
     "SetPathConnection": ("path", "port 1"),
     "SetSurfaceConnection": ("surface", "port 2"),
@@ -44,6 +47,9 @@ FILTER_PLAIN = (
     "SetMethodToProxy",
     "SetMethodToForceField",
     "SetMethodToSurfaceProxy",
+    "SetMethodToLocalSurface",
+    "SetLocalSurfaceShapeToPlane",
+    "SetLocalSurfaceShapeToQuadric",
     "SetSolverToPaper",
     "SetSolverToPrecise",
     "SetContactAlignmentToDistinctness",
@@ -73,6 +79,7 @@ ARRAYS = {
     "SurfaceStrength": "T_N W_d",
     "Contact": "penetrating",
     "Unfinished": "PRECISE",
+    "Renewed": "LOCAL_SURFACE",
     "Energy": "J",
 }
 

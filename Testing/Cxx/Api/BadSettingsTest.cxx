@@ -25,6 +25,10 @@ const BadSetting BadSettings[] = {
   { "MetersPerWorldUnit", &vtkVolumeHapticsFilter::SetMetersPerWorldUnit },
   { "ForceFieldGain", &vtkVolumeHapticsFilter::SetForceFieldGain },
   { "ForceFieldDamping", &vtkVolumeHapticsFilter::SetForceFieldDamping },
+  { "IsoValue", &vtkVolumeHapticsFilter::SetIsoValue },
+  { "ProxyRadius", &vtkVolumeHapticsFilter::SetProxyRadius },
+  { "LocalSurfaceRate", &vtkVolumeHapticsFilter::SetLocalSurfaceRate },
+  { "RecoveryTime", &vtkVolumeHapticsFilter::SetRecoveryTime },
   { "MaximumForce", &vtkVolumeHapticsFilter::SetMaximumForce },
   { "MaximumStiffness", &vtkVolumeHapticsFilter::SetMaximumStiffness },
 };
@@ -40,7 +44,8 @@ TEST_P(BadSettingTest, NeverReachesTheOutput)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   (this->Filter.Get()->*this->GetParam().Set)(nan);
-  for (const int method : { vtkVolumeHapticsFilter::PROXY, vtkVolumeHapticsFilter::FORCE_FIELD })
+  for (const int method : { vtkVolumeHapticsFilter::PROXY, vtkVolumeHapticsFilter::FORCE_FIELD,
+         vtkVolumeHapticsFilter::LOCAL_SURFACE })
   {
     this->Filter->SetMethod(method);
     this->Log.Errors.clear();

@@ -26,6 +26,9 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetIsoValue(), 0.0);
   EXPECT_EQ(filter->GetProxyRadius(), 0.0);
   EXPECT_TRUE(filter->GetForceShading());
+  EXPECT_EQ(filter->GetLocalSurfaceShape(), vtkVolumeHapticsFilter::PLANE);
+  EXPECT_EQ(filter->GetLocalSurfaceRate(), 60.0);
+  EXPECT_EQ(filter->GetRecoveryTime(), 0.015);
   EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
   ASSERT_NE(filter->GetProperty(), nullptr);
@@ -50,6 +53,9 @@ TEST(FilterState, EverySetterModifiesOnChangeOnly)
     { "IsoValue", [&] { filter->SetIsoValue(7.0); } },
     { "ProxyRadius", [&] { filter->SetProxyRadius(0.3); } },
     { "ForceShading", [&] { filter->ForceShadingOff(); } },
+    { "LocalSurfaceShape", [&] { filter->SetLocalSurfaceShapeToQuadric(); } },
+    { "LocalSurfaceRate", [&] { filter->SetLocalSurfaceRate(30.0); } },
+    { "RecoveryTime", [&] { filter->SetRecoveryTime(0.05); } },
     { "MaximumForce", [&] { filter->SetMaximumForce(3.0); } },
     { "MaximumStiffness", [&] { filter->SetMaximumStiffness(800.0); } },
     { "Property", [&] { filter->SetProperty(property); } },
@@ -84,7 +90,11 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   filter->SetKernelRadius(1000);
   EXPECT_EQ(filter->GetKernelRadius(), 16);
   filter->SetMethod(99);
-  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::SURFACE_PROXY);
+  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::LOCAL_SURFACE);
+  filter->SetRecoveryTime(-1.0);
+  EXPECT_EQ(filter->GetRecoveryTime(), 0.0);
+  filter->SetLocalSurfaceRate(0.0);
+  EXPECT_EQ(filter->GetLocalSurfaceRate(), 1.0);
   filter->SetProxyRadius(-1.0);
   EXPECT_EQ(filter->GetProxyRadius(), 0.0);
   filter->SetGradientEstimator(-1);

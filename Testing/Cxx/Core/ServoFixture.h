@@ -27,6 +27,7 @@ protected:
   {
     this->Description.Settings.Method = this->GetParam();
     this->Description.Settings.ForceFieldGain = 0.02;
+    this->Description.Settings.IsoValue = 1200.0;
     this->Description.Settings.ForceFieldDamping = 3.0;
     this->Description.Material.Friction = ConstantPolyline(0.3);
     this->Description.Material.Viscosity = ConstantPolyline(0.2);

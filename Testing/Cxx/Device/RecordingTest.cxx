@@ -64,6 +64,29 @@ TEST_F(Recording, OfAForceFieldWithDamping)
   this->ExpectSame();
 }
 
+TEST_F(Recording, OfALocalSurfaceSaysWhenTheSlowLoopAnswered)
+{
+  this->Filter->SetMethodToLocalSurface();
+  this->Filter->SetLocalSurfaceShapeToQuadric();
+  this->Filter->SetIsoValue(700.0);
+  this->Begin();
+  this->Wander(30);
+  this->StartRecording();
+  for (int i = 0; i < 8; ++i)
+  {
+    this->Wander(8);
+    this->Turn(7.0 * i, 0.3 * i);
+  }
+  this->ExpectSame();
+  vtkDataArray* const renewed = this->Recorded->GetPointData()->GetArray("Renewed");
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < renewed->GetNumberOfTuples(); ++i)
+  {
+    count += renewed->GetComponent(i, 0) != 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(count, 2);
+}
+
 TEST_F(Recording, KnowsTheRateOfTheDevice)
 {
   this->Filter->SetMethodToForceField();

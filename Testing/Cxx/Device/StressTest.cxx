@@ -27,8 +27,8 @@ protected:
         SetConstant(property->GetStiffness(), 200.0 + 10.0 * (i % 30));
         break;
       case 2:
-        this->Filter->SetMethod(
-          i % 3 ? vtkVolumeHapticsFilter::PROXY : vtkVolumeHapticsFilter::FORCE_FIELD);
+        this->Filter->SetIsoValue(700.0);
+        this->Filter->SetMethod(i / 5 % 4);
         break;
       case 3:
         this->Filter->SetGradientEstimator(i % 3);

@@ -31,6 +31,13 @@ public:
     f->SetMetersPerWorldUnit(this->Draw(0.01));
     f->SetForceFieldGain(-this->Draw(1.0));
     f->SetForceFieldDamping(this->Draw(5.0));
+    f->SetIsoValue(-this->Draw(500.0));
+    f->SetProxyRadius(this->Draw(3.0));
+    f->ForceShadingOff();
+    f->SetLocalSurfaceShapeToQuadric();
+    f->SetLocalSurfaceRate(this->Draw(100.0));
+    f->SetRecoveryTime(this->Draw(0.5));
+    f->SetContactAlignmentToEdge();
     f->SetMaximumForce(this->Draw(10.0));
     f->SetMaximumStiffness(this->Draw(3000.0));
     f->GetProperty()->SetComponent(2);

@@ -41,7 +41,9 @@ inline Numbers Everything(Scene& s)
   vtkVolumeProperty* const v = s.Volume;
   Numbers all{ 1.0 * f->GetMethod(), 1.0 * f->GetSolver(), 1.0 * f->GetGradientEstimator(),
     1.0 * f->GetKernelRadius(), f->GetServoRate(), f->GetMetersPerWorldUnit(),
-    f->GetForceFieldGain(), f->GetForceFieldDamping(), f->GetMaximumForce(),
+    f->GetForceFieldGain(), f->GetForceFieldDamping(), f->GetIsoValue(), f->GetProxyRadius(),
+    f->GetForceShading() ? 1.0 : 0.0, 1.0 * f->GetLocalSurfaceShape(), f->GetLocalSurfaceRate(),
+    f->GetRecoveryTime(), 1.0 * f->GetContactAlignment(), f->GetMaximumForce(),
     f->GetMaximumStiffness(), 1.0 * p->GetComponent(), 1.0 * p->GetSurfaceSide(),
     p->GetVisibilityFrom() == v ? 1.0 : 0.0, 1.0 * v->GetInterpolationType(),
     1.0 * v->GetIndependentComponents() };

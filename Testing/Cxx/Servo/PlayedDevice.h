@@ -112,17 +112,20 @@ public:
   {
     this->Loop.SetLimits(l);
     this->Thread = std::thread([this] { this->Loop.Run(); });
+    this->Fitter = std::thread([this] { this->Loop.RunFitter(); });
   }
   ~RunningLoop()
   {
     this->Loop.RequestStop();
     this->Thread.join();
+    this->Fitter.join();
   }
   ServoLoop* operator->() { return &this->Loop; }
 
 private:
   ServoLoop Loop;
   std::thread Thread;
+  std::thread Fitter;
 };
 } // namespace servotest
 

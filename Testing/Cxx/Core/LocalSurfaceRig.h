@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * LOCAL_SURFACE on volumes whose surface is known.
+ */
+#ifndef LocalSurfaceRig_h
+#define LocalSurfaceRig_h
+
+#include "ServoFixture.h"
+
+namespace coretest
+{
+inline constexpr double BallRadius = 14.0; // voxels of 1 mm
+
+inline HapticModelDescription DescribeLocal(
+  const TestVolume& volume, double iso, LocalSurfaceShape shape = LocalSurfaceShape::Plane)
+{
+  HapticModelDescription description = Describe(volume);
+  description.Settings.Method = HapticMethod::LocalSurface;
+  description.Settings.IsoValue = iso;
+  description.Settings.LocalShape = shape;
+  return description;
+}
+
+/// 100 on a sphere round (20, 20, 20), 10 more each voxel towards its middle; or less, for a cavity.
+inline TestVolume MakeLocalBall(double sign)
+{
+  TestVolume volume(ScalarType::Float64, { 41, 41, 41 });
+  volume.Fill<double>(
+    [sign](std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      const Vector3 x{ double(i) - 20.0, double(j) - 20.0, double(k) - 20.0 };
+      return 100.0 + sign * 10.0 * (BallRadius - Norm(x));
+    });
+  return volume;
+}
+} // namespace coretest
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * How the servo touches what the slow loop finds: 500 N/m at 1 kHz, a surface at z = 12 mm.
+ */
+
+#include "LocalSurfaceRig.h"
+#include "SurfaceRig.h"
+
+using namespace coretest;
+
+namespace
+{
+constexpr int Period = 17; // ticks until an answer comes, at 60 Hz
+
+class LocalSurfaceTick : public testing::Test
+{
+protected:
+  const TestVolume Volume = MakeRamp();
+  HapticModelDescription Description = DescribeLocal(this->Volume, 1200.0);
+};
+} // namespace
+
+TEST_F(LocalSurfaceTick, HoldsTheTipAndLetsGo)
+{
+  Hand hand(this->Description, { 10.0, 10.0, 9.0 });
+  hand.Lead({ 10.0, 10.0, 14.0 });
+  EXPECT_NEAR(hand.Record.Force.Z, -1.0, 1e-6);
+  EXPECT_LE(Norm(hand.Proxy() - Vector3{ 10.0, 10.0, 12.0 }), 1e-6);
+  EXPECT_NEAR(hand.Record.NormalForce, 1.0, 1e-6);
+  EXPECT_LE(Norm(hand.Record.Normal - Vector3{ 0.0, 0.0, 1.0 }), 1e-9);
+  EXPECT_EQ(hand.Record.SurfaceValue, 1200.0);
+  hand.Lead({ 14.0, 10.0, 14.0 });
+  EXPECT_LE(Norm(hand.Proxy() - Vector3{ 14.0, 10.0, 12.0 }), 1e-6);
+  hand.Lead({ 14.0, 10.0, 11.9 });
+  EXPECT_EQ(Norm(hand.Record.Force), 0.0);
+  EXPECT_EQ(hand.Record.Contact, ContactState::Free);
+}
+
+TEST_F(LocalSurfaceTick, AnswersComeAsLateAsTheSlowLoopIsSlow)
+{
+  Hand hand(this->Description, { 10.0, 10.0, 11.9 });
+  for (int tick = 1; tick <= 3 * Period; ++tick)
+  {
+    EXPECT_EQ(hand.Tick().IsRenewed, tick % Period == 0) << tick;
+  }
+  // Two ticks from outside to 2 mm inside, before the first answer: the hand falls through.
+  Hand fast(this->Description, { 10.0, 10.0, 11.0 });
+  fast.Lead({ 10.0, 10.0, 14.0 }, 1.5);
+  for (int tick = 0; tick < 10; ++tick)
+  {
+    EXPECT_EQ(Norm(fast.Tick().Force), 0.0);
+  }
+  // Its answer is then the surface it has left behind, which comes up under the hand.
+  double last = 0.0;
+  for (int tick = 0; tick < 60; ++tick)
+  {
+    const double force = Norm(fast.Tick().Force);
+    EXPECT_GE(force, last - 1e-7);
+    EXPECT_LE(force - last, 1.0 / 15.0 + 1e-9) << "1 N in 15 ms";
+    last = force;
+  }
+  EXPECT_NEAR(last, 1.0, 1e-6);
+}
+
+TEST_F(LocalSurfaceTick, FrictionSticksAndSlides)
+{
+  this->Description.Material.Friction = ConstantPolyline(0.4);
+  Hand hand(this->Description, { 10.0, 10.0, 9.0 });
+  hand.Lead({ 10.0, 10.0, 15.0 });
+  // Sticks until the lag is mu times the depth (SPEC 4, T4 and T5).
+  hand.Lead({ 11.1, 10.0, 15.0 });
+  EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
+  EXPECT_LE(Norm(hand.Proxy() - Vector3{ 10.0, 10.0, 12.0 }), 1e-6);
+  EXPECT_NEAR(hand.Record.FrictionForce, 0.55, 1e-6);
+  hand.Lead({ 15.0, 10.0, 15.0 });
+  EXPECT_EQ(hand.Record.Contact, ContactState::Sliding);
+  EXPECT_LE(Norm(hand.Proxy() - Vector3{ 13.8, 10.0, 12.0 }), 1e-6);
+  EXPECT_NEAR(hand.Record.FrictionForce, 0.6, 1e-6);
+  EXPECT_NEAR(hand.Record.Force.Z, -1.5, 1e-6);
+  hand.Lead({ 13.8, 10.0, 15.0 });
+  EXPECT_NEAR(hand.Record.FrictionForce, 0.0, 1e-6);
+}
+
+TEST_F(LocalSurfaceTick, RoundABallAQuadricIsNearerThanAPlaneAndBothAreSmooth)
+{
+  for (const double sign : { 1.0, -1.0 })
+  {
+    const TestVolume volume = MakeLocalBall(sign);
+    double worst[2];
+    for (const LocalSurfaceShape shape : { LocalSurfaceShape::Plane, LocalSurfaceShape::Quadric })
+    {
+      const Vector3 middle{ 20.0, 20.0, 20.0 };
+      const double r = BallRadius - 1.0 * sign;
+      Hand hand(DescribeLocal(volume, 100.0, shape),
+        middle + (BallRadius + 2.0 * sign) * Vector3{ 0, 0, 1 });
+      hand.Lead(middle + r * Vector3{ 0.0, 0.0, 1.0 }, 0.05);
+      double& off = worst[static_cast<int>(shape)];
+      off = 0.0;
+      Vector3 force = hand.Record.Force;
+      for (int i = 0; i < 1200; ++i)
+      {
+        const double angle = 0.006 * i; // 0.08 m/s
+        hand.Tip =
+          middle + r * Vector3{ 0.6 * std::sin(angle), 0.8 * std::sin(angle), std::cos(angle) };
+        hand.Tick();
+        off = std::max(off, std::abs(Norm(hand.Proxy() - middle) - BallRadius));
+        EXPECT_LE(Norm(hand.Record.Force - force), 0.02) << "of 0.5 N; tick " << i;
+        force = hand.Record.Force;
+      }
+    }
+    EXPECT_LT(worst[1], 0.03) << sign;
+    EXPECT_LT(worst[1], 0.2 * worst[0]) << sign;
+  }
+}
+
+TEST_F(LocalSurfaceTick, AStateOfNumbersGoesOnToTheBit)
+{
+  this->Description.Material.Friction = ConstantPolyline(0.4);
+  Hand hand(this->Description, { 10.0, 10.0, 9.0 });
+  hand.Lead({ 10.0, 10.3, 14.0 });
+  Hand other(this->Description, {});
+  other.State = FromNumbers(ToNumbers(hand.State));
+  other.Tip = hand.Tip;
+  for (int i = 0; i < 50; ++i)
+  {
+    hand.Tip.X += 0.05;
+    other.Tip.X += 0.05;
+    EXPECT_TRUE(IsSame(hand.Tick().Force, other.Tick().Force)) << i;
+  }
+}
