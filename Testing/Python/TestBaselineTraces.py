@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every method gives a hand that strokes the head phantom is what it was.
+
+    TestBaselineTraces.py PHANTOM BASELINE_FOLDER [--write]
+
+The stroke comes from above, presses 3 mm into the crown and slides 24 mm towards the right ear. The baselines hold the
+proxy, the force and the contact. That they are right is the matter of other tests.
+"""
+
+import math
+import os
+import sys
+import tempfile
+
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataWriter
+from volumehaptics import vtkVolumeHapticsFilter
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import compare_traces  # noqa: E402
+
+SKIN = -300.0  # HU, where the phantom's skin is seen
+ARRAYS = ("Force", "Contact")
+# Baselines hold single precision; and vtkFlyingEdges3D's points, too.
+TOLERANCE = 1e-5
+
+METHODS = {
+    "Paper": lambda f: f.SetSolverToPaper(),
+    "Precise": lambda f: f.SetSolverToPrecise(),
+    "ForceField": lambda f: (f.SetMethodToForceField(), f.SetForceFieldGain(0.005)),
+    "SurfaceProxy": lambda f: f.SetMethodToSurfaceProxy(),
+    "LocalPlane": lambda f: f.SetMethodToLocalSurface(),
+    "LocalQuadric": lambda f: (f.SetMethodToLocalSurface(), f.SetLocalSurfaceShapeToQuadric()),
+}
+
+
+def make_stroke(top):
+    """A press and a slide, 1 ms a point, from 5 mm above the crown (world, mm)."""
+    path = vtkPolyData()
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for tick in range(400):
+        press = min(tick, 100) * 0.08
+        slide = max(0, tick - 100) * 0.08
+        points.InsertNextPoint(-slide, 3.0 * math.sin(0.2 * slide), top + 5.0 - press)
+    path.SetPoints(points)
+    return path
+
+
+def find_crown(image):
+    """Where the axis through the origin meets the skin from above (mm)."""
+    scalars = image.GetPointData().GetScalars()
+    for k in reversed(range(image.GetDimensions()[2])):
+        point = image.FindPoint(0.0, 0.0, image.GetOrigin()[2] + k * image.GetSpacing()[2])
+        if scalars.GetTuple1(point) > SKIN:
+            return image.GetPoint(point)[2]
+    raise AssertionError("the phantom has no crown")
+
+
+def touch(image, path, choose):
+    touch_filter = vtkVolumeHapticsFilter()
+    touch_filter.SetInputData(0, image)
+    touch_filter.SetPathData(path)
+    touch_filter.SetIsoValue(SKIN)
+    touch_filter.GetProperty().ApplyPreset("CT contrast")
+    # The surface methods take the material at the isovalue itself, which is air's: give all of them one.
+    for function, value in (("Stiffness", 400.0), ("Friction", 0.2)):
+        material = getattr(touch_filter.GetProperty(), "Get" + function)()
+        material.RemoveAllPoints()
+        material.AddPoint(0.0, value)
+    choose(touch_filter)
+    touch_filter.Update()
+    trace = vtkPolyData()
+    trace.ShallowCopy(touch_filter.GetOutput())
+    return trace
+
+
+def write(trace, name):
+    """The arrays of a baseline, as small as they get."""
+    small = vtkPolyData()
+    points = vtkPoints()
+    points.SetDataType(VTK_FLOAT)
+    points.DeepCopy(trace.GetPoints())
+    small.SetPoints(points)
+    for array in ARRAYS:
+        source = trace.GetPointData().GetArray(array)
+        copy = source.NewInstance() if array == "Contact" else points.GetData().NewInstance()
+        copy.SetName(array)
+        copy.DeepCopy(source)
+        small.GetPointData().AddArray(copy)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(name)
+    writer.SetInputData(small)
+    writer.SetDataModeToBinary()
+    assert writer.Write(), name
+
+
+def main(phantom, folder, writing):
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(phantom)
+    reader.Update()
+    image = reader.GetOutput()
+    path = make_stroke(find_crown(image))
+    different = []
+    for name, choose in METHODS.items():
+        trace = touch(image, path, choose)
+        contact = trace.GetPointData().GetArray("Contact")
+        touched = sum(contact.GetTuple1(i) > 0.0 for i in range(trace.GetNumberOfPoints()))
+        assert name == "ForceField" or touched > 200, f"{name} touched {touched} ticks long"
+        baseline = os.path.join(folder, f"Trace{name}.vtp")
+        target = baseline if writing else os.path.join(tempfile.mkdtemp(), f"Trace{name}.vtp")
+        write(trace, target)
+        if compare_traces.main([target, baseline, "--tolerance", str(TOLERANCE)]) != 0:
+            different.append(f"{name}: {target}")
+    assert not different, "not as the baseline says: " + ", ".join(different)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], "--write" in sys.argv)
