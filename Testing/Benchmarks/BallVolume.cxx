@@ -95,7 +95,7 @@ const std::vector<Estimator>& GetEstimators()
 }
 
 std::unique_ptr<HapticModel> MakeModel(
-  const BallVolume& volume, const Estimator& estimator, HapticMethod method, HapticSolver solver)
+  const BallVolume& volume, const Estimator& estimator, const ModelChoice& choice)
 {
   HapticModelDescription description;
   description.View = volume.View;
@@ -103,8 +103,12 @@ std::unique_ptr<HapticModel> MakeModel(
   description.Estimator = estimator.Kind;
   description.KernelRadius = estimator.Radius;
   description.Material = MakeMaterial(volume);
-  description.Settings.Method = method;
-  description.Settings.Solver = solver;
+  description.Settings.Method = choice.Method;
+  description.Settings.Solver = choice.Solver;
+  description.Settings.IsoValue = BallLevel;
+  description.Settings.ForceShading = choice.ForceShading;
+  description.Settings.LocalShape = choice.LocalShape;
+  description.Mesh = choice.Mesh;
   description.Settings.ForceFieldGain = 0.01;
   description.Settings.ForceFieldDamping = 0.5;
   return std::make_unique<HapticModel>(description);

@@ -20,6 +20,8 @@ namespace benchmarks
 
 /** Radius in voxels (and mm) of the level that the slide runs along. */
 constexpr double BallRadius = 100.0;
+/** The value there. */
+constexpr double BallLevel = 2000.0 - BallRadius * BallRadius / 20.0;
 
 /**
  * An int16 volume whose value falls with the squared distance from its centre: every level is a
@@ -48,11 +50,19 @@ struct Estimator
 /** All that are measured. */
 const std::vector<Estimator>& GetEstimators();
 
+/** How a model is touched. */
+struct ModelChoice
+{
+  VolumeHaptics::HapticMethod Method = VolumeHaptics::HapticMethod::Proxy;
+  VolumeHaptics::HapticSolver Solver = VolumeHaptics::HapticSolver::Paper;
+  std::shared_ptr<const VolumeHaptics::SurfaceMesh> Mesh;
+  bool ForceShading = true;
+  VolumeHaptics::LocalSurfaceShape LocalShape = VolumeHaptics::LocalSurfaceShape::Plane;
+};
+
 /** A model in life size with a material table like that of a CT. Borrows the volume. */
-std::unique_ptr<VolumeHaptics::HapticModel> MakeModel(const BallVolume& volume,
-  const Estimator& estimator,
-  VolumeHaptics::HapticMethod method = VolumeHaptics::HapticMethod::Proxy,
-  VolumeHaptics::HapticSolver solver = VolumeHaptics::HapticSolver::Paper);
+std::unique_ptr<VolumeHaptics::HapticModel> MakeModel(
+  const BallVolume& volume, const Estimator& estimator, const ModelChoice& choice = {});
 
 } // namespace benchmarks
 

@@ -25,6 +25,9 @@ inline std::string NameOf(const std::string& subject, const std::string& variant
 /** Whole servo ticks: the paper's proxy with each estimator, and the force field. */
 void RegisterTickBenchmarks(const BallVolume& volume);
 
+/** Whole ticks of the methods that touch an isosurface: a mesh, and what a slow loop fits. */
+void RegisterSurfaceBenchmarks(const BallVolume& volume);
+
 /** Gradients and values alone, with each instruction set, beside a bare gather of the taps. */
 void RegisterFieldBenchmarks(const BallVolume& volume);
 

@@ -60,6 +60,7 @@ int main(int argc, char* argv[])
     RegisterFieldBenchmarks(volume);
     RegisterPeerBenchmarks(volume);
   }
+  RegisterSurfaceBenchmarks(volumes.front());
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
   PrintRatios(medians);

@@ -22,6 +22,8 @@ constexpr double WarmTarget = 2.0;
 constexpr double ColdTarget = 1.3;
 /** Radius 3 beside radius 2, of 512 : 216 taps. */
 constexpr double RadiusTarget = 1.5;
+/** A tick on a mesh of some 300 000 triangles, us. */
+constexpr double SurfaceTarget = 10.0;
 /** What a step may take beside its gradient, ns. */
 constexpr double RestTarget = 60.0;
 
@@ -126,6 +128,13 @@ void PrintRatios(const Medians& medians)
   {
     PrintRatio(medians, NameOf("precise_tick", estimator.Name, "slide", "256^3"),
       NameOf("tick", estimator.Name, "slide", "256^3"), PreciseTarget);
+  }
+  PrintTitle("Tick on the isosurface, sliding at 0.1 m/s, us");
+  for (const char* variant : { "surface_tick/shaded", "surface_tick/flat",
+         "local_surface_tick/plane", "local_surface_tick/quadric" })
+  {
+    const IterationTime tick = medians[std::string(variant) + "/slide/256^3"];
+    PrintLine(variant, 1e-3 * tick.Median, 1e-3 * tick.Least, SurfaceTarget);
   }
   PrintTitle("Force field beside the proxy");
   for (const Estimator& estimator : GetEstimators())

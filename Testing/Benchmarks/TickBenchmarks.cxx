@@ -27,7 +27,7 @@ struct Scene
 
 void Slide(benchmark::State& bench, const Scene& scene)
 {
-  const auto model = MakeModel(scene.Volume, scene.Gradient, scene.Method, scene.Solver);
+  const auto model = MakeModel(scene.Volume, scene.Gradient, { scene.Method, scene.Solver });
   Positions tips = SlideAt(scene.Volume, BallRadius - Depth);
   for (Vector3& tip : tips)
   {
@@ -60,7 +60,7 @@ void Slide(benchmark::State& bench, const Scene& scene)
 
 void Jump(benchmark::State& bench, const Scene& scene)
 {
-  const auto model = MakeModel(scene.Volume, scene.Gradient, scene.Method);
+  const auto model = MakeModel(scene.Volume, scene.Gradient, { scene.Method });
   const Positions positions = Scattered(scene.Volume);
   const Vector3 lag = 0.001 * Depth / std::sqrt(3.0) * Vector3{ 1.0, 1.0, 1.0 };
   ServoState state;

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks.h"
+#include "Motion.h"
+#include "ServoTick.h"
+#include "SurfaceMesh.h"
+
+#include <vtkFlyingEdges3D.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <benchmark/benchmark.h>
+
+using namespace VolumeHaptics;
+
+namespace benchmarks
+{
+namespace
+{
+
+/** How deep the tip is held below the surface, mm. */
+constexpr double Depth = 2.0;
+
+/** The level that the slide runs along, as vtkFlyingEdges3D cuts it. */
+std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
+{
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(volume.Image);
+  contour->SetValue(0, BallLevel);
+  contour->ComputeNormalsOn();
+  contour->Update();
+  vtkPolyData* const surface = contour->GetOutput();
+  vtkDataArray* const normals = surface->GetPointData()->GetNormals();
+  std::vector<Vector3> points;
+  std::vector<Vector3> directions;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    surface->GetPoint(i, x);
+    points.push_back({ x[0], x[1], x[2] });
+    normals->GetTuple(i, x);
+    directions.push_back({ x[0], x[1], x[2] });
+  }
+  std::vector<SurfaceMesh::Indices> triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    surface->GetCellPoints(i, ids);
+    triangles.push_back({ static_cast<std::int32_t>(ids->GetId(0)),
+      static_cast<std::int32_t>(ids->GetId(1)), static_cast<std::int32_t>(ids->GetId(2)) });
+  }
+  return std::make_shared<const SurfaceMesh>(points, triangles, directions);
+}
+
+/** Once round and round again, in contact all the way. */
+void Slide(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
+{
+  const auto model = MakeModel(volume, GetEstimators()[2], choice);
+  Positions tips = SlideAt(volume, BallRadius - Depth);
+  for (Vector3& tip : tips)
+  {
+    tip = 0.001 * tip;
+  }
+  ServoState state;
+  TickRecord record;
+  // From outside, where the slide begins.
+  const Vector3 centre = 0.001 * volume.GetCentre();
+  constexpr int approach = 200;
+  for (int i = 0; i <= approach; ++i)
+  {
+    const double share = 1.0 + 0.05 * (1.0 - static_cast<double>(i) / approach);
+    Tick(*model, state, centre + share * (tips.front() - centre), record);
+  }
+  Cycle tip(tips);
+  for (auto _ : bench)
+  {
+    Tick(*model, state, tip.Next(), record);
+    benchmark::DoNotOptimize(record);
+  }
+  if (bench.iterations() > 1000 && record.Contact != ContactState::Sliding)
+  {
+    bench.SkipWithError("the proxy does not slide");
+  }
+  bench.counters["triangles"] =
+    choice.Mesh ? static_cast<double>(choice.Mesh->GetNumberOfTriangles()) : 0.0;
+}
+
+} // namespace
+
+void RegisterSurfaceBenchmarks(const BallVolume& volume)
+{
+  ModelChoice choice;
+  choice.Method = HapticMethod::SurfaceProxy;
+  choice.Mesh = MakeMesh(volume);
+  for (const bool isShaded : { true, false })
+  {
+    choice.ForceShading = isShaded;
+    benchmark::RegisterBenchmark(
+      NameOf("surface_tick", isShaded ? "shaded" : "flat", "slide", volume.Name).c_str(), Slide,
+      volume, choice);
+  }
+  choice.Method = HapticMethod::LocalSurface;
+  choice.Mesh = nullptr;
+  for (const bool isQuadric : { false, true })
+  {
+    choice.LocalShape = isQuadric ? LocalSurfaceShape::Quadric : LocalSurfaceShape::Plane;
+    benchmark::RegisterBenchmark(
+      NameOf("local_surface_tick", isQuadric ? "quadric" : "plane", "slide", volume.Name).c_str(),
+      Slide, volume, choice);
+  }
+}
+
+} // namespace benchmarks
