@@ -62,6 +62,21 @@ std::size_t SurfaceMesh::GetMemorySize() const noexcept
     this->Boxes.capacity() * sizeof(Box) + this->Nodes.capacity() * sizeof(Node);
 }
 
+int SurfaceMesh::EstimateVisits(double distance) const noexcept
+{
+  constexpr std::int64_t places = 256;
+  const std::int64_t step = std::max<std::int64_t>(1, this->GetNumberOfTriangles() / places);
+  int most = 0;
+  for (std::int64_t i = 0; i < this->GetNumberOfTriangles(); i += step)
+  {
+    const auto& [a, b, c] = this->GetTriangle(static_cast<std::int32_t>(i)).Corner;
+    int budget = std::numeric_limits<int>::max();
+    this->VisitNear((1.0 / 3.0) * (a + b + c), distance, budget, [](std::int32_t) {});
+    most = std::max(most, std::numeric_limits<int>::max() - budget);
+  }
+  return most;
+}
+
 Vector3 SurfaceMesh::GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept
 {
   const Indices& corners = this->Triangles[i];

@@ -4,7 +4,8 @@
  * @file
  * Triangles in the world, and which of them are near: an immutable tree of boxes.
  *
- * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing.
+ * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. They take what
+ * they look at from a budget of boxes, and return false where that does not do.
  */
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
@@ -46,9 +47,13 @@ public:
   /** The interpolated normal at a point of a triangle, not quite of unit length. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
+  /** The most boxes that a query takes for the surroundings of some hundred triangles, from all over the mesh. */
+  int EstimateVisits(double distance) const noexcept;
+
   /** Calls visit(i) for all triangles of which the boxes are within a distance of a position. */
   template <typename Visitor>
-  void VisitNear(const Vector3& position, double distance, Visitor&& visit) const noexcept
+  bool VisitNear(
+    const Vector3& position, double distance, int& budget, Visitor&& visit) const noexcept
   {
     const double center[3] = { position.X, position.Y, position.Z };
     const auto isNear = [&](const Box& box)
@@ -60,7 +65,7 @@ public:
       }
       return is;
     };
-    this->Visit(isNear, visit);
+    return this->Visit(isNear, budget, visit);
   }
 
   /**
@@ -68,8 +73,8 @@ public:
    * (0 to 1) others are still of interest.
    */
   template <typename Visitor>
-  void VisitAlong(
-    const Vector3& start, const Vector3& way, double radius, Visitor&& visit) const noexcept
+  bool VisitAlong(const Vector3& start, const Vector3& way, double radius, int& budget,
+    Visitor&& visit) const noexcept
   {
     const double from[3] = { start.X, start.Y, start.Z };
     const double inverse[3] = { 1.0 / way.X, 1.0 / way.Y, 1.0 / way.Z };
@@ -94,7 +99,7 @@ public:
       }
       return enter <= leave;
     };
-    this->Visit(isOnTheWay, [&](std::int32_t i) { last = visit(i); });
+    return this->Visit(isOnTheWay, budget, [&](std::int32_t i) { last = visit(i); });
   }
 
 private:
@@ -120,7 +125,7 @@ private:
   static Box MakeBox(const Triangle& triangle);
 
   template <typename Filter, typename Visitor>
-  void Visit(Filter&& filter, Visitor&& visit) const noexcept
+  bool Visit(Filter&& filter, int& budget, Visitor&& visit) const noexcept
   {
     std::int32_t waiting[Deepest];
     int count = 0;
@@ -131,6 +136,11 @@ private:
     while (count > 0)
     {
       const Node& node = this->Nodes[waiting[--count]];
+      budget -= 1 + node.Count;
+      if (budget < 0)
+      {
+        return false;
+      }
       if (!filter(node.Bounds))
       {
         continue;
@@ -148,6 +158,7 @@ private:
         }
       }
     }
+    return true;
   }
 
   std::vector<Vector3> Points;

@@ -18,6 +18,8 @@ constexpr double Still = 1e-5;
 /** In a valley the shadings of its two sides may lead to and fro: after so many passes this is no motion, too. */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
+/** Radii that are gone at once: no more than can be looked at. */
+constexpr double LongestWay = 64.0;
 /** Of the angle between a triangle and its shading. */
 constexpr double LeastCosine = 0.8;
 
@@ -40,29 +42,36 @@ public:
   const Vector3& GetCentre() const noexcept { return this->Centre; }
   bool IsShading() const noexcept { return this->IsShaded; }
   bool IsTouching() const noexcept { return this->True.GetCount() > 0; }
+  /** Whether there were more triangles than a tick has time for. */
+  bool IsSpent() const noexcept { return this->Budget < 0; }
 
   /** The nearest point to a goal that what the sphere touches allows. */
   Vector3 FindSubgoal(const Vector3& goal) noexcept
   {
     this->True.Clear();
     this->Shaded.Clear();
-    this->Mesh.VisitNear(
-      this->Centre, this->Radius * (1.0 + Margin), [&](std::int32_t i) { this->Touch(i); });
+    this->Mesh.VisitNear(this->Centre, this->Radius * (1.0 + Margin), this->Budget,
+      [&](std::int32_t i) { this->Touch(i); });
     const Vector3 shaded = this->IsShaded ? this->Shaded.Nearest(goal, goal) : goal;
     return this->True.Nearest(shaded, this->Centre);
   }
 
-  /** Goes a way, or up to the first triangle. */
-  void Move(const Vector3& way) noexcept
+  /** Goes a way, the first part of a long one, or up to the first triangle. */
+  void Move(const Vector3& whole) noexcept
   {
+    const Vector3 way = std::min(1.0, LongestWay * this->Radius / Norm(whole)) * whole;
     double first = Never;
-    this->Mesh.VisitAlong(this->Centre, way, this->Radius,
+    const bool isWhole = this->Mesh.VisitAlong(this->Centre, way, this->Radius, this->Budget,
       [&](std::int32_t i)
       {
-        first =
-          std::min(first, MeetingTime(this->Mesh.GetTriangle(i), this->Centre, way, this->Radius));
+        first = std::min(
+          first, MeetingTime(this->Mesh.GetTriangle(i), this->Centre, way, this->Radius, first));
         return std::min(first, 1.0);
       });
+    if (!isWhole)
+    {
+      return;
+    }
     const double gap = Distance * this->Radius / Norm(way);
     this->Centre += (first <= 1.0 ? std::max(0.0, first - gap) : 1.0) * way;
   }
@@ -97,6 +106,7 @@ private:
   const SurfaceMesh& Mesh;
   const double Radius;
   const bool IsShaded;
+  int Budget = MaximumVisits;
   Vector3 Centre;
   HalfSpaces True;
   HalfSpaces Shaded;
@@ -118,13 +128,17 @@ void StepSurfaceProxy(
   const Vector3 goal = model.DeviceToWorld(record.Tip);
   Sphere sphere(model, model.DeviceToWorld(state.Proxy));
   bool slides = false;
-  Vector3 held;
+  Vector3 held = goal - sphere.GetCentre();
   double rest = 0.0;
   double lastExcess = 0.0;
   record.IsUnfinished = true;
   for (int pass = 0; pass < MaximumPasses; ++pass)
   {
     const Vector3 subgoal = sphere.FindSubgoal(goal);
+    if (sphere.IsSpent())
+    {
+      break;
+    }
     const Vector3 way = subgoal - sphere.GetCentre();
     held = goal - subgoal;
     rest = Norm(way);

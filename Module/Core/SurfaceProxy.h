@@ -30,6 +30,10 @@ struct TickRecord;
 
 /** Rounds of subgoal and motion in a tick, at most. */
 constexpr int MaximumPasses = 24;
+/** Boxes of the mesh that a tick looks at, at most: half a millisecond. Then the sphere stays where it came to. */
+constexpr int MaximumVisits = 20000;
+/** A sphere that touches more than this at once is too large to be felt: it would use that up standing still. */
+constexpr int MostTouched = MaximumVisits / 4;
 
 /** One tick from record.Tip; writes all of the record. The model must have a mesh. */
 void StepSurfaceProxy(

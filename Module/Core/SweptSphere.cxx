@@ -9,6 +9,9 @@ namespace VolumeHaptics
 namespace
 {
 
+/** Share of a time by which meetings may be called simultaneous: less than what is kept from a triangle. */
+constexpr double Rounding = 1e-9;
+
 /** Where a way meets a sphere round a point, from outside. */
 double MeetCorner(const Vector3& corner, const Vector3& centre, const Vector3& way, double radius)
 {
@@ -95,9 +98,21 @@ TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept
   return at(va / sum, vb / sum, vc / sum);
 }
 
-double MeetingTime(
-  const Triangle& triangle, const Vector3& centre, const Vector3& way, double radius) noexcept
+double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector3& way,
+  double radius, double latest) noexcept
 {
+  const auto& [a, b, c] = triangle.Corner;
+  Vector3 normal = Cross(b - a, c - a);
+  normal = (1.0 / Norm(normal)) * normal;
+  const double height = Dot(centre - a, normal);
+  normal = height < 0.0 ? -normal : normal;
+  const double closing = -Dot(way, normal);
+  const double gap = std::abs(height) - radius;
+  // Nothing of a triangle is met before its plane is. Of many in one plane, this leaves few to look at closely.
+  if (gap > 0.0 && gap >= closing * latest * (1.0 - Rounding))
+  {
+    return Never;
+  }
   const TrianglePoint nearest = NearestPoint(triangle, centre);
   const Vector3 off = centre - nearest.Position;
   const double square = Dot(off, off);
@@ -109,15 +124,9 @@ double MeetingTime(
   {
     return Never;
   }
-  const auto& [a, b, c] = triangle.Corner;
-  Vector3 normal = Cross(b - a, c - a);
-  normal = (1.0 / Norm(normal)) * normal;
-  const double height = Dot(centre - a, normal);
-  normal = height < 0.0 ? -normal : normal;
-  const double closing = -Dot(way, normal);
-  if (closing > 0.0 && std::abs(height) >= radius)
+  if (closing > 0.0 && gap >= 0.0)
   {
-    const double time = (std::abs(height) - radius) / closing;
+    const double time = gap / closing;
     const Vector3 touched = centre + time * way - radius * normal;
     const auto& weight = NearestPoint(triangle, touched).Weight;
     // Else an edge is met, at the same time where this is only just not so.

@@ -35,10 +35,11 @@ TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept
 
 /**
  * The share of a way, 0 to 1, after which a sphere's centre is within `radius` of the triangle; Never where it
- * isn't. Never, too, where it begins there and the way does not lead nearer.
+ * isn't. Never, too, where it begins there and the way does not lead nearer, and where a meeting would come after
+ * `latest`, or before it by a rounding only.
  */
-double MeetingTime(
-  const Triangle& triangle, const Vector3& centre, const Vector3& way, double radius) noexcept;
+double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector3& way,
+  double radius, double latest = Never) noexcept;
 
 } // namespace VolumeHaptics
 

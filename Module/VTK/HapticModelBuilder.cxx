@@ -6,6 +6,8 @@
 #include "HapticNoise.h"
 #include "HapticSurface.h"
 #include "HapticVolumeView.h"
+#include "SurfaceMesh.h"
+#include "SurfaceProxy.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -117,7 +119,24 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   }
   const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue };
   d.Mesh = options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error);
-  return d.Mesh != nullptr;
+  if (!d.Mesh)
+  {
+    return false;
+  }
+  const int touched = d.Mesh->EstimateVisits(d.Settings.ProxyRadius);
+  if (touched > MostTouched)
+  {
+    std::ostringstream message;
+    message
+      << "The ProxyRadius " << d.Settings.ProxyRadius
+      << " of vtkVolumeHapticsFilter is too large for a surface as fine as this: a sphere of it "
+         "may touch some "
+      << touched / 2 << " of its triangles at once, and a tick has time for " << MostTouched / 2
+      << ". Lower ProxyRadius, or connect a coarser surface to input port 2.";
+    error = message.str();
+    return false;
+  }
+  return true;
 }
 
 /** Holds a reference to the array; made and dropped outside the servo thread. */

@@ -171,7 +171,7 @@ public:
   ///@{
   /**
    * Radius of the sphere (world units) of SURFACE_PROXY, 0 to 1e9; some voxels at most, since a tick
-   * looks at all triangles that it touches. Gaps narrower than its diameter are not felt.
+   * looks at all triangles that it touches: a radius that is too large for the surface is an error. Gaps narrower than its diameter are not felt.
    * 0 (default) stands for half of the smallest spacing.
    */
   vtkSetClampMacro(ProxyRadius, double, 0.0, 1e9);

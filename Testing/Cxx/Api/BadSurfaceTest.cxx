@@ -58,6 +58,17 @@ TEST_F(BadSurface, ACellsPointsExist)
   this->ExpectError({ "port 2", "point that does not exist" });
 }
 
+TEST_F(BadSurface, ASphereIsNoLargerThanATickHasTimeFor)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(10.0);
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  this->Filter->SetSurfaceConnection(sphere->GetOutputPort());
+  this->Filter->SetProxyRadius(5.0);
+  this->ExpectError({ "ProxyRadius 5", "too large", "Lower ProxyRadius" });
+}
+
 TEST_F(BadSurface, TheIsoValueIsANumber)
 {
   this->Filter->SetIsoValue(std::numeric_limits<double>::quiet_NaN());

@@ -80,6 +80,11 @@ inline std::shared_ptr<SurfaceMesh> MakeBall(double radius, int n, bool hasNorma
   return std::make_shared<SurfaceMesh>(points, faces, hasNormals ? normals : Corners{});
 }
 
+inline double Distance(const Triangle& triangle, const Vector3& x)
+{
+  return Norm(x - NearestPoint(triangle, x).Position);
+}
+
 /// Random numbers, points and triangles.
 class Dice
 {

@@ -2,24 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Swept spheres and the tree of boxes beside what is found the long way.
+ * Nearest points and swept spheres beside what is found the long way.
  */
 
 #include "MeshScene.h"
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 using namespace coretest;
-
-namespace
-{
-double Distance(const Triangle& triangle, const Vector3& x)
-{
-  return Norm(x - NearestPoint(triangle, x).Position);
-}
-} // namespace
 
 TEST(SurfaceGeometry, TheNearestPointOfATriangleHasItsWeights)
 {
@@ -83,36 +73,5 @@ TEST(SurfaceGeometry, ALargeTriangleIsNotMissed)
     const Triangle triangle{ { -0.3 * u - 0.3 * v, 0.7 * u - 0.3 * v, 0.7 * v - 0.3 * u } };
     const Vector3 start = 5.0 * normal + dice.Point(0.1);
     EXPECT_LE(MeetingTime(triangle, start, -10.0 * normal, 0.1), 1.0) << trial;
-  }
-}
-
-TEST(SurfaceGeometry, TheTreeFindsWhatIsNearAndWhatIsMetFirst)
-{
-  const auto ball = MakeBall(20.0, 24, false);
-  const auto count = static_cast<std::int32_t>(ball->GetNumberOfTriangles());
-  EXPECT_EQ(count, 2 * 2 * 24 * 24 - 2 * 2 * 24) << "the poles' have no area";
-  Dice dice(4);
-  for (int trial = 0; trial < 500; ++trial)
-  {
-    const Vector3 start = dice.Point(30.0);
-    const Vector3 way = dice.Point(40.0);
-    const double radius = dice(0.1, 3.0);
-    std::set<std::int32_t> near;
-    ball->VisitNear(start, radius, [&](std::int32_t i) { EXPECT_TRUE(near.insert(i).second); });
-    double first = Never;
-    double foundFirst = Never;
-    for (std::int32_t i = 0; i < count; ++i)
-    {
-      const Triangle triangle = ball->GetTriangle(i);
-      EXPECT_TRUE(Distance(triangle, start) > radius || near.count(i) == 1);
-      first = std::min(first, MeetingTime(triangle, start, way, radius));
-    }
-    ball->VisitAlong(start, way, radius,
-      [&](std::int32_t i)
-      {
-        foundFirst = std::min(foundFirst, MeetingTime(ball->GetTriangle(i), start, way, radius));
-        return std::min(foundFirst, 1.0);
-      });
-    EXPECT_EQ(foundFirst, first) << trial;
   }
 }
