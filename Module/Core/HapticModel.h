@@ -65,6 +65,7 @@ struct HapticSettings
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
   double IsoValue = 0.0;          ///< whose material the surfaces of a mesh have
+  bool HasIsoSurface = false;     ///< the mesh is where V is IsoValue
   double ProxyRadius = 0.5;       ///< world units, more than 0; of SurfaceProxy
   bool ForceShading = true;       ///< of SurfaceProxy, where the mesh has normals
 };

@@ -184,6 +184,10 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
     // Only PRECISE keeps its state up to date.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = carry(state.PreviousTip);
+    if (was.Method != to.Settings.Method && to.Settings.Method == HapticMethod::SurfaceProxy)
+    {
+      state.Proxy = EnterSurface(to, state.Proxy);
+    }
   }
   // In another volume the level means nothing.
   state.Precise.IsHeld = state.Precise.IsHeld && &from.Field == &to.Field;

@@ -115,6 +115,7 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
     d.Settings.ProxyRadius =
       0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   }
+  d.Settings.HasIsoSurface = options.Surface == nullptr;
   const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue };
   d.Mesh = options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error);
   return d.Mesh != nullptr;
