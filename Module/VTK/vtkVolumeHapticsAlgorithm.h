@@ -16,6 +16,7 @@
 #include <string> // for std::string
 
 class vtkHapticProperty;
+class vtkStringArray;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -46,7 +47,8 @@ public:
    * polygonal surface haptics that the paper compares itself with (Ruspini et al. 1997): a sphere of
    * ProxyRadius that no triangle of the surface lets through, with stiffness and friction of the
    * material at IsoValue, and neither drag nor a limit to what the surface holds: Viscosity,
-   * SurfaceStrength and GradientMagnitude are 0.
+   * SurfaceStrength and GradientMagnitude are 0. Chosen while a servo runs, it holds a hand that is up to
+   * three kernel radii inside the isosurface from outside, and one that is deeper, from within.
    */
   vtkSetClampMacro(Method, int, PROXY, SURFACE_PROXY);
   vtkGetMacro(Method, int);
@@ -198,6 +200,20 @@ public:
   vtkGetMacro(MaximumStiffness, double);
   ///@}
 
+  ///@{
+  /**
+   * The same settings as one choice, for keys, menus and command lines. The names are "proxy" (PROXY with
+   * PRECISE), "paper" (PROXY with PAPER), "force-field" and "surface-proxy"; NextMethod() goes on in this
+   * order, from the last to the first. SetMethodByName() is false, with an error that lists the names,
+   * for any other. The text is for people, such as "Proxy, PRECISE".
+   */
+  static vtkStringArray* GetMethodNames();
+  bool SetMethodByName(const char* name);
+  std::string GetMethodName();
+  std::string GetMethodText();
+  void NextMethod();
+  ///@}
+
   /** Includes the property and its functions. */
   vtkMTimeType GetMTime() override;
 
@@ -230,6 +246,8 @@ protected:
   double MaximumStiffness = 0.0;
 
 private:
+  void Choose(std::size_t choice);
+
   vtkVolumeHapticsAlgorithm(const vtkVolumeHapticsAlgorithm&) = delete;
   void operator=(const vtkVolumeHapticsAlgorithm&) = delete;
 };
