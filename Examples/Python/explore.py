@@ -37,7 +37,7 @@ def main(path):
     touch.GetProperty().ApplyPreset("CT contrast")
     touch.GetProperty().SetVisibilityFrom(look)  # what is not seen is not felt
     touch.SetIsoValue(-300)  # the skin, for the method that touches a surface
-    touch.SetForceFieldGain(1 / 400)  # 1 N at 400 HU/mm, as sharp as skin is
+    touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, as sharp as skin is
     device.SetVolumeHaptics(touch)
     device.Open("virtual")
     device.Start()
