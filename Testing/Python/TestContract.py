@@ -33,6 +33,7 @@ FILTER = {
     "SetMetersPerWorldUnit": ("Metres", "0.001"),
     "SetForceFieldGain": ("(N per scalar unit per world unit)", "eq. 1", "Default"),
     "SetForceFieldDamping": ("(N s/m)", "eq. 1", "Default 0"),
+    "SetMethodByName": ("force-field", "surface-proxy", "false"),
     "SetIsoValue": ("isosurface", "Default 0"),
     "SetProxyRadius": ("world units", "0 (default)"),
     "SetForceShading": ("normals", "Default on"),
@@ -51,10 +52,13 @@ FILTER_PLAIN = (
     "SetGradientEstimatorToCentralDifference",
     "SetGradientEstimatorToGaussian",
     "SetGradientEstimatorToCubicBSpline",
+    "NextMethod",
+    "GetMethodNames",
+    "GetMethodText",
     "SetPathData",
     "SetInputArrayToProcess",
 )
-NO_GETTER = ("SetPathConnection", "SetSurfaceConnection")
+NO_GETTER = ("SetMethodByName", "SetPathConnection", "SetSurfaceConnection")
 ARRAYS = {
     "Time": "s",
     "Tip": "world",

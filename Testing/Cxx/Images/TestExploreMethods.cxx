@@ -6,6 +6,7 @@
 #include "InputError.h"
 #include "Options.h"
 #include "TraceSummary.h"
+#include "VolumeOrientation.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -94,6 +95,11 @@ int TestExploreMethods(int argc, char* argv[])
     }
   }
   Expect(proxy.Filter->GetIsoValue() == proxy.Values.OuterThreshold, "the surface is the skin");
+  Explore::Volume large = Explore::LoadVolume(volume);
+  Explore::ScaleLengths(large.Image, 1.5);
+  const double gain = Explore::ExploreVolume(large, {}).Filter->GetForceFieldGain();
+  Expect(std::abs(gain / proxy.Filter->GetForceFieldGain() - 1.5) < 0.01,
+    "a larger head, less sharp, pushes as much");
   std::string message;
   try
   {
