@@ -200,19 +200,21 @@ public:
   vtkGetMacro(MaximumStiffness, double);
   ///@}
 
-  ///@{
   /**
-   * The same settings as one choice, for keys, menus and command lines. The names are "proxy" (PROXY with
-   * PRECISE), "paper" (PROXY with PAPER), "force-field" and "surface-proxy"; NextMethod() goes on in this
-   * order, from the last to the first. SetMethodByName() is false, with an error that lists the names,
-   * for any other. The text is for people, such as "Proxy, PRECISE".
+   * Method and Solver as one choice, for menus and command lines, in the order of NextMethod(): "proxy" (PROXY with
+   * PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy".
    */
   static vtkStringArray* GetMethodNames();
+
+  /** One of GetMethodNames(); false, with an error that lists them, for any other name. */
   bool SetMethodByName(const char* name);
   std::string GetMethodName();
+
+  /** What is felt, for people, such as "Proxy, PRECISE". */
   std::string GetMethodText();
+
+  /** Go on to the next of GetMethodNames(), and from the last to the first. */
   void NextMethod();
-  ///@}
 
   /** Includes the property and its functions. */
   vtkMTimeType GetMTime() override;
