@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Touches a CT with the mouse: explore.py VOLUME (.vti, .mha, .mhd, .nii, .nii.gz). Press t on it."""
+"""Touches a CT with the mouse: explore.py VOLUME (.vti, .mha, .mhd, .nii, .nii.gz). Press t on it, m for
+the next method."""
 import sys
 
 import vtkmodules.vtkInteractionStyle
@@ -35,6 +36,8 @@ def main(path):
     touch.SetInputConnection(reader.GetOutputPort())
     touch.GetProperty().ApplyPreset("CT contrast")
     touch.GetProperty().SetVisibilityFrom(look)  # what is not seen is not felt
+    touch.SetIsoValue(-300)  # the skin, for the method that touches a surface
+    touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, as sharp as skin is
     device.SetVolumeHaptics(touch)
     device.Open("virtual")
     device.Start()

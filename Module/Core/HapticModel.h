@@ -73,6 +73,7 @@ struct HapticSettings
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
   double IsoValue = 0.0;          ///< of the surface of SurfaceProxy and LocalSurface
+  bool HasIsoSurface = false;     ///< the surface is where V is IsoValue, not another mesh
   double ProxyRadius = 0.5;       ///< world units, more than 0; of SurfaceProxy
   bool ForceShading = true;       ///< of SurfaceProxy, where the mesh has normals
   double LocalSurfaceRate = 60.0; ///< Hz, of the slow loop of LocalSurface

@@ -144,12 +144,18 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   state.Precise.Stray = PreciseState::Unknown;
   state.Precise.Gain = 1.0;
   const HapticSettings& was = from.Settings;
-  if (was.Method != to.Settings.Method || was.Solver != to.Settings.Solver)
+  const bool isOther = was.Method != to.Settings.Method;
+  if (isOther || was.Solver != to.Settings.Solver)
   {
     // Methods and solvers keep but their own state up to date.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = carry(state.PreviousTip);
-    StartLocalSurface(to.DeviceToWorld(state.Proxy), state.Local);
+  }
+  if (isOther)
+  {
+    const Vector3 outside = EnterSurface(to, state.Proxy);
+    state.Proxy = to.Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
+    StartLocalSurface(to.DeviceToWorld(outside), state.Local);
   }
   // In another volume the level means nothing.
   state.Precise.IsHeld = state.Precise.IsHeld && &from.Field == &to.Field;

@@ -173,4 +173,36 @@ void StepSurfaceProxy(
   }
 }
 
+Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept
+{
+  constexpr int steps = 12;
+  const double iso = model.Settings.IsoValue;
+  const bool isLower = model.Settings.Side == SurfaceSide::Lower;
+  const auto isOutside = [&](const Vector3& at)
+  {
+    const double value = model.ValueAtDevice(at);
+    return isLower ? value > iso : value < iso;
+  };
+  if (!model.Settings.HasIsoSurface || isOutside(place))
+  {
+    return place;
+  }
+  const double radius = 1.1 * model.Settings.ProxyRadius / model.WorldUnitsPerMeter;
+  for (int step = 1; step <= steps; ++step)
+  {
+    const double distance = EntryDepth * model.KernelLength * step / steps;
+    for (int i = 0; i < 27; ++i)
+    {
+      // The neighbours of the middle of a cube.
+      const Vector3 direction{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
+      const Vector3 unit = (1.0 / std::max(1.0, Norm(direction))) * direction;
+      if (i != 13 && isOutside(place + distance * unit))
+      {
+        return place + (distance + radius) * unit;
+      }
+    }
+  }
+  return place;
+}
+
 } // namespace VolumeHaptics

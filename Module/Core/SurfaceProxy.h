@@ -22,6 +22,8 @@
 #ifndef SurfaceProxy_h
 #define SurfaceProxy_h
 
+#include "Vector3.h"
+
 namespace VolumeHaptics
 {
 class HapticModel;
@@ -38,6 +40,16 @@ constexpr int MostTouched = MaximumVisits / 4;
 /** One tick from record.Tip; writes all of the record. The model must have a mesh. */
 void StepSurfaceProxy(
   const HapticModel& model, const ServoState& state, TickRecord& record) noexcept;
+
+/**
+ * Where the proxy (device) begins that another method has left at a place. As nothing is let through, out again
+ * neither, one that is up to EntryDepth inside the isosurface, where other methods may be, begins on the nearest
+ * outside of it; deeper ones are held from within. Looks at a few hundred values.
+ */
+Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept;
+
+/** In lengths of the kernel. */
+constexpr double EntryDepth = 3.0;
 
 } // namespace VolumeHaptics
 

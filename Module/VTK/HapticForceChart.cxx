@@ -118,6 +118,7 @@ void HapticForceChart::Build()
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Chart->SetAutoSize(false);
   this->Chart->SetShowLegend(true);
+  SetFont(this->Chart->GetTitleProperties(), 12);
   SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)");
   SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)");
   this->Chart->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(false);
@@ -161,10 +162,10 @@ void HapticForceChart::Fit(int width, int height)
   this->Extent[1] = static_cast<int>(margin + up);
 }
 
-bool HapticForceChart::Show(vtkTable* table, double span, double force)
+bool HapticForceChart::Show(vtkTable* table, double span, double force, const std::string& title)
 {
   if (table == this->Shown && table->GetMTime() == this->ShownTime && force == this->ShownForce &&
-    span == this->ShownSpan)
+    span == this->ShownSpan && title == this->ShownTitle)
   {
     return false;
   }
@@ -174,6 +175,12 @@ bool HapticForceChart::Show(vtkTable* table, double span, double force)
   this->ShownTime = table->GetMTime();
   this->ShownForce = force;
   this->ShownSpan = span;
+  if (title != this->ShownTitle)
+  {
+    this->ShownTitle = title;
+    this->Chart->SetTitle(title);
+    this->Chart->RecalculateBounds();
+  }
   const double pixel = force / this->Height; // N
   for (int i = 0; i < HapticForceHistory::Curves; ++i)
   {

@@ -12,6 +12,8 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <string>
+
 class vtkBlockItem;
 class vtkChartXY;
 class vtkContextActor;
@@ -34,9 +36,9 @@ public:
   const int* GetExtent() const { return this->Extent; }
   /**
    * The table of a HapticForceHistory, from -span (s) to 0 and from 0 to a force (N). After Fit.
-   * Returns whether the chart changes.
+   * Above it a title, where there is one. Returns whether the chart changes.
    */
-  bool Show(vtkTable* table, double span, double force);
+  bool Show(vtkTable* table, double span, double force, const std::string& title);
 
   vtkContextActor* GetActor() { return this->Actor; }
 
@@ -52,6 +54,7 @@ private:
   vtkMTimeType ShownTime = 0;
   double ShownForce = 0.0;
   double ShownSpan = 0.0;
+  std::string ShownTitle;
 };
 
 } // namespace VolumeHaptics

@@ -107,6 +107,7 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkDataArray* scalars, HapticMod
 bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
 {
+  d.Settings.HasIsoSurface = d.Settings.Method == HapticMethod::LocalSurface;
   if (d.Settings.Method != HapticMethod::SurfaceProxy)
   {
     return true;
@@ -117,6 +118,7 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
     d.Settings.ProxyRadius =
       0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   }
+  d.Settings.HasIsoSurface = options.Surface == nullptr;
   const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue };
   d.Mesh = options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error);
   if (!d.Mesh)

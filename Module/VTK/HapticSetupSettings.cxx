@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticSetupSettings.h"
 
+#include "HapticMethods.h"
 #include "HapticModel.h"
 #include "HapticVolumeView.h"
 
@@ -113,7 +114,7 @@ NumberRow ToRow(const double x[3])
 //------------------------------------------------------------------------------
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
-  PassChoiceMacro(node, filter, Method, { "Proxy", "ForceField", "SurfaceProxy", "LocalSurface" });
+  PassChoiceMacro(node, filter, Method, MethodSettings());
   PassChoiceMacro(node, filter, Solver, { "Paper", "Precise" });
   PassChoiceMacro(node, filter, ContactAlignment, { "Distinctness", "Edge" });
   PassChoiceMacro(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticSurface.h"
 
+#include "HapticTuples.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
@@ -23,11 +25,6 @@ namespace
 /** Boxes are of single precision. */
 constexpr double FarthestPoint = 1e30;
 
-Vector3 ReadTuple(vtkDataArray* array, vtkIdType i)
-{
-  return { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2) };
-}
-
 /** Triangles and points of a surface of triangles; points by one map, normals by another. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(
   vtkPolyData* surface, const Affine3& map, const Matrix3& mapNormals)
@@ -42,10 +39,10 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(
   std::vector<Vector3> directions(normals ? count : 0);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    points[i] = map(ReadTuple(surface->GetPoints()->GetData(), i));
+    points[i] = map(ReadVector(surface->GetPoints()->GetData(), i));
     if (normals)
     {
-      const Vector3 direction = mapNormals * ReadTuple(normals, i);
+      const Vector3 direction = mapNormals * ReadVector(normals, i);
       const double length = Norm(direction);
       directions[i] = length > 0.0 ? (1.0 / length) * direction : Vector3{};
     }
@@ -70,7 +67,7 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
 {
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    const Vector3 point = ReadTuple(surface->GetPoints()->GetData(), i);
+    const Vector3 point = ReadVector(surface->GetPoints()->GetData(), i);
     if (!(Norm(point) < FarthestPoint))
     {
       error = "The surface on input port 2 has a coordinate that is NaN, infinite or beyond 1e30 "

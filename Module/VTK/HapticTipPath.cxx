@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticTipPath.h"
 
+#include "HapticTuples.h"
+
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -100,12 +102,6 @@ vtkDataArray* FindArray(vtkFieldData* data, const char* name, int components, vt
       (tuples < 0 ? array->GetNumberOfTuples() > 0 : array->GetNumberOfTuples() == tuples)
     ? array
     : nullptr;
-}
-
-Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
-{
-  return { array->GetComponent(tuple, first), array->GetComponent(tuple, first + 1),
-    array->GetComponent(tuple, first + 2) };
 }
 
 /** False where the path is not a whole recording. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticDevice.h"
 
+#include "HapticMethods.h"
 #include "vtkHapticDeviceInternals.h"
 
 #include "vtkObjectFactory.h"
@@ -97,6 +98,22 @@ void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 vtkVolumeHapticsFilter* vtkHapticDevice::GetVolumeHaptics()
 {
   return this->Internals->Filter;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticDevice::GetMethodText()
+{
+  auto& d = *this->Internals;
+  const HapticSession* const session = d.Holder.GetSession();
+  const HapticModel* const model = session ? session->GetLatestModel() : nullptr;
+  if (!model)
+  {
+    return d.Filter ? d.Filter->GetMethodText() : std::string();
+  }
+  const HapticSettings& settings = model->Settings;
+  return MethodChoices()[FindMethodChoice(
+                           static_cast<int>(settings.Method), static_cast<int>(settings.Solver))]
+    .Text;
 }
 
 //------------------------------------------------------------------------------

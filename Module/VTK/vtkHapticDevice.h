@@ -80,6 +80,12 @@ public:
   ///@}
 
   /**
+   * Which method is felt, for people: that of the last Publish, such as "Proxy, PRECISE". While the servo
+   * does not run, that of the filter; empty without one.
+   */
+  std::string GetMethodText();
+
+  /**
    * Bring the filter's image up to date and hand the servo a snapshot of everything: image,
    * materials, settings, DeviceToWorld. Used from the next tick on; a change of force that follows
    * is slewed. Without a running servo only checks. False, with an error, where the input can't be

@@ -48,6 +48,8 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   std::chrono::steady_clock::time_point Drawn; // when the picture was made
   vtkNew<vtkTextActor> Text;
   int CanDraw = -1; // not known yet
+
+  std::string GetStatus(vtkHapticHeadUpDisplay& self);
 };
 
 //------------------------------------------------------------------------------
@@ -159,9 +161,23 @@ double vtkHapticHeadUpDisplay::GetForceRange()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHapticHeadUpDisplay::GetText()
+std::string vtkHapticHeadUpDisplay::GetPlotTitle()
 {
   vtkHapticDevice* const device = this->Internals->Device;
+  return device ? device->GetMethodText() : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::GetText()
+{
+  const std::string status = this->Internals->GetStatus(*this);
+  return this->Notice.empty() ? status : status + "\n" + this->Notice;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDisplay& self)
+{
+  vtkHapticDevice* const device = this->Device;
   if (!device)
   {
     return "No device";
@@ -181,7 +197,7 @@ std::string vtkHapticHeadUpDisplay::GetText()
   }
   static const char* const contacts[] = { "free", "sticking", "sliding", "penetrating" };
   const double value = device->GetSurfaceValue();
-  const std::string tissue = this->GetTissueName(value);
+  const std::string tissue = self.GetTissueName(value);
   std::ostringstream text;
   text << status << "\n"
        << std::fixed << std::setprecision(0) << device->GetTickRate() << " ticks/s, "
@@ -235,8 +251,8 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   // In a renderer in software the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now - d.Drawn >= std::chrono::milliseconds(50);
-  const bool isStale =
-    isDue && d.Chart.Show(this->GetPlotTable(), this->TimeSpan, this->GetForceRange());
+  const bool isStale = isDue &&
+    d.Chart.Show(this->GetPlotTable(), this->TimeSpan, this->GetForceRange(), this->GetPlotTitle());
   if (isStale)
   {
     d.Drawn = now;
@@ -261,6 +277,7 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeSpan: " << this->TimeSpan << " s\n";
   os << indent << "PlotVisibility: " << this->PlotVisibility << "\n";
   os << indent << "TextVisibility: " << this->TextVisibility << "\n";
+  os << indent << "Notice: " << this->Notice << "\n";
   os << indent << "States: " << this->GetNumberOfStates() << "\n";
   os << indent << "Tissues: " << this->Internals->Tissues.size() << "\n";
 }

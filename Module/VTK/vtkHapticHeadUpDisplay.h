@@ -5,8 +5,9 @@
  * @brief   what is felt, in figures and as a plot, over the scene
  *
  * The plot shows the last seconds of the normal, friction and drag force and, in grey, the whole
- * force that went to the hand. The text shows the device's status, or its fault; the rate of the
- * servo and the ticks it has missed; the force, the contact and the tissue that is touched.
+ * force that went to the hand; its title is the method that is felt. The text shows the device's status,
+ * or its fault; the rate of the servo and the ticks it has missed; the force, the contact and the tissue
+ * that is touched.
  *
  *   display->SetDevice(device);
  *   display->AddTissue("bone", 300.0, 3000.0);
@@ -73,6 +74,12 @@ public:
   std::string GetTissueName(double value);
   ///@}
 
+  ///@{
+  /** Something that is to be known, below the text until it is taken back. Default empty. */
+  vtkSetStdStringFromCharMacro(Notice);
+  vtkGetCharFromStdStringMacro(Notice);
+  ///@}
+
   /** How many states the plot goes over. */
   vtkIdType GetNumberOfStates();
   /**
@@ -82,8 +89,9 @@ public:
   vtkTable* GetPlotTable();
   /** Upper end of the force axis (N): 1, 2 or 5 times a power of ten. */
   double GetForceRange();
-  /** The text as it would be shown. */
+  /** The text as it would be shown, and the plot's title: which method is felt. */
   std::string GetText();
+  std::string GetPlotTitle();
 
   ///@{
   /** For the renderer. */
@@ -98,6 +106,7 @@ protected:
   double TimeSpan = 5.0;
   vtkTypeBool PlotVisibility = 1;
   vtkTypeBool TextVisibility = 1;
+  std::string Notice;
 
 private:
   vtkHapticHeadUpDisplay(const vtkHapticHeadUpDisplay&) = delete;

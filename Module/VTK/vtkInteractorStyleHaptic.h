@@ -30,6 +30,7 @@
  *   c           put the device's workspace back around the camera's focal point
  *   k           clutch: while held, a real device moves without the tip, and without force
  *   + and -     a larger and a smaller workspace
+ *   m           the next method: see NextMethod()
  *   h and g     head-up display: text and graph
  *   v and n     function editor: on and off, and the next function
  *
@@ -48,6 +49,7 @@
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class vtkHapticDevice;
 class vtkHapticFunctionEditor;
@@ -127,6 +129,16 @@ public:
   ///@}
 
   /**
+   * Feel the same place with the next method of the device's filter, in the order of
+   * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on, and the force goes over to the new one at
+   * the device's MaximumForceRate. Making the mesh of SURFACE_PROXY can take a second, in which the hand
+   * feels what it felt; the head-up display says so before. Where the method can't be felt, as with an
+   * IsoValue that does not occur, this is false, with an error; the method from before stays, and the next
+   * call passes the other one over.
+   */
+  bool NextMethod();
+
+  /**
    * What the timer does, once: states, events, changes, display. For applications without timers. True
    * if there is something new to be seen.
    */
@@ -169,6 +181,7 @@ private:
   double GetEffectiveScale();
   double GetEffectiveDepthStep();
   bool HasMoved();
+  void Notify(const std::string& notice);
   void Draw(bool quickly);
   bool LeadsTip();
   void MoveInDepth(double steps);

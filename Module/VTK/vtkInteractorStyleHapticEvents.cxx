@@ -207,6 +207,10 @@ void vtkInteractorStyleHaptic::OnKeyPress()
     const bool larger = key == "plus" || key == "KP_Add";
     this->SetWorkspaceScale(this->GetEffectiveScale() * (larger ? ScaleFactor : 1.0 / ScaleFactor));
   }
+  else if (key == "m" && d.Device)
+  {
+    this->NextMethod();
+  }
   else if (key == "h")
   {
     toggle(d.Display.GetPointer(), &vtkHapticHeadUpDisplay::GetTextVisibility,
@@ -248,8 +252,9 @@ void vtkInteractorStyleHaptic::OnKeyRelease()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnChar()
 {
-  // In the touch mode the superclass' f would fly the camera away from the hand.
-  if (!(this->TouchMode && this->Interactor->GetKeyCode() == 'f'))
+  // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an animation.
+  const char key = this->Interactor->GetKeyCode();
+  if (!(this->TouchMode && key == 'f') && key != 'm')
   {
     this->Superclass::OnChar();
   }

@@ -14,11 +14,16 @@
 #include "HapticWorkspace.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDataObject.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <string>
 
 struct vtkInteractorStyleHaptic::vtkInternals
 {
@@ -38,6 +43,8 @@ struct vtkInteractorStyleHaptic::vtkInternals
   int FiredTimer = 0; ///< interactors hand their timer's id to observers, but styles don't get it
   vtkNew<vtkCallbackCommand> TimerObserver;
   vtkMTimeType Published = 0; ///< the filter's time when the servo got it
+  std::string Unfelt;         ///< the method that could not be felt, when it was tried last
+  std::string FeltInstead;    ///< and the one that stayed
   vtkMTimeType Placed = 0;    ///< the camera's time when the workspace was put there
   bool IsPlaced = false;
   bool ArmAfterClutch = false;
@@ -47,6 +54,20 @@ struct vtkInteractorStyleHaptic::vtkInternals
 
   bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
+
+  /** When something changed last that a servo is to know: the filter or what it is fed with. */
+  vtkMTimeType GetChangeTime() const
+  {
+    vtkVolumeHapticsFilter* const filter = this->Device->GetVolumeHaptics();
+    if (!filter)
+    {
+      return 0;
+    }
+    vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
+    vtkDataObject* const image = filter->GetInputDataObject(0, 0);
+    return std::max({ filter->GetMTime(), source ? source->GetMTime() : vtkMTimeType(0),
+      image ? image->GetMTime() : vtkMTimeType(0) });
+  }
 
   void LeadTo(const VolumeHaptics::Vector3& world)
   {

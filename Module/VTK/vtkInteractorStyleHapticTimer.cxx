@@ -4,16 +4,13 @@
 // The part of vtkInteractorStyleHaptic that its timer drives: from the servo and back, and when to draw.
 #include "vtkInteractorStyleHaptic.h"
 
+#include "HapticMethods.h"
 #include "HapticViewRay.h"
 #include "vtkInteractorStyleHapticInternals.h"
 
-#include "vtkDataObject.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkTimerLog.h"
-#include "vtkVolumeHapticsFilter.h"
-
-#include <algorithm>
 
 using namespace VolumeHaptics;
 
@@ -84,6 +81,64 @@ bool vtkInteractorStyleHaptic::HasMoved()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::Notify(const std::string& notice)
+{
+  auto& d = *this->Internals;
+  if (!d.Display || notice == d.Display->GetNotice())
+  {
+    return;
+  }
+  d.Display->SetNotice(notice.c_str());
+  if (this->Interactor && this->Interactor->GetRenderWindow())
+  {
+    this->Draw(true);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::NextMethod()
+{
+  auto& d = *this->Internals;
+  vtkVolumeHapticsFilter* const filter = d.Device ? d.Device->GetVolumeHaptics() : nullptr;
+  if (!filter)
+  {
+    vtkErrorMacro(
+      "There is no method to change: SetDevice() one that SetVolumeHaptics() was called on.");
+    return false;
+  }
+  const int method = filter->GetMethod();
+  const int solver = filter->GetSolver();
+  const std::string before = filter->GetMethodText();
+  const bool wasPublished = d.Published == d.GetChangeTime();
+  if (!d.Unfelt.empty() && d.FeltInstead == before)
+  {
+    filter->SetMethodByName(d.Unfelt.c_str());
+  }
+  filter->NextMethod();
+  const std::string wanted = filter->GetMethodText();
+  const MethodChoice& choice =
+    MethodChoices()[FindMethodChoice(filter->GetMethod(), filter->GetSolver())];
+  this->Notify(choice.IsPrepared ? wanted + " is being prepared ..." : "");
+  d.Unfelt.clear();
+  if (d.Device->Publish())
+  {
+    d.Published = d.GetChangeTime();
+    this->Notify("");
+    return true;
+  }
+  d.Unfelt = filter->GetMethodName();
+  d.FeltInstead = before;
+  filter->SetMethod(method);
+  filter->SetSolver(solver);
+  // The servo has never had anything else, unless there is more to be published.
+  d.Published = wasPublished ? d.GetChangeTime() : 0;
+  vtkErrorMacro(<< wanted << " can't be felt here, for the reason given before; " << before
+                << " goes on.");
+  this->Notify(wanted + " can't be felt here: see the messages.\n" + before + " goes on.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::UpdateHaptics()
 {
   auto& d = *this->Internals;
@@ -94,18 +149,16 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   // What has changed goes to the servo first, so that it is felt before it is seen.
   vtkRenderer* const renderer = this->GetHapticRenderer();
   const bool placed = renderer && !this->Clutch && this->PlaceWorkspace(renderer);
-  vtkVolumeHapticsFilter* const filter = d.Device->GetVolumeHaptics();
-  vtkAlgorithm* const source = filter ? filter->GetInputAlgorithm(0, 0) : nullptr;
-  vtkDataObject* const image = filter ? filter->GetInputDataObject(0, 0) : nullptr;
-  const vtkMTimeType time = filter
-    ? std::max({ filter->GetMTime(), source ? source->GetMTime() : vtkMTimeType(0),
-        image ? image->GetMTime() : vtkMTimeType(0) })
-    : vtkMTimeType(0);
+  const vtkMTimeType time = d.GetChangeTime();
   if (placed || time != d.Published)
   {
     // Also where it fails: it will not succeed before something changes, and one error is enough.
+    const bool hasChanged = time != d.Published;
     d.Published = time;
-    d.Device->Publish();
+    if (d.Device->Publish() && hasChanged && d.Display)
+    {
+      d.Display->SetNotice("");
+    }
   }
 
   const bool isNew = d.Device->UpdateState();

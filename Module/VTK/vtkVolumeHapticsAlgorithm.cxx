@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsAlgorithm.h"
 
+#include "HapticMethods.h"
+
 #include "vtkHapticProperty.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +45,72 @@ vtkMTimeType vtkVolumeHapticsAlgorithm::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+vtkStringArray* vtkVolumeHapticsAlgorithm::GetMethodNames()
+{
+  static const vtkSmartPointer<vtkStringArray> names = []
+  {
+    auto array = vtkSmartPointer<vtkStringArray>::New();
+    for (const VolumeHaptics::MethodChoice& choice : VolumeHaptics::MethodChoices())
+    {
+      array->InsertNextValue(choice.Name);
+    }
+    return array;
+  }();
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::Choose(std::size_t choice)
+{
+  const VolumeHaptics::MethodChoice& chosen = VolumeHaptics::MethodChoices()[choice];
+  this->SetMethod(chosen.Method);
+  if (chosen.Solver != VolumeHaptics::MethodChoice::AnySolver)
+  {
+    this->SetSolver(chosen.Solver);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsAlgorithm::SetMethodByName(const char* name)
+{
+  const auto& all = VolumeHaptics::MethodChoices();
+  const std::string wanted = name ? name : "";
+  std::string known;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (wanted == all[i].Name)
+    {
+      this->Choose(i);
+      return true;
+    }
+    known += (i > 0 ? ", \"" : "\"") + std::string(all[i].Name) + "\"";
+  }
+  vtkErrorMacro("There is no method \"" << wanted << "\". Take one of " << known << ".");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsAlgorithm::GetMethodName()
+{
+  const std::size_t now = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
+  return VolumeHaptics::MethodChoices()[now].Name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsAlgorithm::GetMethodText()
+{
+  const std::size_t now = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
+  return VolumeHaptics::MethodChoices()[now].Text;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::NextMethod()
+{
+  const std::size_t now = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
+  this->Choose((now + 1) % VolumeHaptics::MethodChoices().size());
+}
+
+//------------------------------------------------------------------------------
 std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate) const
 {
   const std::pair<const char*, double> settings[] = { { "ServoRate", rate },
@@ -75,8 +144,8 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
     os << "(none)\n";
   }
   static const char* const estimators[] = { "CentralDifference", "Gaussian", "CubicBSpline" };
-  static const char* const methods[] = { "Proxy", "ForceField", "SurfaceProxy", "LocalSurface" };
-  os << indent << "Method: " << methods[this->Method] << "\n";
+  const std::size_t choice = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
+  os << indent << "Method: " << VolumeHaptics::MethodChoices()[choice].Setting << "\n";
   os << indent << "Solver: " << (this->Solver == PAPER ? "Paper" : "Precise") << "\n";
   os << indent << "ContactAlignment: " << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness")
      << "\n";

@@ -16,6 +16,7 @@
 #include <string> // for std::string
 
 class vtkHapticProperty;
+class vtkStringArray;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -51,6 +52,8 @@ public:
    * the paper compares itself with (Mark et al. 1996): a slow loop fits a plane or a
    * quadric to the isosurface at IsoValue near the proxy, and the servo touches that, with the material at
    * IsoValue, without drag or limit. What the hand meets faster than the slow loop looks, it falls through.
+   * Chosen while a servo runs, these two hold a hand that is up to three kernel radii inside the isosurface from
+   * outside; one that is deeper SURFACE_PROXY holds from within, and LOCAL_SURFACE not at all.
    */
   vtkSetClampMacro(Method, int, PROXY, LOCAL_SURFACE);
   vtkGetMacro(Method, int);
@@ -239,6 +242,22 @@ public:
   vtkGetMacro(MaximumStiffness, double);
   ///@}
 
+  /**
+   * Method and Solver as one choice, for menus and command lines, in the order of NextMethod(): "proxy" (PROXY with
+   * PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy".
+   */
+  static vtkStringArray* GetMethodNames();
+
+  /** One of GetMethodNames(); false, with an error that lists them, for any other name. */
+  bool SetMethodByName(const char* name);
+  std::string GetMethodName();
+
+  /** What is felt, for people, such as "Proxy, PRECISE". */
+  std::string GetMethodText();
+
+  /** Go on to the next of GetMethodNames(), and from the last to the first. */
+  void NextMethod();
+
   /** Includes the property and its functions. */
   vtkMTimeType GetMTime() override;
 
@@ -274,6 +293,8 @@ protected:
   double MaximumStiffness = 0.0;
 
 private:
+  void Choose(std::size_t choice);
+
   vtkVolumeHapticsAlgorithm(const vtkVolumeHapticsAlgorithm&) = delete;
   void operator=(const vtkVolumeHapticsAlgorithm&) = delete;
 };

@@ -133,15 +133,12 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
   std::string error;
-  vtkAlgorithm* const source = this->GetInputAlgorithm(0, 0);
-  if (source)
+  for (const int port : { 0, 2 }) // the path, on port 1, is not the servo's
   {
-    source->Update(this->GetInputConnection(0, 0)->GetIndex());
-  }
-  vtkAlgorithm* const surfaceSource = this->GetInputAlgorithm(2, 0);
-  if (surfaceSource)
-  {
-    surfaceSource->Update(this->GetInputConnection(2, 0)->GetIndex());
+    if (vtkAlgorithm* const source = this->GetInputAlgorithm(port, 0))
+    {
+      source->Update(this->GetInputConnection(port, 0)->GetIndex());
+    }
   }
   vtkDataObject* const surface = this->GetInputDataObject(2, 0);
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));

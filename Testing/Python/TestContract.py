@@ -33,6 +33,10 @@ FILTER = {
     "SetMetersPerWorldUnit": ("Metres", "0.001"),
     "SetForceFieldGain": ("(N per scalar unit per world unit)", "eq. 1", "Default"),
     "SetForceFieldDamping": ("(N s/m)", "eq. 1", "Default 0"),
+    "GetMethodNames": ("\"paper\"", "force-field", "surface-proxy"),
+    "SetMethodByName": ("GetMethodNames", "false"),
+    "NextMethod": ("GetMethodNames",),
+    "GetMethodText": ("people",),
     "SetIsoValue": ("isosurface", "Default 0"),
     "SetProxyRadius": ("world units", "0 (default)"),
     "SetForceShading": ("normals", "Default on"),
@@ -60,7 +64,7 @@ FILTER_PLAIN = (
     "SetPathData",
     "SetInputArrayToProcess",
 )
-NO_GETTER = ("SetPathConnection", "SetSurfaceConnection")
+NO_GETTER = ("SetMethodByName", "SetPathConnection", "SetSurfaceConnection")
 ARRAYS = {
     "Time": "s",
     "Tip": "world",

@@ -36,6 +36,7 @@ set(Explore_SOURCES
   HeaderText.cxx
   LiveRun.cxx
   MessageCapture.cxx
+  MethodScale.cxx
   Options.cxx
   PolarGrid.cxx
   SceneCamera.cxx

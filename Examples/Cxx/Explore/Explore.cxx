@@ -40,8 +40,8 @@ std::string Caption(const Explore::Exploration& exploration)
   const int* size = exploration.Input.Image->GetDimensions();
   std::ostringstream text;
   text << exploration.Input.Name << ", " << size[0] << " x " << size[1] << " x " << size[2]
-       << " voxels\nTrail of the proxy, coloured by the force on the hand\nMaterials: "
-       << exploration.Materials;
+       << " voxels\nTrail of the proxy, coloured by the force on the hand\nMethod: "
+       << exploration.Method << "\nMaterials: " << exploration.Materials;
   return text.str();
 }
 
@@ -77,7 +77,7 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   Explore::ChartOptions paper;
   paper.Width = options.Width;
   paper.Height = options.Width * 3 / 5;
-  paper.Title = "Force on the hand: " + exploration.Input.Name;
+  paper.Title = "Force on the hand: " + exploration.Input.Name + ", " + exploration.Method;
   Explore::ForceChart chart;
   Explore::BuildForceChart(chart, exploration.Trace, exploration.Tip.Phases, paper);
   Explore::WritePicture(chart.Window, options.Folder + "/force.png");

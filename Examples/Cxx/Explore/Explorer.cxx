@@ -5,6 +5,7 @@
 #include "BodyIsolation.h"
 #include "InputError.h"
 #include "MessageCapture.h"
+#include "MethodScale.h"
 #include "SurfaceMap.h"
 #include "TissueTable.h"
 
@@ -62,6 +63,9 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   result.Tip = PlanTipPath(map, result.View, result.Values.MetersPerWorldUnit, result.ServoRate);
 
   filter->SetInputData(0, volume.Image);
+  ScaleMethods(filter, result.Values, result.Body);
+  filter->SetMethodByName(settings.Method.c_str());
+  result.Method = filter->GetMethodText();
   filter->SetInputData(1, result.Tip.Path);
   const double start = vtkTimerLog::GetUniversalTime();
   {

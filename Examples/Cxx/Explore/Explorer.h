@@ -30,6 +30,7 @@ struct Settings
   std::string Front = "-y"; // world axis along which a face looks
   std::string Up = "+z";    // world axis to the top
   Estimator Gradient = Estimator::Gaussian;
+  std::string Method = "proxy"; // see vtkVolumeHapticsFilter::GetMethodNames
 };
 
 /// What came out of it: all that the pictures and the summary show.
@@ -44,6 +45,7 @@ struct Exploration
   vtkSmartPointer<vtkPolyData> Trace; // of the filter
   std::string Materials;              // name of the preset that was applied
   std::string Estimator;
+  std::string Method;     // of the trace, for people
   int KernelRadius = 0;   // voxels
   double ServoRate = 0.0; // Hz
   double FilterSeconds = 0.0;

@@ -44,6 +44,29 @@ Value Choose(
   throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
 }
 
+/// The names of the methods, each for itself.
+std::map<std::string, std::string> Methods()
+{
+  std::map<std::string, std::string> methods;
+  vtkStringArray* const names = vtkVolumeHapticsFilter::GetMethodNames();
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    methods[names->GetValue(i)] = names->GetValue(i);
+  }
+  return methods;
+}
+
+/// ", first, second" of names, each in quotes or not.
+std::string List(vtkStringArray* names, const std::string& quote)
+{
+  std::string list;
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    list += ", " + quote + names->GetValue(i) + quote;
+  }
+  return list;
+}
+
 int ParseWidth(const std::string& text)
 {
   char* end = nullptr;
@@ -70,6 +93,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   else if (name == "--estimator")
   {
     options.How.Gradient = Choose(ESTIMATORS, name, value);
+  }
+  else if (name == "--method")
+  {
+    options.How.Method = Choose(Methods(), name, value);
   }
   else if (name == "--mapper")
   {
@@ -152,12 +179,8 @@ Options ParseOptions(int argc, char* argv[])
 
 std::string HelpText()
 {
-  std::string presets;
-  vtkStringArray* names = vtkHapticProperty::GetPresetNames();
-  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
-  {
-    presets += ", \"" + names->GetValue(i) + "\"";
-  }
+  const std::string presets = List(vtkHapticProperty::GetPresetNames(), "\"");
+  const std::string methods = List(vtkVolumeHapticsFilter::GetMethodNames(), "").substr(2);
   return R"(Usage: volumehaptics-explore VOLUME [options]
 
 Feels its way over a volume: presses a tip into the outer surface, drags it, presses through to what is
@@ -175,6 +198,9 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
                     split-viewport, dresden, left, right, fake, emulate
   --preset NAME     materials: auto (default), histogram)" +
     presets + R"(
+  --method NAME     of the path, and the first of the window: )" +
+    methods + R"(
+                    (default proxy, the others for comparison)
   --estimator NAME  gradient: central, gaussian (default), bspline
   --size PX         width of the picture (default 900)
   --mapper NAME     volume rendering: auto (default), gpu, cpu

@@ -51,9 +51,9 @@ The mouse turns the head. Press t with the pointer on it to touch it, then
   right button      turn the head without letting go
 Keys
   t  touch mode       a  arm, disarm        Escape  let go
-  h  status           g  graph              v  function editor    n  next function
-  3  stereo           c  recentre           k  clutch             + -  workspace
-  q  close
+  m  next method      h  status             g  graph              3  stereo
+  v  function editor  n  next function      c  recentre           k  clutch
+  + -  workspace      q  close
 )";
 } // namespace
 

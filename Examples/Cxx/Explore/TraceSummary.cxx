@@ -112,13 +112,13 @@ void WriteVolume(std::ostream& out, const Exploration& e)
 void WriteSettings(std::ostream& out, const Exploration& e, const Columns& columns)
 {
   const double scale = e.Values.MetersPerWorldUnit;
-  out << "\nHaptics\n  proxy method, materials \"" << e.Materials << "\", gradient by "
-      << e.Estimator << ", kernel radius " << e.KernelRadius << " voxels\n  " << scale * 1000.0
-      << " mm of hand movement per world unit" << (scale == 0.001 ? " (life-size)" : "")
-      << ", servo rate " << e.ServoRate << " Hz\n  " << columns.Count
-      << " ticks: " << columns.Count / e.ServoRate << " s, tip moved " << std::fixed
-      << std::setprecision(0) << 1000.0 * scale * PathLength(columns.Tip) << " mm, proxy "
-      << 1000.0 * scale * PathLength(e.Trace->GetPoints()->GetData()) << " mm\n"
+  out << "\nHaptics\n  method \"" << e.Method << "\", materials \"" << e.Materials
+      << "\", gradient by " << e.Estimator << ", kernel radius " << e.KernelRadius << " voxels\n  "
+      << scale * 1000.0 << " mm of hand movement per world unit"
+      << (scale == 0.001 ? " (life-size)" : "") << ", servo rate " << e.ServoRate << " Hz\n  "
+      << columns.Count << " ticks: " << columns.Count / e.ServoRate << " s, tip moved "
+      << std::fixed << std::setprecision(0) << 1000.0 * scale * PathLength(columns.Tip)
+      << " mm, proxy " << 1000.0 * scale * PathLength(e.Trace->GetPoints()->GetData()) << " mm\n"
       << std::defaultfloat << std::setprecision(6);
 }
 

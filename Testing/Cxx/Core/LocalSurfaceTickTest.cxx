@@ -115,6 +115,26 @@ TEST_F(LocalSurfaceTick, RoundABallAQuadricIsNearerThanAPlaneAndBothAreSmooth)
   }
 }
 
+TEST_F(LocalSurfaceTick, TakesOverAHandThatIsInside)
+{
+  HapticModelDescription before = this->Description;
+  before.Settings.Method = HapticMethod::ForceField;
+  this->Description.Settings.HasIsoSurface = true;
+  for (const auto& [z, force] : { std::pair{ 15.0, 1.5 }, { 19.0, 0.0 } })
+  {
+    const HapticModel from(before);
+    Hand hand(this->Description, { 10.0, 10.0, z });
+    hand.State = {};
+    Tick(from, hand.State, 0.001 * hand.Tip, hand.Record);
+    CarryState(from, hand.Model, hand.State);
+    for (int tick = 0; tick < 3 * Period; ++tick)
+    {
+      hand.Tick();
+    }
+    EXPECT_NEAR(Norm(hand.Record.Force), force, 1e-6) << z << ": 3 or 7 mm deep, 6 are in reach";
+  }
+}
+
 TEST_F(LocalSurfaceTick, AStateOfNumbersGoesOnToTheBit)
 {
   this->Description.Material.Friction = ConstantPolyline(0.4);

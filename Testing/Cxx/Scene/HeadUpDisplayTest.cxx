@@ -68,6 +68,21 @@ TEST_F(HeadUpDisplay, NamesTheColumnThatIsMissing)
   EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
 }
 
+TEST_F(HeadUpDisplay, TitlesThePlotWithWhatIsFelt)
+{
+  EXPECT_EQ(this->Display->GetPlotTitle(), "");
+  this->Display->SetDevice(this->Device);
+  this->Filter->SetSolverToPaper();
+  EXPECT_EQ(this->Display->GetPlotTitle(), "Proxy, PAPER") << "will be felt";
+  this->Begin();
+  this->Filter->SetMethodToForceField();
+  EXPECT_EQ(this->Display->GetPlotTitle(), "Proxy, PAPER") << "not published";
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_EQ(this->Display->GetPlotTitle(), "Force field");
+  this->Display->SetNotice("to be known");
+  EXPECT_NE(this->Display->GetText().find("\nto be known"), std::string::npos);
+}
+
 TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
 {
   EXPECT_EQ(this->Display->GetText(), "No device");

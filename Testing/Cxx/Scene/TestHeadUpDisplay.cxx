@@ -10,6 +10,7 @@
 #include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeHapticsFilter.h"
 
 VTK_MODULE_INIT(vtkRenderingContextOpenGL2)
 VTK_MODULE_INIT(vtkRenderingFreeType)
@@ -21,8 +22,10 @@ int TestHeadUpDisplay(int argc, char* argv[])
     const double hold = t < 1.0 ? 0.0 : (t < 1.5 ? 2.0 * (t - 1.0) : (t < 4.0 ? 1.0 : 0.0));
     return 1.6 * hold * (1.0 + 0.1 * std::sin(12.0 * t));
   };
+  vtkNew<vtkVolumeHapticsFilter> filter; // its method is the plot's title
   vtkNew<vtkHapticDevice> device;
   device->Open("virtual");
+  device->SetVolumeHaptics(filter);
   vtkNew<vtkHapticHeadUpDisplay> display;
   display->SetDevice(device);
   display->AddStates(scenetest::MakeStates(0.0, 5.0, press));

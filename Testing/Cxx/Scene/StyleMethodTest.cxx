@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The key that goes on to the next method, while the ball is being touched.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkStringArray.h>
+
+using namespace scenetest;
+
+namespace
+{
+class StyleMethod : public StyleTest
+{
+protected:
+  StyleMethod()
+  {
+    this->Filter->SetForceFieldGain(0.01); // 1 N at the ball's 100 a millimetre
+    this->Display->SetDevice(this->Device);
+    this->Style->SetHeadUpDisplay(this->Display);
+  }
+  /// The tip is 2 mm or so deep in the ball, and feels it.
+  void Touch()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Pointer(150, 150);
+    this->Style->TouchModeOn();
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+      this->Run(10);
+    }
+    this->Run(600); // the ramp after arming
+    ASSERT_GT(Length(this->Device->GetForce()), 0.5);
+  }
+  /// Until what was published is felt.
+  void Settle()
+  {
+    this->Device->UpdateState();
+    this->Run(10);
+  }
+  /// What the servo computes by now.
+  void ExpectForce(double x, double y, double z)
+  {
+    const double* const force = this->Device->GetComputedForce();
+    EXPECT_NEAR(force[0], x, 0.02);
+    EXPECT_NEAR(force[1], y, 0.02);
+    EXPECT_NEAR(force[2], z, 0.02);
+  }
+
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+  MessageLog FilterLog{ this->Filter };
+};
+} // namespace
+
+TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
+{
+  this->Touch();
+  vtkStringArray* const names = vtkVolumeHapticsFilter::GetMethodNames();
+  std::vector<std::string> shown;
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    EXPECT_EQ(this->Filter->GetMethodName(), names->GetValue(i));
+    shown.push_back(this->Display->GetPlotTitle());
+    this->Press("m");
+    EXPECT_STREQ(this->Display->GetNotice(), "");
+  }
+  EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::PROXY);
+  EXPECT_EQ(this->Filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
+  shown.resize(4); // whatever comes after these
+  EXPECT_EQ(shown,
+    (std::vector<std::string>{ "Proxy, PRECISE", "Proxy, PAPER", "Force field", "Surface proxy" }));
+  EXPECT_TRUE(this->Log.Errors.empty());
+}
+
+TEST_F(StyleMethod, TheServoFeelsWithTheMethodAtOnce)
+{
+  this->Touch();
+  const double depth = 30.0 - this->Device->GetTipPosition()[2];
+  this->Filter->SetMethodToForceField();
+  this->Style->UpdateHaptics();
+  EXPECT_EQ(this->Display->GetPlotTitle(), "Force field") << "also when it was not the key";
+  this->Settle();
+  this->ExpectForce(0.0, 0.0, 1.0);
+  this->Press("m");
+  this->Settle();
+  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 30.5, 0.02) << "a sphere of half a voxel";
+  this->ExpectForce(0.0, 0.0, 0.5 * (depth + 0.5)); // 500 N/m
+}
+
+TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
+{
+  this->Touch();
+  std::vector<double> last;
+  double jolt = 0.0;
+  const auto watch = [&](vtkTable* states, vtkIdType i)
+  {
+    double now[3];
+    vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
+    const double change[3] = { last.empty() ? 0.0 : now[0] - last[0],
+      last.empty() ? 0.0 : now[1] - last[1], last.empty() ? 0.0 : now[2] - last[2] };
+    jolt = std::max(jolt, Length(change));
+    last.assign(now, now + 3);
+  };
+  this->Filter->SetForceFieldGain(0.08); // against 1 N or so of the others
+  for (vtkIdType i = vtkVolumeHapticsFilter::GetMethodNames()->GetNumberOfValues(); i > 0; --i)
+  {
+    EXPECT_TRUE(this->Style->NextMethod());
+    this->Run(30, watch);
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+  }
+  EXPECT_GT(jolt, 0.4) << "there was something to go over";
+  EXPECT_LE(jolt, 1e-3 * this->Device->GetMaximumForceRate() + 1e-9);
+}
