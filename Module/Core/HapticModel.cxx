@@ -4,17 +4,28 @@
 
 #include "SurfaceMesh.h"
 
+#include <atomic>
+
 namespace VolumeHaptics
 {
 namespace
 {
+
+std::uint64_t NextNumber()
+{
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
+}
 
 double SimilarityScale(const Affine3& map)
 {
   return std::cbrt(std::abs(Determinant(map.Linear)));
 }
 
-/** PRECISE and LOCAL_SURFACE hold their proxy on levels: normals have to be normal to them. */
+/**
+ * PRECISE holds its proxy on levels of its own value: its normals have to be normal to them. LOCAL_SURFACE looks for
+ * levels of V, but how a normal turns matters to it, too.
+ */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {
   const bool isPrecise = settings.Method == HapticMethod::LocalSurface ||
@@ -40,6 +51,7 @@ HapticModel::Baked::Baked(const HapticModelDescription& d)
   , Settings(d.Settings)
   , Samples(d.Samples)
   , Mesh(d.Mesh)
+  , Number(NextNumber())
 {
 }
 
@@ -67,6 +79,7 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
   , Distinctness(this->Shared->Distinctness)
   , Mesh(this->Shared->Mesh.get())
   , IndexToWorld(this->Shared->IndexToWorld)
+  , BakedNumber(this->Shared->Number)
   , DeviceToWorld(deviceToWorld)
   , WorldToDevice(Inverse(deviceToWorld))
   , DeviceToIndex(Compose(Inverse(this->Shared->IndexToWorld), deviceToWorld))

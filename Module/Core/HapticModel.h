@@ -136,6 +136,7 @@ private:
     const HapticSettings Settings;
     const std::shared_ptr<const void> Samples;
     const std::shared_ptr<const SurfaceMesh> Mesh;
+    const std::uint64_t Number;
   };
   HapticModel(std::shared_ptr<const Baked> baked, const Affine3& deviceToWorld);
 
@@ -149,6 +150,8 @@ public:
   const DistinctnessTable& Distinctness; ///< channels W_d, visibility
   const SurfaceMesh* const Mesh;         ///< null without one
   const Affine3& IndexToWorld;
+  const std::uint64_t
+    BakedNumber; ///< of the volume, the material and the settings; no two have the same
   const Affine3 DeviceToWorld;
   const Affine3 WorldToDevice;
   const Affine3 DeviceToIndex;

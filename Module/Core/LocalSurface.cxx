@@ -14,13 +14,10 @@ constexpr double RayStep = 0.5;
 /** Feet nearer to each other than this (voxels) are one; and so are ends of a bracket. */
 constexpr double SameFoot = 1e-3;
 constexpr double SameCrossing = 1e-7;
+/** To either side of a foot, to tell where V rises (voxels). */
+constexpr double RiseStep = 0.25;
 constexpr int MostFeet = 6;
 constexpr int MostHalvings = 60;
-
-Symmetric3 Mix(const Symmetric3& a, const Symmetric3& b, double share) noexcept
-{
-  return { a.Diagonal + share * (b.Diagonal - a.Diagonal), a.Mixed + share * (b.Mixed - a.Mixed) };
-}
 
 /** a b' + b a', times a factor. */
 Symmetric3 Product(const Vector3& a, const Vector3& b, double factor) noexcept
@@ -45,7 +42,7 @@ public:
     , WorldToIndex(Inverse(model.IndexToWorld))
     , GradientToWorld(Transpose(this->WorldToIndex.Linear))
     , Voxel(1.0 / LargestColumn(this->GradientToWorld))
-    , IsHeld(Dot(question.Normal, question.Normal) > 0.0)
+    , IsKnown(Dot(question.Normal, question.Normal) > 0.0)
   {
     const SurfaceSide side = model.Settings.Side;
     const bool isHigh = this->Excess(question.Where) > 0.0;
@@ -56,7 +53,7 @@ public:
   {
     LocalSurface found;
     if (!IsFinite(this->Question.Where) ||
-      (!this->IsHeld && this->Sign * this->Excess(this->Question.Where) > 0.0))
+      (!this->IsKnown && this->Sign * this->Excess(this->Question.Where) > 0.0))
     {
       return found;
     }
@@ -67,10 +64,13 @@ public:
       return found;
     }
     this->FollowFoot(foot, normal);
-    if (this->IsHeld && this->Model.Settings.Side == SurfaceSide::Both &&
-      Dot(normal, this->Question.Normal) < 0.0)
+    const bool isBoth = this->Model.Settings.Side == SurfaceSide::Both;
+    // The proxy may lie on either side of what holds it, by rounding. And where a structure is thinner than the
+    // kernel, the gradient may be that of what is behind it.
+    const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Question.Normal) < 0.0
+                                                  : this->Sign * this->Rise(foot, normal) < 0.0;
+    if (isTurned)
     {
-      // The proxy may lie on either side of what holds it, by rounding.
       this->Sign = -this->Sign;
       normal = -normal;
     }
@@ -107,6 +107,13 @@ private:
     }
     normal = (this->Sign / norm) * gradient;
     return true;
+  }
+
+  /** By how much V rises across a place. */
+  double Rise(const Vector3& x, const Vector3& normal) const noexcept
+  {
+    const Vector3 step = (RiseStep * this->Voxel) * normal;
+    return this->Excess(x + step) - this->Excess(x - step);
   }
 
   /** Narrows a crossing between two places, whose excesses have different signs. */
@@ -232,7 +239,8 @@ private:
         Product(axes[0], axes[1], mixed));
     // A bend tighter than the kernel is noise.
     const double most = std::sqrt(a * a + b * b + 2.0 * mixed * mixed) * step;
-    return most > 1.0 ? Mix({}, curvature, 1.0 / most) : curvature;
+    const double share = std::min(1.0, 1.0 / most);
+    return { share * curvature.Diagonal, share * curvature.Mixed };
   }
 
   const HapticModel& Model;
@@ -241,17 +249,11 @@ private:
   const Affine3 WorldToIndex;
   const Matrix3 GradientToWorld;
   const double Voxel; ///< the smallest spacing
-  const bool IsHeld;
+  const bool IsKnown;
   double Sign = 1.0; ///< of the gradient, for it to point into the structure
 };
 
 } // namespace
-
-Quadric Blend(const Quadric& a, const Quadric& b, double share) noexcept
-{
-  return { b.Centre, a.Value + share * (b.Value - a.Value),
-    a.Gradient + share * (b.Gradient - a.Gradient), Mix(a.Curvature, b.Curvature, share) };
-}
 
 LocalSurface FitLocalSurface(const HapticModel& model, const LocalQuestion& question) noexcept
 {

@@ -11,7 +11,8 @@
  *
  *   depth(x) = N.u + u.S u / 2,   u = x - c,   S N = 0.
  *
- * A surface holds from outside only: a hand that is in the structure and that no surface holds finds none.
+ * A surface holds from outside only: a hand that is in the structure, with no surface near that it has not come
+ * through, finds none. N is that of the gradient kernel, turned to where V rises, or falls.
  *
  * Everything is in world units, so that surfaces stay where they are when the device is placed anew.
  */
@@ -43,32 +44,23 @@ struct Symmetric3
   }
 };
 
-/** depth(x) = Value + Gradient.u + u.Curvature u / 2, u = x - Centre; more than 0 in the structure. */
+/** depth(x) = Gradient.u + u.Curvature u / 2, u = x - Centre; more than 0 in the structure. */
 struct Quadric
 {
   Vector3 Centre;
-  double Value = 0.0;
   Vector3 Gradient;
   Symmetric3 Curvature;
 
   double Depth(const Vector3& x) const noexcept
   {
     const Vector3 u = x - this->Centre;
-    return this->Value + Dot(u, this->Gradient + 0.5 * (this->Curvature * u));
+    return Dot(u, this->Gradient + 0.5 * (this->Curvature * u));
   }
   Vector3 Slope(const Vector3& x) const noexcept
   {
     return this->Gradient + this->Curvature * (x - this->Centre);
   }
-  /** The same function around another centre. */
-  Quadric Around(const Vector3& centre) const noexcept
-  {
-    return { centre, this->Depth(centre), this->Slope(centre), this->Curvature };
-  }
 };
-
-/** Share 0 is a, 1 is b, which has the same centre. */
-Quadric Blend(const Quadric& a, const Quadric& b, double share) noexcept;
 
 struct LocalSurface
 {
@@ -81,10 +73,10 @@ struct LocalQuestion
 {
   Vector3 Where;  ///< the proxy
   Vector3 Ahead;  ///< how far the tip may have gone when the answer is replaced
-  Vector3 Normal; ///< into the structure, of the surface that holds the proxy; 0 where none does
+  Vector3 Normal; ///< into the structure, of the surface that is known there; 0 where there is none
 };
 
-/** Takes microseconds; the same question gets the same answer, wherever the device is placed. */
+/** Takes 10 to 20 microseconds with kernels of 2 voxels, and 200 with 8. The same question gets the same answer, wherever the device is placed. */
 LocalSurface FitLocalSurface(const HapticModel& model, const LocalQuestion& question) noexcept;
 
 } // namespace VolumeHaptics

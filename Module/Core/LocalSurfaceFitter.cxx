@@ -17,31 +17,38 @@ constexpr double NanosecondsPerSecond = 1e9;
 
 } // namespace
 
-void LocalSurfaceFitter::Run() noexcept
+std::int64_t LocalSurfaceFitter::Look() noexcept
 {
-  ServoClock::BlockSignals();
-  std::int64_t planned = ServoClock::Now();
-  while (!this->StopRequested.load(std::memory_order_acquire))
+  std::int64_t period = IdlePeriod;
+  const std::int64_t now = ServoClock::Now();
+  const HapticModel* const model = this->Models.Hold();
+  if (model && model->Settings.Method == HapticMethod::LocalSurface)
   {
-    std::int64_t period = IdlePeriod;
-    const HapticModel* const model = this->Models.Hold();
-    if (model && model->Settings.Method == HapticMethod::LocalSurface)
+    period = static_cast<std::int64_t>(NanosecondsPerSecond / model->Settings.LocalSurfaceRate);
+    if (now - this->Looked >= period)
     {
-      period = static_cast<std::int64_t>(NanosecondsPerSecond / model->Settings.LocalSurfaceRate);
+      this->Looked = std::max(this->Looked + period, now - period);
       if (this->Questions.Update())
       {
         const Question& question = this->Questions.Read();
         this->Answers.Write(
-          { FitLocalSurface(*model, question.Asked), question.Number, &model->Field });
+          { FitLocalSurface(*model, question.Asked), question.Number, model->BakedNumber });
       }
     }
-    this->Models.LetGo();
-    planned = std::max(planned + period, ServoClock::Now());
-    // Stop soon, however slow the loop is.
-    while (!this->StopRequested.load(std::memory_order_acquire) && ServoClock::Now() < planned)
-    {
-      ServoClock::SleepUntil(std::min(planned, ServoClock::Now() + IdlePeriod));
-    }
+  }
+  this->Models.LetGo();
+  // Models and stops are seen soon, however slow the loop is.
+  return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
+}
+
+void LocalSurfaceFitter::Run() noexcept
+{
+  ServoClock::BlockSignals();
+  this->Looked = ServoClock::Now();
+  while (!this->StopRequested.load(std::memory_order_acquire))
+  {
+    const std::int64_t wait = this->Look();
+    ServoClock::SleepUntil(ServoClock::Now() + wait);
   }
 }
 
@@ -50,7 +57,7 @@ LocalAnswer LocalSurfaceFitter::FindAnswer(
 {
   this->Answers.Update();
   const Answer& answer = this->Answers.Read();
-  const bool isMeant = answer.Number == local.Number && answer.Field == &model.Field;
+  const bool isMeant = answer.Number == local.Number && answer.Baked == model.BakedNumber;
   return { false, isMeant ? &answer.Surface : nullptr };
 }
 

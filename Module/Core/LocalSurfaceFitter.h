@@ -16,7 +16,6 @@
 
 namespace VolumeHaptics
 {
-class FieldSampler;
 class ModelExchange;
 
 class LocalSurfaceFitter
@@ -49,14 +48,17 @@ private:
   {
     LocalSurface Surface;
     std::uint32_t Number = 0;
-    const FieldSampler* Field =
-      nullptr; ///< stands for the volume and the settings; not looked into
+    std::uint64_t Baked = 0; ///< of the volume and the settings
   };
+
+  /** Looks once; ns until the next look. */
+  std::int64_t Look() noexcept;
 
   ModelExchange& Models;
   TripleBuffer<Question> Questions;
   TripleBuffer<Answer> Answers;
   std::atomic<bool> StopRequested{ false };
+  std::int64_t Looked = 0; ///< the slow thread's: when the last look was due
 };
 
 } // namespace VolumeHaptics

@@ -9,61 +9,21 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A blend of surfaces that are this nearly opposite (slope, of 1) has no place to hold a proxy. */
+/** A surface is no function of place where its slope (1 at its centre) is less. */
 constexpr double LeastSlope = 0.1;
-/** Shares of the proxy's depth below which it has arrived. */
+/** Shares: of the proxy's depth below which it has arrived, and of what friction holds by which it is called all. */
 constexpr double Arrived = 1e-9;
+constexpr double CloseToCone = 1e-9;
 constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
+constexpr int MostSlips = 16;
 /** A step turns the normal by no more than this (radian), and by no more than this much of what a plane asks. */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
+/** Times the tip's motion by which a lag changes without a jump. */
+constexpr double MostFollowing = 2.0;
 /** Share of a period that is a whole one but for rounding. */
 constexpr double AlmostOne = 1.0 - 1e-9;
-
-/** What is felt now. */
-Quadric Feel(const HapticModel& model, const LocalState& local) noexcept
-{
-  const double recovery = model.Settings.RecoveryTime;
-  const double time = local.Ticks * model.Settings.TickPeriod;
-  return Blend(local.Old, local.New, time < recovery ? time / recovery : 1.0);
-}
-
-/** Lets the share of the stiffness grow or fall by a tick. */
-void MoveShare(const HapticModel& model, LocalState& local) noexcept
-{
-  const double recovery = model.Settings.RecoveryTime;
-  const double step =
-    recovery > model.Settings.TickPeriod ? model.Settings.TickPeriod / recovery : 1.0;
-  local.Share =
-    local.IsComing ? std::min(1.0, local.Share + step) : std::max(0.0, local.Share - step);
-}
-
-/** Takes an answer in. */
-void Renew(const Quadric& felt, const LocalSurface& found, LocalState& local) noexcept
-{
-  const Quadric& shape = found.Shape;
-  const bool wasThere = local.Share > 0.0;
-  local.Ticks = 0;
-  if (found.IsThere && wasThere && Dot(felt.Slope(shape.Centre), shape.Gradient) > 0.0)
-  {
-    local.Old = felt.Around(shape.Centre);
-    local.New = shape;
-    local.IsComing = true;
-  }
-  else if (wasThere && (local.IsHeld || !found.IsThere))
-  {
-    // Nothing is there any more, or the far side of something thin.
-    local.Old = local.New = felt;
-    local.IsComing = false;
-  }
-  else
-  {
-    local.Old = local.New = shape;
-    local.Share = 0.0;
-    local.IsComing = found.IsThere;
-  }
-}
 
 /** Takes a place back to the surface, along its slope; false where there is no way. */
 bool Return(const Quadric& shape, Vector3& x) noexcept
@@ -116,74 +76,174 @@ Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip)
   return before < 0.0 && now > 0.0 ? from + (before / (before - now)) * (tip - from) : tip;
 }
 
-/** Moves the proxy; false where nothing holds it. */
-bool Hold(const HapticModel& model, const ServoState& state, const Quadric& shape,
-  const Vector3& tip, TickRecord& record) noexcept
+/** By how much the tangential part of the lag of a proxy on the surface is more than friction holds (world units). */
+double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
 {
-  const LocalState& local = state.Local;
-  if (!((local.Share > 0.0 || local.IsComing) && shape.Depth(tip) > 0.0))
+  const Vector3 slope = shape.Slope(x);
+  const Vector3 normal = (1.0 / Norm(slope)) * slope;
+  const Vector3 lag = tip - x;
+  const double along = Dot(lag, normal);
+  return Norm(lag - along * normal) - friction * std::max(0.0, along);
+}
+
+/** Moves the proxy's place; false where nothing holds it. */
+bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
+{
+  const Quadric& shape = local.Surface.Shape;
+  if (!local.Surface.IsThere || !(shape.Depth(tip) > 0.0))
   {
     return false;
   }
-  Vector3 stuck = local.IsHeld ? model.DeviceToWorld(state.Proxy)
-                               : FindEntry(shape, model.DeviceToWorld(state.PreviousTip), tip);
+  Vector3 stuck = local.IsHeld ? local.Place : FindEntry(shape, local.Tip, tip);
   if (!Return(shape, stuck))
   {
     return false;
+  }
+  local.Place = stuck;
+  contact = ContactState::Sticking;
+  double high = 1.0;
+  double atHigh = Slip(shape, tip, stuck, friction);
+  if (atHigh <= 0.0)
+  {
+    return true;
   }
   Vector3 goal = stuck;
   if (!Approach(shape, tip, goal))
   {
     return false;
   }
-  const Vector3 held = tip - goal;
-  const double depth = Norm(held);
-  const double slack = record.Friction * depth;
-  const double way = Norm(stuck - goal);
-  const bool isSliding = way > slack;
-  Vector3 proxy = isSliding ? goal + (slack / way) * (stuck - goal) : stuck;
-  if (isSliding && slack > 0.0 && !Return(shape, proxy))
+  local.Place = goal;
+  contact = ContactState::Sliding;
+  // As far from the goal as friction holds it (Illinois); the last place that it does hold counts.
+  double low = 0.0;
+  double atLow = Slip(shape, tip, goal, friction);
+  const double near = -CloseToCone * atLow;
+  int side = 0;
+  for (int i = 0; i < MostSlips && friction > 0.0 && atLow < -near; ++i)
   {
-    return false;
-  }
-  const double k = record.Stiffness * local.Share;
-  const double scale = model.WorldUnitsPerMeter;
-  record.Stiffness = k;
-  record.Proxy = model.WorldToDevice(proxy);
-  record.Force = k * (record.Proxy - record.Tip);
-  record.NormalForce = k * depth / scale;
-  record.FrictionForce = k * std::min(way, slack) / scale;
-  if (record.NormalForce > Law::ForceEpsilon)
-  {
-    record.Normal = (1.0 / depth) * (Transpose(model.DeviceToWorldRotation) * held);
-    record.Contact = isSliding ? ContactState::Sliding : ContactState::Sticking;
+    const double share = low + (high - low) * atLow / (atLow - atHigh);
+    Vector3 x = goal + share * (stuck - goal);
+    if (!Return(shape, x))
+    {
+      break;
+    }
+    const double at = Slip(shape, tip, x, friction);
+    const bool isLow = at <= 0.0;
+    const int now = isLow ? -1 : 1;
+    (isLow ? atHigh : atLow) *= side == now ? 0.5 : 1.0;
+    (isLow ? low : high) = share;
+    (isLow ? atLow : atHigh) = at;
+    local.Place = isLow ? x : local.Place;
+    side = now;
   }
   return true;
 }
 
+/** Lets a jump of the lag fade in. */
+void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) noexcept
+{
+  const double period = model.Settings.TickPeriod;
+  local.Fading = local.Fading - jump;
+  local.Fall = Norm(local.Fading) * period / std::max(model.Settings.RecoveryTime, period);
+}
+
+Vector3 LagOf(const LocalState& local) noexcept
+{
+  return local.IsHeld ? local.Place - local.Tip : Vector3{};
+}
+
+/** Moves the tip and the proxy, with the surface as it is. */
+void Follow(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
+  ContactState& contact) noexcept
+{
+  const double follows = MostFollowing * Norm(tip - local.Tip);
+  const Vector3 before = LagOf(local);
+  local.IsHeld = Hold(tip, friction, local, contact);
+  local.Tip = tip;
+  const Vector3 lag = LagOf(local);
+  const Vector3 jump = lag - before;
+  const double length = Norm(jump);
+  if (length > follows)
+  {
+    Absorb(model, (1.0 - follows / length) * jump, local);
+  }
+  const double left = Norm(local.Fading);
+  local.Fading = left > local.Fall ? (1.0 - local.Fall / left) * local.Fading : Vector3{};
+  // A hand that goes out before a surface has come up whole is not to be pulled in.
+  const double norm = Norm(lag);
+  if (norm > 0.0)
+  {
+    const double inward = -Dot(lag + local.Fading, lag) / norm;
+    const double less = std::clamp(inward, 0.0, follows + local.Fall);
+    local.Fading += (less / norm) * lag;
+  }
+}
+
+/** Takes an answer in, without any change to what is felt. */
+void Renew(const HapticModel& model, const LocalSurface& found, double friction, LocalState& local,
+  ContactState& contact) noexcept
+{
+  const Quadric& shape = found.Shape;
+  // The far side of something thin is not what holds the proxy.
+  const bool isFar = local.IsHeld && found.IsThere &&
+    Dot(local.Surface.Shape.Slope(shape.Centre), shape.Gradient) <= 0.0;
+  const Vector3 before = LagOf(local);
+  local.Surface = isFar ? LocalSurface{} : found;
+  local.IsHeld = Hold(local.Tip, friction, local, contact);
+  Absorb(model, LagOf(local) - before, local);
+}
+
+void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState& local,
+  TickRecord& record) noexcept
+{
+  const double scale = model.WorldUnitsPerMeter;
+  const double norm = Norm(felt);
+  if (norm == 0.0)
+  {
+    return;
+  }
+  const double k = record.Stiffness;
+  record.Proxy = model.WorldToDevice(local.Tip + felt);
+  record.Force = k * (record.Proxy - record.Tip);
+  const Vector3 slope = local.IsHeld ? local.Surface.Shape.Slope(local.Place) : -felt;
+  const Vector3 normal = (1.0 / Norm(slope)) * slope;
+  const double along = -Dot(felt, normal);
+  record.Normal = Transpose(model.DeviceToWorldRotation) * normal;
+  record.NormalForce = k * std::abs(along) / scale;
+  record.FrictionForce = k * Norm(felt + along * normal) / scale;
+}
+
 /** Where the next surface is looked for. */
-void Ask(const HapticModel& model, const ServoState& state, const TickRecord& record,
-  LocalState& local) noexcept
+void Ask(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
 {
   const HapticSettings& settings = model.Settings;
   // The answer comes one period from now, and stays for another.
-  const double ticksAhead = 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod);
-  const Vector3 motion = record.Tip - state.PreviousTip;
-  local.Asked.Where = model.DeviceToWorld(record.Proxy);
-  local.Asked.Ahead = ticksAhead * (model.DeviceToWorld.Linear * motion);
-  local.Asked.Normal = local.IsHeld ? model.DeviceToWorldRotation * record.Normal : Vector3{};
+  const double ticksAhead = std::max(2.0, 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod));
+  const double near = LocalReach * model.WorldUnitsPerMeter / model.MostVoxelsPerMeter;
+  local.Asked.Where = local.IsHeld ? local.Place : local.Tip;
+  local.Asked.Ahead = ticksAhead * motion;
+  local.Asked.Normal = {};
+  const Quadric& shape = local.Surface.Shape;
+  const Vector3 slope = shape.Slope(local.Asked.Where);
+  // Near a surface that it has not come through it is outside, whatever the value says: behind a plane that is
+  // tangent to a hollow there is some of the structure.
+  if (local.Surface.IsThere && std::abs(shape.Depth(local.Asked.Where)) < near)
+  {
+    local.Asked.Normal = (1.0 / Norm(slope)) * slope;
+  }
   local.Age = 0;
   ++local.Number;
 }
 
 } // namespace
 
-void StartLocalSurface(const Vector3& where, LocalState& local) noexcept
+void StartLocalSurface(const Vector3& where, const Vector3& tip, LocalState& local) noexcept
 {
   // An answer to what was asked before is none to this.
   const std::uint32_t number = local.Number + 1;
   local = LocalState{};
   local.Number = number;
+  local.Tip = tip;
   local.Asked.Where = where;
 }
 
@@ -191,31 +251,33 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
   const LocalAnswer& answer) noexcept
 {
   LocalState& local = state.Local;
+  const HapticSettings& settings = model.Settings;
   record.Proxy = record.Tip;
   const bool isFelt = Law::ReadIsoMaterial(model, record);
+  const Vector3 tip = model.DeviceToWorld(record.Tip);
   if (!state.Enabled)
   {
-    StartLocalSurface(model.DeviceToWorld(record.Tip), local);
+    StartLocalSurface(tip, tip, local);
     return;
   }
-  const HapticSettings& settings = model.Settings;
+  const double friction = record.Friction;
+  const Vector3 motion = tip - local.Tip;
+  Follow(model, tip, friction, local, record.Contact);
   ++local.Age;
-  ++local.Ticks;
-  MoveShare(model, local);
-  Quadric felt = Feel(model, local);
-  const bool isDue = answer.IsSimulated
+  record.IsRenewed = answer.IsSimulated
     ? local.Age * settings.TickPeriod * settings.LocalSurfaceRate >= AlmostOne
     : answer.Surface != nullptr;
-  if (isDue)
+  if (record.IsRenewed)
   {
-    Renew(felt, answer.IsSimulated ? FitLocalSurface(model, local.Asked) : *answer.Surface, local);
-    felt = Feel(model, local);
-    record.IsRenewed = true;
+    const LocalSurface found =
+      answer.IsSimulated ? FitLocalSurface(model, local.Asked) : *answer.Surface;
+    Renew(model, found, friction, local, record.Contact);
+    Ask(model, motion, local);
   }
-  local.IsHeld = isFelt && Hold(model, state, felt, model.DeviceToWorld(record.Tip), record);
-  if (isDue)
+  record.Contact = local.IsHeld && isFelt ? record.Contact : ContactState::Free;
+  if (isFelt)
   {
-    Ask(model, state, record, local);
+    WriteForces(model, LagOf(local) + local.Fading, local, record);
   }
 }
 

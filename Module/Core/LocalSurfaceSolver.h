@@ -4,16 +4,20 @@
  * @file
  * The servo's side of HapticMethod::LocalSurface: a surface that a slow loop renews.
  *
- * After Mark et al., "Adding Force Feedback to Graphics Systems", 1996. The proxy x is the point of the surface
- * depth(x) = 0 (LocalSurface.h) that is nearest to the tip, as far as friction lets it: no farther from it than
- * mu |x_tip - x|. The force is k (x - x_tip), with the material at HapticSettings::IsoValue; the surface holds without
- * limit, and there is no drag.
+ * After Mark et al., "Adding Force Feedback to Graphics Systems", 1996. The place x of the proxy is on the surface
+ * depth(x) = 0 (LocalSurface.h) and nearest to the tip there, as far as friction lets it: where x_tip - x makes an
+ * angle of atan(mu) with the surface's normal at x, it sticks. With the material at HapticSettings::IsoValue the
+ * force is k (x - x_tip); the surface holds without limit, and there is no drag.
  *
- * Every 1 / LocalSurfaceRate a question goes out, and the answer to the last one comes in. Until RecoveryTime
- * later what is felt is the blend of both surfaces, depth = (1 - s) depth_old + s depth_new with s growing
- * from 0 to 1: the force is continuous. A surface that appears, or of which the slow loop finds nothing any more,
- * comes and goes with a share of k that grows to 1 or falls to 0 in that time. A RecoveryTime longer than the
- * period of the slow loop makes the surface lag behind.
+ * Every 1 / LocalSurfaceRate a question goes out, and the answer to the last one comes in: another surface, or none.
+ * By what x - x_tip changes then, and wherever else it changes by more than twice the tip's motion (surfaces that bend
+ * more tightly than the hand is deep have several nearest points), the hand feels later: the difference fades over
+ * RecoveryTime. So a surface that comes up under the hand lifts it gently, and none lets go at once; and a difference
+ * never pulls the hand in.
+ *
+ * One surface is known at a time. What the hand meets before the slow loop has seen it, it falls through. A plane lags
+ * behind a curved surface that the hand slides over, and then spends energy where that is convex, and gives some
+ * where it is concave.
  */
 #ifndef LocalSurfaceSolver_h
 #define LocalSurfaceSolver_h
@@ -30,14 +34,14 @@ struct TickRecord;
 /** What LOCAL_SURFACE keeps from tick to tick; in the world. */
 struct LocalState
 {
-  Quadric Old; ///< what was felt when New came; around New's centre
-  Quadric New;
-  double Share = 0.0;       ///< of the stiffness; 0 where there is no surface
-  bool IsComing = false;    ///< whether Share grows to 1; else it falls to 0
-  std::uint32_t Ticks = 0;  ///< since New came
+  LocalSurface Surface;
+  Vector3 Place;            ///< of the proxy on it
+  bool IsHeld = false;      ///< whether Place means anything
+  Vector3 Tip;              ///< after the last tick
+  Vector3 Fading;           ///< what is felt beyond Place - Tip, for a while
+  double Fall = 0.0;        ///< by how much Fading gets shorter in a tick
   std::uint32_t Age = 0;    ///< ticks since Asked
   std::uint32_t Number = 0; ///< of Asked
-  bool IsHeld = false;      ///< whether the proxy is on the surface
   LocalQuestion Asked;
 };
 
@@ -55,8 +59,8 @@ struct LocalAnswer
 void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalAnswer& answer) noexcept;
 
-/** Forgets all surfaces, and asks for one near a place in the world. */
-void StartLocalSurface(const Vector3& where, LocalState& local) noexcept;
+/** Forgets all surfaces, and asks for one near a place, for a tip, both in the world. */
+void StartLocalSurface(const Vector3& where, const Vector3& tip, LocalState& local) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -46,10 +46,12 @@ std::uint64_t ComputeSeal(const ServoSnapshot& s) noexcept
   seal = Mix(Mix(seal, s.Record.Stiffness), s.Record.SurfaceStrength);
   seal = Mix(Mix(seal, s.Record.NormalForce), s.Record.FrictionForce);
   seal = Mix(Mix(Mix(seal, s.Before.Proxy), s.Before.PreviousTip), s.Record.MediumValue);
+  seal = Mix(Mix(Mix(seal, s.Before.Local.Place), s.Before.Local.Fading), std::uint64_t{ s.Before.Local.Number });
   const std::uint64_t flags = static_cast<std::uint64_t>(s.Armed) << 1 |
     static_cast<std::uint64_t>(s.Stale) << 2 | static_cast<std::uint64_t>(s.Before.Enabled) << 3 |
     static_cast<std::uint64_t>(s.Fault) << 8 | static_cast<std::uint64_t>(s.Device) << 16 |
     static_cast<std::uint64_t>(s.Record.Contact) << 24 |
+    static_cast<std::uint64_t>(s.Record.IsRenewed) << 28 |
     static_cast<std::uint64_t>(s.Buttons) << 32;
   return Mix(seal, flags);
 }

@@ -10,9 +10,9 @@
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
  * - commands (arm, disarm, stop) and limits are single atomics.
  *
- * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter to the
- * slow loop; ReadState
- * to one reader; Drain to one recorder; everything else to the owner (the GUI thread).
+ * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter to
+ * the slow loop; ReadState to one reader; Drain to one recorder; everything else to the owner (the GUI
+ * thread).
  */
 #ifndef ServoLoop_h
 #define ServoLoop_h

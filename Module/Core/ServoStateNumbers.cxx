@@ -21,7 +21,6 @@ template <typename Shape, typename Function>
 void VisitQuadric(Shape& shape, Function&& visit)
 {
   VisitVector(shape.Centre, visit);
-  visit(shape.Value);
   VisitVector(shape.Gradient, visit);
   VisitVector(shape.Curvature.Diagonal, visit);
   VisitVector(shape.Curvature.Mixed, visit);
@@ -36,6 +35,7 @@ void VisitPrecise(State& precise, Function&& visit)
   visit(precise.Spring.Tissue);
   visit(precise.Spring.Tension);
   visit(precise.Spring.Reserve);
+  visit(precise.Gain);
   auto& here = precise.Here;
   VisitVector(here.Normal, visit);
   visit(here.GradientMagnitude);
@@ -48,20 +48,20 @@ void VisitPrecise(State& precise, Function&& visit)
   visit(here.Value);
   visit(here.Slope);
   visit(precise.Stray);
-  visit(precise.Gain);
 }
 
 template <typename State, typename Function>
 void VisitLocal(State& local, Function&& visit)
 {
-  VisitQuadric(local.Old, visit);
-  VisitQuadric(local.New, visit);
-  visit(local.Share);
-  visit(local.IsComing);
-  visit(local.Ticks);
+  visit(local.Surface.IsThere);
+  VisitQuadric(local.Surface.Shape, visit);
+  VisitVector(local.Place, visit);
+  visit(local.IsHeld);
+  VisitVector(local.Tip, visit);
+  VisitVector(local.Fading, visit);
+  visit(local.Fall);
   visit(local.Age);
   visit(local.Number);
-  visit(local.IsHeld);
   VisitVector(local.Asked.Where, visit);
   VisitVector(local.Asked.Ahead, visit);
   VisitVector(local.Asked.Normal, visit);

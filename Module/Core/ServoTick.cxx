@@ -155,7 +155,7 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   {
     const Vector3 outside = EnterSurface(to, state.Proxy);
     state.Proxy = to.Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
-    StartLocalSurface(to.DeviceToWorld(outside), state.Local);
+    StartLocalSurface(to.DeviceToWorld(outside), to.DeviceToWorld(state.PreviousTip), state.Local);
   }
   // In another volume the level means nothing.
   state.Precise.IsHeld = state.Precise.IsHeld && &from.Field == &to.Field;

@@ -56,7 +56,7 @@ struct ServoState
   LocalState Local;
 };
 
-constexpr int ServoStateSize = 70;
+constexpr int ServoStateSize = 64;
 
 /** A state for a file: every number of it, in the order of the structs. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

@@ -196,8 +196,7 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
       error =
         "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
         "it needs, all finite, the point arrays DeviceTip (3), Enabled, Renewed, Placement and "
-        "Time, "
-        "and the field arrays DeviceToWorld (16), InitialState (" +
+        "Time, and the field arrays DeviceToWorld (16), InitialState (" +
         std::to_string(ServoStateSize) +
         "), Caps (2) and TickPeriod. Record again, or remove DeviceTip to use the points as a "
         "path.";

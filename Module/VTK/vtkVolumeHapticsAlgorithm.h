@@ -199,7 +199,9 @@ public:
   ///@{
   /**
    * What LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that also bends as the normal does over
-   * KernelRadius voxels to either side. A plane is flat between two looks of the slow loop.
+   * KernelRadius voxels to either side. A hand that slides over a plane is where the surface was at the last look:
+   * over a convex one that costs work, over a concave one it gives some. Both are found where V is IsoValue; only
+   * with CUBIC_BSPLINE is the gradient's direction exactly across that.
    */
   vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
   vtkGetMacro(LocalSurfaceShape, int);
@@ -218,7 +220,7 @@ public:
 
   ///@{
   /**
-   * Time (s) in which LOCAL_SURFACE goes over from one surface to the next, 0 to 10: longer ones are
+   * Time (s) in which LOCAL_SURFACE's force goes over from one surface to the next, 0 to 10: longer ones are
    * smoother, and follow later. Default 0.015.
    */
   vtkSetClampMacro(RecoveryTime, double, 0.0, 10.0);

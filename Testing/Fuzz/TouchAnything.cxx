@@ -182,7 +182,7 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
     constexpr double far = 1e-9;
     const bool isLocal = model.Settings.Method == HapticMethod::LocalSurface;
     const double bound = isLocal
-      ? record.NormalForce * std::hypot(1.0, record.Friction)
+      ? std::hypot(record.NormalForce, record.FrictionForce)
       : record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;
     Check(Norm(record.Force) <= bound * (1.0 + Rounding) + far, "the material holds the force");
     tip = IsFinite(next) && Norm(next) < 1.0 ? next : tip;

@@ -73,11 +73,14 @@ TEST_F(LocalSurfaceTest, RecoveryIsAsLongAsItIsSaid)
   this->Filter->SetPathData(MakePath(points));
   this->Filter->SetRecoveryTime(0.05);
   vtkPolyData* const output = this->Run(121);
-  EXPECT_EQ(Get(output, "Stiffness", 17), 0.0);
-  EXPECT_NEAR(Get(output, "Stiffness", 17 + 25), 250.0, 1e-9);
-  EXPECT_NEAR(Get(output, "Stiffness", 17 + 50), 500.0, 1e-9);
+  EXPECT_EQ(Get(output, "NormalForce", 16), 0.0);
+  for (const int tick : { 0, 1, 10, 24, 49 })
+  {
+    EXPECT_NEAR(Get(output, "NormalForce", 17 + tick), (tick + 1) / 50.0, 0.01) << tick;
+  }
+  EXPECT_NEAR(Get(output, "NormalForce", 17 + 60), 1.0, 0.01);
   this->Filter->SetRecoveryTime(0.0);
-  EXPECT_EQ(Get(this->Run(121), "Stiffness", 18), 500.0);
+  EXPECT_NEAR(Get(this->Run(121), "NormalForce", 17), 1.0, 0.01);
 }
 
 TEST_F(LocalSurfaceTest, WithoutAnIsosurfaceThereIsNoContact)

@@ -34,6 +34,8 @@ TEST_F(LocalSurfaceTick, HoldsTheTipAndLetsGo)
   hand.Lead({ 14.0, 10.0, 14.0 });
   EXPECT_LE(Norm(hand.Proxy() - Vector3{ 14.0, 10.0, 12.0 }), 1e-6);
   hand.Lead({ 14.0, 10.0, 11.9 });
+  EXPECT_LE(Norm(hand.Record.Force), 1e-6) << "what is left of the last renewal, by rounding";
+  hand.Lead({ 14.0, 10.0, 10.0 });
   EXPECT_EQ(Norm(hand.Record.Force), 0.0);
   EXPECT_EQ(hand.Record.Contact, ContactState::Free);
 }
