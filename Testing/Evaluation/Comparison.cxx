@@ -14,15 +14,18 @@ Comparison CompareMethods(vtkImageData* volume, const Effort& effort)
   Comparison all;
   all.Tables.push_back(MeasureCost(effort, all.Plots));
   Table likeness = MakeLikenessTable();
-  for (const Subject& shape : MakeShapes())
+  const auto compare = [&](const std::vector<Subject>& subjects, const std::string& file)
   {
-    CompareOn(shape, likeness);
-  }
+    for (const Subject& subject : subjects)
+    {
+      const std::string number = std::to_string(&subject - subjects.data() + 1);
+      all.Plots.push_back(MakeLikenessPlot(file + "-" + number, subject.Name));
+      CompareOn(subject, likeness, &all.Plots.back());
+    }
+  };
+  compare(MakeShapes(), "likeness");
   std::string error;
-  for (const Subject& bone : MakeBone(volume, BoneValue, effort, error))
-  {
-    CompareOn(bone, likeness);
-  }
+  compare(MakeBone(volume, BoneValue, effort, error), "likeness-bone");
   likeness.Text += error.empty() ? "" : " Bone is left out. " + error;
   all.Tables.push_back(std::move(likeness));
   all.Tables.push_back(CompareRelief(effort, all.Plots));

@@ -14,6 +14,7 @@ namespace
 {
 constexpr double Stiffness = 500.0; // N/m
 constexpr double Frictions[] = { 0.0, 0.3 };
+constexpr double MostDrawn = 20.0; // %
 
 double AngleBetween(const Vector3& a, const Vector3& b)
 {
@@ -54,6 +55,19 @@ const char* Verdict(const Differences& differences)
   return force < ForceThresholds.Lower && stiffness < StiffnessThresholds.Lower
     ? "not to be told apart"
     : "between the thresholds";
+}
+
+/** The share of ticks against the difference. */
+Curve Draw(const Method& method, std::vector<double> percents)
+{
+  Curve curve{ method.Name, {}, {}, method.Colour };
+  std::sort(percents.begin(), percents.end());
+  for (std::size_t i = 0; i < percents.size() && percents[i] <= MostDrawn; ++i)
+  {
+    curve.X.push_back(percents[i]);
+    curve.Y.push_back(100.0 * static_cast<double>(i + 1) / static_cast<double>(percents.size()));
+  }
+  return curve;
 }
 } // namespace
 
@@ -104,6 +118,19 @@ void Differences::Add(const Stroke& stroke, const Trace& reference, const Trace&
   }
 }
 
+double UnfinishedShare(const std::vector<Trace>& traces)
+{
+  std::vector<double> finished;
+  for (const Trace& trace : traces)
+  {
+    for (const TickRecord& tick : trace)
+    {
+      finished.push_back(tick.IsUnfinished ? 0.0 : 1.0);
+    }
+  }
+  return ShareBelow(finished, 0.5);
+}
+
 double OffSurface(const Subject& subject, const std::vector<Trace>& traces)
 {
   std::vector<double> distances;
@@ -138,18 +165,32 @@ Table MakeLikenessTable()
     "holds more "
     "than 0.1 N. Off: RMS distance of the proxy, and of the reference's, to the surface itself, of "
     "which the "
-    "reference has triangles (for bone, difference of the value over the gradient). "
+    "reference has triangles, straight between samples (for bone, difference of the value over the "
+    "gradient). Unfinished: the reference's ticks whose passes did not do, so that it went on in "
+    "the next. "
     "Verdict: not to be told apart, if the 95th percentiles are below 7 % of force, 8 % of "
     "stiffness "
     "and 25 degrees, the smallest differences that people are known to notice; can be told apart "
     "beyond 10 %, 22 % or 25 degrees.",
     { "surface", "mu", "method", "force (mN)", "force (%)", "direction (degrees)", "position (mm)",
-      "stiffness (%)", "off (mm)", "reference off (mm)", "ticks < 7 %", "< 10 %", "< 25 deg",
-      "verdict" },
+      "stiffness (%)", "off (mm)", "reference off (mm)", "reference unfinished", "ticks < 7 %",
+      "< 10 %", "< 25 deg", "verdict" },
     {} };
 }
 
-void CompareOn(const Subject& subject, Table& table)
+Plot MakeLikenessPlot(const std::string& file, const std::string& surface)
+{
+  Plot plot{ file, "Force beside SURFACE_PROXY's, " + surface, "difference of force (%)",
+    "share of ticks below (%)", {} };
+  for (const double threshold : { ForceThresholds.Lower, ForceThresholds.Upper })
+  {
+    plot.Curves.push_back(
+      { "noticed from " + Number(threshold) + " %", { threshold, threshold }, { 0.0, 100.0 }, 4 });
+  }
+  return plot;
+}
+
+void CompareOn(const Subject& subject, Table& table, Plot* plot)
 {
   for (const double friction : Frictions)
   {
@@ -175,9 +216,14 @@ void CompareOn(const Subject& subject, Table& table)
           all.Add(subject.Strokes[i], references[i], traces[i]);
         }
       }
+      if (plot && friction == 0.0)
+      {
+        plot->Curves.push_back(Draw(method, all.Percent));
+      }
       table.Rows.push_back({ subject.Name, Number(friction), method.Name, Cell(all.Newtons, 1000.0),
         Cell(all.Percent), Cell(all.Degrees), Cell(all.Millimeters), Cell(all.Stiffness),
         Number(OffSurface(subject, traces)), Number(OffSurface(subject, references)),
+        Number(UnfinishedShare(references)) + " %",
         Number(ShareBelow(all.Percent, ForceThresholds.Lower)) + " %",
         Number(ShareBelow(all.Percent, ForceThresholds.Upper)) + " %",
         Number(ShareBelow(all.Degrees, DirectionThreshold)) + " %", Verdict(all) });

@@ -62,8 +62,16 @@ struct Subject
 /** Root mean square (mm), over the ticks with more than LeastForce, of how far the proxy is off the surface. */
 double OffSurface(const Subject& subject, const std::vector<Trace>& traces);
 
-/** Adds a row for each friction and each method that has a surface; the reference is SurfaceHaptics(). */
-void CompareOn(const Subject& subject, Table& table);
+/** The share (%) of ticks that left a part of their motion to the next. */
+double UnfinishedShare(const std::vector<Trace>& traces);
+
+/**
+ * Adds a row for each friction and each method that has a surface; the reference is SurfaceHaptics(). A plot gets a
+ * curve for each of these methods, without friction: the share of ticks below a difference of force.
+ */
+void CompareOn(const Subject& subject, Table& table, Plot* plot = nullptr);
+/** The plot without curves. */
+Plot MakeLikenessPlot(const std::string& file, const std::string& surface);
 /** The table without rows. */
 Table MakeLikenessTable();
 

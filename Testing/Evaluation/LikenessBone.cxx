@@ -167,7 +167,7 @@ std::vector<Subject> MakeBone(
     const Value value = [&](const Vector3& x)
     { return isSmoothed ? smoothed.Value(x) : smoothed.RawValue(x); };
     auto strokes = FindStrokes(smoothed, value, isoValue, volume->GetBounds(), directions);
-    const std::string name = (isSmoothed ? "the same, smoothed (" : "bone (") +
+    const std::string name = (isSmoothed ? "smoothed bone (" : "bone (") +
       std::to_string(strokes.size()) + " of " + std::to_string(directions) + " strokes)";
     subjects.push_back({ name,
       std::make_unique<Scene>(

@@ -113,7 +113,7 @@ std::vector<Subject> MakeShapes()
   shapes.push_back(MakeSubject("ball, 20 mm", ball, SlideRound(Radius, Radius - Depth)));
   shapes.push_back(MakeSubject("cavity, 20 mm", cavity, SlideRound(Radius, Radius + Depth)));
   shapes.push_back(MakeSubject("edge rounded by 4 mm", InsideBar, SlideOverEdge()));
-  shapes.push_back(MakeSmoothed("the same, smoothed", InsideBar, SlideOverEdge()));
+  shapes.push_back(MakeSmoothed("the same edge, smoothed", InsideBar, SlideOverEdge()));
   return shapes;
 }
 

@@ -17,6 +17,9 @@ namespace
 {
 using Filter = vtkVolumeHapticsFilter;
 
+/** From how far off (mm) a mesh is met: its triangles can be off the level by a tenth of a voxel. */
+constexpr double Approach = 0.5;
+
 void SetConstant(vtkPiecewiseFunction* function, double value)
 {
   function->RemoveAllPoints();
@@ -104,7 +107,7 @@ Trace Scene::Feel(const Method& method, const Stroke& stroke)
     return {};
   }
   const bool isProxy = method.Kind == Filter::PROXY;
-  Path path = { isProxy ? stroke.Start : stroke.Start + 4.0 * ProbeRadius * stroke.Outward };
+  Path path = { isProxy ? stroke.Start : stroke.Start + Approach * stroke.Outward };
   path.insert(path.end(), stroke.Tips.begin(), stroke.Tips.end());
   Trace trace = Play(*model, path);
   trace.erase(trace.begin());

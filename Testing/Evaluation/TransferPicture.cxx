@@ -10,6 +10,7 @@
 #include "VolumeLoader.h"
 #include "VolumeLook.h"
 
+#include "vtkCamera.h"
 #include "vtkContextActor.h"
 #include "vtkHapticProperty.h"
 #include "vtkPNGWriter.h"
@@ -46,6 +47,7 @@ void AddHead(vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volu
   renderer->AddVolume(head);
   Explore::FitCamera(renderer, Explore::MakeViewFrame(values.Centre, "-y", "+z"), values.BodyBounds,
     Share * Width / Height);
+  renderer->GetActiveCamera()->Zoom(1.2); // The box has corners, a head has none.
 }
 } // namespace
 
