@@ -97,9 +97,9 @@ Curve Draw(const Method& method, const Range& range, const LineFit& fit)
 {
   const bool isWhole = range.First == 1 && range.Last == LargestRadius;
   const std::string radii = std::to_string(range.First) + " to " + std::to_string(range.Last);
-  // The fit of all is grey: it tells how far off one cubic is.
+  // The fit of all is paler (see the plots' palette): it tells how far off one cubic is.
   Curve curve{ std::string(method.Name) + ", fit of r = " + radii, {}, {},
-    isWhole ? 4 : method.Colour };
+    isWhole ? method.Colour + 2 : method.Colour };
   for (double radius = range.First - 0.25; radius < range.Last + 0.3; radius += 0.1)
   {
     curve.X.push_back(radius);
@@ -146,15 +146,12 @@ LineFit FitLine(const std::vector<double>& x, const std::vector<double>& y)
 Table MeasureCost(const Effort& effort, std::vector<Plot>& plots)
 {
   Table table{ "What a tick costs against the radius of the gradient kernel",
-    "The paper: a constant of about 35 us (Pentium II, 800 MHz), and a gradient whose cost is "
-    "cubic in the "
-    "radius. Here: the median time of a tick in contact, of this machine in this run (GAUSSIAN, "
-    "round a ball "
-    "of 20 voxels at 0.1 m/s), fitted by a + b (2 r + 2)^3, the kernel's taps, with the least "
-    "squares of "
-    "relative errors. Radii 1 to 3 have kernels that are compiled for their number of taps and the "
-    "larger "
-    "ones share a general one: no one cubic fits both, so they are fitted apart, too.",
+    "The paper: a constant of about 35 us (Pentium II, 800 MHz), and a gradient whose cost "
+    "is cubic in the radius. Here: the median time of a tick in contact, of this machine in "
+    "this run (GAUSSIAN, round a ball of 20 voxels at 0.1 m/s), fitted by a + b (2 r + 2)^3, "
+    "the kernel's taps, with the least squares of relative errors. Radii 1 to 3 have kernels "
+    "that are compiled for their number of taps and the larger ones share a general one: no "
+    "one cubic fits both, so they are fitted apart, too.",
     { "method" }, {} };
   for (int radius = 1; radius <= LargestRadius; ++radius)
   {

@@ -4,9 +4,9 @@
  * @file
  * Whether a hand can tell a method from proxy-based surface haptics: differences beside what people notice.
  *
- * Just noticeable are differences of 7 to 10 % of a force (Pang, Tan and Durlach 1991; Jones 1989), of 8 to 22 %
- * of a stiffness (Tan et al. 1995; Jones and Hunter 1990) and of some 25 degrees of a force's direction (Barbagli et
- * al. 2006). They were found for steady forces, one after the other: they say nothing about vibration.
+ * Just noticeable are differences of 7 to 10 % of a force (Jones 1989; Pang, Tan and Durlach 1991), of 8 to 22 %
+ * of a stiffness (Tan et al. 1995) and of some 25 degrees of a force's direction (Barbagli et al. 2006). They were
+ * found for steady forces, one after the other: they say nothing about vibration.
  */
 #ifndef Evaluation_Likeness_h
 #define Evaluation_Likeness_h

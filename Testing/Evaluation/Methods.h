@@ -70,7 +70,6 @@ public:
   void SetKernelRadius(int voxels) { this->Filter->SetKernelRadius(voxels); }
   void SetForceFieldGain(double gain) { this->Filter->SetForceFieldGain(gain); }
 
-  double GetIsoValue() { return this->Filter->GetIsoValue(); }
   /** Null after an error of the filter. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(const Method& method);
 

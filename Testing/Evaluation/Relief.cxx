@@ -130,16 +130,12 @@ double CutOff(const std::vector<double>& wavelengths, const std::vector<double>&
 Table CompareRelief(const Effort& effort, std::vector<Plot>& plots)
 {
   Table table{ "Fine detail: the response to sinusoidal relief",
-    "The paper: the ability \"to follow and reconstruct fine details seems to be similar to that "
-    "of general "
-    "haptics\", that is, of FORCE_FIELD. Here: waves of 0.05 mm on a plane (an edge blurred by 1.5 "
-    "voxels "
-    "that lies askew in the grid) under a tip at constant depth, without friction; entries are the "
-    "force's "
-    "amplitude beside k times the relief's (1: all of it is felt). -3 dB: the wavelength from "
-    "which on "
-    "0.707 is felt. FORCE_FIELD has the gain that makes it as stiff as the others where it is "
-    "touched.",
+    "The paper: the ability \"to follow and reconstruct fine details seems to be similar to "
+    "that of general haptics\", that is, of FORCE_FIELD. Here: waves of 0.05 mm on a plane "
+    "(an edge blurred by 1.5 voxels that lies askew in the grid) under a tip at constant "
+    "depth, without friction; entries are the force's amplitude beside k times the relief's "
+    "(1: all of it is felt). -3 dB: the wavelength from which on 0.707 is felt. FORCE_FIELD "
+    "has the gain that makes it as stiff as the others where it is touched.",
     { "method" }, {} };
   std::vector<double> wavelengths = { 2.0, 4.0, 8.0, 20.0 };
   if (effort.IsFull)

@@ -85,6 +85,8 @@ vtkSmartPointer<vtkPolyData> SmoothedVolume::FindSurface(double level) const
   edges->ComputeScalarsOff();
   vtkNew<vtkTransform> toWorld;
   toWorld->SetMatrix(this->Image->GetIndexToPhysicalMatrix());
+  const int* const extent = this->Image->GetExtent();
+  toWorld->Translate(extent[0], extent[2], extent[4]);
   vtkNew<vtkTransformPolyDataFilter> placed;
   placed->SetTransform(toWorld);
   placed->SetInputConnection(edges->GetOutputPort());

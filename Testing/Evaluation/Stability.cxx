@@ -28,12 +28,10 @@ Curve Theory()
 Table CompareStability(const Effort& effort, std::vector<Plot>& plots)
 {
   Table table{ "Stability: the stiffest wall on which a device comes to rest",
-    "The paper: \"The behaviour with high stiffness of surfaces is similar to the behaviour of "
-    "systems using "
-    "proxy-based surface haptics.\" Here a device of 0.1 kg, 1 kHz, is let go at a plane wall; "
-    "entries are the "
-    "stiffness (N/m) up to which it comes to rest. Theory without delay: 2 b / T. FORCE_FIELD has "
-    "no wall.",
+    "The paper: \"The behaviour with high stiffness of surfaces is similar to the behaviour "
+    "of systems using proxy-based surface haptics.\" Here a device of 0.1 kg, 1 kHz, is let "
+    "go at a plane wall; entries are the stiffness (N/m) up to which it comes to rest. "
+    "Theory without delay: 2 b / T. FORCE_FIELD has no wall.",
     { "damping (N s/m)", "delay (ticks)", "2 b / T" }, {} };
   const auto slab = SampleImage([](const Vector3& x) { return Slope * x.Z; }, 24.0);
   std::vector<Method> methods;
@@ -59,7 +57,7 @@ Table CompareStability(const Effort& effort, std::vector<Plot>& plots)
       rows.push_back({ Number(damping), std::to_string(delay), Number(2000.0 * damping) });
     }
     // The curves lie on each other where the methods agree: the first ones are drawn wider.
-    float width = 2.0f + 4.0f * static_cast<float>(methods.size() - 1);
+    float width = 5.0f + 4.0f * static_cast<float>(methods.size() - 1);
     for (const Method& method : methods)
     {
       Scene scene(slab, Slope * (method.Offset() + Ahead));
