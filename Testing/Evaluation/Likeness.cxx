@@ -112,6 +112,10 @@ void Differences::Add(const Stroke& stroke, const Trace& reference, const Trace&
     const double difference = std::abs(Norm(other[i].Force) - force);
     this->Newtons.push_back(difference);
     this->Percent.push_back(100.0 * difference / force);
+    if (i >= stroke.Pressed)
+    {
+      this->Sliding.push_back(this->Percent.back());
+    }
     this->Degrees.push_back(AngleBetween(other[i].Force, reference[i].Force));
     this->Millimeters.push_back(Norm(ProxyOf(other[i]) - ProxyOf(reference[i])));
   }
@@ -170,9 +174,9 @@ Table MakeLikenessTable()
     "the 95th percentiles are below 7 % of force, 8 % of stiffness and 25 degrees, the "
     "smallest differences that people are known to notice (Pang et al. 1991, Tan et al. 1995, "
     "Barbagli et al. 2006); can be told apart beyond 10 %, 22 % or 25 degrees.",
-    { "surface", "mu", "method", "force (mN)", "force (%)", "direction (degrees)", "position (mm)",
-      "stiffness (%)", "off (mm)", "reference off (mm)", "reference unfinished", "ticks < 7 %",
-      "< 10 %", "< 25 deg", "verdict" },
+    { "surface", "mu", "method", "force (mN)", "force (%)", "while sliding (%)",
+      "direction (degrees)", "position (mm)", "stiffness (%)", "off (mm)", "reference off (mm)",
+      "reference unfinished", "ticks < 7 %", "< 10 %", "< 25 deg", "verdict" },
     {} };
 }
 
@@ -219,9 +223,9 @@ void CompareOn(const Subject& subject, Table& table, Plot* plot)
         plot->Curves.push_back(Draw(method, all.Percent));
       }
       table.Rows.push_back({ subject.Name, Number(friction), method.Name, Cell(all.Newtons, 1000.0),
-        Cell(all.Percent), Cell(all.Degrees), Cell(all.Millimeters), Cell(all.Stiffness),
-        Number(OffSurface(subject, traces)), Number(OffSurface(subject, references)),
-        Number(UnfinishedShare(references)) + " %",
+        Cell(all.Percent), Cell(all.Sliding), Cell(all.Degrees), Cell(all.Millimeters),
+        Cell(all.Stiffness), Number(OffSurface(subject, traces)),
+        Number(OffSurface(subject, references)), Number(UnfinishedShare(references)) + " %",
         Number(ShareBelow(all.Percent, ForceThresholds.Lower)) + " %",
         Number(ShareBelow(all.Percent, ForceThresholds.Upper)) + " %",
         Number(ShareBelow(all.Degrees, DirectionThreshold)) + " %", Verdict(all) });

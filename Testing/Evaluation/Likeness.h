@@ -43,6 +43,7 @@ struct Differences
 {
   std::vector<double> Newtons;     ///< of the magnitudes of the force
   std::vector<double> Percent;     ///< the same beside the reference's force
+  std::vector<double> Sliding;     ///< of these, the ticks at which strokes slide
   std::vector<double> Degrees;     ///< between the forces; 180 where one is 0
   std::vector<double> Millimeters; ///< between the proxies
   std::vector<double> Stiffness;   ///< %, between the forces' slopes while a stroke presses
