@@ -45,12 +45,12 @@ double TimeTick(const HapticModel& model, int batches)
 std::vector<double> TimeRadii(Scene& scene, const Method& method, const Effort& effort)
 {
   std::vector<double> times(LargestRadius, 1e9);
-  for (int round = effort.Pick(3, 12); round > 0; --round)
+  for (int round = effort.Pick(6, 60); round > 0; --round)
   {
     for (int i = 0; i < LargestRadius; ++i)
     {
       scene.SetKernelRadius(i + 1);
-      times[i] = std::min(times[i], TimeTick(*scene.Bake(method), effort.Pick(50, 500)));
+      times[i] = std::min(times[i], TimeTick(*scene.Bake(method), effort.Pick(25, 100)));
     }
   }
   return times;

@@ -123,6 +123,8 @@ void DrawPlot(const Plot& plot, const std::string& folder)
   window->Render();
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName((folder + "/" + plot.File + ".png").c_str());
   writer->SetInputConnection(picture->GetOutputPort());

@@ -92,7 +92,7 @@ int main(int argc, char* argv[])
   }
   const int missed = PrintSections(sections);
   const Report report{ sections, MakePlots(effort), CompareMethods(image, effort),
-    DrawTransferPicture(volume, folder) };
+    DrawTransferPicture(volume, effort, folder) };
   PrintComparison(report.Methods);
   for (const std::vector<Plot>& plots : { report.Plots, report.Methods.Plots })
   {

@@ -34,7 +34,8 @@ constexpr int Height = 900;
 constexpr double Share = 0.36;
 
 /** The explorer's look of a volume, with opacity by the gradient as surfaces are distinct by it. */
-void AddHead(vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volume)
+void AddHead(
+  vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volume, const Effort& effort)
 {
   Explore::Analysis values = Explore::AnalyseVolume(volume.Image);
   const vtkSmartPointer<vtkImageData> body =
@@ -42,6 +43,10 @@ void AddHead(vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volu
   Explore::MeasureBody(values, body);
   vtkNew<vtkSmartVolumeMapper> mapper;
   mapper->SetInputData(body);
+  if (!effort.IsFull)
+  {
+    mapper->SetRequestedRenderModeToRayCast(); // Grainy, but soon done without a graphics card.
+  }
   head->SetMapper(mapper);
   Explore::SetVolumeLook(values, head->GetProperty());
   renderer->AddVolume(head);
@@ -51,7 +56,8 @@ void AddHead(vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volu
 }
 } // namespace
 
-Picture DrawTransferPicture(const std::string& volumeFile, const std::string& folder)
+Picture DrawTransferPicture(
+  const std::string& volumeFile, const Effort& effort, const std::string& folder)
 {
   vtkNew<vtkRenderer> scene;
   scene->SetViewport(0.0, 0.0, Share, 1.0);
@@ -59,7 +65,8 @@ Picture DrawTransferPicture(const std::string& volumeFile, const std::string& fo
   vtkNew<vtkVolume> head;
   try
   {
-    AddHead(scene, head, Explore::LoadVolume(volumeFile.empty() ? PHANTOM_FILE : volumeFile));
+    AddHead(
+      scene, head, Explore::LoadVolume(volumeFile.empty() ? PHANTOM_FILE : volumeFile), effort);
   }
   catch (const Explore::InputError& error)
   {
@@ -86,6 +93,8 @@ Picture DrawTransferPicture(const std::string& volumeFile, const std::string& fo
   window->Render();
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff(); // Without a graphics card, seconds.
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName((folder + "/transfer.png").c_str());
   writer->SetInputConnection(picture->GetOutputPort());

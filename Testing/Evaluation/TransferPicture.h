@@ -17,7 +17,8 @@ namespace evaluation
  * preset "CT contrast". Without a file, of the project's phantom. Without a name, after a message on stderr, where
  * the file can't be read. Needs a display, if only a virtual one.
  */
-Picture DrawTransferPicture(const std::string& volumeFile, const std::string& folder);
+Picture DrawTransferPicture(
+  const std::string& volumeFile, const Effort& effort, const std::string& folder);
 
 } // namespace evaluation
 
