@@ -12,8 +12,10 @@
 #include "vtkPNGWriter.h"
 #include "vtkPen.h"
 #include "vtkPlot.h"
+#include "vtkPlotPoints.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
@@ -22,9 +24,11 @@ namespace evaluation
 {
 namespace
 {
-// Apart for the colour-blind, too: the paper's in orange, ours in blue, the same paler, and grey.
+// Apart for the colour-blind, too: the paper's in orange, ours in blue, the same paler, and grey; then, for
+// those who ask for them, green and purple.
 constexpr unsigned char Colours[][3] = { { 222, 110, 0 }, { 0, 92, 175 }, { 245, 185, 120 },
-  { 120, 175, 225 }, { 140, 145, 152 } };
+  { 120, 175, 225 }, { 140, 145, 152 }, { 0, 140, 95 }, { 130, 70, 165 } };
+constexpr int ColoursInTurn = 5;
 
 void SetFont(vtkTextProperty* text, int size)
 {
@@ -41,6 +45,18 @@ void SetAxis(vtkAxis* axis, const std::string& title)
   SetFont(axis->GetLabelProperties(), 13);
   axis->GetGridPen()->SetColor(228, 231, 236);
   axis->GetPen()->SetColor(90, 95, 105);
+}
+
+void SetTicks(vtkAxis* axis, const std::vector<std::pair<double, std::string>>& ticks)
+{
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (const auto& [position, label] : ticks)
+  {
+    positions->InsertNextValue(position);
+    labels->InsertNextValue(label);
+  }
+  axis->SetCustomTickPositions(positions, labels);
 }
 
 vtkSmartPointer<vtkTable> MakeTable(const Curve& curve)
@@ -68,19 +84,31 @@ void DrawPlot(const Plot& plot, const std::string& folder)
   SetFont(chart->GetTitleProperties(), 16);
   chart->SetShowLegend(true);
   SetFont(chart->GetLegend()->GetLabelProperties(), 13);
-  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-  chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::CENTER);
+  chart->GetLegend()->SetHorizontalAlignment(
+    plot.IsLegendLeft ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT);
+  chart->GetLegend()->SetVerticalAlignment(
+    plot.IsLegendLeft ? vtkChartLegend::TOP : vtkChartLegend::CENTER);
   SetAxis(chart->GetAxis(vtkAxis::BOTTOM), plot.XLabel);
   SetAxis(chart->GetAxis(vtkAxis::LEFT), plot.YLabel);
+  if (!plot.XTicks.empty())
+  {
+    SetTicks(chart->GetAxis(vtkAxis::BOTTOM), plot.XTicks);
+  }
   int next = 0;
   for (const Curve& curve : plot.Curves)
   {
-    vtkPlot* const line = chart->AddPlot(vtkChart::LINE);
+    vtkPlot* const line = chart->AddPlot(curve.IsMarked ? vtkChart::POINTS : vtkChart::LINE);
     const vtkSmartPointer<vtkTable> table = MakeTable(curve);
     line->SetInputData(table, 0, 1);
-    const unsigned char* const colour = Colours[next++ % 5];
+    const int index = curve.Colour < 0 ? next++ % ColoursInTurn : curve.Colour;
+    const unsigned char* const colour = Colours[index];
     line->SetColor(colour[0], colour[1], colour[2], 255);
-    line->SetWidth(2.0f);
+    line->SetWidth(curve.Width);
+    if (auto* const points = curve.IsMarked ? vtkPlotPoints::SafeDownCast(line) : nullptr)
+    {
+      points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+      points->SetMarkerSize(9.0f);
+    }
   }
   vtkNew<vtkContextActor> actor;
   actor->GetScene()->AddItem(chart);
@@ -95,6 +123,8 @@ void DrawPlot(const Plot& plot, const std::string& folder)
   window->Render();
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName((folder + "/" + plot.File + ".png").c_str());
   writer->SetInputConnection(picture->GetOutputPort());

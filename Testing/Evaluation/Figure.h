@@ -44,6 +44,9 @@ struct Curve
   std::string Name;
   std::vector<double> X;
   std::vector<double> Y;
+  int Colour = -1;       ///< of the palette of plots; the next one by default
+  bool IsMarked = false; ///< points alone, without a line
+  float Width = 2.0f;
 };
 
 /** What a picture of the report shows. */
@@ -54,6 +57,8 @@ struct Plot
   std::string XLabel;
   std::string YLabel;
   std::vector<Curve> Curves;
+  bool IsLegendLeft = false;                               ///< at the top; else at the right
+  std::vector<std::pair<double, std::string>> XTicks = {}; ///< where an axis is not counted evenly
 };
 
 /** Whom a figure is measured for. */

@@ -4,12 +4,13 @@
  * @file
  * volumehaptics-evaluation [--quick] [--volume FILE.mhd] [--output FOLDER]
  *
- * Measures the figures of SPEC 5 for PAPER and PRECISE, prints the table, and writes a report with plots to
- * FOLDER (default: evaluation). The exit status is the number of figures (times aside) that PRECISE does not
+ * Measures the figures of SPEC 5 for PAPER and PRECISE, compares them with other methods, prints the tables, and
+ * writes a report with plots to FOLDER (default: evaluation). The exit status is the number of figures (times aside) that PRECISE does not
  * reach with the default estimator or the B-spline. --quick takes seconds instead of minutes.
  */
 #include "RealVolume.h"
 #include "Report.h"
+#include "TransferPicture.h"
 
 #include "vtkImageData.h"
 #include "vtksys/SystemTools.hxx"
@@ -90,12 +91,17 @@ int main(int argc, char* argv[])
       MeasureRealVolume(image, HapticSolver::Precise, effort) });
   }
   const int missed = PrintSections(sections);
-  const std::vector<Plot> plots = MakePlots(effort);
-  for (const Plot& plot : plots)
+  const Report report{ sections, MakePlots(effort), CompareMethods(image, effort),
+    DrawTransferPicture(volume, effort, folder) };
+  PrintComparison(report.Methods);
+  for (const std::vector<Plot>& plots : { report.Plots, report.Methods.Plots })
   {
-    DrawPlot(plot, folder);
+    for (const Plot& plot : plots)
+    {
+      DrawPlot(plot, folder);
+    }
   }
-  if (!WriteReport(sections, plots, folder))
+  if (!WriteReport(report, folder))
   {
     std::fprintf(stderr, "%s/report.md can't be written.\n", folder.c_str());
     return 255;

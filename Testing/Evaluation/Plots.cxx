@@ -6,7 +6,6 @@
 #include "Ripple.h"
 #include "Shapes.h"
 #include "Tracking.h"
-#include "ZWidth.h"
 
 #include <algorithm>
 
@@ -90,12 +89,6 @@ Plot PlotRipple()
     });
 }
 
-/** 2 b / T. */
-Curve Theory()
-{
-  return { "2 b / T", { 0.0, 1.0 }, { 0.0, 2000.0 } };
-}
-
 /** The share of ticks at which the angle is smaller. */
 Plot PlotAngle()
 {
@@ -130,35 +123,11 @@ Plot PlotEnergy(const Effort& effort)
     });
 }
 
-Plot PlotZWidth(const Effort& effort)
-{
-  Plot plot{ "zwidth", "Stiffest stable wall, 0.1 kg at 1 kHz", "damping (N s/m)",
-    "stiffness (N/m)", {} };
-  for (const int delay : { 0, 1 })
-  {
-    for (const Named& solver : Solvers)
-    {
-      Curve curve{ std::string(solver.Name) + (delay ? ", one tick of delay" : ""), {}, {} };
-      const int points = effort.Pick(4, 10);
-      for (int i = 1; i <= points; ++i)
-      {
-        const double damping = 1.0 * i / points;
-        curve.X.push_back(damping);
-        curve.Y.push_back(FindStiffestWall(solver.Who, damping, delay));
-      }
-      plot.Curves.push_back(std::move(curve));
-    }
-  }
-  plot.Curves.push_back(Theory());
-  return plot;
-}
-
 } // namespace
 
 std::vector<Plot> MakePlots(const Effort& effort)
 {
-  return { PlotDrift(), PlotLeak(), PlotRipple(), PlotAngle(), PlotEnergy(effort),
-    PlotZWidth(effort) };
+  return { PlotDrift(), PlotLeak(), PlotRipple(), PlotAngle(), PlotEnergy(effort) };
 }
 
 } // namespace evaluation

@@ -10,12 +10,7 @@ namespace evaluation
 {
 namespace
 {
-std::string Number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", value);
-  return text;
-}
+constexpr const char* ComparisonTitle = "Compared with other methods";
 
 const char* Verdict(const Figure& figure)
 {
@@ -28,17 +23,21 @@ std::string Bound(const Figure& figure)
     (figure.Unit.empty() ? "" : " " + figure.Unit);
 }
 
+void WritePicture(const std::string& title, const std::string& file, std::ostream& out)
+{
+  out << "\n![" << title << "](" << file << ".png)\n";
+}
+
 } // namespace
 
-bool WriteReport(
-  const std::vector<Section>& sections, const std::vector<Plot>& plots, const std::string& folder)
+bool WriteReport(const Report& report, const std::string& folder)
 {
   std::ofstream out(folder + "/report.md");
   out << "# PAPER and PRECISE, measured\n\n"
          "The figures that the solver PRECISE must reach, and what the solver of the paper does. "
          "Fields are analytic, of voxels of 1 mm (closed forms: 0.5 mm) unless said, touched "
          "life-size at 1 kHz.\n";
-  for (const Section& section : sections)
+  for (const Section& section : report.Sections)
   {
     out << "\n## " << section.Title << "\n\n| figure | required | PRECISE | | PAPER |\n"
         << "| --- | --- | --- | --- | --- |\n";
@@ -50,9 +49,22 @@ bool WriteReport(
           << (i < section.Paper.size() ? Number(section.Paper[i].Value) : "") << " |\n";
     }
   }
-  for (const Plot& plot : plots)
+  for (const Plot& plot : report.Plots)
   {
-    out << "\n![" << plot.Title << "](" << plot.File << ".png)\n";
+    WritePicture(plot.Title, plot.File, out);
+  }
+  out << "\n## " << ComparisonTitle << "\n";
+  for (const Table& table : report.Methods.Tables)
+  {
+    WriteTable(table, out);
+  }
+  for (const Plot& plot : report.Methods.Plots)
+  {
+    WritePicture(plot.Title, plot.File, out);
+  }
+  if (!report.Transfer.File.empty())
+  {
+    WritePicture(report.Transfer.Title, report.Transfer.File, out);
   }
   out.flush();
   return out.good();
@@ -74,6 +86,12 @@ int PrintSections(const std::vector<Section>& sections)
     }
   }
   return missed;
+}
+
+void PrintComparison(const Comparison& comparison)
+{
+  std::printf("\n%s\n", ComparisonTitle);
+  std::for_each(comparison.Tables.begin(), comparison.Tables.end(), PrintTable);
 }
 
 } // namespace evaluation

@@ -7,7 +7,7 @@
 #ifndef Evaluation_Report_h
 #define Evaluation_Report_h
 
-#include "Figure.h"
+#include "Comparison.h"
 
 namespace evaluation
 {
@@ -23,12 +23,21 @@ struct Section
 /** Draws a plot to FOLDER/NAME.png; needs a display, if only a virtual one. */
 void DrawPlot(const Plot& plot, const std::string& folder);
 
+/** What report.md has, from its beginning. */
+struct Report
+{
+  std::vector<Section> Sections;
+  std::vector<Plot> Plots;
+  Comparison Methods;
+  Picture Transfer;
+};
+
 /** Writes FOLDER/report.md. Returns false where the folder can't be written to. */
-bool WriteReport(
-  const std::vector<Section>& sections, const std::vector<Plot>& plots, const std::string& folder);
+bool WriteReport(const Report& report, const std::string& folder);
 
 /** The same tables, for a terminal. Returns how many of PRECISE's figures, times aside, are not reached. */
 int PrintSections(const std::vector<Section>& sections);
+void PrintComparison(const Comparison& comparison);
 
 } // namespace evaluation
 

@@ -12,11 +12,14 @@
 namespace evaluation
 {
 
+/** A model of a wall of a stiffness (N/m) that is met where the device's z is 0 or little more. */
+using WallMaker = std::function<std::shared_ptr<const VolumeHaptics::HapticModel>(double)>;
+
 /**
  * The stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest, with the force
  * some ticks late. Theory (Gil et al. 2004; SPEC 4, T16): 2 b / T without delay.
  */
-double FindStiffestWall(const Candidate& candidate, double damping, int delay);
+double FindStiffestWall(const WallMaker& makeWall, double damping, int delay);
 
 } // namespace evaluation
 

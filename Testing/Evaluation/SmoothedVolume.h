@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A volume as PRECISE sees it: smoothed by the weights whose derivative gives its normals.
+ */
+#ifndef Evaluation_SmoothedVolume_h
+#define Evaluation_SmoothedVolume_h
+
+#include "Field.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace evaluation
+{
+
+class SmoothedVolume
+{
+public:
+  /** Not valid after an error of the filter. The image must outlive it. */
+  explicit SmoothedVolume(vtkImageData* image);
+
+  /** Whether it can be asked. */
+  bool IsValid() const { return this->Model != nullptr; }
+  /** At a position in the world (mm); 0 outside. */
+  double Value(const Vector3& world) const;
+  /** Per mm, along the axes of the world. */
+  Vector3 Gradient(const Vector3& world) const;
+  /** The unsmoothed value. */
+  double RawValue(const Vector3& world) const;
+
+  /** How far (mm) a position is off a level, by value and gradient; the level of the smoothed or the raw volume. */
+  Field Off(double level) const;
+  Field RawOff(double level) const;
+
+  /** The isosurface, in the world, with normals. */
+  vtkSmartPointer<vtkPolyData> FindSurface(double level) const;
+
+private:
+  vtkImageData* Image;
+  std::shared_ptr<const VolumeHaptics::HapticModel> Model;
+};
+
+} // namespace evaluation
+
+#endif

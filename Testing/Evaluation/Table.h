@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Tables of any columns, for a terminal and for the report.
+ */
+#ifndef Evaluation_Table_h
+#define Evaluation_Table_h
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace evaluation
+{
+
+struct Table
+{
+  std::string Title;
+  std::string Text; ///< what was measured, and what it says
+  std::vector<std::string> Columns;
+  std::vector<std::vector<std::string>> Rows;
+};
+
+/** Three significant digits; of thousands, all. */
+std::string Number(double value);
+
+void PrintTable(const Table& table);
+/** As Markdown. */
+void WriteTable(const Table& table, std::ostream& out);
+
+} // namespace evaluation
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TransferPicture.h"
+
+#include "TransferCharts.h"
+
+#include "BodyIsolation.h"
+#include "InputError.h"
+#include "SceneCamera.h"
+#include "VolumeLoader.h"
+#include "VolumeLook.h"
+
+#include "vtkCamera.h"
+#include "vtkContextActor.h"
+#include "vtkHapticProperty.h"
+#include "vtkPNGWriter.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cstdio>
+
+namespace evaluation
+{
+namespace
+{
+constexpr int Width = 1500;
+constexpr int Height = 900;
+/** Of the width: the rendered CT. */
+constexpr double Share = 0.36;
+
+/** The explorer's look of a volume, with opacity by the gradient as surfaces are distinct by it. */
+void AddHead(
+  vtkRenderer* renderer, vtkVolume* head, const Explore::Volume& volume, const Effort& effort)
+{
+  Explore::Analysis values = Explore::AnalyseVolume(volume.Image);
+  const vtkSmartPointer<vtkImageData> body =
+    Explore::IsolateBody(volume.Image, values.OuterThreshold, values.Range[0]);
+  Explore::MeasureBody(values, body);
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputData(body);
+  if (!effort.IsFull)
+  {
+    mapper->SetRequestedRenderModeToRayCast(); // Grainy, but soon done without a graphics card.
+  }
+  head->SetMapper(mapper);
+  Explore::SetVolumeLook(values, head->GetProperty());
+  renderer->AddVolume(head);
+  Explore::FitCamera(renderer, Explore::MakeViewFrame(values.Centre, "-y", "+z"), values.BodyBounds,
+    Share * Width / Height);
+  renderer->GetActiveCamera()->Zoom(1.2); // The box has corners, a head has none.
+}
+} // namespace
+
+Picture DrawTransferPicture(
+  const std::string& volumeFile, const Effort& effort, const std::string& folder)
+{
+  vtkNew<vtkRenderer> scene;
+  scene->SetViewport(0.0, 0.0, Share, 1.0);
+  scene->SetBackground(1.0, 1.0, 1.0);
+  vtkNew<vtkVolume> head;
+  try
+  {
+    AddHead(
+      scene, head, Explore::LoadVolume(volumeFile.empty() ? PHANTOM_FILE : volumeFile), effort);
+  }
+  catch (const Explore::InputError& error)
+  {
+    std::fprintf(stderr, "There is no picture of the transfer functions. %s\n", error.what());
+    return {};
+  }
+  vtkNew<vtkHapticProperty> feel;
+  feel->ApplyPreset("CT contrast");
+  head->GetProperty()->SetGradientOpacity(feel->GetDistinctness());
+
+  vtkNew<vtkRenderer> charts;
+  charts->SetViewport(Share, 0.0, 1.0, 1.0);
+  charts->SetBackground(1.0, 1.0, 1.0);
+  vtkNew<vtkContextActor> context;
+  AddTransferCharts(context->GetScene(), head->GetProperty(), feel, (1.0 - Share) * Width, Height);
+  charts->AddActor(context);
+
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(Width, Height);
+  window->SetMultiSamples(4);
+  window->AddRenderer(scene);
+  window->AddRenderer(charts);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff(); // Without a graphics card, seconds.
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName((folder + "/transfer.png").c_str());
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->Write();
+  return { "transfer",
+    "The paper's table 1: visual transfer functions and, beside each, the haptic one" };
+}
+
+} // namespace evaluation
