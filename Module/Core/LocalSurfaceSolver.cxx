@@ -144,7 +144,9 @@ void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) no
 {
   const double period = model.Settings.TickPeriod;
   local.Fading = local.Fading - jump;
-  local.Fall = Norm(local.Fading) * period / std::max(model.Settings.RecoveryTime, period);
+  // What fades already is not to take longer.
+  local.Fall = std::max(
+    local.Fall, Norm(local.Fading) * period / std::max(model.Settings.RecoveryTime, period));
 }
 
 Vector3 LagOf(const LocalState& local) noexcept
@@ -168,7 +170,9 @@ void Follow(const HapticModel& model, const Vector3& tip, double friction, Local
     Absorb(model, (1.0 - follows / length) * jump, local);
   }
   const double left = Norm(local.Fading);
-  local.Fading = left > local.Fall ? (1.0 - local.Fall / left) * local.Fading : Vector3{};
+  const bool isLeft = left > local.Fall;
+  local.Fading = isLeft ? (1.0 - local.Fall / left) * local.Fading : Vector3{};
+  local.Fall = isLeft ? local.Fall : 0.0;
   // A hand that goes out before a surface has come up whole is not to be pulled in.
   const double norm = Norm(lag);
   if (norm > 0.0)

@@ -19,6 +19,8 @@ using Filter = vtkVolumeHapticsFilter;
 
 /** From how far off (mm) a mesh is met: its triangles can be off the level by a tenth of a voxel. */
 constexpr double Approach = 0.5;
+/** For how many ticks it waits there: until the slow loop of a local surface has looked. */
+constexpr std::size_t Wait = 50;
 
 void SetConstant(vtkPiecewiseFunction* function, double value)
 {
@@ -33,6 +35,7 @@ const std::vector<Method>& AllMethods()
     { "PAPER", Filter::PROXY, Filter::PAPER, 0 },
     { "PRECISE", Filter::PROXY, Filter::PRECISE, 1 },
     { "SURFACE_PROXY", Filter::SURFACE_PROXY, Filter::PRECISE, 5 },
+    { "LOCAL_SURFACE", Filter::LOCAL_SURFACE, Filter::PRECISE, 6 },
     { "FORCE_FIELD", Filter::FORCE_FIELD, Filter::PRECISE, 4 },
   };
   return methods;
@@ -107,10 +110,11 @@ Trace Scene::Feel(const Method& method, const Stroke& stroke)
     return {};
   }
   const bool isProxy = method.Kind == Filter::PROXY;
-  Path path = { isProxy ? stroke.Start : stroke.Start + Approach * stroke.Outward };
+  Path path(isProxy ? 1 : Wait, isProxy ? stroke.Start : stroke.Start + Approach * stroke.Outward);
+  const auto before = static_cast<std::ptrdiff_t>(path.size());
   path.insert(path.end(), stroke.Tips.begin(), stroke.Tips.end());
   Trace trace = Play(*model, path);
-  trace.erase(trace.begin());
+  trace.erase(trace.begin(), trace.begin() + before);
   for (TickRecord& tick : trace)
   {
     if (method.Offset() > 0.0 && tick.NormalForce > 0.0)

@@ -78,7 +78,7 @@ public:
    *
    * The sphere of SURFACE_PROXY rolls on the surface, its centre a radius outside. What is compared is the point
    * of it that touches, and the spring from there: the offset is taken from proxy and force. Only friction has
-   * seen it, as mu k ProbeRadius: 3 mN at 500 N/m and mu = 0.3. It begins well outside, to have a side.
+   * seen it, as mu k ProbeRadius: 3 mN at 500 N/m and mu = 0.3. What is no proxy of ours begins outside, to have a side.
    */
   Trace Feel(const Method& method, const Stroke& stroke);
 

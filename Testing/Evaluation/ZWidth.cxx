@@ -34,7 +34,8 @@ bool ComesToRest(const HapticModel& model, double damping, int delay)
   {
     DeviceSample sample;
     device.Read(Period, sample);
-    if (i == 1)
+    // Not before the slow loop of a local surface has looked.
+    if (i == 50)
     {
       device.Lead({ 0.0, 0.0, 0.02 });
     }
