@@ -18,6 +18,8 @@ constexpr double Still = 1e-5;
 /** In a valley the shadings of its two sides may lead to and fro: after so many passes this is no motion, too. */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
+/** Of the radius, however deep a triangle is in it. */
+constexpr double LeastLeft = 1e-3;
 /** Radii that are gone at once: no more than can be looked at. */
 constexpr double LongestWay = 64.0;
 /** Of the angle between a triangle and its shading. */
@@ -48,10 +50,13 @@ public:
   /** The nearest point to a goal that what the sphere touches allows. */
   Vector3 FindSubgoal(const Vector3& goal) noexcept
   {
-    this->True.Clear();
-    this->Shaded.Clear();
-    this->Mesh.VisitNear(this->Centre, this->Radius * (1.0 + Margin), this->Budget,
-      [&](std::int32_t i) { this->Touch(i); });
+    this->Touch();
+    if (this->Nearest < (1.0 - Margin) * this->Radius)
+    {
+      // What it overlaps, since it began there or the mesh came, it touches with what is left of it.
+      this->Radius = std::max(this->Nearest, LeastLeft * this->Radius);
+      this->Touch();
+    }
     const Vector3 shaded = this->IsShaded ? this->Shaded.Nearest(goal, goal) : goal;
     return this->True.Nearest(shaded, this->Centre);
   }
@@ -77,6 +82,15 @@ public:
   }
 
 private:
+  void Touch() noexcept
+  {
+    this->True.Clear();
+    this->Shaded.Clear();
+    this->Nearest = HUGE_VAL;
+    this->Mesh.VisitNear(this->Centre, this->Radius * (1.0 + Margin), this->Budget,
+      [&](std::int32_t i) { this->Touch(i); });
+  }
+
   void Touch(std::int32_t i) noexcept
   {
     const TrianglePoint nearest = NearestPoint(this->Mesh.GetTriangle(i), this->Centre);
@@ -87,8 +101,9 @@ private:
     {
       return;
     }
+    this->Nearest = std::min(this->Nearest, distance);
     const Vector3 normal = (1.0 / distance) * off;
-    // What it overlaps, since it began there or the mesh came, lets it no deeper, but does not throw it out.
+    // It goes no deeper, but is not thrown out.
     const double overlap = this->Radius * (1.0 + Distance) - distance;
     const double missing = overlap > Margin * this->Radius ? 0.0 : overlap;
     this->True.Add({ normal, Dot(normal, this->Centre) + missing });
@@ -104,10 +119,11 @@ private:
   }
 
   const SurfaceMesh& Mesh;
-  const double Radius;
+  double Radius; ///< while it overlaps a triangle, its distance
   const bool IsShaded;
   int Budget = MaximumVisits;
   Vector3 Centre;
+  double Nearest = HUGE_VAL; ///< the distance of the nearest triangle that it touches
   HalfSpaces True;
   HalfSpaces Shaded;
 };

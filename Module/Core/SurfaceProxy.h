@@ -16,6 +16,9 @@
  * With ForceShading the half-spaces are first taken with the normals that are interpolated between the points',
  * and the subgoal of these is the goal of the true ones: the force turns smoothly over a coarse mesh.
  *
+ * Where it overlaps a triangle, since it began there or the mesh came, it is as large as its distance: nothing throws
+ * it out, and nothing holds it but what it would go deeper into.
+ *
  * Stiffness and friction are those of the material at HapticSettings::IsoValue. Surfaces hold without limit; there
  * is no drag. A tick takes MaximumPasses; if these do not do, the next one goes on.
  */

@@ -164,7 +164,9 @@ Table MakeLikenessTable()
     "what the surface holds) are played on the same surface, and each method is compared, "
     "tick by tick, with SURFACE_PROXY on the isosurface on which the contact was made; its "
     "sphere (0.02 mm) is taken where it touches. Smoothed: SURFACE_PROXY has the isosurface "
-    "of the volume as smoothed by the kernel of PRECISE, so that only the methods differ. "
+    "of the volume as smoothed by the kernel of PRECISE, so that only the methods differ "
+    "(LOCAL_SURFACE, which has the volume's own, is left out there: a plane, renewed 60 times a "
+    "second, whose lag is what the figures of the other surfaces show). "
     "Entries are RMS / median / 95th percentile over the ticks at which SURFACE_PROXY holds "
     "more than 0.1 N. Off: RMS distance of the proxy, and of the reference's, to the surface "
     "itself, of which the reference has triangles, straight between samples (for bone, "
@@ -204,7 +206,7 @@ void CompareOn(const Subject& subject, Table& table, Plot* plot)
     }
     for (const Method& method : AllMethods())
     {
-      if (!method.HasSurface() || method.Kind == SurfaceHaptics().Kind)
+      if (!subject.TheScene->CanFeel(method) || method.Kind == SurfaceHaptics().Kind)
       {
         continue;
       }

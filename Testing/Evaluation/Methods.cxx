@@ -76,6 +76,7 @@ vtkSmartPointer<vtkImageData> SampleImage(const Field& field, double halfSize)
 }
 
 Scene::Scene(vtkImageData* image, double isoValue, vtkPolyData* surface)
+  : IsGiven(surface != nullptr)
 {
   this->Filter->SetInputDataObject(0, image);
   this->Filter->SetIsoValue(isoValue);

@@ -66,6 +66,12 @@ public:
   /** The surface is the isosurface, unless SURFACE_PROXY is given another. */
   Scene(vtkImageData* image, double isoValue, vtkPolyData* surface = nullptr);
 
+  /** Whether a method touches the surface. Local surfaces are those of the image, whatever is given. */
+  bool CanFeel(const Method& method) const
+  {
+    return method.HasSurface() &&
+      (method.Kind != vtkVolumeHapticsFilter::LOCAL_SURFACE || !this->IsGiven);
+  }
   void SetMaterial(double stiffness, double friction);
   void SetKernelRadius(int voxels) { this->Filter->SetKernelRadius(voxels); }
   void SetForceFieldGain(double gain) { this->Filter->SetForceFieldGain(gain); }
@@ -84,6 +90,7 @@ public:
 
 private:
   vtkNew<vtkVolumeHapticsFilter> Filter;
+  const bool IsGiven;
 };
 
 } // namespace evaluation

@@ -74,6 +74,14 @@ TEST_F(SurfaceMeshes, WhatItOverlapsDoesNotThrowItOut)
   this->ExpectAt(hand, { 0.0, 0.0, 1.0 });
 }
 
+TEST_F(SurfaceMeshes, WhatItOverlapsDoesNotKeepItFromSliding)
+{
+  Hand hand(DescribeMesh(this->Volume, MakeFloor(200)), { 0.1, 0.2, 0.3 });
+  hand.Lead({ 0.1, 0.2, -1.5 });
+  hand.Lead({ 8.1, 3.2, -1.5 });
+  this->ExpectAt(hand, { 8.1, 3.2, 0.3 });
+}
+
 TEST_F(SurfaceMeshes, NothingGetsThroughAtAnySpeed)
 {
   std::mt19937 random(5);
