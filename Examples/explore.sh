@@ -25,7 +25,8 @@ Some options, passed on to volumehaptics-explore, which lists all of them with -
   --pictures DIR    no window; where the results go (default build/explore/pictures)
   --preset NAME     materials, such as "CT contrast", "CT physical", "MRI"
   --estimator NAME  gradient: central, gaussian, bspline
-  --method NAME     proxy, or for comparison another one, on the same path: paper, force-field, surface-proxy
+  --method NAME     proxy, or for comparison another one, on the same path: paper, force-field, surface-proxy,
+                    local-surface
   --size PX         width of the picture
   --live            pictures, and the same path through the servo loop, too, at 1 kHz in real time
   --device ID       of the window: virtual (the mouse), replay:FILE, ...

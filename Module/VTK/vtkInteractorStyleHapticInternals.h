@@ -63,10 +63,14 @@ struct vtkInteractorStyleHaptic::vtkInternals
     {
       return 0;
     }
-    vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
-    vtkDataObject* const image = filter->GetInputDataObject(0, 0);
-    return std::max({ filter->GetMTime(), source ? source->GetMTime() : vtkMTimeType(0),
-      image ? image->GetMTime() : vtkMTimeType(0) });
+    vtkMTimeType time = filter->GetMTime();
+    for (const int port : { 0, 2 }) // the image, the surface
+    {
+      vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0);
+      vtkDataObject* const data = filter->GetInputDataObject(port, 0);
+      time = std::max({ time, source ? source->GetMTime() : 0, data ? data->GetMTime() : 0 });
+    }
+    return time;
   }
 
   void LeadTo(const VolumeHaptics::Vector3& world)

@@ -25,9 +25,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The materials. Created with its defaults on first Get; nullptr goes back to those.
-   */
+  /** The materials. Created with its defaults on first Get; nullptr goes back to those. */
   void SetProperty(vtkHapticProperty* property);
   vtkHapticProperty* GetProperty();
   ///@}
@@ -42,18 +40,16 @@ public:
 
   ///@{
   /**
-   * PROXY (default) is the method above. FORCE_FIELD is the general approach that the paper
-   * compares itself with (eq. 1): f = -ForceFieldGain grad V - ForceFieldDamping v_tip, without a
-   * proxy. Its NormalForce and DragForce are the magnitudes of the two terms. SURFACE_PROXY is the
-   * polygonal surface haptics that the paper compares itself with (Ruspini et al. 1997): a sphere of
-   * ProxyRadius that no triangle of the surface lets through, with stiffness and friction of the
-   * material at IsoValue, and neither drag nor a limit to what the surface holds: Viscosity,
-   * SurfaceStrength and GradientMagnitude are 0. LOCAL_SURFACE is the intermediate representation that
-   * the paper compares itself with (Mark et al. 1996): a slow loop fits a plane or a
-   * quadric to the isosurface at IsoValue near the proxy, and the servo touches that, with the material at
-   * IsoValue, without drag or limit. What the hand meets faster than the slow loop looks, it falls through.
-   * Chosen while a servo runs, these two hold a hand that is up to three kernel radii inside the isosurface from
-   * outside; one that is deeper SURFACE_PROXY holds from within, and LOCAL_SURFACE not at all.
+   * PROXY (default): what vtkVolumeHapticsFilter describes. FORCE_FIELD, eq. 1 of the paper, which compares
+   * itself with this and the next two: f = -ForceFieldGain grad V - ForceFieldDamping v_tip, without a proxy;
+   * NormalForce and DragForce are the magnitudes of the two terms. SURFACE_PROXY, polygonal surface haptics
+   * (Ruspini et al. 1997): a sphere of ProxyRadius that no triangle of the surface lets through.
+   * LOCAL_SURFACE, an intermediate representation (Mark et al. 1996): a slow loop fits a plane or a quadric to
+   * the isosurface near the proxy, and the servo touches that; what the hand meets before the slow loop has
+   * looked, it falls through. Both surfaces have stiffness and friction of the material at IsoValue, and
+   * neither drag nor a limit to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. Chosen
+   * while a servo runs, they hold a hand that is up to three kernel radii inside the isosurface from outside;
+   * one that is deeper SURFACE_PROXY holds from within, and LOCAL_SURFACE not at all.
    */
   vtkSetClampMacro(Method, int, PROXY, LOCAL_SURFACE);
   vtkGetMacro(Method, int);
@@ -130,9 +126,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Ticks per second (Hz), 1 to 100000. Default 1000.
-   */
+  /** Ticks per second (Hz), 1 to 100000. Default 1000. */
   vtkSetClampMacro(ServoRate, double, 1.0, 1e5);
   vtkGetMacro(ServoRate, double);
   ///@}
@@ -147,17 +141,13 @@ public:
   ///@}
 
   ///@{
-  /**
-   * C1 of eq. 1 (N per scalar unit per world unit), for FORCE_FIELD. Default 0.01.
-   */
+  /** C1 of eq. 1 (N per scalar unit per world unit), for FORCE_FIELD. Default 0.01. */
   vtkSetMacro(ForceFieldGain, double);
   vtkGetMacro(ForceFieldGain, double);
   ///@}
 
   ///@{
-  /**
-   * C2 of eq. 1 (N s/m), 0 or more, for FORCE_FIELD. Default 0.
-   */
+  /** C2 of eq. 1 (N s/m), 0 or more, for FORCE_FIELD. Default 0. */
   vtkSetClampMacro(ForceFieldDamping, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ForceFieldDamping, double);
   ///@}

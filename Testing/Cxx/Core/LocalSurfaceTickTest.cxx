@@ -66,57 +66,6 @@ TEST_F(LocalSurfaceTick, AnswersComeAsLateAsTheSlowLoopIsSlow)
   EXPECT_NEAR(last, 1.0, 1e-6);
 }
 
-TEST_F(LocalSurfaceTick, FrictionSticksAndSlides)
-{
-  this->Description.Material.Friction = ConstantPolyline(0.4);
-  Hand hand(this->Description, { 10.0, 10.0, 9.0 });
-  hand.Lead({ 10.0, 10.0, 15.0 });
-  // Sticks until the lag is mu times the depth (SPEC 4, T4 and T5).
-  hand.Lead({ 11.1, 10.0, 15.0 });
-  EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
-  EXPECT_LE(Norm(hand.Proxy() - Vector3{ 10.0, 10.0, 12.0 }), 1e-6);
-  EXPECT_NEAR(hand.Record.FrictionForce, 0.55, 1e-6);
-  hand.Lead({ 15.0, 10.0, 15.0 });
-  EXPECT_EQ(hand.Record.Contact, ContactState::Sliding);
-  EXPECT_LE(Norm(hand.Proxy() - Vector3{ 13.8, 10.0, 12.0 }), 1e-6);
-  EXPECT_NEAR(hand.Record.FrictionForce, 0.6, 1e-6);
-  EXPECT_NEAR(hand.Record.Force.Z, -1.5, 1e-6);
-  hand.Lead({ 13.8, 10.0, 15.0 });
-  EXPECT_NEAR(hand.Record.FrictionForce, 0.0, 1e-6);
-}
-
-TEST_F(LocalSurfaceTick, RoundABallAQuadricIsNearerThanAPlaneAndBothAreSmooth)
-{
-  for (const double sign : { 1.0, -1.0 })
-  {
-    const TestVolume volume = MakeLocalBall(sign);
-    double worst[2];
-    for (const LocalSurfaceShape shape : { LocalSurfaceShape::Plane, LocalSurfaceShape::Quadric })
-    {
-      const Vector3 middle{ 20.0, 20.0, 20.0 };
-      const double r = BallRadius - 1.0 * sign;
-      Hand hand(DescribeLocal(volume, 100.0, shape),
-        middle + (BallRadius + 2.0 * sign) * Vector3{ 0, 0, 1 });
-      hand.Lead(middle + r * Vector3{ 0.0, 0.0, 1.0 }, 0.05);
-      double& off = worst[static_cast<int>(shape)];
-      off = 0.0;
-      Vector3 force = hand.Record.Force;
-      for (int i = 0; i < 1200; ++i)
-      {
-        const double angle = 0.006 * i; // 0.08 m/s
-        hand.Tip =
-          middle + r * Vector3{ 0.6 * std::sin(angle), 0.8 * std::sin(angle), std::cos(angle) };
-        hand.Tick();
-        off = std::max(off, std::abs(Norm(hand.Proxy() - middle) - BallRadius));
-        EXPECT_LE(Norm(hand.Record.Force - force), 0.02) << "of 0.5 N; tick " << i;
-        force = hand.Record.Force;
-      }
-    }
-    EXPECT_LT(worst[1], 0.03) << sign;
-    EXPECT_LT(worst[1], 0.2 * worst[0]) << sign;
-  }
-}
-
 TEST_F(LocalSurfaceTick, TakesOverAHandThatIsInside)
 {
   HapticModelDescription before = this->Description;
