@@ -35,8 +35,8 @@ devices=$root/Module/Devices
 clang++ "${options[@]}" -fsanitize=fuzzer -O1 -I"$devices" -o "$build_dir/touch-falcon" \
   "$devices"/Falcon{Homing,Kinematics,Loader,Protocol,Stream}.cxx "$build_dir/SafetyStage.o" \
   "$root"/Testing/Fuzz/{LibFuzzerFalcon,TouchFalcon}.cxx
-falcon_seconds=$(( seconds / 4 > 0 ? seconds / 4 : 1 ))
-"$build_dir/touch-falcon" -max_len=6000 -timeout=10 -max_total_time=$falcon_seconds \
+# Rounded up: no seconds would be without an end.
+"$build_dir/touch-falcon" -max_len=6000 -timeout=10 -max_total_time=$(( (seconds + 3) / 4 )) \
   -print_final_stats=1 "$build_dir/corpus-falcon"
-"$build_dir/touch-anything" -max_len=6000 -timeout=10 -max_total_time=$(( seconds - falcon_seconds )) \
+"$build_dir/touch-anything" -max_len=6000 -timeout=10 -max_total_time=$(( (3 * seconds + 3) / 4 )) \
   -print_final_stats=1 "$build_dir/corpus"

@@ -62,7 +62,7 @@ TEST_F(FalconHomes, TimeIsUp)
     this->Homing.Update(0.001, nullptr);
   }
   EXPECT_EQ(this->Homing.GetState(), FalconHomingState::OutAndIn);
-  this->Update(0, 0.1, 0.002);
+  this->Update(0b011, 0.1, 0.002);
   EXPECT_EQ(this->Homing.GetState(), FalconHomingState::TimedOut);
   this->Update(FalconAllHomed, 0.172);
   EXPECT_EQ(this->Homing.GetState(), FalconHomingState::TimedOut) << "only Restart leads on";
@@ -112,7 +112,10 @@ TEST_F(FalconHomes, AZeroThatIsLostStaysLost)
 
 TEST_F(FalconHomes, CountsOutOfReachAreNotOut)
 {
-  const FalconReport report{ { 32767, 32767, 32767 }, 0, FalconAllHomed };
+  // 102 degrees each: the iteration stops outside, far above the height that is asked for.
+  const FalconReport report{ { 1850, 1850, 1850 }, 0, FalconAllHomed };
+  const FalconPose pose = FalconForward(FalconAnglesOf(report.Encoders));
+  ASSERT_TRUE(pose.Reach != FalconReach::Reached && pose.Position.Z > FalconReadyHeight);
   this->Homing.Update(0.001, &report);
   EXPECT_EQ(this->Homing.GetState(), FalconHomingState::Out);
 }
