@@ -167,7 +167,7 @@ void Answer(Dealer& dealer, FalconLoader& loader, const std::vector<std::uint8_t
 
 void Load(Dealer& dealer)
 {
-  std::vector<std::uint8_t> image(dealer.Byte() * 4);
+  std::vector<std::uint8_t> image(std::size_t{ 4 } * dealer.Byte());
   dealer.Fill(image.data(), image.size() / 4);
   FalconLoader loader(image.data(), image.size());
   std::vector<std::uint8_t> written;
