@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchAnything.h"
 
+#include "Dealer.h"
 #include "ServoTick.h"
-
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
 using namespace VolumeHaptics;
 
@@ -14,56 +11,6 @@ namespace
 {
 constexpr int MostTicks = 400;
 constexpr double Rounding = 1e-6; // of a force
-
-/** Deals out bytes; zeros when there are no more. */
-class Dealer
-{
-public:
-  Dealer(const std::uint8_t* bytes, std::size_t size)
-    : Bytes(bytes)
-    , Left(size)
-  {
-  }
-
-  bool HasMore() const { return this->Left > 0; }
-  std::uint8_t Byte()
-  {
-    if (this->Left == 0)
-    {
-      return 0;
-    }
-    --this->Left;
-    return *this->Bytes++;
-  }
-  int Choose(int count) { return this->Byte() % count; }
-  /** Between two numbers, in steps of 1/65535. */
-  double Between(double low, double high)
-  {
-    const int word = this->Byte() * 256 + this->Byte();
-    return low + (high - low) * word / 65535.0;
-  }
-  void Fill(void* to, std::size_t size)
-  {
-    const std::size_t some = size < this->Left ? size : this->Left;
-    std::memcpy(to, this->Bytes, some);
-    std::memset(static_cast<char*>(to) + some, 0, size - some);
-    this->Bytes += some;
-    this->Left -= some;
-  }
-
-private:
-  const std::uint8_t* Bytes;
-  std::size_t Left;
-};
-
-void Check(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    std::fprintf(stderr, "Violated: %s\n", what);
-    std::abort();
-  }
-}
 
 /** One to four points, in ascending order, maybe with the same X: a step. */
 Polyline Function(Dealer& dealer, double most)

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What an FTDI serial converter wants to be told, and what it adds to the bytes: as values, for a
+ * transport that only has to send them.
+ */
+#ifndef FtdiSerial_h
+#define FtdiSerial_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** A control transfer to the device, without data. */
+struct FtdiRequest
+{
+  std::uint8_t RequestType; ///< bmRequestType
+  std::uint8_t Request;     ///< bRequest
+  std::uint16_t Value;      ///< wValue
+  std::uint16_t Index;      ///< wIndex
+};
+
+constexpr std::uint8_t FtdiRequestType = 0x40; // vendor, to the device, out
+
+///@{
+/** "Receive" and "transmit" are the host's: purging the former drops what the device has sent. */
+constexpr FtdiRequest FtdiPurgeReceive = { FtdiRequestType, 0, 1, 0 };
+constexpr FtdiRequest FtdiPurgeTransmit = { FtdiRequestType, 0, 2, 0 };
+constexpr FtdiRequest FtdiDtrLow = { FtdiRequestType, 1, 0x0100, 0 };
+constexpr FtdiRequest FtdiDtrHigh = { FtdiRequestType, 1, 0x0101, 0 };
+constexpr FtdiRequest FtdiRtsLow = { FtdiRequestType, 1, 0x0200, 0 };
+constexpr FtdiRequest FtdiNoFlowControl = { FtdiRequestType, 2, 0, 0 };
+constexpr FtdiRequest Ftdi8N1 = { FtdiRequestType, 4, 8, 0 };
+///@}
+
+/** A baud rate, by the divisor that stands for it. */
+constexpr FtdiRequest FtdiBaud(std::uint16_t divisor) noexcept
+{
+  return { FtdiRequestType, 3, divisor, 0 };
+}
+
+/** How long bytes are held back for more (ms, 1 to 255). */
+constexpr FtdiRequest FtdiLatency(std::uint8_t milliseconds) noexcept
+{
+  return { FtdiRequestType, 9, milliseconds, 0 };
+}
+
+constexpr std::size_t FtdiPacketSize = 64;
+constexpr std::size_t FtdiStatusSize = 2;
+
+struct FtdiPayload
+{
+  const std::uint8_t* Bytes = nullptr;
+  std::size_t Size = 0;
+};
+
+/**
+ * Takes the next packet off a bulk IN transfer; what it carries behind its two status bytes, which is
+ * nothing where the device had nothing to say. Call it until the size is zero.
+ */
+constexpr FtdiPayload TakeFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
+{
+  const std::uint8_t* const packet = transfer;
+  const std::size_t length = size < FtdiPacketSize ? size : FtdiPacketSize;
+  transfer += length;
+  size -= length;
+  if (length <= FtdiStatusSize)
+  {
+    return {};
+  }
+  return { packet + FtdiStatusSize, length - FtdiStatusSize };
+}
+
+} // namespace VolumeHaptics
+
+#endif

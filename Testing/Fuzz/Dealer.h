@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the fuzzer's targets share: bytes as choices, and invariants that abort.
+ */
+#ifndef Dealer_h
+#define Dealer_h
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+/** Deals out bytes; zeros when there are no more. */
+class Dealer
+{
+public:
+  Dealer(const std::uint8_t* bytes, std::size_t size)
+    : Bytes(bytes)
+    , Left(size)
+  {
+  }
+
+  bool HasMore() const { return this->Left > 0; }
+  std::uint8_t Byte()
+  {
+    if (this->Left == 0)
+    {
+      return 0;
+    }
+    --this->Left;
+    return *this->Bytes++;
+  }
+  int Choose(int count) { return this->Byte() % count; }
+  /** Between two numbers, in steps of 1/65535. */
+  double Between(double low, double high)
+  {
+    const int word = this->Byte() * 256 + this->Byte();
+    return low + (high - low) * word / 65535.0;
+  }
+  void Fill(void* to, std::size_t size)
+  {
+    const std::size_t some = size < this->Left ? size : this->Left;
+    // Not memcpy, which wants valid pointers even for nothing.
+    char* const rest = std::copy_n(this->Bytes, some, static_cast<char*>(to));
+    std::fill_n(rest, size - some, '\0');
+    this->Bytes += some;
+    this->Left -= some;
+  }
+
+private:
+  const std::uint8_t* Bytes;
+  std::size_t Left;
+};
+
+inline void Check(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    std::fprintf(stderr, "Violated: %s\n", what);
+    std::abort();
+  }
+}
+
+#endif
