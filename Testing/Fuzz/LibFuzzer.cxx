@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What libFuzzer calls.
-#include "TouchAnything.h"
+// What libFuzzer calls: the target that fuzz.sh names.
+#include <cstddef>
+#include <cstdint>
+
+void VOLUME_HAPTICS_FUZZ_TARGET(const std::uint8_t* bytes, std::size_t size);
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-  TouchAnything(bytes, size);
+  VOLUME_HAPTICS_FUZZ_TARGET(bytes, size);
   return 0;
 }

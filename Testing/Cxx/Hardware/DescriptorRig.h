@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the tests of HID descriptors share.
+ */
+#ifndef DescriptorRig_h
+#define DescriptorRig_h
+
+#include "HidReportDescriptor.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace hardwaretest
+{
+using namespace VolumeHaptics;
+
+using Bytes = std::vector<std::uint8_t>;
+
+inline HidReportDescriptor Parsed(const Bytes& bytes)
+{
+  HidReportDescriptor descriptor;
+  std::string error;
+  EXPECT_TRUE(descriptor.Parse(bytes.data(), bytes.size(), error)) << error;
+  return descriptor;
+}
+
+/** The error of a bad descriptor. */
+inline std::string ErrorOf(const Bytes& bytes)
+{
+  HidReportDescriptor descriptor;
+  std::string error;
+  EXPECT_FALSE(descriptor.Parse(bytes.data(), bytes.size(), error));
+  EXPECT_TRUE(descriptor.GetFields().empty());
+  return error;
+}
+
+inline Bytes operator+(Bytes a, const Bytes& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+} // namespace hardwaretest
+
+#endif
