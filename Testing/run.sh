@@ -31,7 +31,7 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
 
 jobs=$(nproc)
 # Without a display, or with somebody's: tests always render off to the side.
-run_tests() { with_own_screen ctest --test-dir "$1" --output-on-failure --no-tests=error "${@:2}"; }
+run_tests() { with_own_screen ctest --test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error "${@:2}"; }
 
 echo "== Building in $build_dir"
 cmake -S "$root" -B "$build_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON

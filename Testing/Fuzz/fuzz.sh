@@ -24,11 +24,17 @@ objects=()
 for source in "$root"/Module/{Core,Devices}/*.cxx; do
   file=$(basename "$source" .cxx)
   if [[ $file != FieldKernels* ]]; then
-    clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$source"
+    while [[ $(jobs -rp | wc -l) -ge $(nproc) ]]; do
+      wait -n
+    done
+    clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
 done
-wait
+# One after the other, so that a failure is seen.
+for job in $(jobs -p); do
+  wait "$job"
+done
 # Rounded up: no seconds would be without an end.
 share=$(((seconds + ${#targets[@]} - 1) / ${#targets[@]}))
 for target in "${targets[@]}"; do
