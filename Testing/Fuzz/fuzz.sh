@@ -15,6 +15,7 @@ seconds=$2
 source "$root/CMake/install-packages.sh"
 require_packages clang libclang-rt-14-dev
 targets=(TouchAnything TouchDescriptor TouchFalcon)
+mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off -fsanitize=fuzzer-no-link,address,undefined
   -fno-sanitize-recover=all -I"$root/Module/Core" -I"$root/Module/Devices")
 # The kernels are many: optimised they take minutes.
