@@ -19,21 +19,20 @@ constexpr double NanosecondsPerSecond = 1e9;
 
 std::int64_t LocalSurfaceFitter::Look() noexcept
 {
-  std::int64_t period = IdlePeriod;
   const std::int64_t now = ServoClock::Now();
   const HapticModel* const model = this->Models.Hold();
-  if (model && model->Settings.Method == HapticMethod::LocalSurface)
+  const bool isAsked = model && model->Settings.Method == HapticMethod::LocalSurface;
+  const std::int64_t period = isAsked
+    ? static_cast<std::int64_t>(NanosecondsPerSecond / model->Settings.LocalSurfaceRate)
+    : IdlePeriod;
+  if (now - this->Looked >= period)
   {
-    period = static_cast<std::int64_t>(NanosecondsPerSecond / model->Settings.LocalSurfaceRate);
-    if (now - this->Looked >= period)
+    this->Looked = std::max(this->Looked + period, now - period);
+    if (isAsked && this->Questions.Update())
     {
-      this->Looked = std::max(this->Looked + period, now - period);
-      if (this->Questions.Update())
-      {
-        const Question& question = this->Questions.Read();
-        this->Answers.Write(
-          { FitLocalSurface(*model, question.Asked), question.Number, model->BakedNumber });
-      }
+      const Question& question = this->Questions.Read();
+      this->Answers.Write(
+        { FitLocalSurface(*model, question.Asked), question.Number, model->BakedNumber });
     }
   }
   this->Models.LetGo();

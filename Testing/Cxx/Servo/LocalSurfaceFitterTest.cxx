@@ -8,6 +8,8 @@
 #include "../Core/LocalSurfaceRig.h"
 #include "PlayedDevice.h"
 
+#include <ctime>
+
 using namespace servotest;
 
 namespace
@@ -55,6 +57,27 @@ TEST(LocalSurfaceFitter, IsNotNeededToStop)
   }
   // Half a minute is not what this takes; the period of the slow loop, many times.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+}
+
+TEST(LocalSurfaceFitter, SleepsWhereNobodyAsks)
+{
+  PlayedDevice device;
+  ServoLoop loop(device, 1000.0);
+  std::atomic<double> worked{ 1.0 };
+  std::thread fitter(
+    [&]
+    {
+      loop.RunFitter();
+      timespec time;
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+      worked.store(static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec));
+    });
+  const auto begin = std::chrono::steady_clock::now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  loop.RequestStop();
+  fitter.join();
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(worked.load(), 0.1 * whole.count()) << "share of a processor";
 }
 
 TEST(LocalSurfaceFitter, FollowsModelsThatChange)
