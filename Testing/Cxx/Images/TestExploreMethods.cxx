@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every method feels the same path over the same head, with forces that a hand can bear, and the output
 // says which it was.
+#include "Expectations.h"
 #include "HeadExploration.h"
 #include "InputError.h"
 #include "Options.h"
@@ -18,17 +19,6 @@
 
 namespace
 {
-int failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "Not so: " << what << "\n";
-    ++failures;
-  }
-}
-
 Explore::Options Parse(std::vector<std::string> words)
 {
   std::vector<char*> arguments;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program prints and writes beside the pictures: the summary and the table of the trace.
+#include "Expectations.h"
 #include "HeadExploration.h"
 #include "TraceFiles.h"
 #include "TraceSummary.h"
@@ -11,21 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
-
-namespace
-{
-int failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "Not so: " << what << "\n";
-    ++failures;
-  }
-}
-} // namespace
 
 int TestExploreOutput(int argc, char* argv[])
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The planned path is one that a hand can follow, and it touches what it should.
+#include "Expectations.h"
 #include "HeadExploration.h"
 #include "TissueTable.h"
 
@@ -57,16 +58,6 @@ std::set<std::string> Touched(
   return names;
 }
 
-int failures = 0;
-
-void Expect(bool condition, const char* what)
-{
-  if (!condition)
-  {
-    std::cerr << "Not so: " << what << "\n";
-    ++failures;
-  }
-}
 } // namespace
 
 int TestExploreTipPath(int argc, char* argv[])

@@ -47,15 +47,7 @@ TEST_F(StyleTest, WhatIsHiddenStopsBeingFeltWithTheNextUpdate)
   vtkNew<vtkVolumeProperty> look;
   look->GetScalarOpacity()->AddPoint(-1000.0, 1.0);
   this->Filter->GetProperty()->SetVisibilityFrom(look);
-  ASSERT_TRUE(this->Device->Open("virtual"));
-  ASSERT_TRUE(this->Device->Start());
-  this->Pointer(150, 150);
-  this->Style->TouchModeOn();
-  for (int i = 0; i < 4; ++i)
-  {
-    this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
-    this->Run(10);
-  }
+  ASSERT_NO_FATAL_FAILURE(this->PushIn());
   ASSERT_GT(this->Device->GetNormalForce(), 0.5);
   look->GetScalarOpacity()->RemoveAllPoints();
   look->GetScalarOpacity()->AddPoint(-1000.0, 0.0);

@@ -27,15 +27,7 @@ protected:
   /// The tip is 2 mm or so deep in the ball, and feels it.
   void Touch()
   {
-    ASSERT_TRUE(this->Device->Open("virtual"));
-    ASSERT_TRUE(this->Device->Start());
-    this->Pointer(150, 150);
-    this->Style->TouchModeOn();
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
-      this->Run(10);
-    }
+    ASSERT_NO_FATAL_FAILURE(this->PushIn());
     this->Run(600); // the ramp after arming
     ASSERT_GT(Length(this->Device->GetForce()), 0.5);
   }

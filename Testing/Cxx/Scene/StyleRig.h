@@ -94,6 +94,19 @@ protected:
   {
     this->Run(ticks, [](vtkTable*, vtkIdType) {});
   }
+  /// The mouse is a stylus from here on, and is pushed into the middle of the picture.
+  void PushIn()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Pointer(150, 150);
+    this->Style->TouchModeOn();
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+      this->Run(10);
+    }
+  }
   void Pointer(int x, int y, unsigned long event = vtkCommand::MouseMoveEvent, int shift = 0)
   {
     this->Interactor->SetEventInformation(x, y, 0, shift);

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What a test of the explorer found wrong so far: a program of VTK's test driver has no other way to say it.
+ */
+#ifndef Expectations_h
+#define Expectations_h
+
+#include <iostream>
+#include <string>
+
+inline int failures = 0;
+
+inline void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "Not so: " << what << "\n";
+    ++failures;
+  }
+}
+
+#endif
