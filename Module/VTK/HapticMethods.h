@@ -32,6 +32,12 @@ const std::vector<MethodChoice>& MethodChoices();
 /** The place of a method and a solver in MethodChoices(). */
 std::size_t FindMethodChoice(int method, int solver);
 
+/** The one of a method and a solver. */
+inline const MethodChoice& GetMethodChoice(int method, int solver)
+{
+  return MethodChoices()[FindMethodChoice(method, solver)];
+}
+
 /** The settings' names of the methods: the name of method i is at i. */
 std::vector<const char*> MethodSettings();
 

@@ -111,9 +111,7 @@ std::string vtkHapticDevice::GetMethodText()
     return d.Filter ? d.Filter->GetMethodText() : std::string();
   }
   const HapticSettings& settings = model->Settings;
-  return MethodChoices()[FindMethodChoice(
-                           static_cast<int>(settings.Method), static_cast<int>(settings.Solver))]
-    .Text;
+  return GetMethodChoice(static_cast<int>(settings.Method), static_cast<int>(settings.Solver)).Text;
 }
 
 //------------------------------------------------------------------------------

@@ -116,9 +116,8 @@ bool vtkInteractorStyleHaptic::NextMethod()
   }
   filter->NextMethod();
   const std::string wanted = filter->GetMethodText();
-  const MethodChoice& choice =
-    MethodChoices()[FindMethodChoice(filter->GetMethod(), filter->GetSolver())];
-  this->Notify(choice.IsPrepared ? wanted + " is being prepared ..." : "");
+  const bool isPrepared = GetMethodChoice(filter->GetMethod(), filter->GetSolver()).IsPrepared;
+  this->Notify(isPrepared ? wanted + " is being prepared ..." : "");
   d.Unfelt.clear();
   if (d.Device->Publish())
   {

@@ -92,15 +92,13 @@ bool vtkVolumeHapticsAlgorithm::SetMethodByName(const char* name)
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsAlgorithm::GetMethodName()
 {
-  const std::size_t now = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
-  return VolumeHaptics::MethodChoices()[now].Name;
+  return VolumeHaptics::GetMethodChoice(this->Method, this->Solver).Name;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsAlgorithm::GetMethodText()
 {
-  const std::size_t now = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
-  return VolumeHaptics::MethodChoices()[now].Text;
+  return VolumeHaptics::GetMethodChoice(this->Method, this->Solver).Text;
 }
 
 //------------------------------------------------------------------------------
@@ -144,8 +142,8 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
     os << "(none)\n";
   }
   static const char* const estimators[] = { "CentralDifference", "Gaussian", "CubicBSpline" };
-  const std::size_t choice = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
-  os << indent << "Method: " << VolumeHaptics::MethodChoices()[choice].Setting << "\n";
+  os << indent << "Method: " << VolumeHaptics::GetMethodChoice(this->Method, this->Solver).Setting
+     << "\n";
   os << indent << "Solver: " << (this->Solver == PAPER ? "Paper" : "Precise") << "\n";
   os << indent << "ContactAlignment: " << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness")
      << "\n";
