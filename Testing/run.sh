@@ -27,7 +27,8 @@ done
 # shellcheck source=../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
-  libgl1-mesa-dri libgtest-dev libbenchmark-dev
+  libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev \
+  libumockdev-dev umockdev
 
 jobs=$(nproc)
 # Without a display, or with somebody's: tests always render off to the side.

@@ -14,6 +14,7 @@
 #include "ForceCaps.h"
 #include "Vector3.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -48,13 +49,32 @@ struct DeviceSample
   std::uint32_t Buttons = 0; ///< bit 0 is the main one
   bool Fresh = false;        ///< measured since the last Read
   bool Begins = false;       ///< the stylus is taken up here; where it was before means nothing
+  Vector3 Turn; ///< rad/s: how fast the hand asks the view to turn; zero for most devices
 };
 
 enum class DeviceState : std::uint8_t
 {
   Running,  ///< reads and writes go through
+  NotReady, ///< not homed or not loaded yet: no position, and arming has no effect
   Finished, ///< there is nothing more to come, such as at the end of a replay
   Lost      ///< unplugged or broken; the back end has to be opened again
+};
+
+/** How far a device is from taking forces. */
+enum class DeviceStage : std::uint8_t
+{
+  Firmware, ///< its firmware is being loaded
+  Homing,   ///< its encoders wait for the hand
+  Ready,
+  Lost ///< unplugged or broken
+};
+
+/** Where a device stands, for people. */
+struct DeviceCondition
+{
+  DeviceStage Stage = DeviceStage::Ready;
+  std::array<char, 320>
+    Text{}; ///< what is asked of the hand, or what is wrong and the cure; may be empty
 };
 
 class DeviceBackend
@@ -68,12 +88,19 @@ public:
   ///@{
   /**
    * Outside the servo loop. Open returns false, with the reason and the cure, where the device
-   * can't be had; Close sends zero force first.
+   * can't be had; Close sends zero force first. A device that has to be homed opens at once, and
+   * is NotReady until it is.
    */
   virtual bool Open(std::string& error) = 0;
   virtual void Close() = 0;
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
+  /** At any time, from the owner's thread. */
+  virtual DeviceCondition GetCondition() { return {}; }
+  /** Look for the zero of the encoders again, as after they lost it: NotReady until then. */
+  virtual void Home() noexcept {}
+  /** Bits of what the device can light up; below zero (the default) it shows its own condition. */
+  virtual void SetLights(int) noexcept {}
   ///@}
 
   ///@{

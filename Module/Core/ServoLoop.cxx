@@ -41,6 +41,7 @@ std::uint64_t ComputeSeal(const ServoSnapshot& s) noexcept
 {
   std::uint64_t seal = Mix(Mix(s.Tick, s.Time), s.Generation);
   seal = Mix(Mix(Mix(seal, s.Record.Tip), s.Record.Proxy), s.Record.Force);
+  seal = Mix(seal, s.Turn);
   seal = Mix(Mix(seal, s.Record.Normal), s.Command);
   seal = Mix(Mix(seal, s.Record.GradientMagnitude), s.Record.SurfaceValue);
   seal = Mix(Mix(seal, s.Record.Stiffness), s.Record.SurfaceStrength);
@@ -130,6 +131,12 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   sample.Tip = s.Record.Tip;
   s.Device = this->Backend.Read(period, sample);
   s.Buttons = sample.Buttons;
+  s.Turn = sample.Turn;
+  if (s.Device == DeviceState::NotReady)
+  {
+    // Whoever arms has to see that the device can be felt: it does not begin by itself.
+    this->Safety.Disarm();
+  }
   if (elapsed > this->Limits.Read().WatchdogTime)
   {
     // The loop stood still, and the hand did not: start from the tip.

@@ -43,6 +43,7 @@ struct ServoSnapshot
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
   std::uint64_t Seal = 0;       ///< a checksum of the rest: see IsWhole
   std::uint32_t Buttons = 0;
+  Vector3 Turn; ///< rad/s, see DeviceSample
   bool Armed = false;
   bool Stale = false;
   SafetyFault Fault = SafetyFault::None;

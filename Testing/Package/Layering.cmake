@@ -32,7 +32,7 @@ endfunction()
 headers_of(Module/VTK vtk)
 set(any_vtk "[\"</]vtk[A-Za-z0-9_]*\\.h")
 set(core "Module/Core/*.h" "Module/Core/*.cxx")
-set(device_files "Module/Devices/*.h" "Module/Devices/*.cxx")
+set(device_files "Module/Devices/*.h" "Module/Devices/*.cxx" "Module/Devices/*/*.h" "Module/Devices/*/*.cxx")
 set(filter "Module/VTK/vtkVolumeHapticsFilter.*" "Module/VTK/vtkVolumeHapticsAlgorithm.*"
   "Module/VTK/HapticModelBuilder.*" "Module/VTK/HapticTrace.*" "Module/VTK/HapticTipPath.*"
   "Module/VTK/HapticVolumeView.*" "Module/VTK/HapticFunctions.*")
@@ -48,7 +48,7 @@ forbid("The filter must not know rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))"
   ${filter})
 forbid("The module must not know ParaView or Qt." "[\"<](vtkPV|vtkSM|vtkSI|pq|Q[A-Z])" ${module})
-forbid("Installed headers must not show a device library." "(hidapi|libusb)" "Module/VTK/vtk*.h")
+forbid("Installed headers must not show a device library." "(hidapi|libusb)" "Module/VTK/*.h" "Module/Core/*.h" "Module/Devices/*.h")
 if (IS_DIRECTORY "${root}/Module/Devices")
   headers_of(Module/Devices devices)
   if (NOT devices STREQUAL "[\"</]()[\">]")

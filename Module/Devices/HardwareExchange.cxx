@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HardwareExchange.h"
+
+#include "ServoClock.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#if defined(__linux__)
+#include <sys/eventfd.h>
+#include <time.h>
+#include <unistd.h>
+#endif
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double SecondsPerNanosecond = 1e-9;
+/** The two clocks are read one after the other; a sleep takes longer than a late thread (ns). */
+constexpr std::int64_t ShortestSleep = 50000000;
+
+} // namespace
+
+HardwareExchange::HardwareExchange(Clock asleep)
+  : Asleep(asleep)
+{
+#if defined(__linux__)
+  this->Wake = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+#endif
+}
+
+HardwareExchange::~HardwareExchange()
+{
+#if defined(__linux__)
+  if (this->Wake >= 0)
+  {
+    close(this->Wake);
+  }
+#endif
+}
+
+void HardwareExchange::WakeUp() noexcept
+{
+#if defined(__linux__)
+  const std::uint64_t one = 1;
+  // It only fails where it is readable already.
+  [[maybe_unused]] const auto size = write(this->Wake, &one, sizeof(one));
+#endif
+}
+
+void HardwareExchange::ClearWake() noexcept
+{
+#if defined(__linux__)
+  std::uint64_t count = 0;
+  [[maybe_unused]] const auto size = read(this->Wake, &count, sizeof(count));
+#endif
+}
+
+std::int64_t HardwareExchange::GetTimeAsleep() noexcept
+{
+#if defined(__linux__)
+  timespec whole{};
+  timespec awake{};
+  clock_gettime(CLOCK_BOOTTIME, &whole);
+  clock_gettime(CLOCK_MONOTONIC, &awake);
+  return (whole.tv_sec - awake.tv_sec) * std::int64_t{ 1000000000 } + whole.tv_nsec - awake.tv_nsec;
+#else
+  return 0;
+#endif
+}
+
+void HardwareExchange::Begin() noexcept
+{
+  this->StopRequested.store(false);
+  this->HomeRequested.store(false);
+  this->Quenched.store(true);
+  this->Samples.Update();
+  this->Forces.Update();
+  this->SleptBefore = this->Asleep();
+  this->ClearWake();
+  this->Stage.store(DeviceStage::Homing, std::memory_order_release);
+  this->SetCondition(DeviceStage::Homing, "");
+}
+
+void HardwareExchange::RequestStop() noexcept
+{
+  this->StopRequested.store(true, std::memory_order_release);
+  this->WakeUp();
+}
+
+bool HardwareExchange::TakeHomeRequest() noexcept
+{
+  const bool requested = this->HomeRequested.exchange(false);
+  if (requested)
+  {
+    this->Stage.store(DeviceStage::Homing, std::memory_order_release);
+  }
+  return requested;
+}
+
+void HardwareExchange::RequestHome() noexcept
+{
+  this->HomeRequested.store(true);
+  this->WakeUp();
+}
+
+DeviceCondition HardwareExchange::GetCondition() noexcept
+{
+  this->Conditions.Update();
+  return this->Conditions.Read();
+}
+
+void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcept
+{
+  if (stage != DeviceStage::Lost && this->Stage.load() == DeviceStage::Lost)
+  {
+    return;
+  }
+  DeviceCondition condition;
+  condition.Stage = stage;
+  std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
+  this->Conditions.Write(condition);
+  this->Stage.store(stage, std::memory_order_release);
+}
+
+bool HardwareExchange::HasSlept() noexcept
+{
+  const std::int64_t slept = this->Asleep();
+  const bool has = slept - this->SleptBefore > ShortestSleep;
+  this->SleptBefore = slept;
+  if (has)
+  {
+    this->SetCondition(DeviceStage::Lost,
+      "the computer was asleep, and nobody knows where the hand went. Home() and Arm() again.");
+  }
+  return has;
+}
+
+DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
+{
+  switch (this->Stage.load(std::memory_order_acquire))
+  {
+    case DeviceStage::Lost:
+      return DeviceState::Lost;
+    case DeviceStage::Firmware:
+    case DeviceStage::Homing:
+      return DeviceState::NotReady;
+    case DeviceStage::Ready:
+      break;
+  }
+  if (this->Samples.Update())
+  {
+    sample = this->Samples.Read();
+    sample.Fresh = true;
+  }
+  return DeviceState::Running;
+}
+
+DeviceState HardwareExchange::Give(const Vector3& force) noexcept
+{
+  this->Forces.Write({ force, ServoClock::Now() });
+  this->Quenched.store(false, std::memory_order_release);
+  this->WakeUp();
+  return this->Stage.load(std::memory_order_acquire) == DeviceStage::Lost ? DeviceState::Lost
+                                                                          : DeviceState::Running;
+}
+
+void HardwareExchange::Quench() noexcept
+{
+  this->Quenched.store(true, std::memory_order_release);
+  this->WakeUp();
+}
+
+Vector3 HardwareExchange::GetForce() noexcept
+{
+  this->Forces.Update();
+  if (this->Quenched.load(std::memory_order_acquire) ||
+    this->Stage.load(std::memory_order_acquire) != DeviceStage::Ready)
+  {
+    return {};
+  }
+  const TimedForce& latest = this->Forces.Read();
+  const double age =
+    static_cast<double>(ServoClock::Now() - latest.Time) * SecondsPerNanosecond - WatchdogTime;
+  const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;
+  return IsFinite(force) ? force : Vector3{};
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The libraries that devices are reached through: VolumeHaptics_DEVICE_LIBRARIES. Each is used where it is found.
+find_package(Threads REQUIRED)
+find_package(PkgConfig QUIET)
+if (PKG_CONFIG_FOUND)
+  pkg_check_modules(LIBUSB QUIET libusb-1.0)
+  # The kernel's own interface rather than a second USB stack: the kernel's driver stays bound.
+  pkg_check_modules(HIDAPI QUIET hidapi-hidraw)
+  if (NOT HIDAPI_FOUND)
+    pkg_check_modules(HIDAPI QUIET hidapi)
+  endif ()
+endif ()
+
+set(VolumeHaptics_DEVICE_LIBRARIES)
+# Makes the option VolumeHaptics_USE_NAME, on where the library is there; an error where it was asked for and is not.
+macro (volume_haptics_use name found devices package)
+  if (${found})
+    option(VolumeHaptics_USE_${name} "Talk to ${devices}" ON)
+  else ()
+    option(VolumeHaptics_USE_${name} "Talk to ${devices}" OFF)
+  endif ()
+  if (VolumeHaptics_USE_${name})
+    if (NOT ${found})
+      message(FATAL_ERROR "VolumeHaptics_USE_${name} is on, but pkg-config does not find the library. "
+        "Install it (on Debian: apt-get install pkg-config ${package}), or turn the option off.")
+    endif ()
+    list(APPEND VolumeHaptics_DEVICE_LIBRARIES ${${name}_LINK_LIBRARIES})
+  endif ()
+endmacro ()
+volume_haptics_use(LIBUSB LIBUSB_FOUND "the Novint Falcon, through libusb" libusb-1.0-0-dev)
+volume_haptics_use(HIDAPI HIDAPI_FOUND
+  "WoodenHaptics, force-feedback sticks and 3Dconnexion mice, through hidapi" libhidapi-dev)
