@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What an emulated device is, whatever carries it: umockdev in the tests, a virtual USB port of a real kernel.
+ *
+ * The carrier calls a model from one thread at a time, though not always from the same one.
+ */
+#ifndef DeviceModels_h
+#define DeviceModels_h
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace emulated
+{
+
+/** A USB device: results are sizes in bytes, or -errno; -EPIPE stalls. */
+class UsbModel
+{
+public:
+  virtual ~UsbModel() = default;
+  /** The device descriptor, followed by that of the configuration. */
+  virtual std::vector<std::uint8_t> GetDescriptors() const = 0;
+  virtual int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) = 0;
+  virtual int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) = 0;
+  /** -EAGAIN where there is nothing yet: asked again after every Out and every Ready. */
+  virtual int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) = 0;
+
+  /** The carrier's: the model calls it where In has something by itself. */
+  std::function<void()> Ready = [] {};
+};
+
+/** A HID device: reports begin with their id, 0 where the device has none. */
+class HidModel
+{
+public:
+  virtual ~HidModel() = default;
+  virtual std::uint16_t GetVendor() const = 0;
+  virtual std::uint16_t GetProduct() const = 0;
+  virtual std::string GetName() const = 0;
+  virtual std::vector<std::uint8_t> GetReportDescriptor() const = 0;
+  /** The size, or -errno. */
+  virtual int Output(const std::uint8_t* report, int size) = 0;
+  virtual int SetFeature(const std::uint8_t*, int size) { return size; }
+  /** Fills in what follows the id; the size with the id, or -errno. */
+  virtual int GetFeature(std::uint8_t* report, int size) = 0;
+
+  /** The carrier's: the model calls it with an input report, the id left out where the device has none. */
+  std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
+};
+
+} // namespace emulated
+
+#endif
