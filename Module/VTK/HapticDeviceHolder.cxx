@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticDeviceHolder.h"
 
+#include "DeviceRegistry.h"
 #include "HapticSignals.h"
 #include "HapticStateTable.h"
 #include "ReplayDevice.h"
-#include "vtkHapticDevice.h"
 
 #include <algorithm>
 
@@ -23,46 +23,10 @@ void Copy(const Vector3& from, double to[3])
   to[2] = from.Z;
 }
 
-/** What is wrong, and what to do. */
-const char* Explain(SafetyFault fault)
-{
-  switch (fault)
-  {
-    case SafetyFault::NotFinite:
-      return "Force cut off: a force or a position was not a finite number. Check the image and "
-             "the "
-             "device, then Arm() again.";
-    case SafetyFault::OverSpeed:
-      return "Force cut off: the tip moved faster than a hand can hold the device. Take the "
-             "stylus, then "
-             "Arm() again.";
-    case SafetyFault::DeviceLost:
-      return "Force cut off: the device is gone. Plug it in, Open() and Start() it, then Arm() "
-             "again.";
-    case SafetyFault::None:
-      break;
-  }
-  return "";
-}
-
-const char* Describe(ServoLoop::Privilege privilege)
-{
-  switch (privilege)
-  {
-    case ServoLoop::Privilege::Granted:
-      return "granted";
-    case ServoLoop::Privilege::Refused:
-      return "refused (the loop may be late on a busy machine; raise the user's rtprio and memlock "
-             "limits)";
-    case ServoLoop::Privilege::Unknown:
-      break;
-  }
-  return "not yet known";
-}
-
 } // namespace
 
-bool HapticDeviceHolder::Open(const std::string& id, std::string& error)
+bool HapticDeviceHolder::Open(
+  const std::string& id, const DeviceOptions& options, std::string& error)
 {
   this->Close();
   if (id == "virtual")
@@ -78,17 +42,16 @@ bool HapticDeviceHolder::Open(const std::string& id, std::string& error)
       return false;
     }
     this->Backend = std::make_unique<ReplayDevice>(this->Replay.Tips, id);
+    this->IsReplay = true;
   }
   else
   {
-    error = "There is no device \"" + id +
-      "\". Give \"virtual\", \"replay:FILE\" or an id that EnumerateDevices() lists.";
-    return false;
+    this->Backend = MakeDevice(id, options, error);
   }
-  if (!this->Backend->Open(error))
+  if (!this->Backend || !this->Backend->Open(error))
   {
     this->Backend.reset();
-    this->Virtual = nullptr;
+    this->Close();
     return false;
   }
   this->Id = id;
@@ -106,6 +69,7 @@ void HapticDeviceHolder::Close()
   this->Virtual = nullptr;
   // Arming is for the device that is at hand, not for the next one.
   this->ArmWanted = false;
+  this->IsReplay = false;
   this->Replay = {};
   this->Id.clear();
 }
@@ -113,7 +77,7 @@ void HapticDeviceHolder::Close()
 void HapticDeviceHolder::Start(double rate, const SafetyLimits& limits,
   std::shared_ptr<const HapticModel> model, const Affine3& deviceToWorld)
 {
-  if (!this->Virtual)
+  if (this->IsReplay)
   {
     // A replay starts over, and where its tips are in the world, at the device's place of now.
     std::vector<Vector3> tips = this->Replay.Tips;
@@ -160,6 +124,15 @@ void HapticDeviceHolder::Arm(bool on)
   }
 }
 
+void HapticDeviceHolder::Home()
+{
+  if (this->Backend)
+  {
+    this->Arm(false);
+    this->Backend->Home();
+  }
+}
+
 bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
 {
   if (!this->Session)
@@ -177,6 +150,7 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
   const Affine3 toWorld = model ? model->DeviceToWorld : deviceToWorld;
   const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
   const TickRecord& record = this->State.Record;
+  Copy(this->State.Turn, this->TurnRate);
   Copy(toWorld(record.Tip), this->Tip);
   Copy(toWorld(record.Proxy), this->Proxy);
   Copy(rotation * this->State.Command, this->Force);
@@ -202,66 +176,6 @@ void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* tab
     }
   }
   rows.WriteTo(table);
-}
-
-int HapticDeviceHolder::GetStatus() const
-{
-  if (!this->Backend)
-  {
-    return vtkHapticDevice::CLOSED;
-  }
-  if (!this->Session)
-  {
-    return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
-  }
-  if (this->State.Fault != SafetyFault::None)
-  {
-    return vtkHapticDevice::FAULT;
-  }
-  if (!this->State.Armed)
-  {
-    return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
-  }
-  return this->State.Stale ? vtkHapticDevice::ARMED : vtkHapticDevice::ACTIVE;
-}
-
-std::string HapticDeviceHolder::GetStatusText() const
-{
-  switch (this->GetStatus())
-  {
-    case vtkHapticDevice::CLOSED:
-      return "Closed. Open() a device.";
-    case vtkHapticDevice::FAULT:
-      return Explain(this->State.Fault);
-    default:
-      break;
-  }
-  if (!this->Session)
-  {
-    return "Ready: " + this->Id + ". Start() the servo.";
-  }
-  std::string text;
-  if (this->State.Device == DeviceState::Lost)
-  {
-    text = "Lost: " + this->Id + " is gone. Plug it in, Open() and Start() it.";
-  }
-  else if (this->State.Device == DeviceState::Finished)
-  {
-    text = "Finished: " + this->Id + " has come to its end.";
-  }
-  else if (this->State.Armed && this->State.Stale)
-  {
-    text = "Armed, but " + this->Id + " gives no fresh positions: no force.";
-  }
-  else
-  {
-    text = this->State.Armed ? "Active: " + this->Id + "."
-                             : "Running: " + this->Id + ". Arm() lets force through.";
-  }
-  ServoLoop& loop = this->Session->GetLoop();
-  text += std::string(" Real-time priority ") + Describe(loop.GetRealTimePriority()) +
-    ", locked memory " + Describe(loop.GetLockedMemory()) + ".";
-  return text;
 }
 
 } // namespace VolumeHaptics

@@ -7,6 +7,7 @@
 #ifndef HapticDeviceHolder_h
 #define HapticDeviceHolder_h
 
+#include "DeviceKind.h"
 #include "HapticSession.h"
 #include "HapticTraceFiles.h"
 #include "VirtualDevice.h"
@@ -21,7 +22,7 @@ class HapticDeviceHolder
 public:
   ~HapticDeviceHolder() { this->Close(); }
 
-  bool Open(const std::string& id, std::string& error);
+  bool Open(const std::string& id, const DeviceOptions& options, std::string& error);
   void Close();
   bool IsOpen() const { return this->Backend != nullptr; }
   const std::string& GetId() const { return this->Id; }
@@ -43,6 +44,19 @@ public:
   double GetRate() const { return this->Rate; }
 
   void Arm(bool on);
+  /** Whether it is open and, as far as is known now, can be felt. */
+  bool IsReady() const
+  {
+    return this->Backend && this->Backend->GetCondition().Stage == DeviceStage::Ready;
+  }
+  void Home();
+  void SetLights(int lights)
+  {
+    if (this->Backend)
+    {
+      this->Backend->SetLights(lights);
+    }
+  }
 
   /** Takes the latest state; the placement is used where there is no model. */
   bool Update(const Affine3& deviceToWorld);
@@ -68,11 +82,15 @@ public:
   double SurfacePosition[3] = {};
   double MediumPosition[3] = {};
   ///@}
+  double TurnRate[3] = {}; ///< rad/s, of the latest state, in the device's axes
 
 private:
+  std::string Describe(const DeviceCondition& condition) const;
+
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;
   VirtualDevice* Virtual = nullptr;
+  bool IsReplay = false;
   RecordedTips Replay;
   std::unique_ptr<HapticSession> Session;
   ServoSnapshot State;

@@ -6,7 +6,6 @@
 #include "vtkHapticDeviceInternals.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 
@@ -27,24 +26,12 @@ vtkHapticDevice::~vtkHapticDevice()
 }
 
 //------------------------------------------------------------------------------
-vtkStringArray* vtkHapticDevice::EnumerateDevices()
-{
-  static const vtkSmartPointer<vtkStringArray> ids = []
-  {
-    auto array = vtkSmartPointer<vtkStringArray>::New();
-    array->InsertNextValue("virtual");
-    return array;
-  }();
-  return ids;
-}
-
-//------------------------------------------------------------------------------
 bool vtkHapticDevice::Open(const char* id)
 {
   std::string error;
   auto& holder = this->Internals->Holder;
   this->Close();
-  if (!holder.Open(id ? id : "", error))
+  if (!holder.Open(id ? id : "", this->MakeOptions(), error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -191,13 +178,31 @@ bool vtkHapticDevice::IsRunning()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Arm()
 {
-  this->Internals->Holder.Arm(true);
+  auto& holder = this->Internals->Holder;
+  if (!holder.IsReady())
+  {
+    vtkErrorMacro(<< "It can't be armed yet. " << holder.GetStatusText());
+    return;
+  }
+  holder.Arm(true);
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Disarm()
 {
   this->Internals->Holder.Arm(false);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Home()
+{
+  this->Internals->Holder.Home();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetLights(int lights)
+{
+  this->Internals->Holder.SetLights(lights);
 }
 
 //------------------------------------------------------------------------------
@@ -230,6 +235,7 @@ vtkHapticDeviceStateMacro(double*, ProxyPosition, Proxy);
 vtkHapticDeviceStateMacro(double*, Force, Force);
 vtkHapticDeviceStateMacro(double*, ComputedForce, ComputedForce);
 vtkHapticDeviceStateMacro(int, Buttons, GetButtons());
+vtkHapticDeviceStateMacro(double*, TurnRate, TurnRate);
 vtkHapticDeviceStateMacro(int, Contact, GetContact());
 vtkHapticDeviceStateMacro(double, SurfaceValue, GetState().Record.SurfaceValue);
 vtkHapticDeviceStateMacro(double, NormalForce, GetState().Record.NormalForce);

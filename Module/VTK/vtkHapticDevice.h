@@ -29,35 +29,33 @@
  *
  * Positions are in world units and forces in newtons along the world's axes, except where said.
  *
- * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a
- * recording
- * (.vtp or .csv), tick by tick.
+ * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a recording
+ * (.vtp or .csv), tick by tick. Real ones are those of vtkHapticHardware. A real device that is not homed
+ * opens at once and waits for the hand, as GetStatusText tells; Arm is refused until it is ready. When it
+ * is unplugged, stops answering, loses its zero, or the computer was asleep, the force is cut off for
+ * good: the user brings it back, with Home() or Open(), and Arm().
  *
- * @sa vtkVolumeHapticsFilter
+ * @sa vtkVolumeHapticsFilter, vtkHapticHardware
  */
 #ifndef vtkHapticDevice_h
 #define vtkHapticDevice_h
 
-#include "vtkObject.h"
+#include "vtkHapticHardware.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
 class vtkMatrix4x4;
-class vtkStringArray;
 class vtkTable;
 class vtkVolumeHapticsFilter;
 
-class VTKVOLUMEHAPTICS_EXPORT vtkHapticDevice : public vtkObject
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticDevice : public vtkHapticHardware
 {
 public:
   static vtkHapticDevice* New();
-  vtkTypeMacro(vtkHapticDevice, vtkObject);
+  vtkTypeMacro(vtkHapticDevice, vtkHapticHardware);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /** The ids of the devices that Open can be given now; "replay:FILE" is not among them. */
-  static vtkStringArray* EnumerateDevices();
 
   /**
    * Open a device by its id. False, with an error that says what to do, where that is not possible.
@@ -124,27 +122,25 @@ public:
 
   ///@{
   /**
-   * Let force through, or not. Arm forgets a fault; Disarm cuts the force at once. Stop disarms.
+   * Let force through, or not. Arm forgets a fault, and is refused, with an error, while the device is not
+   * ready; Disarm cuts the force at once. Stop disarms.
    */
   void Arm();
   void Disarm();
   ///@}
 
-  enum StatusType
-  {
-    CLOSED = 0,
-    OPEN = 1,
-    FIRMWARE = 2, ///< waits for its firmware
-    HOMING = 3,   ///< waits for its encoders to be homed
-    READY = 4,    ///< can be started, or runs unarmed
-    ARMED = 5,    ///< armed; no force yet, since the servo does not run or gets no samples
-    ACTIVE = 6,   ///< force flows
-    FAULT = 7     ///< cut off until armed again
-  };
+  /** Look for the zero of a real device's encoders anew, with the hand's help; disarms. */
+  void Home();
+
+  /**
+   * What a real device lights up, until Close: bits 1 green, 2 blue, 4 red of a Falcon, 1 of a SpaceMouse. Below
+   * zero (default) the lights show how the device stands.
+   */
+  void SetLights(int lights);
 
   ///@{
   /**
-   * Where the device stands, as of the last UpdateState; the text says what is wrong, and the cure.
+   * Where the device stands (StatusType), as of the last UpdateState; the text says what is wrong, and the cure.
    */
   int GetStatus();
   std::string GetStatusText();
@@ -200,6 +196,8 @@ public:
   ///@}
   /** Of the latest state: bit 0 is the main button. */
   int GetButtons();
+  /** Of the latest state (rad/s, the device's axes): how fast a SpaceMouse asks the volume to turn. */
+  double* GetTurnRate() VTK_SIZEHINT(3);
   /** Of the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
   int GetContact();
   /** Of the latest state: the value in the surface, V(x_s). */

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticHardware.h"
+
+#include "DeviceRegistry.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+constexpr double MostNewtons = 100.0;
+
+std::vector<DeviceListing> ListAll()
+{
+  std::vector<DeviceListing> all{ { "virtual", "A stylus without hardware: the mouse",
+    "available" } };
+  std::vector<DeviceListing> plugged = VolumeHaptics::ListDevices();
+  std::move(plugged.begin(), plugged.end(), std::back_inserter(all));
+  return all;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHapticHardware::vtkHapticHardware()
+{
+  const char* const file = std::getenv("VOLUMEHAPTICS_FALCON_FIRMWARE");
+  this->FirmwareFile = file ? file : "";
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkHapticHardware::EnumerateDevices()
+{
+  static const vtkSmartPointer<vtkStringArray> ids = vtkSmartPointer<vtkStringArray>::New();
+  ids->Reset();
+  for (const DeviceListing& device : ListAll())
+  {
+    ids->InsertNextValue(device.Id);
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHardware::ListDevices(vtkTable* devices)
+{
+  if (!devices)
+  {
+    return;
+  }
+  devices->Initialize();
+  const auto add = [devices](const char* name)
+  {
+    vtkNew<vtkStringArray> column;
+    column->SetName(name);
+    devices->AddColumn(column);
+    return column;
+  };
+  const auto ids = add("Id");
+  const auto names = add("Name");
+  const auto states = add("State");
+  for (const DeviceListing& device : ListAll())
+  {
+    ids->InsertNextValue(device.Id);
+    names->InsertNextValue(device.Name);
+    states->InsertNextValue(device.State);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticHardware::AddDeviceKind(const DeviceKind& kind)
+{
+  std::string error;
+  const bool isAdded = VolumeHaptics::AddDeviceKind(kind, error);
+  if (!isAdded)
+  {
+    vtkGenericWarningMacro(<< error);
+  }
+  return isAdded;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHardware::SetFirmwareFile(const std::string& file)
+{
+  if (file != this->FirmwareFile)
+  {
+    this->FirmwareFile = file;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHardware::SetNewtonsPerFullScale(double x, double y)
+{
+  if (!std::isfinite(x) || !std::isfinite(y))
+  {
+    vtkErrorMacro("NewtonsPerFullScale must be finite; it stays as it was.");
+    return;
+  }
+  const double newtons[2] = { std::clamp(x, -MostNewtons, MostNewtons),
+    std::clamp(y, -MostNewtons, MostNewtons) };
+  if (newtons[0] != this->NewtonsPerFullScale[0] || newtons[1] != this->NewtonsPerFullScale[1])
+  {
+    std::copy(newtons, newtons + 2, this->NewtonsPerFullScale);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHardware::SetNewtonsPerFullScale(const double newtons[2])
+{
+  this->SetNewtonsPerFullScale(newtons[0], newtons[1]);
+}
+
+//------------------------------------------------------------------------------
+DeviceOptions vtkHapticHardware::MakeOptions() const
+{
+  DeviceOptions options;
+  options.FirmwareFile = this->FirmwareFile;
+  options.HomingTime = this->HomingTime;
+  options.NewtonsPerFullScale = { this->NewtonsPerFullScale[0], this->NewtonsPerFullScale[1] };
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHardware::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FirmwareFile: " << (this->FirmwareFile.empty() ? "(none)" : this->FirmwareFile)
+     << "\n";
+  os << indent << "HomingTime: " << this->HomingTime << " s\n";
+  os << indent << "NewtonsPerFullScale: " << this->NewtonsPerFullScale[0] << " "
+     << this->NewtonsPerFullScale[1] << " N\n";
+}

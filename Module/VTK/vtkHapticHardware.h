@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticHardware
+ * @brief   which devices there are, and what has to be known to open them
+ *
+ * The superclass of vtkHapticDevice. Devices are reached without vendors' libraries:
+ *
+ *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
+ *                      FirmwareFile after it was plugged in, and is homed by hand.
+ *   wooden[:N]         WoodenHaptics and Polhem, through hidapi. 3 in and out, 5 N. Calibrated by hand.
+ *   pid[:VVVV:PPPP]    force-feedback sticks and wheels (HID usage page 0x0F), through hidapi, by USB vendor and
+ *                      product. 1 or 2 in and out; NewtonsPerFullScale says what their forces are.
+ *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no force.
+ *
+ * N counts from 0; left out, it is the first one. None of this was verified on physical hardware yet: all
+ * of it runs against emulated devices, which answer as public descriptions of the protocols say. Vendors'
+ * own libraries are added with AddDeviceKind.
+ *
+ * On Linux a user needs permission: the udev rules 70-volume-haptics.rules that are installed with this
+ * library give it to whoever sits at the computer. Where it is missing, ListDevices and Open say the rule.
+ */
+#ifndef vtkHapticHardware_h
+#define vtkHapticHardware_h
+
+#include "vtkObject.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <string> // for std::string
+
+class vtkStringArray;
+class vtkTable;
+
+#ifndef __VTK_WRAP__
+namespace VolumeHaptics
+{
+struct DeviceKind;
+struct DeviceOptions;
+} // namespace VolumeHaptics
+#endif
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticHardware : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkHapticHardware, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Where a device stands. */
+  enum StatusType
+  {
+    CLOSED = 0,
+    OPEN = 1,
+    FIRMWARE = 2, ///< waits for its firmware
+    HOMING = 3,   ///< waits for its encoders to be homed
+    READY = 4,    ///< can be started, or runs unarmed
+    ARMED = 5,    ///< armed; no force yet, since the servo does not run or gets no samples
+    ACTIVE = 6,   ///< force flows
+    FAULT = 7     ///< cut off until armed again, or lost
+  };
+
+  ///@{
+  /**
+   * The devices that Open can be given now: their ids, "virtual" first; "replay:FILE" is not among them.
+   * ListDevices overwrites a table with the columns Id, Name (maker, product, and where it is plugged in) and
+   * State: "available", "in use", or what is in the way and the cure. Each call looks anew.
+   */
+  static vtkStringArray* EnumerateDevices();
+  static void ListDevices(vtkTable* devices);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * Makes a kind of devices known to this process, such as one that needs its vendor's library: see
+   * DeviceKind.h, and Examples/Cxx/VendorDevice.cxx. False, with an error, where the name is taken.
+   */
+  static bool AddDeviceKind(const VolumeHaptics::DeviceKind& kind);
+#endif
+
+  ///@{
+  /**
+   * The image that is loaded into a Novint Falcon that has none. It belongs to Novint and can't be passed on
+   * with this library: it is the file that comes with their drivers. Default: what the environment variable
+   * VOLUMEHAPTICS_FALCON_FIRMWARE says, else none. Takes effect with Open.
+   */
+  void SetFirmwareFile(const std::string& file);
+  std::string GetFirmwareFile() const
+  {
+    return this->FirmwareFile;
+  }
+  ///@}
+
+  ///@{
+  /**
+   * How long (s) each step of homing may take, 1 to 3600; then Home() begins again. Default 120. Takes
+   * effect with Open.
+   */
+  vtkSetClampMacro(HomingTime, double, 1.0, 3600.0);
+  vtkGetMacro(HomingTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * What a stick's or wheel's forces are at full scale (N) along x and y, which no device tells: measure it
+   * with a spring scale. At most 100; below zero turns the sense, 0 gives no force. Default 1, which is
+   * gentle on what there is. Takes effect with Open.
+   */
+  void SetNewtonsPerFullScale(double x, double y);
+  void SetNewtonsPerFullScale(const double newtons[2]) VTK_SIZEHINT(2);
+  vtkGetVector2Macro(NewtonsPerFullScale, double);
+  ///@}
+
+protected:
+  vtkHapticHardware();
+  ~vtkHapticHardware() override = default;
+
+#ifndef __VTK_WRAP__
+  VolumeHaptics::DeviceOptions MakeOptions() const;
+#endif
+
+  std::string FirmwareFile;
+  double HomingTime = 120.0;
+  double NewtonsPerFullScale[2] = { 1.0, 1.0 };
+
+private:
+  vtkHapticHardware(const vtkHapticHardware&) = delete;
+  void operator=(const vtkHapticHardware&) = delete;
+};
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Kinds of devices: which are known, how ids are read, and what is said where a device can't be had.
+ */
+
+#include "DeviceRegistry.h"
+#include "VirtualDevice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+DeviceKind MakeKind(const std::string& name)
+{
+  return { name,
+    [name] {
+      return std::vector<DeviceListing>{ { name + ":7", "A device of a vendor", "available" } };
+    },
+    [](const std::string&, const DeviceOptions&, std::string&)
+    { return std::make_unique<VirtualDevice>(); } };
+}
+
+bool Contains(const std::string& text, const char* words)
+{
+  return text.find(words) != std::string::npos;
+}
+} // namespace
+
+TEST(DeviceRegistry, AnAddedKindIsListedAndMade)
+{
+  std::string error;
+  ASSERT_TRUE(AddDeviceKind(MakeKind("vendor"), error)) << error;
+  const std::vector<DeviceListing> all = ListDevices();
+  const auto isIt = [](const DeviceListing& device) { return device.Id == "vendor:7"; };
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), isIt), 1);
+  EXPECT_NE(MakeDevice("vendor:7", {}, error), nullptr);
+  EXPECT_FALSE(AddDeviceKind(MakeKind("vendor"), error));
+  EXPECT_TRUE(Contains(error, "Choose another name")) << error;
+}
+
+TEST(DeviceRegistry, RefusesWhatCannotBeAKind)
+{
+  for (const char* name :
+    { "", "virtual", "replay", "falcon", "wooden", "pid", "spacemouse", "a:b", "x y" })
+  {
+    std::string error;
+    EXPECT_FALSE(AddDeviceKind(MakeKind(name), error)) << name;
+    EXPECT_FALSE(error.empty());
+  }
+  std::string error;
+  DeviceKind kind = MakeKind("listless");
+  kind.List = nullptr;
+  EXPECT_FALSE(AddDeviceKind(kind, error));
+  EXPECT_TRUE(Contains(error, "needs a List and a Make")) << error;
+}
+
+TEST(DeviceRegistry, AnUnknownIdNamesTheKinds)
+{
+  for (const char* id : { "", "phantom", "falconer", ":", "Falcon" })
+  {
+    std::string error;
+    EXPECT_EQ(MakeDevice(id, {}, error), nullptr);
+    EXPECT_TRUE(Contains(error, "\"falcon\", \"wooden\", \"pid\", \"spacemouse\"")) << error;
+  }
+}
+
+TEST(DeviceRegistry, NumbersCountFromZero)
+{
+  std::string error;
+  EXPECT_EQ(ReadDeviceNumber("falcon", "falcon", error), 0);
+  EXPECT_EQ(ReadDeviceNumber("falcon:0", "falcon", error), 0);
+  EXPECT_EQ(ReadDeviceNumber("falcon:12", "falcon", error), 12);
+  EXPECT_TRUE(error.empty());
+  for (const char* id :
+    { "falcon:", "falcon:-1", "falcon:1a", "falcon:1000", "falcon1", "falcons:1", "" })
+  {
+    error.clear();
+    EXPECT_LT(ReadDeviceNumber(id, "falcon", error), 0) << id;
+    EXPECT_TRUE(Contains(error, "counting from 0")) << error;
+  }
+}
+
+TEST(DeviceRegistry, ThePermissionCureIsTheRuleToTheLetter)
+{
+  EXPECT_TRUE(Contains(PermissionCure("usb", 0x0403, 0xcb48),
+    R"(SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48", TAG+="uaccess")"));
+  EXPECT_TRUE(Contains(PermissionCure("hidraw", 0x046d, 0xc626),
+    R"(SUBSYSTEM=="hidraw", ATTRS{idVendor}=="046d", ATTRS{idProduct}=="c626", TAG+="uaccess")"));
+}
