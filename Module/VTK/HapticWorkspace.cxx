@@ -6,10 +6,7 @@
 
 namespace VolumeHaptics
 {
-namespace
-{
 
-/** Right, up and towards the user, as rows. */
 Matrix3 CameraAxes(vtkCamera* camera)
 {
   const double* const n = camera->GetViewPlaneNormal();
@@ -24,8 +21,6 @@ Matrix3 CameraAxes(vtkCamera* camera)
   axes.Row[2] = back;
   return axes;
 }
-
-} // namespace
 
 vtkMatrix4x4* HapticWorkspace::Place(vtkCamera* camera, double scale)
 {

@@ -17,6 +17,9 @@ class vtkCamera;
 namespace VolumeHaptics
 {
 
+/** The camera's right, up and towards the user, as rows. */
+Matrix3 CameraAxes(vtkCamera* camera);
+
 /**
  * Device x, y and z are right, up and towards the user on the screen. The device's origin lies at the
  * camera's focal point plus an offset in the camera's axes, so that what the clutch has shifted turns

@@ -37,7 +37,7 @@
  * Mouse events over the function editor go to the editor.
  *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same for
- * the hand as for the eye.
+ * the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera goes the other way.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor
  */
@@ -182,6 +182,7 @@ private:
   double GetEffectiveDepthStep();
   bool HasMoved();
   void Notify(const std::string& notice);
+  void TurnVolume(vtkRenderer* renderer, double time);
   void Draw(bool quickly);
   bool LeadsTip();
   void MoveInDepth(double steps);

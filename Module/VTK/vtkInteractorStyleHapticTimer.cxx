@@ -8,11 +8,23 @@
 #include "HapticViewRay.h"
 #include "vtkInteractorStyleHapticInternals.h"
 
+#include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
 #include "vtkTimerLog.h"
+#include "vtkTransform.h"
+
+#include <algorithm>
 
 using namespace VolumeHaptics;
+
+namespace
+{
+/// What of a pause the view turns for (s): nobody saw the rest.
+constexpr double LongestTurn = 0.1;
+} // namespace
 
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnTimer()
@@ -138,6 +150,33 @@ bool vtkInteractorStyleHaptic::NextMethod()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::TurnVolume(vtkRenderer* renderer, double time)
+{
+  const double* const t = this->Internals->Device->GetTurnRate();
+  const Vector3 rate{ t[0], t[1], t[2] };
+  const double angle = Norm(rate) * std::clamp(time, 0.0, LongestTurn);
+  if (angle == 0.0)
+  {
+    return;
+  }
+  // What the eye sees turning with the cap is the camera turning the other way.
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const double* const focus = camera->GetFocalPoint();
+  const Vector3 axis = Transpose(CameraAxes(camera)) * rate;
+  vtkNew<vtkTransform> turn;
+  turn->Translate(focus);
+  turn->RotateWXYZ(-vtkMath::DegreesFromRadians(angle), axis.X, axis.Y, axis.Z);
+  turn->Translate(-focus[0], -focus[1], -focus[2]);
+  camera->ApplyTransform(turn);
+  camera->OrthogonalizeViewUp();
+  if (this->AutoAdjustCameraClippingRange)
+  {
+    renderer->ResetCameraClippingRange();
+  }
+  this->Internals->HasHappened = true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::UpdateHaptics()
 {
   auto& d = *this->Internals;
@@ -160,7 +199,12 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
     }
   }
 
+  const double before = d.Device->GetTime();
   const bool isNew = d.Device->UpdateState();
+  if (isNew && renderer)
+  {
+    this->TurnVolume(renderer, d.Device->GetTime() - before);
+  }
   d.Device->DrainStates(d.States);
   if (d.Display)
   {
