@@ -117,6 +117,8 @@ public:
    * called again.
    */
   virtual void Quench() noexcept = 0;
+  /** From any thread, after Quench: whether the device has been told. */
+  virtual bool IsAtRest() const noexcept { return true; }
 };
 
 } // namespace VolumeHaptics

@@ -59,6 +59,7 @@ public:
   }
   DeviceState Write(const Vector3& force) noexcept override { return this->Exchange.Give(force); }
   void Quench() noexcept override { this->Exchange.Quench(); }
+  bool IsAtRest() const noexcept override { return this->Exchange.IsAtRest(); }
 
 private:
   void Run();

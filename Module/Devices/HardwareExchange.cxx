@@ -93,10 +93,12 @@ void HardwareExchange::RequestStop() noexcept
 
 bool HardwareExchange::TakeHomeRequest() noexcept
 {
-  const bool requested = this->HomeRequested.exchange(false);
+  const bool requested = this->HomeRequested.load(std::memory_order_acquire);
   if (requested)
   {
     this->Stage.store(DeviceStage::Homing, std::memory_order_release);
+    this->SetCondition(DeviceStage::Homing, "");
+    this->HomeRequested.store(false, std::memory_order_release);
   }
   return requested;
 }
@@ -109,8 +111,16 @@ void HardwareExchange::RequestHome() noexcept
 
 DeviceCondition HardwareExchange::GetCondition() noexcept
 {
+  // Before the condition: the device's thread takes the request back after it has told its own.
+  const bool willHome = this->HomeRequested.load(std::memory_order_acquire);
   this->Conditions.Update();
-  return this->Conditions.Read();
+  DeviceCondition condition = this->Conditions.Read();
+  if (willHome)
+  {
+    condition.Stage = DeviceStage::Homing;
+    condition.Text = {};
+  }
+  return condition;
 }
 
 void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcept
@@ -171,22 +181,23 @@ DeviceState HardwareExchange::Give(const Vector3& force) noexcept
 void HardwareExchange::Quench() noexcept
 {
   this->Quenched.store(true, std::memory_order_release);
+  this->ZeroRounds.store(0, std::memory_order_release);
   this->WakeUp();
 }
 
 Vector3 HardwareExchange::GetForce() noexcept
 {
   this->Forces.Update();
-  if (this->Quenched.load(std::memory_order_acquire) ||
-    this->Stage.load(std::memory_order_acquire) != DeviceStage::Ready)
-  {
-    return {};
-  }
   const TimedForce& latest = this->Forces.Read();
   const double age =
     static_cast<double>(ServoClock::Now() - latest.Time) * SecondsPerNanosecond - WatchdogTime;
   const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;
-  return IsFinite(force) ? force : Vector3{};
+  const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
+  const bool flows = IsFinite(force) && Norm(force) > 0.0 &&
+    !this->Quenched.load(std::memory_order_acquire) &&
+    this->Stage.load(std::memory_order_acquire) == DeviceStage::Ready;
+  this->ZeroRounds.store(flows ? 0 : std::min(rounds + 1, 2), std::memory_order_release);
+  return flows ? force : Vector3{};
 }
 
 } // namespace VolumeHaptics

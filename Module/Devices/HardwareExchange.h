@@ -40,8 +40,14 @@ public:
   DeviceState Give(const Vector3& force) noexcept;
   ///@}
 
-  /** Any thread: no force until the next Give. */
+  ///@{
+  /**
+   * Any thread: no force until the next Give. At rest once the device's thread has asked for the force
+   * twice since then: what it got the first time has been sent by the second.
+   */
   void Quench() noexcept;
+  bool IsAtRest() const noexcept { return this->ZeroRounds.load(std::memory_order_acquire) > 1; }
+  ///@}
 
   ///@{
   /** The owner's side. Begin forgets everything, before the device's thread starts. */
@@ -102,6 +108,9 @@ private:
   TripleBuffer<DeviceCondition> Conditions;
   std::atomic<DeviceStage> Stage{ DeviceStage::Lost };
   std::atomic<bool> Quenched{ true };
+  std::atomic<int> ZeroRounds{
+    0
+  }; ///< since the last force that was not zero, or Quench; 2 at most
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> HomeRequested{ false };
   std::atomic<int> Lights{ -1 };

@@ -203,11 +203,16 @@ void HapticSession::Quench() noexcept
   // Disarm; a loop that does not get there does not write either.
   const std::uint64_t end = this->Loop.GetTickCount() + 2;
   const std::int64_t latest = ServoClock::Now() + MostSilence;
-  while (this->Loop.GetTickCount() < end && ServoClock::Now() < latest)
+  const auto wait = [latest](auto&& isDone)
   {
-    ServoClock::SleepUntil(ServoClock::Now() + QuenchPoll);
-  }
+    while (!isDone() && ServoClock::Now() < latest)
+    {
+      ServoClock::SleepUntil(ServoClock::Now() + QuenchPoll);
+    }
+  };
+  wait([this, end] { return this->Loop.GetTickCount() >= end; });
   this->Backend.Quench();
+  wait([this] { return this->Backend.IsAtRest(); });
 }
 
 } // namespace VolumeHaptics

@@ -5,8 +5,8 @@
  * What passes between the servo and a device's thread, and what must not.
  */
 
-#include "HardwareExchange.h"
 #include "../Servo/ThreadWatch.h"
+#include "HardwareExchange.h"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,11 @@ TEST_F(HardwareExchangeTest, ForceIsZeroUnlessReadyGivenAndNotQuenched)
   this->Exchange.Give({ 2.0, 0.0, 0.0 });
   EXPECT_GT(force(), 0.0);
   this->Exchange.Quench();
+  EXPECT_FALSE(this->Exchange.IsAtRest());
   EXPECT_EQ(force(), 0.0);
+  EXPECT_FALSE(this->Exchange.IsAtRest()) << "it has been asked for, but may not have been sent";
+  EXPECT_EQ(force(), 0.0);
+  EXPECT_TRUE(this->Exchange.IsAtRest());
   this->Exchange.Give({ NAN, 0.0, 0.0 });
   EXPECT_EQ(force(), 0.0);
 }
@@ -96,8 +100,11 @@ TEST_F(HardwareExchangeTest, WhatIsLostStaysSoUntilItIsHomed)
   EXPECT_FALSE(this->Exchange.TakeHomeRequest());
   this->Exchange.RequestHome();
   EXPECT_EQ(this->Take(), DeviceState::Lost) << "before the device's thread has seen it";
+  EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Homing) << "for who asked, at once";
   EXPECT_TRUE(this->Exchange.TakeHomeRequest());
   EXPECT_EQ(this->Take(), DeviceState::NotReady);
+  EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Homing);
+  EXPECT_FALSE(this->Exchange.TakeHomeRequest());
 }
 
 TEST_F(HardwareExchangeTest, ASleepOfTheComputerIsALoss)

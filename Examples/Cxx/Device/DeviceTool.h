@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * volumehaptics-device: what is plugged in, whether it works, and how it feels. See ToolOptions.h for its usage.
+ */
+#ifndef DeviceTool_h
+#define DeviceTool_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+/// The whole program: 0, 1 where the device could not do it, 2 for a usage that makes no sense.
+int RunDeviceTool(const std::vector<std::string>& arguments, std::istream& in, std::ostream& out,
+  std::ostream& errors);
+
+#endif

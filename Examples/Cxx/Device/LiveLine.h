@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * How a device stands, in a line.
+ */
+#ifndef LiveLine_h
+#define LiveLine_h
+
+#include <iosfwd>
+#include <string>
+
+class vtkHapticDevice;
+
+/// Tip (mm, the device's axes), force (N), rate (Hz) and buttons of the latest state.
+std::string DescribeState(vtkHapticDevice* device);
+
+/// A line that is written over on a terminal, and written anew, once it has changed, elsewhere.
+class LiveLine
+{
+public:
+  explicit LiveLine(std::ostream& out);
+  ~LiveLine();
+  LiveLine(const LiveLine&) = delete;
+  LiveLine& operator=(const LiveLine&) = delete;
+
+  void Show(const std::string& text);
+  /// What follows stands in a line of its own.
+  void End();
+
+private:
+  std::ostream& Out;
+  const bool IsTerminal;
+  std::string Shown;
+};
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What the command line of volumehaptics-device says.
+ */
+#ifndef ToolOptions_h
+#define ToolOptions_h
+
+#include <string>
+#include <vector>
+
+struct ToolOptions
+{
+  enum class Command
+  {
+    Help,
+    List,
+    Monitor,
+    Home,
+    Test,
+    Record
+  };
+  Command What = Command::Help;
+  std::string Id;
+  std::string File;             ///< of a recording
+  std::string Firmware;         ///< empty: as the environment says
+  double Seconds = 0.0;         ///< 0: until it is interrupted
+  double HomingTime = 120.0;    ///< s, a step
+  double ServoRate = 1000.0;    ///< Hz
+  double Newtons[2] = { 1, 1 }; ///< of a stick at full scale, along x and y
+  int Axis = -1; ///< of the wall's normal; below zero: as the kind of device needs it
+};
+
+/// How the program is used, for --help.
+extern const char* const ToolUsage;
+
+/// False, with what is wrong and how it is right.
+bool ReadToolOptions(
+  const std::vector<std::string>& arguments, ToolOptions& options, std::string& error);
+
+#endif
