@@ -2,51 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What passes between the servo and a device's thread, and what must not.
+ * What passes between the servo and a device's thread: samples and conditions.
  */
 
-#include "../Servo/ThreadWatch.h"
-#include "HardwareExchange.h"
+#include "ExchangeRig.h"
 
-#include <gtest/gtest.h>
+using namespace hardwaretest;
 
-#include <chrono>
-#include <cmath>
-#include <thread>
+using DeviceExchange = ExchangeTest;
 
-#include <poll.h>
-
-using namespace VolumeHaptics;
-
-namespace
-{
-std::int64_t Asleep = 0;
-
-class HardwareExchangeTest : public testing::Test
-{
-protected:
-  HardwareExchangeTest()
-  {
-    Asleep = 0;
-    this->Exchange.Begin();
-  }
-  DeviceState Take()
-  {
-    this->Sample.Fresh = false;
-    return this->Exchange.Take(this->Sample);
-  }
-  bool IsAwake()
-  {
-    pollfd wake{ this->Exchange.GetWakeDescriptor(), POLLIN, 0 };
-    return poll(&wake, 1, 0) == 1;
-  }
-
-  HardwareExchange Exchange{ [] { return Asleep; } };
-  DeviceSample Sample;
-};
-} // namespace
-
-TEST_F(HardwareExchangeTest, SamplesPassOnceAndOnlyWhileTheDeviceIsReady)
+TEST_F(DeviceExchange, SamplesPassOnceAndOnlyWhileTheDeviceIsReady)
 {
   DeviceSample told;
   told.Tip = { 1.0, 2.0, 3.0 };
@@ -61,34 +26,7 @@ TEST_F(HardwareExchangeTest, SamplesPassOnceAndOnlyWhileTheDeviceIsReady)
   EXPECT_FALSE(this->Sample.Fresh);
 }
 
-TEST_F(HardwareExchangeTest, ForceIsZeroUnlessReadyGivenAndNotQuenched)
-{
-  const auto force = [this] { return this->Exchange.GetForce().X; };
-  EXPECT_EQ(this->Exchange.Give({ 2.0, 0.0, 0.0 }), DeviceState::Running);
-  EXPECT_EQ(force(), 0.0) << "not ready";
-  this->Exchange.SetCondition(DeviceStage::Ready, "");
-  this->Exchange.Give({ 2.0, 0.0, 0.0 });
-  EXPECT_GT(force(), 0.0);
-  this->Exchange.Quench();
-  EXPECT_FALSE(this->Exchange.IsAtRest());
-  EXPECT_EQ(force(), 0.0);
-  EXPECT_FALSE(this->Exchange.IsAtRest()) << "it has been asked for, but may not have been sent";
-  EXPECT_EQ(force(), 0.0);
-  EXPECT_TRUE(this->Exchange.IsAtRest());
-  this->Exchange.Give({ NAN, 0.0, 0.0 });
-  EXPECT_EQ(force(), 0.0);
-}
-
-TEST_F(HardwareExchangeTest, AForceThatNobodyRenewsFades)
-{
-  this->Exchange.SetCondition(DeviceStage::Ready, "");
-  this->Exchange.Give({ 2.0, 0.0, 0.0 });
-  const double age = HardwareExchange::WatchdogTime + HardwareExchange::FadeTime;
-  std::this_thread::sleep_for(std::chrono::duration<double>(age));
-  EXPECT_EQ(this->Exchange.GetForce().X, 0.0);
-}
-
-TEST_F(HardwareExchangeTest, WhatIsLostStaysSoUntilItIsHomed)
+TEST_F(DeviceExchange, WhatIsLostStaysSoUntilItIsHomed)
 {
   this->Exchange.SetCondition(DeviceStage::Ready, "");
   this->Exchange.SetCondition(DeviceStage::Lost, "it was unplugged.");
@@ -107,7 +45,7 @@ TEST_F(HardwareExchangeTest, WhatIsLostStaysSoUntilItIsHomed)
   EXPECT_FALSE(this->Exchange.TakeHomeRequest());
 }
 
-TEST_F(HardwareExchangeTest, ASleepOfTheComputerIsALoss)
+TEST_F(DeviceExchange, ASleepOfTheComputerIsALoss)
 {
   this->Exchange.SetCondition(DeviceStage::Ready, "");
   Asleep = 1000; // what the two clocks are apart
@@ -117,38 +55,4 @@ TEST_F(HardwareExchangeTest, ASleepOfTheComputerIsALoss)
   EXPECT_EQ(this->Take(), DeviceState::Lost);
   EXPECT_FALSE(this->Exchange.HasSlept()) << "only once";
   EXPECT_EQ(this->Take(), DeviceState::Lost);
-}
-
-TEST_F(HardwareExchangeTest, TheDeviceIsWokenByForcesStopsAndRequests)
-{
-  EXPECT_FALSE(this->IsAwake());
-  const auto wakes = [this](auto&& action)
-  {
-    action();
-    const bool is = this->IsAwake();
-    this->Exchange.ClearWake();
-    return is && !this->IsAwake();
-  };
-  EXPECT_TRUE(wakes([this] { this->Exchange.Give({}); }));
-  EXPECT_TRUE(wakes([this] { this->Exchange.Quench(); }));
-  EXPECT_TRUE(wakes([this] { this->Exchange.RequestHome(); }));
-  EXPECT_TRUE(wakes([this] { this->Exchange.RequestStop(); }));
-  EXPECT_TRUE(this->Exchange.MustStop());
-}
-
-TEST_F(HardwareExchangeTest, TheServoNeitherLocksNorAllocates)
-{
-  servotest::WatchThisThread(true);
-  for (int tick = 0; tick < 1000; ++tick)
-  {
-    const auto stage = static_cast<DeviceStage>(tick % 4);
-    this->Exchange.SetCondition(stage, "as it is");
-    this->Exchange.Tell(this->Sample);
-    this->Take();
-    this->Exchange.Give({ 1.0, 2.0, 3.0 });
-    this->Exchange.Quench();
-  }
-  servotest::WatchThisThread(false);
-  EXPECT_EQ(servotest::GetWatched().Allocations, 0u);
-  EXPECT_EQ(servotest::GetWatched().Locks, 0u);
 }

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The servo's, the owner's and the device's side of an exchange, in one thread.
+ */
+#ifndef ExchangeRig_h
+#define ExchangeRig_h
+
+#include "HardwareExchange.h"
+
+#include <gtest/gtest.h>
+
+namespace hardwaretest
+{
+using namespace VolumeHaptics;
+
+class ExchangeTest : public testing::Test
+{
+protected:
+  ExchangeTest()
+  {
+    Asleep = 0;
+    this->Exchange.Begin();
+  }
+  DeviceState Take()
+  {
+    this->Sample.Fresh = false;
+    return this->Exchange.Take(this->Sample);
+  }
+
+  static inline std::int64_t Asleep = 0; ///< ns, that the computer has been
+  HardwareExchange Exchange{ [] { return Asleep; } };
+  DeviceSample Sample;
+};
+} // namespace hardwaretest
+
+#endif
