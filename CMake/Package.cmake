@@ -15,3 +15,9 @@ install(
               "${package_dir}/VolumeHapticsConfigVersion.cmake"
   DESTINATION "${VolumeHaptics_CMAKE_DESTINATION}"
   COMPONENT   development)
+
+# Where udev looks: not beside the libraries, whose folder may be named after the architecture.
+install(
+  FILES       "${CMAKE_CURRENT_LIST_DIR}/../Data/udev/70-volume-haptics.rules"
+  DESTINATION "lib/udev/rules.d"
+  COMPONENT   runtime)

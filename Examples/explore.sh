@@ -158,7 +158,8 @@ done
 # shellcheck source-path=SCRIPTDIR source=../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
 say "Packages"
-require_packages cmake ninja-build g++ libvtk9-dev xvfb xauth libgl1-mesa-dri
+require_packages cmake ninja-build g++ libvtk9-dev xvfb xauth libgl1-mesa-dri pkg-config \
+  libusb-1.0-0-dev libhidapi-dev
 echo "Everything that is needed is installed."
 
 mkdir -p "$build"

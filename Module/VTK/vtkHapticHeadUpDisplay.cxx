@@ -187,13 +187,15 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   {
     return status;
   }
-  const bool isFault = device->GetStatus() == vtkHapticDevice::FAULT;
-  // A fault with its cure, over two lines; else the first sentence says enough.
+  const int code = device->GetStatus();
+  const bool asksHand = code == vtkHapticDevice::FAULT || code == vtkHapticDevice::HOMING ||
+    code == vtkHapticDevice::FIRMWARE;
+  // What is asked of the hand, or a fault with its cure, over two lines; else the first sentence says enough.
   const std::size_t sentence = status.find(". ");
   if (sentence != std::string::npos)
   {
-    status = isFault ? status.substr(0, sentence + 1) + "\n" + status.substr(sentence + 2)
-                     : status.substr(0, sentence + 1);
+    status = asksHand ? status.substr(0, sentence + 1) + "\n" + status.substr(sentence + 2)
+                      : status.substr(0, sentence + 1);
   }
   static const char* const contacts[] = { "free", "sticking", "sliding", "penetrating" };
   const double value = device->GetSurfaceValue();

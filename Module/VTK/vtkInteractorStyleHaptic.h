@@ -29,6 +29,7 @@
  *   Escape      disarm, and leave the touch mode
  *   c           put the device's workspace back around the camera's focal point
  *   k           clutch: while held, a real device moves without the tip, and without force
+ *   Home        look for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
  *   h and g     head-up display: text and graph

@@ -207,6 +207,10 @@ void vtkInteractorStyleHaptic::OnKeyPress()
     const bool larger = key == "plus" || key == "KP_Add";
     this->SetWorkspaceScale(this->GetEffectiveScale() * (larger ? ScaleFactor : 1.0 / ScaleFactor));
   }
+  else if (key == "Home" && d.Device)
+  {
+    d.Device->Home();
+  }
   else if (key == "m" && d.Device)
   {
     this->NextMethod();

@@ -29,6 +29,16 @@ case $from_cxx in
   0\ N | '') echo "first-touch felt nothing" >&2; exit 1 ;;
 esac
 
+from_vendor=$("$work/examples/vendor-device")
+echo "$from_vendor"
+case $from_vendor in
+  *"Running: vendor:0"*) ;;
+  *) echo "vendor-device did not run" >&2; exit 1 ;;
+esac
+"$prefix/bin/volumehaptics-device" list
+rules=$(find "$prefix" -path '*/udev/rules.d/70-volume-haptics.rules')
+[ -n "$rules" ] || { echo "the udev rules are not installed" >&2; exit 1; }
+
 # Opens a window, which has to stay.
 stays_open() {
   "$@" &

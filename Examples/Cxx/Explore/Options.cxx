@@ -104,7 +104,11 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--device")
   {
-    options.Device = value;
+    options.Device.Id = value;
+  }
+  else if (name == "--firmware")
+  {
+    options.Device.Firmware = value;
   }
   else if (name == "--setup")
   {
@@ -192,7 +196,9 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
 
   --pictures DIR    no window, and where the results go (default explore-pictures):
                     explore.png force.png trace.vtp trace.csv summary.txt
-  --device ID       of the window: virtual (default, the mouse), replay:FILE, ...
+  --device ID       of the window: virtual (default, the mouse), replay:FILE, or a real one, such as
+                    falcon: see volumehaptics-device list
+  --firmware FILE   the image for a Novint Falcon that has none
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate

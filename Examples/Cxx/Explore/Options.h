@@ -5,6 +5,7 @@
 
 #include "Explorer.h"
 #include "ExplorerScene.h"
+#include "TouchScene.h"
 
 #include <string>
 
@@ -16,10 +17,10 @@ struct Options
   bool Live = false; // in real time through the servo loop, too
   std::string VolumePath;
   std::string Folder = "explore-pictures";
-  bool Pictures = false;          // even where there is a display
-  std::string Device = "virtual"; // of the window: see vtkHapticDevice::Open
-  std::string Setup;              // file of the window's functions, settings and camera
-  std::string Stereo;             // of the window
+  bool Pictures = false; // even where there is a display
+  DeviceChoice Device;   // of the window
+  std::string Setup;     // file of the window's functions, settings and camera
+  std::string Stereo;    // of the window
   Settings How;
   MapperChoice Mapper = MapperChoice::Auto;
   int Width = 900;

@@ -53,14 +53,14 @@ Keys
   t  touch mode       a  arm, disarm        Escape  let go
   m  next method      h  status             g  graph              3  stereo
   v  function editor  n  next function      c  recentre           k  clutch
-  + -  workspace      q  close
+  + -  workspace      Home  home a device     q  close
 )";
 } // namespace
 
 namespace Explore
 {
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
-  const std::string& device)
+  const DeviceChoice& device)
 {
   BuildScene(touch.Scene, exploration, options);
   vtkVolumeHapticsFilter* const filter = exploration.Filter;
@@ -68,9 +68,14 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   const MessageCapture capture;
   touch.Device->SetVolumeHaptics(filter);
   touch.Device->SetServoRate(exploration.ServoRate);
-  if (!touch.Device->Open(device.c_str()) || !touch.Device->Start())
+  if (!device.Firmware.empty())
   {
-    throw InputError("--device " + device, capture.FirstError(), "name another device, or none");
+    touch.Device->SetFirmwareFile(device.Firmware);
+  }
+  if (!touch.Device->Open(device.Id.c_str()) || !touch.Device->Start())
+  {
+    throw InputError("--device " + device.Id, capture.FirstError(),
+      "name another device, or none; volumehaptics-device list shows what there is");
   }
   AddParts(touch, exploration, options.Width);
   touch.Setup->SetVolumeHaptics(filter);
@@ -83,7 +88,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
 }
 
 void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
-  const std::string& device, const std::string& setup, const std::string& stereo)
+  const DeviceChoice& device, const std::string& setup, const std::string& stereo)
 {
   TouchScene touch;
   SetStereo(touch.Scene.Window, stereo);

@@ -14,6 +14,13 @@
 
 namespace Explore
 {
+/// The device of the window: see vtkHapticDevice::Open and SetFirmwareFile.
+struct DeviceChoice
+{
+  std::string Id = "virtual";
+  std::string Firmware; // none: as the environment says
+};
+
 /// A scene that can be touched: the volume, and a device whose servo runs, with everything that shows
 /// what it does. What is not seen is not felt.
 struct TouchScene
@@ -30,12 +37,12 @@ struct TouchScene
 /// Fills the scene, opens the device and starts its servo. Throws InputError where the device can't be
 /// had.
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
-  const std::string& device);
+  const DeviceChoice& device);
 
 /// Opens a window on the scene and returns when it is closed. With a setup file: loads it first, where
 /// there is one, and saves it at the end. Throws InputError where it can't be read.
 void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
-  const std::string& device, const std::string& setup, const std::string& stereo);
+  const DeviceChoice& device, const std::string& setup, const std::string& stereo);
 } // namespace Explore
 
 #endif

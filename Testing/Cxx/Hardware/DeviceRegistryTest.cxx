@@ -6,11 +6,14 @@
  */
 
 #include "DeviceRegistry.h"
+#include "SpaceMouse.h"
 #include "VirtualDevice.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 using namespace VolumeHaptics;
 
@@ -92,4 +95,33 @@ TEST(DeviceRegistry, ThePermissionCureIsTheRuleToTheLetter)
     R"(SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48", TAG+="uaccess")"));
   EXPECT_TRUE(Contains(PermissionCure("hidraw", 0x046d, 0xc626),
     R"(SUBSYSTEM=="hidraw", ATTRS{idVendor}=="046d", ATTRS{idProduct}=="c626", TAG+="uaccess")"));
+}
+
+TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
+{
+  std::ifstream file(VOLUME_HAPTICS_UDEV_RULES);
+  const std::string rules{ std::istreambuf_iterator<char>(file), {} };
+  const auto has = [&rules](const char* subsystem, int vendor, int product)
+  {
+    const std::string cure = PermissionCure(
+      subsystem, static_cast<std::uint16_t>(vendor), static_cast<std::uint16_t>(product));
+    const std::size_t begin = cure.find("SUBSYSTEM");
+    const std::size_t end = cure.find(" - then", begin);
+    return rules.find("\n" + cure.substr(begin, end - begin) + "\n") != std::string::npos;
+  };
+  EXPECT_TRUE(has("usb", 0x0403, 0xcb48));
+  EXPECT_TRUE(has("hidraw", 0x16c0, 0x0486));
+  EXPECT_TRUE(has("hidraw", 0x1209, 0xffb0));
+  int mice = 0;
+  for (const int vendor : { 0x046d, 0x256f })
+  {
+    for (int product = 0; product <= 0xffff; ++product)
+    {
+      const bool isKnown = SpaceMouse::IsKnown(
+        static_cast<std::uint16_t>(vendor), static_cast<std::uint16_t>(product));
+      mice += isKnown ? 1 : 0;
+      EXPECT_TRUE(!isKnown || has("hidraw", vendor, product)) << std::hex << product;
+    }
+  }
+  EXPECT_GT(mice, 10);
 }

@@ -23,7 +23,7 @@ struct TouchedHead
     options.Height = 300;
     options.Mapper = mapper;
     options.Interactive = true;
-    Explore::BuildTouchScene(this->Touch, this->Exploration, options, "virtual");
+    Explore::BuildTouchScene(this->Touch, this->Exploration, options, {});
     this->Touch.Scene.Renderer->GetActiveCamera()->Zoom(2.2);
     this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
     this->Interactor->SetInteractorStyle(this->Touch.Style);

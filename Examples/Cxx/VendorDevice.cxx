@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How a device that needs its vendor's library becomes one of vtkHapticDevice's: a back end, a kind, and two
+// lines in the application. The "library" here is a stand-in with the shape that such libraries share, so that
+// the example runs as it is: put your vendor's calls in the place of VendorLibrary's.
+#include <DeviceKind.h>
+#include <vtkHapticDevice.h>
+#include <vtkNew.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <thread>
+
+// ---- What the vendor gives you: handles, error codes, millimetres, an axis order of its own. -------------------
+namespace VendorLibrary
+{
+struct Pose
+{
+  double Millimetres[3]; // right, away from the user, up
+  unsigned int Buttons;
+};
+
+int CountDevices()
+{
+  return 1;
+}
+int Open(int /*number*/)
+{
+  return 42; // a handle, below zero for an error
+}
+int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 where there is nothing new
+{
+  static double time = 0.0;
+  time += 0.001;
+  *pose = { { 10.0 * std::sin(time), 0.0, 20.0 }, 0u };
+  return 1;
+}
+int Write(int /*handle*/, const double /*newtons*/[3])
+{
+  return 0;
+}
+void Close(int /*handle*/) {}
+} // namespace VendorLibrary
+
+// ---- What you write. -----------------------------------------------------------------------------------------
+namespace
+{
+using namespace VolumeHaptics;
+
+class VendorBackend : public DeviceBackend
+{
+public:
+  explicit VendorBackend(int number)
+    : Number(number)
+  {
+  }
+  ~VendorBackend() override { this->Close(); }
+
+  // On the application's thread: here you may wait, allocate and throw away.
+  bool Open(std::string& error) override
+  {
+    this->Handle = VendorLibrary::Open(this->Number);
+    if (this->Handle < 0)
+    {
+      error =
+        this->GetName() + " can't be opened. Plug it in, and close other programs that use it.";
+    }
+    return this->Handle >= 0;
+  }
+  void Close() override
+  {
+    if (this->Handle >= 0)
+    {
+      this->Write({});
+      VendorLibrary::Close(this->Handle);
+      this->Handle = -1;
+    }
+  }
+  std::string GetName() const override { return "vendor:" + std::to_string(this->Number); }
+  // From the data sheet. What is not limited, or not known, is 0.
+  DeviceLimits GetLimits() const override
+  {
+    DeviceLimits limits;
+    limits.MaximumForce = 3.3;
+    limits.MaximumStiffness = 1000.0;
+    limits.MaximumSpeed = 2.5;
+    limits.WorkspaceRadius = 0.08;
+    return limits;
+  }
+
+  // On the servo's thread, a thousand times a second: no lock, no allocation, no exception, and no wait. Where
+  // the library can't promise that, call it from a thread of your own, and hand positions and forces over
+  // without locks.
+  DeviceState Read(double, DeviceSample& sample) noexcept override
+  {
+    VendorLibrary::Pose pose;
+    const int result = VendorLibrary::Read(this->Handle, &pose);
+    if (result < 0)
+    {
+      return DeviceState::Lost; // cuts the force off until the user opens and arms it again
+    }
+    // Ours are metres, and axes that point right, up and towards the user.
+    const double* const p = pose.Millimetres;
+    sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
+    sample.Buttons = pose.Buttons;
+    sample.Fresh = result > 0;
+    return DeviceState::Running;
+  }
+  DeviceState Write(const Vector3& force) noexcept override
+  {
+    // It has come through the safety stage: finite, clamped, slewed. Back to the library's axes.
+    const double newtons[3] = { force.X, -force.Z, force.Y };
+    return VendorLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost
+                                                           : DeviceState::Running;
+  }
+  // From any thread, where the servo's does not answer. A library that takes calls from one thread only needs
+  // a watchdog of its own here; this one takes them from any.
+  void Quench() noexcept override
+  {
+    const double none[3] = { 0.0, 0.0, 0.0 };
+    VendorLibrary::Write(this->Handle, none);
+  }
+
+private:
+  const int Number;
+  int Handle = -1;
+};
+
+DeviceKind MakeVendorKind()
+{
+  DeviceKind kind;
+  kind.Name = "vendor";
+  kind.List = []
+  {
+    std::vector<DeviceListing> devices;
+    for (int i = 0; i < VendorLibrary::CountDevices(); ++i)
+    {
+      devices.push_back({ "vendor:" + std::to_string(i), "A stylus of a vendor", "available" });
+    }
+    return devices;
+  };
+  kind.Make = [](const std::string& id, const DeviceOptions&,
+                std::string& error) -> std::unique_ptr<DeviceBackend>
+  {
+    for (int i = 0; i < VendorLibrary::CountDevices(); ++i)
+    {
+      if (id == "vendor:" + std::to_string(i) || (id == "vendor" && i == 0))
+      {
+        return std::make_unique<VendorBackend>(i);
+      }
+    }
+    error = "There is no \"" + id + "\" here. Plug it in.";
+    return nullptr;
+  };
+  return kind;
+}
+} // namespace
+
+int main()
+{
+  vtkHapticDevice::AddDeviceKind(MakeVendorKind()); // once, before EnumerateDevices() and Open()
+  vtkNew<vtkHapticDevice> device;
+  if (!device->Open("vendor:0") || !device->Start())
+  {
+    return 1;
+  }
+  for (int i = 0; i < 5; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    device->UpdateState();
+    const double* const tip = device->GetTipPosition();
+    std::cout << "tip " << tip[0] << " " << tip[1] << " " << tip[2] << " mm\n";
+  }
+  std::cout << device->GetStatusText() << "\n";
+}
