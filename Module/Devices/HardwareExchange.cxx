@@ -144,9 +144,11 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
   switch (this->Stage.load(std::memory_order_acquire))
   {
     case DeviceStage::Lost:
+      this->IsUnderWay = false;
       return DeviceState::Lost;
     case DeviceStage::Firmware:
     case DeviceStage::Homing:
+      this->IsUnderWay = false;
       return DeviceState::NotReady;
     case DeviceStage::Ready:
       break;
@@ -155,6 +157,9 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
   {
     sample = this->Samples.Read();
     sample.Fresh = true;
+    // The hand was elsewhere before, by a zero that may have been another one.
+    sample.Begins = sample.Begins || !this->IsUnderWay;
+    this->IsUnderWay = true;
   }
   return DeviceState::Running;
 }

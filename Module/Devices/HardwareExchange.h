@@ -35,7 +35,7 @@ public:
   HardwareExchange& operator=(const HardwareExchange&) = delete;
 
   ///@{
-  /** The servo's side. */
+  /** The servo's side. The first sample since the device became ready Begins. */
   DeviceState Take(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force) noexcept;
   ///@}
@@ -97,6 +97,7 @@ private:
   const Clock Asleep;
   int Wake = -1;
   std::int64_t SleptBefore = 0; ///< the device thread's
+  bool IsUnderWay = false;      ///< the servo's: a sample was taken since the device became ready
   TripleBuffer<DeviceSample> Samples;
   TripleBuffer<TimedForce> Forces;
   TripleBuffer<DeviceCondition> Conditions;
