@@ -171,13 +171,22 @@ EmulatedHid::EmulatedHid(HidModel& model, int number)
   : Model(model)
   , Number(number)
 {
+  model.Input = [this](const std::uint8_t* report, int size)
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    if (this->Current)
+    {
+      // Where it is full, the report is lost.
+      [[maybe_unused]] const auto written =
+        write(this->Current->Fifo, report, static_cast<std::size_t>(size));
+    }
+  };
   this->PlugIn();
 }
 
 void EmulatedHid::PlugIn()
 {
   auto* plug = new Plug{ this->Model };
-  this->Current = plug;
   // As the kernel does where the old node is still open.
   const int number = this->Number + 10 * static_cast<int>(this->Old.size());
   plug->Node = "/dev/hidraw" + std::to_string(number);
@@ -197,11 +206,8 @@ void EmulatedHid::PlugIn()
   // A FIFO can't be opened in packet mode, only be put into it.
   plug->Fifo = open(plug->File.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   Require(plug->Fifo >= 0 && fcntl(plug->Fifo, F_SETFL, O_NONBLOCK | O_DIRECT) == 0, "fifo");
-  this->Model.Input = [plug](const std::uint8_t* report, int size)
-  {
-    // Where it is full, the report is lost.
-    [[maybe_unused]] const auto written = write(plug->Fifo, report, static_cast<std::size_t>(size));
-  };
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Current = plug;
 }
 
 void EmulatedHid::Unplug()
@@ -210,6 +216,10 @@ void EmulatedHid::Unplug()
   if (!plug)
   {
     return;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    this->Current = nullptr;
   }
   plug->Gone = true;
   // Whoever polls wakes up, and reads EIO.
@@ -225,7 +235,6 @@ void EmulatedHid::Unplug()
   }
   unlink(plug->File.c_str());
   this->Old.push_back(plug);
-  this->Current = nullptr;
 }
 
 void EmulatedHid::SetPermissions(unsigned mode)
@@ -236,6 +245,7 @@ void EmulatedHid::SetPermissions(unsigned mode)
 EmulatedHid::~EmulatedHid()
 {
   this->Unplug();
+  this->Model.Input = [](const std::uint8_t*, int) {};
   for (Plug* plug : this->Old)
   {
     close(plug->Fifo);

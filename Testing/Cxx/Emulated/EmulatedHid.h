@@ -15,6 +15,7 @@
 #include "Testbed.h"
 
 #include <atomic>
+#include <mutex>
 
 namespace emulated
 {
@@ -43,6 +44,7 @@ public:
 private:
   HidModel& Model;
   const int Number;
+  std::mutex Guard; ///< of Current, which models send to from threads of their own
   Plug* Current = nullptr;
   std::vector<Plug*> Old; ///< handles on them may still be open
 };

@@ -58,7 +58,7 @@ TEST_F(Wooden, FromPluggingInToFeelingAgain)
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 5.0);
   EXPECT_EQ(ListDevices()[0].State, "in use");
-  this->Feel();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_EQ(this->Model.GetPresets(), 1);
 
   // It slides: friction holds the hand back.
@@ -95,7 +95,7 @@ TEST_F(Wooden, FromPluggingInToFeelingAgain)
   this->Model.PowerUp();
   this->Hid.PlugIn();
   ASSERT_TRUE(this->Bench.Reopen()) << this->Bench.Error;
-  this->Feel();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
   this->Bench.Stop();
   this->Bench.Device->Close();
   EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
