@@ -35,7 +35,7 @@ public:
   HardwareExchange& operator=(const HardwareExchange&) = delete;
 
   ///@{
-  /** The servo's side. */
+  /** The servo's side. The first sample since the device became ready Begins. */
   DeviceState Take(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force) noexcept;
   ///@}
