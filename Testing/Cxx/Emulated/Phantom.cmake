@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Applications with emulated devices, on the head phantom.
+foreach (test IN ITEMS PhantomFalcon)
+  volume_haptics_add_emulated_test(${test}
+    SOURCES EmulatedHid.cxx StickModel.cxx WoodenModel.cxx
+    LIBRARIES EmulatedFalcon VolumeHapticsApiRig VTK::IOXML)
+  target_compile_definitions(Emulated${test}Test PRIVATE
+    HEAD_PHANTOM="${PROJECT_SOURCE_DIR}/Data/HeadPhantom.vti")
+endforeach ()
