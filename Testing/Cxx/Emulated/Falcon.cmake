@@ -18,6 +18,7 @@ foreach (test IN ITEMS
     FalconHomingAgain
     FalconListing
     FalconMechanics
+    FalconPanel
     FalconSession
     FalconZero)
   volume_haptics_add_emulated_test(${test}
