@@ -19,6 +19,7 @@ foreach (test IN ITEMS
     FalconListing
     FalconMechanics
     FalconPanel
+    FalconPermission
     FalconSession
     FalconZero)
   volume_haptics_add_emulated_test(${test}

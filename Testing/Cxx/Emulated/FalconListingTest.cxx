@@ -6,10 +6,6 @@
  */
 
 #include "FalconRig.h"
-#include "Testbed.h"
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 using namespace emulated;
 
@@ -116,26 +112,4 @@ TEST_F(FalconListing, ADriverOfTheKernelGivesWayAndComesBack)
   EXPECT_EQ(this->Usb.GetDriver(), "");
   this->Device->Close();
   EXPECT_EQ(this->Usb.GetDriver(), "ftdi_sio");
-}
-
-TEST_F(FalconListing, WithoutPermissionThereIsARule)
-{
-  const std::string rule =
-    "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\", TAG+=\"uaccess\"";
-  char* const root = umockdev_testbed_get_root_dir(Testbed());
-  // Root may do everything: be nobody for a while, who may see the devices and not open this one.
-  ASSERT_EQ(chmod(root, 0755), 0);
-  g_free(root);
-  ASSERT_EQ(chmod(this->Usb.GetNode().c_str(), 0600), 0);
-  const uid_t user = geteuid();
-  const bool isRoot = user == 0;
-  ASSERT_EQ(isRoot ? seteuid(65534) : chmod(this->Usb.GetNode().c_str(), 0), 0);
-  const std::vector<DeviceListing> all = this->List();
-  const bool opened = this->Open();
-  ASSERT_EQ(isRoot ? seteuid(user) : 0, 0);
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_TRUE(Has(all[0].State, rule)) << all[0].State;
-  EXPECT_FALSE(opened);
-  EXPECT_TRUE(Has(this->Error, rule)) << this->Error;
-  EXPECT_TRUE(Has(this->Error, "Novint Falcon")) << this->Error;
 }
