@@ -245,9 +245,14 @@ const std::string& EmulatedHid::GetNode() const
 void EmulatedHid::SetPermissions(unsigned mode)
 {
   chmod(this->Current->File.c_str(), mode);
-  // The rest of this kernel's files is for everyone.
+  // The rest is for everyone, the socket behind the node included.
   char* root = umockdev_testbed_get_root_dir(Testbed());
-  chmod(root, 0755);
+  const std::string ioctls = std::string(root) + "/ioctl";
+  for (const std::string& path :
+    { std::string(root), ioctls, ioctls + "/dev", ioctls + this->Current->Node })
+  {
+    chmod(path.c_str(), 0777);
+  }
   g_free(root);
 }
 
