@@ -62,7 +62,7 @@ private:
 
   static double FindSkin(vtkImageData* image)
   {
-    double point[3] = { 0.0, -120.0, Height };
+    double point[3] = { 0.0, -115.0, Height };
     double before = 0.0;
     for (; point[1] < 0.0; point[1] += 0.1)
     {
