@@ -249,7 +249,7 @@ public:
    * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
    * writes it to a .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp
    * on port 1 of vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but
-   * the placement of the device changed while it was made. Needs a running servo.
+   * the placement of the device changed while it was made. Needs a running servo and a filter.
    */
   bool StartRecording(const char* file);
   bool StopRecording();

@@ -73,6 +73,12 @@ bool vtkHapticDevice::StartRecording(const char* file)
                               : "There is nothing to record: Start() the servo first."));
     return false;
   }
+  if (!session->GetLatestModel())
+  {
+    vtkErrorMacro("There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
+                  "of what is felt.");
+    return false;
+  }
   if (GetTraceEnding(name).empty())
   {
     vtkErrorMacro("The recording \"" << name << "\" has an unknown ending: name it .vtp or .csv.");

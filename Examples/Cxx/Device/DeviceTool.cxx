@@ -174,6 +174,9 @@ bool Test(ToolDevice& device, const ToolOptions& options, std::istream& in, std:
 
 bool Record(ToolDevice& device, const ToolOptions& options, std::ostream& out, std::ostream& errors)
 {
+  // With something to be touched, though not armed: recordings are of what is felt.
+  MakeGentleWall(device.GetWall(), 2);
+  device->SetVolumeHaptics(device.GetWall());
   if (!device->Start() || !device->StartRecording(options.File.c_str()))
   {
     return false;

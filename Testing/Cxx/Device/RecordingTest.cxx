@@ -119,3 +119,11 @@ TEST_F(Recording, GoesOnAfterAFault)
   vtkDataArray* const enabled = this->Recorded->GetPointData()->GetArray("Enabled");
   EXPECT_EQ(enabled->GetRange()[1], 1.0) << "the re-entry is in the recording";
 }
+
+TEST_F(Recording, NeedsSomethingToBeFelt)
+{
+  this->Device->SetVolumeHaptics(nullptr);
+  this->Begin();
+  EXPECT_FALSE(this->Device->StartRecording(this->Name.c_str()));
+  this->ExpectError("SetVolumeHaptics() a filter first");
+}

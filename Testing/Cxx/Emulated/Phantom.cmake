@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Applications with emulated devices, on the head phantom.
+# Applications with emulated devices, on the head phantom; and the console tool.
 foreach (test IN ITEMS PhantomFalcon PhantomStick PhantomWooden)
   volume_haptics_add_emulated_test(${test}
     SOURCES EmulatedHid.cxx StickModel.cxx WoodenModel.cxx
@@ -9,3 +9,8 @@ foreach (test IN ITEMS PhantomFalcon PhantomStick PhantomWooden)
   target_compile_definitions(Emulated${test}Test PRIVATE
     HEAD_PHANTOM="${PROJECT_SOURCE_DIR}/Data/HeadPhantom.vti")
 endforeach ()
+
+if (VolumeHaptics_BUILD_TOOLS)
+  volume_haptics_add_emulated_test(DeviceTool
+    LIBRARIES EmulatedFalcon VolumeHapticsDeviceTool)
+endif ()
