@@ -18,6 +18,10 @@ inline constexpr double SkinHeight = 0.125; ///< m, where the skin is in the Fal
 class PhantomFalcon : public testing::Test
 {
 protected:
+  explicit PhantomFalcon(bool runs = false)
+    : Falcon(runs)
+  {
+  }
   bool LeadTo(double x, double y, double z)
   {
     this->Falcon.SetAim({ x, y, z });
@@ -84,7 +88,7 @@ protected:
   }
 
   emulated::Phantom Phantom;
-  FalconModel Falcon{ false };
+  FalconModel Falcon;
   EmulatedUsb Usb{ this->Falcon, "1-2" };
   PhantomHand Hand{ this->Phantom, 2, 1.0 };
   vtkHapticDevice* const Device = this->Hand.Device;
