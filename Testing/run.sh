@@ -47,7 +47,7 @@ if [ $full = yes ]; then
   run_tests "$build_dir-sanitize" -LE package
 else
   cmake --build "$build_dir-sanitize" -j "$jobs" --target VolumeHapticsSanitizerTests
-  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Api|Core|Hardware|Servo)[.]'
+  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Api|Core|Emulated|Hardware|Servo)[.]'
 fi
 
 echo "== Building with the thread sanitizer in $build_dir-thread"

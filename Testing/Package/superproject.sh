@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds the module inside another project's vtk_module_build(), the way VTK/Remote does.
+# Builds the module inside another project's vtk_module_build(), the way VTK/Remote does; without the libraries of
+# devices, as somebody would who does not want them.
 # usage: superproject.sh SOURCE_DIR BUILD_DIR
 set -euo pipefail
 
@@ -12,6 +13,7 @@ mkdir -p "$work"
 # A remote module is a folder in the other project's source tree.
 cp -r "$1/Testing/Package/Superproject" "$work/source"
 ln -s "$1" "$work/source/Remote"
-cmake -S "$work/source" -B "$work/build" -G Ninja >"$work/configure.log"
+cmake -S "$work/source" -B "$work/build" -G Ninja \
+  -DVolumeHaptics_USE_LIBUSB=OFF -DVolumeHaptics_USE_HIDAPI=OFF >"$work/configure.log"
 cmake --build "$work/build" >"$work/build.log"
 "$work/build/bin/superproject-check"
