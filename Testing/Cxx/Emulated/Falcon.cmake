@@ -22,6 +22,7 @@ foreach (test IN ITEMS
     FalconPermission
     FalconSession
     FalconSleep
+    FalconUnplug
     FalconZero)
   volume_haptics_add_emulated_test(${test}
     LIBRARIES EmulatedFalcon VolumeHapticsDevices VolumeHapticsCore ${CMAKE_DL_LIBS})
