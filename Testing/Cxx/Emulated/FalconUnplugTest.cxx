@@ -43,6 +43,7 @@ protected:
     : File(MakeImage(60000))
   {
     this->Falcon.SwitchOff();
+    this->Falcon.SetImageSize(60000);
     this->Options.FirmwareFile = this->File.Path.string();
   }
   void BeginLoading()
