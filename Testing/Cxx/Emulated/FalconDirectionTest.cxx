@@ -33,12 +33,21 @@ protected:
   Vector3 Realise(const Vector3& force)
   {
     const long end = this->Falcon.GetPackets() + 5;
-    EXPECT_TRUE(this->Push(force, [&] { return this->Falcon.GetPackets() > end; }));
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        DeviceSample sample;
+        this->Device->Read(0.001, sample);
+        this->Tip = sample.Fresh ? sample.Tip : this->Tip;
+        this->Device->Write(force);
+        return this->Falcon.GetPackets() > end;
+      }));
     const Numbers made = this->Falcon.GetForce();
     return { made[0], made[1], made[2] };
   }
 
   std::mt19937 Random{ 11 };
+  Vector3 Tip; ///< m, as reported
 };
 } // namespace
 
@@ -56,6 +65,7 @@ TEST_F(FalconDirection, IsKeptThroughSaturation)
     {
       const Vector3 wanted = (size / Norm(direction)) * direction;
       const Vector3 made = this->Realise(wanted);
+      EXPECT_LT(Norm(this->Tip - place), 1e-4) << "the tip in the same axes";
       const Numbers commands = this->Falcon.GetCommands();
       const double largest =
         std::max({ std::fabs(commands[0]), std::fabs(commands[1]), std::fabs(commands[2]) });
