@@ -123,6 +123,10 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   condition.Stage = stage;
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
   this->Conditions.Write(condition);
+  if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
+  {
+    this->TimesReady.fetch_add(1, std::memory_order_release);
+  }
   this->Stage.store(stage, std::memory_order_release);
 }
 
@@ -152,6 +156,14 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
       return DeviceState::NotReady;
     case DeviceStage::Ready:
       break;
+  }
+  const std::uint32_t times = this->TimesReady.load(std::memory_order_acquire);
+  const bool hasMissed = this->IsUnderWay && times != this->TimesReadySeen;
+  this->TimesReadySeen = times;
+  if (hasMissed)
+  {
+    this->IsUnderWay = false;
+    return DeviceState::NotReady;
   }
   if (this->Samples.Update())
   {

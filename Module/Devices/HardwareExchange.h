@@ -35,7 +35,10 @@ public:
   HardwareExchange& operator=(const HardwareExchange&) = delete;
 
   ///@{
-  /** The servo's side. The first sample since the device became ready Begins. */
+  /**
+   * The servo's side. The first sample since the device became ready Begins; where it was not ready for so
+   * short a time that no Take came in between, the next one is NotReady all the same.
+   */
   DeviceState Take(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force) noexcept;
   ///@}
@@ -98,6 +101,8 @@ private:
   int Wake = -1;
   std::int64_t SleptBefore = 0; ///< the device thread's
   bool IsUnderWay = false;      ///< the servo's: a sample was taken since the device became ready
+  std::uint32_t TimesReadySeen = 0; ///< the servo's
+  std::atomic<std::uint32_t> TimesReady{ 0 };
   TripleBuffer<DeviceSample> Samples;
   TripleBuffer<TimedForce> Forces;
   TripleBuffer<DeviceCondition> Conditions;
