@@ -82,8 +82,8 @@ TEST_F(PidFaults, AfterAWriteErrorEffectsEndByThemselves)
 {
   this->Break(StickFault::WriteError);
   this->Bench.ExpectLost("does not take what is sent to it");
-  EXPECT_TRUE(this->IsQuiet());
-  EXPECT_EQ(this->Model.CountPlaying(), 0);
+  EXPECT_TRUE(Eventually([&] { return this->Model.CountPlaying() == 0; }));
+  EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
 }
 
 TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
