@@ -165,12 +165,14 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
     this->IsUnderWay = false;
     return DeviceState::NotReady;
   }
-  if (this->Samples.Update())
+  const bool isNew = this->Samples.Update();
+  if (isNew || this->IsUnderWay)
   {
+    // Buttons stay pressed and turns go on in ticks between two samples.
     sample = this->Samples.Read();
-    sample.Fresh = true;
+    sample.Fresh = isNew;
     // The hand was elsewhere before, by a zero that may have been another one.
-    sample.Begins = sample.Begins || !this->IsUnderWay;
+    sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
     this->IsUnderWay = true;
   }
   return DeviceState::Running;

@@ -66,3 +66,25 @@ TEST(HardwareExchange, AServoThatSleptThroughHomingHearsOfItAllTheSame)
   exchange.SetCondition(DeviceStage::Ready, "still");
   EXPECT_FALSE(Begins(exchange));
 }
+
+TEST(HardwareExchange, BetweenSamplesTheLastOneHolds)
+{
+  HardwareExchange exchange;
+  exchange.Begin();
+  DeviceSample told;
+  told.Tip = { 0.01, 0.0, 0.0 };
+  told.Turn = { 0.0, 1.0, 0.0 };
+  told.Buttons = 5;
+  exchange.Tell(told);
+  exchange.SetCondition(DeviceStage::Ready, "");
+  for (const bool isFresh : { true, false, false })
+  {
+    DeviceSample sample;
+    EXPECT_EQ(exchange.Take(sample), DeviceState::Running);
+    EXPECT_EQ(sample.Fresh, isFresh);
+    EXPECT_EQ(sample.Begins, isFresh);
+    EXPECT_EQ(sample.Tip.X, 0.01);
+    EXPECT_EQ(sample.Turn.Y, 1.0);
+    EXPECT_EQ(sample.Buttons, 5U);
+  }
+}
