@@ -77,8 +77,8 @@ void HardwareExchange::Begin() noexcept
   this->StopRequested.store(false);
   this->HomeRequested.store(false);
   this->Quenched.store(true);
-  this->Beginning = true;
-  this->HomingsSeen = this->Homings.load();
+  this->IsUnderWay = false;
+  this->TimesReadySeen = this->TimesReady.load();
   this->Samples.Update();
   this->Forces.Update();
   this->SleptBefore = this->Asleep();
@@ -98,8 +98,6 @@ bool HardwareExchange::TakeHomeRequest() noexcept
   const bool requested = this->HomeRequested.load(std::memory_order_acquire);
   if (requested)
   {
-    // Before the stage: a device may be ready again before the servo has looked.
-    this->Homings.fetch_add(1);
     this->Stage.store(DeviceStage::Homing, std::memory_order_release);
     this->SetCondition(DeviceStage::Homing, "");
     this->HomeRequested.store(false, std::memory_order_release);
@@ -137,6 +135,11 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   condition.Stage = stage;
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
   this->Conditions.Write(condition);
+  if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
+  {
+    // Before the stage: it may have been ready before, too, when the servo looks.
+    this->TimesReady.fetch_add(1, std::memory_order_release);
+  }
   this->Stage.store(stage, std::memory_order_release);
 }
 
@@ -156,26 +159,36 @@ bool HardwareExchange::HasSlept() noexcept
 DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
 {
   const DeviceStage stage = this->Stage.load(std::memory_order_acquire);
-  const unsigned int homings = this->Homings.load();
-  if (stage != DeviceStage::Ready || homings != this->HomingsSeen)
+  if (stage != DeviceStage::Ready)
   {
-    this->HomingsSeen = homings;
-    this->Beginning = true;
+    this->IsUnderWay = false;
     return stage == DeviceStage::Lost ? DeviceState::Lost : DeviceState::NotReady;
   }
-  if (this->Samples.Update())
+  const std::uint32_t times = this->TimesReady.load(std::memory_order_acquire);
+  const bool hasMissed = this->IsUnderWay && times != this->TimesReadySeen;
+  this->TimesReadySeen = times;
+  if (hasMissed)
   {
+    // It was homed between two ticks.
+    this->IsUnderWay = false;
+    return DeviceState::NotReady;
+  }
+  const bool isNew = this->Samples.Update();
+  if (isNew || this->IsUnderWay)
+  {
+    // Buttons stay pressed and turns go on in ticks between two samples.
     sample = this->Samples.Read();
-    sample.Fresh = true;
-    sample.Begins = sample.Begins || this->Beginning;
-    this->Beginning = false;
+    sample.Fresh = isNew;
+    // The hand was elsewhere before, by a zero that may have been another one.
+    sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
+    this->IsUnderWay = true;
   }
   return DeviceState::Running;
 }
 
 DeviceState HardwareExchange::Give(const Vector3& force) noexcept
 {
-  this->Forces.Write({ force, ServoClock::Now(), this->HomingsSeen });
+  this->Forces.Write({ force, ServoClock::Now(), this->TimesReadySeen });
   this->Quenched.store(false, std::memory_order_release);
   this->WakeUp();
   return this->Stage.load(std::memory_order_acquire) == DeviceStage::Lost ? DeviceState::Lost
@@ -193,16 +206,13 @@ Vector3 HardwareExchange::GetForce() noexcept
 {
   this->Forces.Update();
   const TimedForce& latest = this->Forces.Read();
-  if (latest.Homings != this->Homings.load())
-  {
-    // It was meant for where the grip was before.
-    return {};
-  }
   const double age =
     static_cast<double>(ServoClock::Now() - latest.Time) * SecondsPerNanosecond - WatchdogTime;
   const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;
   const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
+  // A force from before it was homed was meant for another place.
   const bool flows = IsFinite(force) && Norm(force) > 0.0 &&
+    latest.TimesReady == this->TimesReady.load(std::memory_order_acquire) &&
     !this->Quenched.load(std::memory_order_acquire) &&
     this->Stage.load(std::memory_order_acquire) == DeviceStage::Ready;
   this->ZeroRounds.store(flows ? 0 : std::min(rounds + 1, 2), std::memory_order_release);

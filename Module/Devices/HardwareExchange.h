@@ -35,7 +35,10 @@ public:
   HardwareExchange& operator=(const HardwareExchange&) = delete;
 
   ///@{
-  /** The servo's side. The first sample since the device became ready Begins. */
+  /**
+   * The servo's side. The first sample since the device became ready Begins; where it was not ready for so
+   * short a time that no Take came in between, the next one is NotReady all the same.
+   */
   DeviceState Take(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force) noexcept;
   ///@}
@@ -103,26 +106,25 @@ private:
   {
     Vector3 Force;
     std::int64_t Time = 0;
-    unsigned int Homings = 0; ///< that the servo had seen
+    std::uint32_t TimesReady = 0; ///< that the servo had seen
   };
   void WakeUp() noexcept;
 
   const Clock Asleep;
   int Wake = -1;
   std::int64_t SleptBefore = 0; ///< the device thread's
-  bool Beginning = true;        ///< the servo's
-  unsigned int HomingsSeen = 0; ///< the servo's
+  bool IsUnderWay = false;      ///< the servo's: a sample was taken since the device became ready
+  std::uint32_t TimesReadySeen = 0;           ///< the servo's
+  std::atomic<std::uint32_t> TimesReady{ 0 }; ///< how often it became so
   TripleBuffer<DeviceSample> Samples;
   TripleBuffer<TimedForce> Forces;
   TripleBuffer<DeviceCondition> Conditions;
   std::atomic<DeviceStage> Stage{ DeviceStage::Lost };
   std::atomic<bool> Quenched{ true };
-  std::atomic<int> ZeroRounds{
-    0
-  }; ///< since the last force that was not zero, or Quench; 2 at most
+  /// Since the last force that was not zero, or Quench; 2 at most.
+  std::atomic<int> ZeroRounds{ 0 };
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> HomeRequested{ false };
-  std::atomic<unsigned int> Homings{ 0 };
   std::atomic<int> Lights{ -1 };
 };
 
