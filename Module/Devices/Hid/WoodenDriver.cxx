@@ -31,6 +31,19 @@ constexpr const char* AskForRest =
   "has to be told where its arm is: put the arm into its rest pose, hold it still, and press "
   "Home().";
 
+///@{
+/** Between the arm's axes (towards the hand, right, up) and the device's (right, up, towards the hand). */
+Vector3 ToDevice(const Vector3& arm)
+{
+  return { arm.Y, arm.Z, arm.X };
+}
+
+Vector3 ToArm(const Vector3& device)
+{
+  return { device.Z, device.X, device.Y };
+}
+///@}
+
 double Since(std::int64_t time)
 {
   return static_cast<double>(ServoClock::Now() - time) * SecondsPerNanosecond;
@@ -150,8 +163,9 @@ void WoodenDriver::Work(HardwareExchange& exchange)
   if (hasNews || ServoClock::Now() - this->LastSent >= SendPeriod)
   {
     const std::array<double, 3> angles = this->Device.ComputeAngles(this->Input.Counts);
-    this->Send(exchange,
-      WoodenHaptics::EncodeCurrents(this->Device.ComputeCurrents(angles, exchange.GetForce())));
+    const Vector3 force = ToArm(exchange.GetForce());
+    this->Send(
+      exchange, WoodenHaptics::EncodeCurrents(this->Device.ComputeCurrents(angles, force)));
   }
 }
 
@@ -217,7 +231,7 @@ void WoodenDriver::FollowPhase(HardwareExchange& exchange)
   if (this->Now == Phase::Asking || this->Now == Phase::Ready)
   {
     DeviceSample sample;
-    sample.Tip = this->Tip;
+    sample.Tip = ToDevice(this->Tip);
     exchange.Tell(sample);
   }
   if (this->Now == Phase::Asking)

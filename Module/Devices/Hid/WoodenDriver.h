@@ -7,6 +7,9 @@
  * The device sends its encoders at its own rate and gets its currents after each packet, or every 2 ms
  * without one; its firmware takes currents back that nobody renews for half a second. It knows where the
  * arm is once it was told so in the rest pose: that is what homing is for.
+ *
+ * The device's space is that of all devices: x to the right, y up, z towards the hand, which are y, z and x of
+ * WoodenHaptics.h with the arm reaching towards whoever holds it. Not verified on a device.
  */
 #ifndef WoodenDriver_h
 #define WoodenDriver_h

@@ -44,8 +44,9 @@ protected:
     // The file is not needed any more.
     this->Falcon.Break(FalconFault::None);
     this->Device->Home();
-    ASSERT_TRUE(this->IsAt(DeviceStage::Homing)) << this->GetText();
+    EXPECT_TRUE(Eventually([&] { return this->Falcon.IsRunning(); })) << this->GetText();
     EXPECT_EQ(this->Falcon.GetImage(), MakeImage(2000));
+    ASSERT_TRUE(this->IsAt(DeviceStage::Homing)) << this->GetText();
   }
 };
 } // namespace

@@ -72,6 +72,8 @@ TEST_F(FalconListing, TwoAtOnce)
   EXPECT_TRUE(this->Push({ 1.0, 0.0, 0.0 },
     [&]
     {
+      DeviceSample sample;
+      second->Read(0.001, sample);
       second->Write({ 0.0, -1.0, 0.0 });
       return IsNear(this->Falcon.GetForce(), { 1.0, 0.0, 0.0 }, 0.05) &&
         IsNear(other.GetForce(), { 0.0, -1.0, 0.0 }, 0.05);

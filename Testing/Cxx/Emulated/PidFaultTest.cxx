@@ -93,6 +93,8 @@ TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   const auto push = [&]
   {
+    DeviceSample sample;
+    this->Bench.Device->Read(0.001, sample);
     this->Bench.Device->Write({ 0.0, 0.5, 0.0 });
     // Forward, away from the hand: against HID's own y. Block 2, and -1250 of 10000 for 0.5 N of 4 N.
     return this->Model.GetForce()[1] > 0.4 &&

@@ -15,6 +15,8 @@
 namespace emulated
 {
 inline constexpr double Height = -0.01; ///< m, of the floor
+/// The device's right, up and towards the hand are the arm's y, z and x.
+inline const Matrix3 ToTheArm = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class Wooden : public testing::Test
 {
@@ -43,7 +45,7 @@ protected:
 
   WoodenModel Model;
   EmulatedHid Hid{ this->Model };
-  Floor Ground{ Height };
+  Floor Ground{ Height, ToTheArm };
   HidBench Bench;
 };
 

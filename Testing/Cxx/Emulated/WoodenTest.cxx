@@ -34,8 +34,8 @@ TEST_F(Wooden, FromPluggingInToFeelingAgain)
     if (s.Record.Contact == ContactState::Sliding)
     {
       ++sliding;
-      EXPECT_LE(std::abs(s.Record.Force.Y), Friction * s.Record.Force.Z + 1e-3);
-      slowest = std::min(slowest, s.Record.Force.Y / s.Record.Force.Z);
+      EXPECT_LE(std::abs(s.Record.Force.X), Friction * s.Record.Force.Y + 1e-3);
+      slowest = std::min(slowest, s.Record.Force.X / s.Record.Force.Y);
     }
   }
   EXPECT_GT(sliding, 20);

@@ -33,6 +33,7 @@ TEST_F(ExchangeForce, ForceIsZeroUnlessReadyGivenAndNotQuenched)
   EXPECT_EQ(this->Exchange.Give({ 2.0, 0.0, 0.0 }), DeviceState::Running);
   EXPECT_EQ(force(), 0.0) << "not ready";
   this->Exchange.SetCondition(DeviceStage::Ready, "");
+  this->Take();
   this->Exchange.Give({ 2.0, 0.0, 0.0 });
   EXPECT_GT(force(), 0.0);
   this->Exchange.Quench();
@@ -48,6 +49,7 @@ TEST_F(ExchangeForce, ForceIsZeroUnlessReadyGivenAndNotQuenched)
 TEST_F(ExchangeForce, AForceThatNobodyRenewsFades)
 {
   this->Exchange.SetCondition(DeviceStage::Ready, "");
+  this->Take();
   this->Exchange.Give({ 2.0, 0.0, 0.0 });
   const double age = HardwareExchange::WatchdogTime + HardwareExchange::FadeTime;
   std::this_thread::sleep_for(std::chrono::duration<double>(age));
