@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What carries the models: a kernel that knows nothing of emulation lets libusb and hidapi talk to them.
+ */
+#include "HidOverUsb.h"
+#include "SmallModels.h"
+#include "VirtualUsb.h"
+#include "Waiting.h"
+
+#include <hidapi.h>
+#include <libusb.h>
+
+namespace machinetest
+{
+using namespace emulated;
+
+TEST(Carrier, CarriesBulkTransfersAndRequests)
+{
+  EchoUsb model;
+  VirtualUsb port(model, 0);
+  port.Plug();
+  libusb_context* context = nullptr;
+  ASSERT_EQ(libusb_init(&context), 0);
+  libusb_device_handle* handle = nullptr;
+  ASSERT_TRUE(Eventually(
+    [&] { return (handle = libusb_open_device_with_vid_pid(context, 0x1234, 1)) != nullptr; }));
+  ASSERT_EQ(libusb_claim_interface(handle, 0), 0);
+  EXPECT_EQ(libusb_control_transfer(handle, 0x40, 9, 1, 0, nullptr, 0, 5000), 0);
+  unsigned char bytes[64] = {};
+  EXPECT_EQ(libusb_control_transfer(handle, 0xC0, 5, 0, 0, bytes, 8, 5000), LIBUSB_ERROR_PIPE);
+
+  int moved = 0;
+  EXPECT_EQ(libusb_bulk_transfer(handle, 0x81, bytes, 64, &moved, 50), LIBUSB_ERROR_TIMEOUT)
+    << "there is nothing yet, and the transfer was taken back";
+  for (unsigned i = 0; i < 1000; ++i)
+  {
+    unsigned char sent[16] = { static_cast<unsigned char>(i), static_cast<unsigned char>(i >> 8) };
+    ASSERT_EQ(libusb_bulk_transfer(handle, 0x02, sent, 16, &moved, 5000), 0);
+    ASSERT_EQ(libusb_bulk_transfer(handle, 0x81, bytes, 64, &moved, 5000), 0);
+    ASSERT_EQ(moved, 16);
+    ASSERT_EQ(std::memcmp(sent, bytes, 16), 0) << i;
+  }
+
+  port.Unplug();
+  EXPECT_EQ(libusb_bulk_transfer(handle, 0x81, bytes, 64, &moved, 5000), LIBUSB_ERROR_NO_DEVICE);
+  libusb_close(handle);
+  libusb_exit(context);
+}
+
+class HidCarrier : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(HidCarrier, CarriesReports)
+{
+  EchoHid model(GetParam());
+  HidOverUsb usb(model);
+  VirtualUsb port(usb, 1);
+  port.Plug();
+  const std::uint8_t id = GetParam() ? 5 : 0;
+  hid_device* device = nullptr;
+  ASSERT_TRUE(Eventually(
+    [&] { return (device = hid_open(0x1234, model.GetProduct(), nullptr)) != nullptr; }));
+  wchar_t name[100] = {};
+  EXPECT_EQ(hid_get_product_string(device, name, 100), 0);
+  EXPECT_EQ(std::wstring(name), GetParam() ? L"Echo with ids" : L"Echo");
+
+  const unsigned char feature[5] = { id, 1, 2, 3, 4 };
+  EXPECT_EQ(hid_send_feature_report(device, feature, 5), 5);
+  unsigned char back[65] = { id };
+  EXPECT_EQ(hid_get_feature_report(device, back, 5), 5);
+  EXPECT_EQ(std::memcmp(back, feature, 5), 0);
+
+  const int front = GetParam() ? 0 : 1; // an input report has its id in front where there are ids
+  for (unsigned i = 0; i < 1000; ++i)
+  {
+    const unsigned char sent[5] = { id, static_cast<unsigned char>(i),
+      static_cast<unsigned char>(i >> 8), 7, 8 };
+    ASSERT_EQ(hid_write(device, sent, 5), 5);
+    ASSERT_EQ(hid_read_timeout(device, back, sizeof(back), 5000), 5 - front);
+    ASSERT_EQ(std::memcmp(sent + front, back, 5 - front), 0) << i;
+  }
+
+  port.Unplug();
+  EXPECT_EQ(hid_read_timeout(device, back, sizeof(back), 5000), -1);
+  const unsigned char lost[5] = { id };
+  EXPECT_EQ(hid_write(device, lost, 5), -1);
+  hid_close(device);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ids, HidCarrier, testing::Bool());
+
+TEST(Carrier, TakesADeviceAgain)
+{
+  EchoUsb model;
+  VirtualUsb port(model, 2);
+  libusb_context* context = nullptr;
+  ASSERT_EQ(libusb_init(&context), 0);
+  for (int i = 0; i < 3; ++i)
+  {
+    port.Plug();
+    libusb_device_handle* handle = nullptr;
+    ASSERT_TRUE(Eventually(
+      [&] { return (handle = libusb_open_device_with_vid_pid(context, 0x1234, 1)) != nullptr; }));
+    libusb_close(handle);
+    port.Unplug();
+    EXPECT_TRUE(Eventually(
+      [&] { return (handle = libusb_open_device_with_vid_pid(context, 0x1234, 1)) == nullptr; }));
+  }
+  libusb_exit(context);
+}
+} // namespace machinetest
