@@ -107,6 +107,7 @@ FalconLoaderStep FalconLoader::GetStep() const noexcept
   {
     step.What = FalconLoaderStep::Kind::Read;
     step.Size = this->GetAnswer().Size - this->Matched;
+    step.MayStayOpen = this->Now == Stage::Greet;
   }
   else if (this->Now == Stage::Finished)
   {

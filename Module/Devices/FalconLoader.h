@@ -61,6 +61,7 @@ struct FalconLoaderStep
   FtdiRequest Request = {};
   const std::uint8_t* Bytes = nullptr;
   std::size_t Size = 0;
+  bool MayStayOpen = false; ///< a Read whose message is repeated: be quick to say TimeOut
 };
 
 class FalconLoader

@@ -77,6 +77,7 @@ void HardwareExchange::Begin() noexcept
   this->StopRequested.store(false);
   this->HomeRequested.store(false);
   this->Quenched.store(true);
+  this->Beginning = true;
   this->Samples.Update();
   this->Forces.Update();
   this->SleptBefore = this->Asleep();
@@ -141,20 +142,18 @@ bool HardwareExchange::HasSlept() noexcept
 
 DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
 {
-  switch (this->Stage.load(std::memory_order_acquire))
+  const DeviceStage stage = this->Stage.load(std::memory_order_acquire);
+  if (stage != DeviceStage::Ready)
   {
-    case DeviceStage::Lost:
-      return DeviceState::Lost;
-    case DeviceStage::Firmware:
-    case DeviceStage::Homing:
-      return DeviceState::NotReady;
-    case DeviceStage::Ready:
-      break;
+    this->Beginning = true;
+    return stage == DeviceStage::Lost ? DeviceState::Lost : DeviceState::NotReady;
   }
   if (this->Samples.Update())
   {
     sample = this->Samples.Read();
     sample.Fresh = true;
+    sample.Begins = sample.Begins || this->Beginning;
+    this->Beginning = false;
   }
   return DeviceState::Running;
 }

@@ -69,7 +69,10 @@ public:
   ///@}
 
   ///@{
-  /** The device's thread: what it has to tell. A sample is only passed on while the device is ready. */
+  /**
+   * The device's thread: what it has to tell. A sample is only passed on while the device is ready, so tell
+   * one before saying that it is. The first one then Begins: nobody knows what the hand did before.
+   */
   void Tell(const DeviceSample& sample) noexcept { this->Samples.Write(sample); }
   /**
    * Texts are cut to the condition's size. Lost stays until TakeHomeRequest or Begin, whatever is told
@@ -97,6 +100,7 @@ private:
   const Clock Asleep;
   int Wake = -1;
   std::int64_t SleptBefore = 0; ///< the device thread's
+  bool Beginning = true;        ///< the servo's
   TripleBuffer<DeviceSample> Samples;
   TripleBuffer<TimedForce> Forces;
   TripleBuffer<DeviceCondition> Conditions;

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which USB devices of a product are plugged in, where, and whether they can be had.
+ */
+#ifndef UsbDevices_h
+#define UsbDevices_h
+
+#include <libusb.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+///@{
+/** libusb's own, let go of by themselves. A device keeps its context's memory: destroy it first. */
+struct UsbContextEnd
+{
+  void operator()(libusb_context* context) const noexcept { libusb_exit(context); }
+};
+struct UsbDeviceEnd
+{
+  void operator()(libusb_device* device) const noexcept { libusb_unref_device(device); }
+};
+using UsbContext = std::unique_ptr<libusb_context, UsbContextEnd>;
+using UsbDevice = std::unique_ptr<libusb_device, UsbDeviceEnd>;
+///@}
+
+struct UsbProduct
+{
+  std::uint16_t Vendor;
+  std::uint16_t Product;
+  const char* Name; ///< for people: maker and product
+};
+
+/** Null, with the reason, where the system's USB can't be reached. */
+UsbContext MakeUsbContext(std::string& error);
+
+/** The devices of a product, in the order of their bus and of the ports on the way to them. */
+std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct& product);
+
+/** Such as "Novint Falcon (USB bus 1, port 2.4)", for people. */
+std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
+
+/**
+ * Whether interface 0 could be claimed now: "available", "in use", or what is in the way and the cure.
+ * Nothing is sent to the device, and a driver of the kernel stays bound.
+ */
+std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
+
+/** What is in the way, and the cure, where opening or claiming gave this error of libusb. */
+std::string UsbTroubleText(int error, const UsbProduct& product);
+
+} // namespace VolumeHaptics
+
+#endif
