@@ -33,6 +33,10 @@ public:
   }
   int Out(std::uint8_t, const std::uint8_t* bytes, int size) override
   {
+    if (!this->HasRoom)
+    {
+      return -EAGAIN;
+    }
     this->Held.insert(this->Held.end(), bytes, bytes + size);
     return size;
   }
@@ -43,6 +47,8 @@ public:
     this->Held.erase(this->Held.begin(), this->Held.begin() + static_cast<std::ptrdiff_t>(given));
     return given > 0 ? static_cast<int>(given) : -EAGAIN;
   }
+
+  bool HasRoom = true;
 
 private:
   std::vector<std::uint8_t> Held;

@@ -59,6 +59,21 @@ TEST_F(UsbIpTest, LetsTransfersWait)
   EXPECT_EQ(this->Kernel.Receive(true).Number, 2u);
 }
 
+TEST_F(UsbIpTest, LetsTransfersOutWait)
+{
+  this->Model.HasRoom = false;
+  ASSERT_TRUE(this->Kernel.Out(1, 2, { 4 }));
+  ASSERT_TRUE(this->Kernel.Out(2, 2, { 5 }));
+  EXPECT_EQ(this->Kernel.Receive(false).Command, 0u);
+  ASSERT_TRUE(this->Kernel.Unlink(3, 1));
+  EXPECT_EQ(this->Kernel.Receive(false).Status, -ECONNRESET);
+  this->Model.HasRoom = true;
+  EXPECT_TRUE(this->Kernel.GetDevice().AnswerWaiting());
+  EXPECT_EQ(this->Kernel.Receive(false).Number, 2u);
+  ASSERT_TRUE(this->Kernel.In(4, 1, 64));
+  EXPECT_EQ(this->Kernel.Receive(true).Data, Bytes({ 5 })) << "what was taken back never came";
+}
+
 TEST_F(UsbIpTest, GivesTransfersBack)
 {
   ASSERT_TRUE(this->Kernel.In(1, 1, 64));

@@ -71,22 +71,31 @@ bool UsbIp::Submit(const Message& message)
   {
     return false;
   }
-  if (isIn && endpoint != 0)
-  {
-    this->Waiting.push_back({ number, static_cast<std::uint8_t>(endpoint | 0x80), size });
-    return true;
-  }
-  this->Buffer.assign(size, 0);
-  if (!isIn && size > 0 && !ReceiveAll(this->Socket, this->Buffer.data(), size))
+  Bytes data(size, 0);
+  if (!isIn && size > 0 && !ReceiveAll(this->Socket, data.data(), size))
   {
     return false;
+  }
+  if (endpoint != 0)
+  {
+    const auto address = static_cast<std::uint8_t>(endpoint | (isIn ? 0x80 : 0));
+    this->Waiting.push_back({ number, address, std::move(data) });
+    return true;
   }
   std::uint8_t setup[8];
   std::memcpy(setup, &message[10], sizeof(setup));
   const int room = static_cast<int>(size);
-  const int result = endpoint == 0 ? this->Control(setup, this->Buffer.data(), room)
-                                   : this->Model.Out(endpoint, this->Buffer.data(), room);
-  return this->Answer(number, std::min(result, room), isIn ? this->Buffer.data() : nullptr);
+  const int result = this->Control(setup, data.data(), room);
+  // What goes out without a stall has gone out whole.
+  return this->Answer(number, result < 0 || isIn ? result : room, isIn ? data.data() : nullptr);
+}
+
+int UsbIp::Try(Transfer& transfer)
+{
+  const int size = static_cast<int>(transfer.Data.size());
+  return (transfer.Endpoint & 0x80) != 0
+    ? this->Model.In(transfer.Endpoint, transfer.Data.data(), size)
+    : this->Model.Out(transfer.Endpoint, transfer.Data.data(), size);
 }
 
 bool UsbIp::Unlink(const Message& message)
@@ -107,21 +116,24 @@ bool UsbIp::Unlink(const Message& message)
 
 bool UsbIp::AnswerWaiting()
 {
-  for (auto transfer = this->Waiting.begin(); transfer != this->Waiting.end();)
+  // What goes out first: it may be what the model answers with what comes in.
+  for (const int direction : { 0, 0x80 })
   {
-    this->Buffer.assign(transfer->Size, 0);
-    const int result =
-      this->Model.In(transfer->Endpoint, this->Buffer.data(), static_cast<int>(transfer->Size));
-    if (result == -EAGAIN)
+    for (auto transfer = this->Waiting.begin(); transfer != this->Waiting.end();)
     {
-      ++transfer;
-      continue;
-    }
-    const std::uint32_t number = transfer->Number;
-    transfer = this->Waiting.erase(transfer);
-    if (!this->Answer(number, result, this->Buffer.data()))
-    {
-      return false;
+      const bool isIn = (transfer->Endpoint & 0x80) != 0;
+      const int result = (transfer->Endpoint & 0x80) == direction ? this->Try(*transfer) : -EAGAIN;
+      if (result == -EAGAIN)
+      {
+        ++transfer;
+        continue;
+      }
+      const Transfer ended = std::move(*transfer);
+      transfer = this->Waiting.erase(transfer);
+      if (!this->Answer(ended.Number, result, isIn ? ended.Data.data() : nullptr))
+      {
+        return false;
+      }
     }
   }
   return true;
