@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A USB device from when it is plugged in until it is unplugged: the file under /dev/bus/usb, and its ioctls.
+ */
+#ifndef EmulatedPlug_h
+#define EmulatedPlug_h
+
+#include "EmulatedUsb.h"
+#include "Testbed.h"
+
+#include <list>
+#include <mutex>
+
+namespace emulated
+{
+
+class EmulatedUsb::Plug
+{
+public:
+  Plug(UsbModel& model, const std::string& port, int address);
+  ~Plug();
+
+  void Unplug();
+  bool IsGone() const { return this->Gone; }
+  std::string GetFile() const { return this->File; }
+
+  /** What the model has by itself goes to whoever waits. */
+  void Pump();
+
+  mutable std::mutex Mutex;
+  std::string Driver;                   ///< of the kernel, bound to interface 0
+  UMockdevIoctlClient* Owner = nullptr; ///< who has claimed interface 0
+
+private:
+  /** A request that libusb has submitted, and who did. */
+  struct Urb
+  {
+    UMockdevIoctlData* Data;
+    UMockdevIoctlClient* Client;
+  };
+  static gboolean OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer plug);
+  static void OnVanished(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer plug);
+
+  void AddDevice(const std::string& port, int address);
+  void ReplaceNode();
+  ///@{
+  /** Under the mutex; 0, or -errno. */
+  int Answer(UMockdevIoctlClient* client, unsigned long request, UMockdevIoctlData* argument);
+  int Claim(UMockdevIoctlClient* client);
+  int DisconnectAndClaim(UMockdevIoctlClient* client, UMockdevIoctlData* argument);
+  int DriverIoctl(UMockdevIoctlData* argument);
+  int Submit(UMockdevIoctlClient* client, UMockdevIoctlData* argument);
+  int Reap(UMockdevIoctlClient* client, UMockdevIoctlData* argument);
+  int Discard(UMockdevIoctlData* argument);
+  ///@}
+  bool Try(const Urb& urb);
+  void PumpLocked();
+  void SetReady(bool ready);
+
+  UsbModel& Model;
+  UMockdevIoctlBase* const Base;
+  std::string Node; ///< /dev/bus/usb/...
+  std::string Path; ///< /sys/devices/...
+  std::string File; ///< what stands for the node
+  std::list<Urb> Waiting;
+  std::list<Urb> Ended;
+  int Pipe = -1;
+  bool Full = false;
+  bool Gone = false;
+};
+
+} // namespace emulated
+
+#endif

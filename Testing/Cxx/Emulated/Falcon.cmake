@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The Novint Falcon through libusb.
+add_library(EmulatedFalcon STATIC
+  EmulatedIoctls.cxx
+  EmulatedPlug.cxx
+  FalconMechanics.cxx
+  FalconModel.cxx
+  FalconModelState.cxx)
+target_link_libraries(EmulatedFalcon PUBLIC PkgConfig::UMOCKDEV Threads::Threads)
+
+foreach (test IN ITEMS
+    FalconBytes
+    FalconDirection
+    FalconFault
+    FalconFirmware
+    FalconHomingAgain
+    FalconListing
+    FalconMechanics
+    FalconSession
+    FalconZero)
+  volume_haptics_add_emulated_test(${test}
+    LIBRARIES EmulatedFalcon VolumeHapticsDevices VolumeHapticsCore ${CMAKE_DL_LIBS})
+endforeach ()

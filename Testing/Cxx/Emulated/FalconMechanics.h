@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: nothing here is shared with
+ * what is tested. Positions are in metres in the device's frame, z from the base to the hand.
+ */
+#ifndef FalconMechanics_h
+#define FalconMechanics_h
+
+#include <array>
+
+namespace emulated
+{
+
+using Numbers = std::array<double, 3>;
+
+/** The angles (degrees) of the three arms; no numbers where the grip can't be. */
+Numbers FalconArmAngles(const Numbers& grip);
+
+/** The counts of homed encoders, not rounded. */
+Numbers FalconEncoderCounts(const Numbers& grip);
+
+/** The force (N) on the grip, of motor commands: -1e-4 N m a unit, by the angles' differences along each axis. */
+Numbers FalconMotorForce(const Numbers& grip, const Numbers& commands);
+
+/** A grip of 0.1 kg between the motors and a hand, which is a spring and a damper on a point that wanders. */
+class FalconGrip
+{
+public:
+  static constexpr double Mass = 0.1;            ///< kg
+  static constexpr double HandStiffness = 300.0; ///< N/m
+  static constexpr double HandDamping = 8.0;     ///< N s/m
+  static constexpr double HandSpeed = 0.8;       ///< m/s
+  static constexpr double Innermost = 0.078;     ///< m, of z
+  static constexpr double Outermost = 0.174;     ///< m, of z
+
+  /** A millisecond under a force of the motors (N). */
+  void Step(const Numbers& force);
+
+  Numbers Place{ 0.0, 0.0, 0.11 };
+  Numbers Velocity{};
+  Numbers Hand = Place; ///< where the hand is
+  Numbers Aim = Place;  ///< where it goes
+};
+
+} // namespace emulated
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip that the hand holds. Written
+ * from the published facts alone; every run packet is a millisecond of its time.
+ */
+#ifndef FalconModel_h
+#define FalconModel_h
+
+#include "DeviceModels.h"
+#include "FalconMechanics.h"
+
+#include <deque>
+#include <mutex>
+
+namespace emulated
+{
+
+/** What can be wrong with it. */
+enum class FalconFault
+{
+  None,
+  ShortPacket, ///< the answer breaks off
+  Garbage,     ///< the answer is no packet
+  Silence,     ///< no answer
+  StallOut,
+  StallIn,
+  BadCable,   ///< transfers out fail with EPROTO
+  StuckOut,   ///< transfers out do not end
+  Nowhere,    ///< counts that no position has
+  Jump,       ///< counts that are 25 mm away
+  LostZero,   ///< an encoder is not homed any more
+  NoGreeting, ///< the loader does not answer
+  WrongEcho,  ///< a byte of the image comes back changed
+  NoEcho,     ///< a block of the image does not come back
+  DeadImage   ///< the image is taken, and does not run
+};
+
+class FalconModel : public UsbModel
+{
+public:
+  explicit FalconModel(bool runs = true)
+    : Runs(runs)
+  {
+  }
+
+  std::vector<std::uint8_t> GetDescriptors() const override;
+  int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) override;
+  int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
+  int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
+
+  ///@{
+  /** Any thread. A fault lasts for so many packets. */
+  void Break(FalconFault fault, int packets = 1 << 30);
+  void SetButtons(int bits);
+  void SetAim(const Numbers& aim);
+  Numbers GetGrip() const;
+  Numbers GetHand() const;
+  Numbers GetCommands() const; ///< of the last packet
+  Numbers GetForce() const;    ///< N, of the motors, at the last packet
+  int GetLights() const;       ///< of the last packet
+  long GetPackets() const;
+  double TakeLargestCommand(); ///< since the last call
+  std::vector<std::uint8_t> GetImage() const;
+  bool IsRunning() const;
+  /** Without power it forgets its firmware and its zero. */
+  void SwitchOff();
+  /**
+   * What was sent since the last call, a line each: "c 40 09 0010" is a request of type 0x40, number 9, value 0x10; "o "
+   * and the bytes in hexadecimal a transfer.
+   */
+  std::vector<std::string> TakeTranscript();
+  ///@}
+
+private:
+  int GetMode() const; ///< 0 greets, 1 loads, 2 runs, -1 none
+  bool Takes(FalconFault fault);
+  void Send(const std::string& bytes) { this->Replies.push_back(bytes); }
+  void Greet(const std::string& bytes);
+  void Load(const std::string& bytes);
+  void TakeByte(std::uint8_t byte);
+  void TakePacket();
+  void FindZero(const Numbers& counts, bool asked);
+  std::string MakeReport(Numbers counts);
+
+  mutable std::mutex Mutex;
+  FalconGrip Grip;
+  Numbers Commands{};
+  Numbers Force{};
+  double LargestCommand = 0.0;
+  std::array<bool, 3> SeenOut{};
+  std::array<bool, 3> SeenIn{};
+  int Homed = 0;
+  int Buttons = 0;
+  int Lights = 0;
+  long Packets = 0;
+  FalconFault Fault = FalconFault::None;
+  int FaultyPackets = 0;
+  int Baud = 0;
+  bool Runs;
+  bool IsShaken = false;
+  std::string Waiting; ///< of a run packet, or of a greeting
+  std::vector<std::uint8_t> Image;
+  std::deque<std::string> Replies; ///< a transfer each
+  std::vector<std::string> Transcript;
+};
+
+} // namespace emulated
+
+#endif

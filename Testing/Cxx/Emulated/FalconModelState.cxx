@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FalconModel.h"
+
+#include <utility>
+
+namespace emulated
+{
+
+using Lock = std::lock_guard<std::mutex>;
+
+void FalconModel::Break(FalconFault fault, int packets)
+{
+  const Lock lock(this->Mutex);
+  this->Fault = fault;
+  this->FaultyPackets = packets;
+}
+
+void FalconModel::SetButtons(int bits)
+{
+  const Lock lock(this->Mutex);
+  this->Buttons = bits;
+}
+
+void FalconModel::SetAim(const Numbers& aim)
+{
+  const Lock lock(this->Mutex);
+  this->Grip.Aim = aim;
+}
+
+Numbers FalconModel::GetGrip() const
+{
+  const Lock lock(this->Mutex);
+  return this->Grip.Place;
+}
+
+Numbers FalconModel::GetHand() const
+{
+  const Lock lock(this->Mutex);
+  return this->Grip.Hand;
+}
+
+Numbers FalconModel::GetCommands() const
+{
+  const Lock lock(this->Mutex);
+  return this->Commands;
+}
+
+Numbers FalconModel::GetForce() const
+{
+  const Lock lock(this->Mutex);
+  return this->Force;
+}
+
+int FalconModel::GetLights() const
+{
+  const Lock lock(this->Mutex);
+  return this->Lights;
+}
+
+long FalconModel::GetPackets() const
+{
+  const Lock lock(this->Mutex);
+  return this->Packets;
+}
+
+double FalconModel::TakeLargestCommand()
+{
+  const Lock lock(this->Mutex);
+  return std::exchange(this->LargestCommand, 0.0);
+}
+
+std::vector<std::uint8_t> FalconModel::GetImage() const
+{
+  const Lock lock(this->Mutex);
+  return this->Image;
+}
+
+bool FalconModel::IsRunning() const
+{
+  const Lock lock(this->Mutex);
+  return this->Runs;
+}
+
+void FalconModel::SwitchOff()
+{
+  const Lock lock(this->Mutex);
+  this->Runs = false;
+  this->Homed = 0;
+  this->SeenOut = {};
+  this->SeenIn = {};
+  this->Commands = {};
+  this->Image.clear();
+  this->Replies.clear();
+}
+
+std::vector<std::string> FalconModel::TakeTranscript()
+{
+  const Lock lock(this->Mutex);
+  return std::exchange(this->Transcript, {});
+}
+
+} // namespace emulated
