@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A HID device that is plugged into the kernel that umockdev plays.
+ *
+ * Reports come through a FIFO in packet mode in the place of the hidraw node: one write is one read, poll()
+ * tells the truth, and what nobody reads in time is dropped, as by the kernel. Writes and feature reports go
+ * to the model on umockdev's own thread.
+ */
+#ifndef EmulatedHid_h
+#define EmulatedHid_h
+
+#include "DeviceModels.h"
+#include "Testbed.h"
+
+#include <atomic>
+#include <mutex>
+
+namespace emulated
+{
+
+class EmulatedHid
+{
+public:
+  /** Plugs it in as /dev/hidrawNUMBER, a digit; ten more each time it is plugged in again. The model has to outlive this. */
+  EmulatedHid(HidModel& model, int number);
+  ~EmulatedHid();
+  EmulatedHid(const EmulatedHid&) = delete;
+  EmulatedHid& operator=(const EmulatedHid&) = delete;
+
+  ///@{
+  /** Whoever has it open gets EIO from then on, also after it was plugged in again. */
+  void Unplug();
+  void PlugIn();
+  ///@}
+
+  /** On the kernel's behalf: what its node may be used for, such as 0000. */
+  void SetPermissions(unsigned mode);
+
+  /** What a handle on the node refers to: one plug. For this carrier alone. */
+  struct Plug;
+
+private:
+  HidModel& Model;
+  const int Number;
+  std::mutex Guard; ///< of Current, which models send to from threads of their own
+  Plug* Current = nullptr;
+  std::vector<Plug*> Old; ///< handles on them may still be open
+};
+
+} // namespace emulated
+
+#endif

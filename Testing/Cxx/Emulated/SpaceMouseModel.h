@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A six-axis mouse: what its cap is pushed and turned by, in counts, repeated while it is held.
+ */
+#ifndef SpaceMouseModel_h
+#define SpaceMouseModel_h
+
+#include "DeviceModels.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <mutex>
+
+namespace emulated
+{
+
+class SpaceMouseModel : public HidModel
+{
+public:
+  using Counts = std::array<std::int16_t, 6>; ///< pushes along its axes, turns about them
+
+  /** Older ones send pushes and turns one after the other. */
+  explicit SpaceMouseModel(bool isOld)
+    : IsOld(isOld)
+  {
+  }
+  std::uint16_t GetVendor() const override { return this->IsOld ? 0x046D : 0x256F; }
+  std::uint16_t GetProduct() const override { return this->IsOld ? 0xC626 : 0xC635; }
+  std::string GetName() const override
+  {
+    return this->IsOld ? "SpaceNavigator" : "SpaceMouse Compact";
+  }
+  std::vector<std::uint8_t> GetReportDescriptor() const override
+  {
+    const std::vector<std::uint8_t> six{ 0x09, 0x30, 0x09, 0x31, 0x09, 0x32, 0x09, 0x33, 0x09, 0x34,
+      0x09, 0x35, 0x95, 0x06, 0x81, 0x06, 0xC0 };
+    const std::vector<std::uint8_t> twice{ 0x09, 0x30, 0x09, 0x31, 0x09, 0x32, 0x95, 0x03, 0x81,
+      0x06, 0xC0, 0xA1, 0x00, 0x85, 0x02, 0x09, 0x33, 0x09, 0x34, 0x09, 0x35, 0x81, 0x06, 0xC0 };
+    // A multi-axis controller: axes, 16 buttons in report 3, the light in report 4.
+    std::vector<std::uint8_t> all{ 0x05, 0x01, 0x09, 0x08, 0xA1, 0x01, 0xA1, 0x00, 0x85, 0x01, 0x16,
+      0xA2, 0xFE, 0x26, 0x5E, 0x01, 0x75, 0x10 };
+    const std::vector<std::uint8_t> rest{ 0xA1, 0x02, 0x85, 0x03, 0x05, 0x09, 0x19, 0x01, 0x29,
+      0x10, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xC0, 0x05, 0x08, 0x09,
+      0x4B, 0xA1, 0x02, 0x85, 0x04, 0x95, 0x01, 0x91, 0x02, 0x75, 0x07, 0x91, 0x03, 0xC0, 0xC0 };
+    const std::vector<std::uint8_t>& axes = this->IsOld ? twice : six;
+    all.insert(all.end(), axes.begin(), axes.end());
+    all.insert(all.end(), rest.begin(), rest.end());
+    return all;
+  }
+  int Output(const std::uint8_t* report, int size) override
+  {
+    if (report[0] != 4 || size != 2 || this->HasNoLight)
+    {
+      return -EPIPE;
+    }
+    this->Light = report[1];
+    return size;
+  }
+  int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
+
+  /** From now on; zeros are said once. */
+  void Push(const Counts& counts)
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    this->Held = counts;
+    this->Report();
+  }
+  /** A millisecond goes by: what is held is said again every 16. */
+  void Step()
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    if (++this->Time % 16 == 0 && this->Held != Counts{} && !this->IsSilent)
+    {
+      this->Report();
+    }
+  }
+  void Press(std::uint8_t buttons)
+  {
+    const std::uint8_t report[3]{ 3, buttons, 0 };
+    this->Input(report, 3);
+  }
+  void SendRaw(const std::vector<std::uint8_t>& report)
+  {
+    this->Input(report.data(), static_cast<int>(report.size()));
+  }
+
+  std::atomic<int> Light{ -1 };
+  std::atomic<bool> HasNoLight{ false };
+  std::atomic<bool> IsSilent{ false };
+
+private:
+  void Report()
+  {
+    std::uint8_t bytes[14]{ 1 };
+    for (std::size_t a = 0; a < 6; ++a)
+    {
+      bytes[1 + 2 * a] = static_cast<std::uint8_t>(this->Held[a] & 0xFF);
+      bytes[2 + 2 * a] = static_cast<std::uint8_t>(this->Held[a] >> 8 & 0xFF);
+    }
+    if (!this->IsOld)
+    {
+      this->Input(bytes, 13);
+      return;
+    }
+    this->Input(bytes, 7);
+    bytes[6] = 2;
+    this->Input(bytes + 6, 7);
+  }
+
+  const bool IsOld;
+  std::mutex Guard;
+  Counts Held{};
+  int Time = 0;
+};
+
+} // namespace emulated
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A force-feedback stick of two axes, after the PID 1.0 specification: a pool of effects, of which each plays
+ * for its duration by the stick's own time.
+ */
+#ifndef StickModel_h
+#define StickModel_h
+
+#include "DeviceModels.h"
+#include "EmulatedHand.h"
+
+#include <atomic>
+#include <map>
+#include <mutex>
+
+namespace emulated
+{
+
+enum class StickFault
+{
+  None,
+  ShortReport,
+  Garbage, ///< reports of random places
+  Silence,
+  WriteError,
+  NoBlockLoad,
+  FullPool,
+  FewEffects ///< it plays one at a time
+};
+
+class StickModel : public HidModel
+{
+public:
+  static constexpr double FullScale = 4.0; ///< N, of both axes at a magnitude of 10000
+  static constexpr double Travel = 0.05;   ///< m, of the handle at the end of an axis
+
+  std::uint16_t GetVendor() const override { return 0x1209; }
+  std::uint16_t GetProduct() const override { return 0xFFB0; }
+  std::string GetName() const override { return "FFB Stick"; }
+  std::vector<std::uint8_t> GetReportDescriptor() const override;
+  int Output(const std::uint8_t* report, int size) override;
+  int SetFeature(const std::uint8_t* report, int size) override;
+  int GetFeature(std::uint8_t* report, int size) override;
+
+  /** A millisecond goes by. */
+  void Step();
+  void PowerUp();
+  /** Where the hand leads the handle to (m): to the right, and away from itself. */
+  void SetGoal(double right, double away);
+  Triple GetTip() const;
+  /** N on the hand: to the right, and away from it. */
+  Triple GetForce() const;
+  int CountPlaying() const;
+  int CountEffects() const;
+  /** What came last under a report id. */
+  std::vector<std::uint8_t> GetLast(std::uint8_t id) const;
+  int GetResets() const { return this->Resets; }
+
+  std::atomic<StickFault> Fault{ StickFault::None };
+  std::atomic<bool> Streams{ false }; ///< it reports all the time, not only what is new
+  std::atomic<int> Buttons{ 0 };
+
+private:
+  struct Effect
+  {
+    int Axes = 0; ///< bit 0: x, bit 1: y
+    int Duration = 0;
+    int Left = 0; ///< ms to play
+    int Magnitude = 0;
+  };
+  Triple Push() const;
+  void Report();
+
+  mutable std::mutex Guard;
+  EmulatedHand Hand;
+  std::map<int, Effect> Effects;
+  bool IsEnabled = false;
+  int Gain = 0;
+  int Loaded = 0; ///< the block that was made last
+  int Polls = 0;
+  std::vector<std::uint8_t> Sent;
+  std::map<std::uint8_t, std::vector<std::uint8_t>> Last;
+  std::atomic<int> Resets{ 0 };
+  std::uint32_t Noise = 1;
+};
+
+} // namespace emulated
+
+#endif

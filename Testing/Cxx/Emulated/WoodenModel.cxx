@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "WoodenModel.h"
+
+#include <cerrno>
+#include <cmath>
+#include <thread>
+
+namespace emulated
+{
+namespace
+{
+constexpr double Pi = 3.141592653589793;
+constexpr double Capstan = 0.010;                     // m
+constexpr double Bodies[3] = { 0.160, 0.120, 0.120 }; // m
+constexpr double Height = 0.080;                      // m
+constexpr double Upper = 0.205;                       // m
+constexpr double Fore = 0.245;                        // m
+constexpr double Foot[3] = { 0.22, 0.0, 0.08 };       // m
+constexpr double TorqueConstant = 0.0259;             // N m/A
+constexpr double CountsPerTurn = 2000.0;
+constexpr double Step = 1e-3; // s
+const Triple RestAngles{ 0.0, 0.0, Pi / 2.0 };
+
+Triple TipOf(const Triple& t)
+{
+  const double reach = Upper * std::sin(t[1]) + Fore * std::sin(t[2]);
+  return { std::cos(t[0]) * reach - Foot[0], std::sin(t[0]) * reach - Foot[1],
+    Height + Upper * std::cos(t[1]) - Fore * std::cos(t[2]) - Foot[2] };
+}
+
+/** Columns: how the tip moves with each angle, by differences. */
+std::array<Triple, 3> Slopes(const Triple& angles)
+{
+  constexpr double h = 1e-6;
+  std::array<Triple, 3> columns;
+  for (int j = 0; j < 3; ++j)
+  {
+    Triple more = angles;
+    Triple less = angles;
+    more[j] += h;
+    less[j] -= h;
+    for (int a = 0; a < 3; ++a)
+    {
+      columns[j][a] = (TipOf(more)[a] - TipOf(less)[a]) / (2.0 * h);
+    }
+  }
+  return columns;
+}
+
+double Determinant(const Triple& a, const Triple& b, const Triple& c)
+{
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+Triple RowOf(const std::array<Triple, 3>& m, int row)
+{
+  return { m[0][row], m[1][row], m[2][row] };
+}
+
+/** Angles of the tip, by Newton's method from near by. */
+void Follow(const Triple& tip, Triple& angles)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    const Triple now = TipOf(angles);
+    const Triple way{ tip[0] - now[0], tip[1] - now[1], tip[2] - now[2] };
+    const std::array<Triple, 3> m = Slopes(angles);
+    const double whole = Determinant(m[0], m[1], m[2]);
+    angles[0] += Determinant(way, m[1], m[2]) / whole;
+    angles[1] += Determinant(m[0], way, m[2]) / whole;
+    angles[2] += Determinant(m[0], m[1], way) / whole;
+  }
+}
+} // namespace
+
+WoodenModel::WoodenModel(std::string name)
+  : Name(std::move(name))
+{
+  this->PowerUp();
+}
+
+void WoodenModel::PowerUp()
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Angles = RestAngles;
+  this->Hand.Place(TipOf(RestAngles));
+  // What encoders read that were switched on there.
+  this->Offset = { 0, 0, 6000 };
+  this->Currents = {};
+  this->IsCalibrated = false;
+  this->Fault = WoodenFault::None;
+}
+
+std::vector<std::uint8_t> WoodenModel::GetReportDescriptor() const
+{
+  // A page of the vendor's own; 14 bytes each way, no ids.
+  return { 0x06, 0xAB, 0xFF, 0x0A, 0x00, 0x02, 0xA1, 0x01, 0x75, 0x08, 0x15, 0x00, 0x26, 0xFF, 0x00,
+    0x95, 0x0E, 0x09, 0x01, 0x81, 0x02, 0x95, 0x0E, 0x09, 0x02, 0x91, 0x02, 0xC0 };
+}
+
+int WoodenModel::Output(const std::uint8_t* report, int size)
+{
+  if (this->Fault == WoodenFault::WriteError)
+  {
+    return -EIO;
+  }
+  // USB hands packets over once a millisecond.
+  const auto now = std::chrono::steady_clock::now();
+  this->Next = std::max(now, this->Next + std::chrono::milliseconds(1));
+  std::this_thread::sleep_until(this->Next);
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Last.assign(report, report + size);
+  const auto word = [report](int w)
+  { return static_cast<std::int16_t>(report[1 + 2 * w] | report[2 + 2 * w] << 8); };
+  if (size == 15 && report[0] == 0)
+  {
+    ++this->Packets;
+    for (int j = 0; j < 3; ++j)
+    {
+      this->Currents[j] = word(j);
+    }
+    if (word(3) == 1)
+    {
+      ++this->Presets;
+    }
+    if (word(3) == 1 && !this->IgnoresPresets)
+    {
+      this->IsCalibrated = true;
+      for (int j = 0; j < 3; ++j)
+      {
+        const double counts = this->Angles[j] * Bodies[j] / Capstan * CountsPerTurn / (2.0 * Pi);
+        this->Offset[j] = static_cast<int>(std::lround(counts)) - word(4 + j);
+      }
+    }
+  }
+  this->Hand.Step(Step, this->ComputeForce());
+  Follow(this->Hand.Tip, this->Angles);
+  this->SendCounts();
+  return size;
+}
+
+void WoodenModel::SendCounts()
+{
+  std::uint8_t report[14]{};
+  const WoodenFault fault = this->Fault;
+  if (fault == WoodenFault::LostZero)
+  {
+    this->IsCalibrated = false;
+  }
+  for (int j = 0; j < 3; ++j)
+  {
+    const double counts = this->Angles[j] * Bodies[j] / Capstan * CountsPerTurn / (2.0 * Pi);
+    const long jump = fault == WoodenFault::Jump && j == 1 ? 2000 : 0;
+    const long read = std::lround(counts) - this->Offset[j] + jump;
+    report[2 * j] = static_cast<std::uint8_t>(read & 0xFF);
+    report[2 * j + 1] = static_cast<std::uint8_t>(read >> 8 & 0xFF);
+  }
+  report[12] = this->IsCalibrated ? 0 : 1;
+  if (fault != WoodenFault::Silence)
+  {
+    this->Input(report, fault == WoodenFault::ShortReport ? 7 : 14);
+  }
+}
+
+Triple WoodenModel::ComputeForce() const
+{
+  // Torques at the joints are the force's along each slope: three equations for the force.
+  Triple torques;
+  for (int j = 0; j < 3; ++j)
+  {
+    torques[j] = 1e-3 * this->Currents[j] * TorqueConstant * Bodies[j] / Capstan;
+  }
+  const std::array<Triple, 3> m = Slopes(this->Angles);
+  const Triple x = RowOf(m, 0);
+  const Triple y = RowOf(m, 1);
+  const Triple z = RowOf(m, 2);
+  const double whole = Determinant(x, y, z);
+  return { Determinant(torques, y, z) / whole, Determinant(x, torques, z) / whole,
+    Determinant(x, y, torques) / whole };
+}
+
+void WoodenModel::SetGoal(const Triple& goal)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Hand.Goal = goal;
+}
+
+Triple WoodenModel::GetTip() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->Hand.Tip;
+}
+
+Triple WoodenModel::GetForce() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->ComputeForce();
+}
+
+std::vector<std::uint8_t> WoodenModel::GetLastPacket() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->Last;
+}
+
+} // namespace emulated
