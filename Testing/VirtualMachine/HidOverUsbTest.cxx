@@ -36,11 +36,11 @@ TEST_P(HidOverUsbTest, DescribesItself)
   EXPECT_EQ(all[18 + 9 + 9 + 7], report.size());
   EXPECT_EQ(this->Kernel.Request({ 0x81, 6, 0, 0x22, 0, 0, 0xFF, 0 }).Data, report);
   EXPECT_EQ(this->Kernel.Request({ 0x80, 6, 0, 3, 0, 0, 0xFF, 0 }).Data, Bytes({ 4, 3, 9, 4 }));
-  const Bytes name = this->Kernel.Request({ 0x80, 6, 1, 3, 9, 4, 0xFF, 0 }).Data;
+  const Bytes name = this->Kernel.Request({ 0x80, 6, 2, 3, 9, 4, 0xFF, 0 }).Data;
   ASSERT_EQ(name.size(), 2 + 2 * this->Model.GetName().size());
   EXPECT_EQ(name[0], name.size());
   EXPECT_EQ(Bytes(name.begin() + 2, name.begin() + 6), Bytes({ 'E', 0, 'c', 0 }));
-  EXPECT_EQ(this->Kernel.Request({ 0x80, 6, 2, 3, 9, 4, 0xFF, 0 }).Status, -EPIPE);
+  EXPECT_EQ(this->Kernel.Request({ 0x80, 6, 3, 3, 9, 4, 0xFF, 0 }).Status, -EPIPE);
 }
 
 TEST_P(HidOverUsbTest, CarriesFeatures)
@@ -77,6 +77,9 @@ TEST_P(HidOverUsbTest, KeepsWhatIsNew)
   }
   ASSERT_TRUE(this->Kernel.In(1, 1, 64));
   EXPECT_EQ(this->Kernel.Receive(true).Data, Bytes({ 200 - 64 }));
+  this->Usb.Forget();
+  ASSERT_TRUE(this->Kernel.In(2, 1, 64));
+  EXPECT_EQ(this->Kernel.Receive(true).Command, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ids, HidOverUsbTest, testing::Bool());

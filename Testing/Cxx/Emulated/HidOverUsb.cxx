@@ -84,9 +84,9 @@ std::vector<std::uint8_t> HidOverUsb::GetDescriptors() const
   const std::size_t vendor = this->Model.GetVendor();
   const std::size_t product = this->Model.GetProduct();
   const Bytes hid = this->MakeHidDescriptor();
-  // The product is string 1; no maker and no serial number.
+  // The maker is string 1, the product 2; no serial number.
   Bytes all = { 18, 1, 0x00, 0x02, 0, 0, 0, 64, Low(vendor), High(vendor), Low(product),
-    High(product), 0x00, 0x01, 0, 1, 0, 1 };
+    High(product), 0x00, 0x01, 1, 2, 0, 1 };
   const Bytes configuration = { 9, 2, 41, 0, 1, 1, 0, 0x80, 50 };
   const Bytes interface = { 9, 4, 0, 0, 2, 3, 0, 0, 0 };
   // Interrupts, 64 bytes, every millisecond.
@@ -112,14 +112,14 @@ int HidOverUsb::GetDescriptor(const std::uint8_t setup[8], std::uint8_t* data, i
     default:
       return -EPIPE;
   }
-  if (index > 1)
+  if (index > 2)
   {
     return -EPIPE;
   }
   Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // which languages there are: English
-  if (index == 1)
+  if (index > 0)
   {
-    const std::string name = this->Model.GetName();
+    const std::string name = index == 1 ? "Emulated" : this->Model.GetName();
     text = { Low(2 + 2 * name.size()), DescriptorString };
     for (const char c : name)
     {
@@ -186,6 +186,12 @@ int HidOverUsb::SetReport(std::uint8_t type, const std::uint8_t* data, int size)
 int HidOverUsb::Out(std::uint8_t, const std::uint8_t* bytes, int size)
 {
   return this->SetReport(TypeOutput, bytes, size);
+}
+
+void HidOverUsb::Forget()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Inputs.clear();
 }
 
 int HidOverUsb::In(std::uint8_t, std::uint8_t* bytes, int size)

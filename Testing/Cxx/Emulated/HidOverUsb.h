@@ -25,6 +25,9 @@ public:
   int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
   int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
 
+  /** Input reports that nobody has asked for, as without power. */
+  void Forget();
+
 private:
   using Bytes = std::vector<std::uint8_t>;
 
