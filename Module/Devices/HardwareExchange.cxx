@@ -78,6 +78,7 @@ void HardwareExchange::Begin() noexcept
   this->HomeRequested.store(false);
   this->Quenched.store(true);
   this->Beginning = true;
+  this->HomingsSeen = this->Homings.load();
   this->Samples.Update();
   this->Forces.Update();
   this->SleptBefore = this->Asleep();
@@ -97,6 +98,8 @@ bool HardwareExchange::TakeHomeRequest() noexcept
   const bool requested = this->HomeRequested.exchange(false);
   if (requested)
   {
+    // Before the stage: a device may be ready again before the servo has looked.
+    this->Homings.fetch_add(1);
     this->Stage.store(DeviceStage::Homing, std::memory_order_release);
   }
   return requested;
@@ -143,8 +146,10 @@ bool HardwareExchange::HasSlept() noexcept
 DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
 {
   const DeviceStage stage = this->Stage.load(std::memory_order_acquire);
-  if (stage != DeviceStage::Ready)
+  const unsigned int homings = this->Homings.load();
+  if (stage != DeviceStage::Ready || homings != this->HomingsSeen)
   {
+    this->HomingsSeen = homings;
     this->Beginning = true;
     return stage == DeviceStage::Lost ? DeviceState::Lost : DeviceState::NotReady;
   }
@@ -160,7 +165,7 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
 
 DeviceState HardwareExchange::Give(const Vector3& force) noexcept
 {
-  this->Forces.Write({ force, ServoClock::Now() });
+  this->Forces.Write({ force, ServoClock::Now(), this->HomingsSeen });
   this->Quenched.store(false, std::memory_order_release);
   this->WakeUp();
   return this->Stage.load(std::memory_order_acquire) == DeviceStage::Lost ? DeviceState::Lost
@@ -182,6 +187,11 @@ Vector3 HardwareExchange::GetForce() noexcept
     return {};
   }
   const TimedForce& latest = this->Forces.Read();
+  if (latest.Homings != this->Homings.load())
+  {
+    // It was meant for where the grip was before.
+    return {};
+  }
   const double age =
     static_cast<double>(ServoClock::Now() - latest.Time) * SecondsPerNanosecond - WatchdogTime;
   const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;

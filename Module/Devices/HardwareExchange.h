@@ -55,7 +55,10 @@ public:
   ///@{
   /** The device's thread: what is asked of it. Lights are below zero where it shows its own condition. */
   bool MustStop() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
-  /** Whether homing was requested since the last call. The device is Homing from then on. */
+  /**
+   * Whether homing was requested since the last call. The device is Homing from then on, which the servo sees
+   * even where it is ready again at once; no force from before counts.
+   */
   bool TakeHomeRequest() noexcept;
   int GetLights() const noexcept { return this->Lights.load(); }
   /** The force to send now (N): zero unless the device is ready and the servo alive. */
@@ -94,6 +97,7 @@ private:
   {
     Vector3 Force;
     std::int64_t Time = 0;
+    unsigned int Homings = 0; ///< that the servo had seen
   };
   void WakeUp() noexcept;
 
@@ -101,6 +105,7 @@ private:
   int Wake = -1;
   std::int64_t SleptBefore = 0; ///< the device thread's
   bool Beginning = true;        ///< the servo's
+  unsigned int HomingsSeen = 0; ///< the servo's
   TripleBuffer<DeviceSample> Samples;
   TripleBuffer<TimedForce> Forces;
   TripleBuffer<DeviceCondition> Conditions;
@@ -108,6 +113,7 @@ private:
   std::atomic<bool> Quenched{ true };
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> HomeRequested{ false };
+  std::atomic<unsigned int> Homings{ 0 };
   std::atomic<int> Lights{ -1 };
 };
 

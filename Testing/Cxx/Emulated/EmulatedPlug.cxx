@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -50,14 +51,6 @@ EmulatedUsb::Plug::Plug(UsbModel& model, const std::string& port, int address)
   this->AddDevice(port, address);
   this->ReplaceNode();
   umockdev_testbed_uevent(Testbed(), this->Path.c_str(), "add");
-}
-
-EmulatedUsb::Plug::~Plug()
-{
-  this->Unplug();
-  umockdev_testbed_detach_ioctl(Testbed(), this->Node.c_str(), nullptr);
-  g_object_unref(this->Base);
-  close(this->Pipe);
 }
 
 void EmulatedUsb::Plug::AddDevice(const std::string& port, int address)
@@ -134,6 +127,10 @@ EmulatedUsb::EmulatedUsb(UsbModel& model, const std::string& port)
 EmulatedUsb::~EmulatedUsb()
 {
   this->Model.Ready = [] {};
+  this->Unplug();
+  // Whoever still has one open goes on asking, and would wait for an answer in vain.
+  static auto& kept = *new std::vector<std::unique_ptr<Plug>>;
+  std::move(this->Plugs.begin(), this->Plugs.end(), std::back_inserter(kept));
 }
 
 void EmulatedUsb::PlugIn()

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB device from when it is plugged in until it is unplugged: the file under /dev/bus/usb, and its ioctls.
+ * A USB device from when it is plugged in until it is unplugged: the file under /dev/bus/usb, and its ioctls. It answers
+ * until the program ends.
  */
 #ifndef EmulatedPlug_h
 #define EmulatedPlug_h
@@ -20,7 +21,6 @@ class EmulatedUsb::Plug
 {
 public:
   Plug(UsbModel& model, const std::string& port, int address);
-  ~Plug();
 
   void Unplug();
   bool IsGone() const { return this->Gone; }

@@ -43,7 +43,6 @@ private:
   class Plug;
   UsbModel& Model;
   const std::string Port;
-  /** Those that are unplugged are kept: whoever has them open goes on asking. */
   std::vector<std::unique_ptr<Plug>> Plugs;
 };
 

@@ -18,6 +18,8 @@ foreach (test IN ITEMS
     FalconHomingAgain
     FalconListing
     FalconMechanics
+    FalconPanel
+    FalconPermission
     FalconSession
     FalconZero)
   volume_haptics_add_emulated_test(${test}

@@ -1,1 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The force that the device makes of what it was sent: all over the workspace and far beyond what it can.
+ */
+
 #include "FalconRig.h"
+
+#include <random>
+
+using namespace emulated;
+
+namespace
+{
+class FalconDirection : public FalconTest
+{
+protected:
+  Vector3 DrawInBall()
+  {
+    for (;;)
+    {
+      const Vector3 v{ this->Draw(), this->Draw(), this->Draw() };
+      if (Norm(v) < 1.0 && Norm(v) > 0.1)
+      {
+        return v;
+      }
+    }
+  }
+  double Draw() { return static_cast<double>(this->Random() % 20001) * 1e-4 - 1.0; }
+
+  /** The force of the motors once a force has gone out. */
+  Vector3 Realise(const Vector3& force)
+  {
+    const long end = this->Falcon.GetPackets() + 5;
+    EXPECT_TRUE(this->Push(force, [&] { return this->Falcon.GetPackets() > end; }));
+    const Numbers made = this->Falcon.GetForce();
+    return { made[0], made[1], made[2] };
+  }
+
+  std::mt19937 Random{ 11 };
+};
+} // namespace
+
+TEST_F(FalconDirection, IsKeptThroughSaturation)
+{
+  this->MakeReady();
+  this->Falcon.SetHeld(true);
+  int saturated = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const Vector3 place = 0.035 * this->DrawInBall();
+    this->LeadTo({ place.X, place.Y, place.Z + 0.125 }, 1e-6);
+    const Vector3 direction = this->DrawInBall();
+    for (const double size : { 2.0, 8.0, 100.0, 1000.0 })
+    {
+      const Vector3 wanted = (size / Norm(direction)) * direction;
+      const Vector3 made = this->Realise(wanted);
+      const Numbers commands = this->Falcon.GetCommands();
+      const double largest =
+        std::max({ std::fabs(commands[0]), std::fabs(commands[1]), std::fabs(commands[2]) });
+      EXPECT_LE(largest, 4096.0);
+      EXPECT_GT(Dot(made, wanted), 0.0);
+      EXPECT_LT(Norm(Cross(made, wanted)), 0.01 * Norm(made) * Norm(wanted)) << i << " " << size;
+      if (largest < 4096.0)
+      {
+        EXPECT_LT(Norm(made - wanted), 0.01 * size);
+      }
+      saturated += largest == 4096.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(saturated, 120) << "at 100 and 1000 N always";
+  EXPECT_LT(saturated, 240);
+}

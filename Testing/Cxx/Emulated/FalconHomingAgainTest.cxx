@@ -29,8 +29,8 @@ TEST_F(FalconHomes, StepByStep)
   this->LeadTo(Rest);
   ASSERT_TRUE(this->IsAt(DeviceStage::Ready));
 
-  ASSERT_TRUE(
-    this->Push({}, [&] { return this->Device->Read(0.001, sample) == DeviceState::Running; }));
+  ASSERT_TRUE(Eventually(
+    [&] { return this->Device->Read(0.001, sample) == DeviceState::Running && sample.Fresh; }));
   EXPECT_NEAR(sample.Tip.X, 0.0, 1e-3);
   EXPECT_NEAR(sample.Tip.Z, 0.047, 2e-3) << "from the middle of the workspace";
 }

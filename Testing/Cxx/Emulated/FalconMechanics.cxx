@@ -89,7 +89,9 @@ void FalconGrip::Step(const Numbers& force)
     this->Hand[axis] += part * (this->Aim[axis] - this->Hand[axis]);
     double& place = this->Place[axis];
     double& velocity = this->Velocity[axis];
-    for (int i = 0; i < steps; ++i)
+    place = this->IsHeld ? this->Hand[axis] : place;
+    velocity = this->IsHeld ? 0.0 : velocity;
+    for (int i = 0; i < steps && !this->IsHeld; ++i)
     {
       const double hand = HandStiffness * (this->Hand[axis] - place) - HandDamping * velocity;
       velocity += time * (hand + force[axis]) / Mass;

@@ -42,6 +42,7 @@ public:
   Numbers Velocity{};
   Numbers Hand = Place; ///< where the hand is
   Numbers Aim = Place;  ///< where it goes
+  bool IsHeld = false;  ///< in a vice, which no force moves
 };
 
 } // namespace emulated

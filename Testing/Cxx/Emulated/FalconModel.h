@@ -55,6 +55,7 @@ public:
   void Break(FalconFault fault, int packets = 1 << 30);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
+  void SetHeld(bool held); ///< in a vice, which follows the aim
   Numbers GetGrip() const;
   Numbers GetHand() const;
   Numbers GetCommands() const; ///< of the last packet

@@ -28,6 +28,12 @@ void FalconModel::SetAim(const Numbers& aim)
   this->Grip.Aim = aim;
 }
 
+void FalconModel::SetHeld(bool held)
+{
+  const Lock lock(this->Mutex);
+  this->Grip.IsHeld = held;
+}
+
 Numbers FalconModel::GetGrip() const
 {
   const Lock lock(this->Mutex);
