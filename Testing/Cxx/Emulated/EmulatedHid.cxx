@@ -170,9 +170,8 @@ std::string Describe(const HidModel& model, int number, std::vector<std::string>
 }
 } // namespace
 
-EmulatedHid::EmulatedHid(HidModel& model, int number)
+EmulatedHid::EmulatedHid(HidModel& model)
   : Model(model)
-  , Number(number)
 {
   model.Input = [this](const std::uint8_t* report, int size)
   {
@@ -190,8 +189,9 @@ EmulatedHid::EmulatedHid(HidModel& model, int number)
 void EmulatedHid::PlugIn()
 {
   auto* plug = new Plug{ this->Model };
-  // As the kernel does where the old node is still open.
-  const int number = this->Number + 10 * static_cast<int>(this->Old.size());
+  // The kernel gives numbers anew, but umockdev does not; the second one has two digits.
+  static std::atomic<int> next{ 9 };
+  const int number = next++;
   plug->Node = "/dev/hidraw" + std::to_string(number);
   char* root = umockdev_testbed_get_root_dir(Testbed());
   plug->File = root + plug->Node;
@@ -240,9 +240,23 @@ void EmulatedHid::Unplug()
   this->Old.push_back(plug);
 }
 
+const std::string& EmulatedHid::GetNode() const
+{
+  return this->Current->Node;
+}
+
 void EmulatedHid::SetPermissions(unsigned mode)
 {
   chmod(this->Current->File.c_str(), mode);
+  // The rest is for everyone, the socket behind the node included.
+  char* root = umockdev_testbed_get_root_dir(Testbed());
+  const std::string ioctls = std::string(root) + "/ioctl";
+  for (const std::string& path :
+    { std::string(root), ioctls, ioctls + "/dev", ioctls + this->Current->Node })
+  {
+    chmod(path.c_str(), 0777);
+  }
+  g_free(root);
 }
 
 EmulatedHid::~EmulatedHid()

@@ -21,8 +21,8 @@ namespace emulated
 class EmulatedHid
 {
 public:
-  /** Plugs it in as /dev/hidrawNUMBER, a digit; ten more each time it is plugged in again. The model has to outlive this. */
-  EmulatedHid(HidModel& model, int number);
+  /** Plugs it in, as a node of a new number each time: the old one may still be open. The model has to outlive this. */
+  explicit EmulatedHid(HidModel& model);
   ~EmulatedHid();
   EmulatedHid(const EmulatedHid&) = delete;
   EmulatedHid& operator=(const EmulatedHid&) = delete;
@@ -33,6 +33,9 @@ public:
   void PlugIn();
   ///@}
 
+  /** Such as /dev/hidraw8, where it is plugged in. */
+  const std::string& GetNode() const;
+
   /** On the kernel's behalf: what its node may be used for, such as 0000. */
   void SetPermissions(unsigned mode);
 
@@ -41,7 +44,6 @@ public:
 
 private:
   HidModel& Model;
-  const int Number;
   std::mutex Guard; ///< of Current, which models send to from threads of their own
   Plug* Current = nullptr;
   std::vector<Plug*> Old; ///< handles on them may still be open

@@ -2,18 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # HID devices: the carrier, and what each of them is like.
-set(hid_libraries VolumeHapticsDevices VolumeHapticsCore)
-set(hid_carrier EmulatedHid.cxx)
-foreach (test IN ITEMS Wooden)
+foreach (test IN ITEMS
+    HidClaim
+    HidTogether
+    Pid
+    PidFault
+    SpaceMouse
+    SpaceMouseFault
+    Wooden
+    WoodenFault)
   volume_haptics_add_emulated_test(${test}
-    SOURCES ${hid_carrier} WoodenModel.cxx
-    LIBRARIES ${hid_libraries})
+    SOURCES EmulatedHid.cxx StickModel.cxx WoodenModel.cxx
+    LIBRARIES VolumeHapticsDevices VolumeHapticsCore)
 endforeach ()
-foreach (test IN ITEMS Pid)
-  volume_haptics_add_emulated_test(${test}
-    SOURCES ${hid_carrier} StickModel.cxx
-    LIBRARIES ${hid_libraries})
-endforeach ()
-volume_haptics_add_emulated_test(SpaceMouse
-  SOURCES ${hid_carrier}
-  LIBRARIES ${hid_libraries})

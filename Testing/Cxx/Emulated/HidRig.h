@@ -91,6 +91,17 @@ public:
     return Eventually([&] { return (*this)->GetTickCount() >= end; });
   }
 
+  /// Cut, said, and not back by arming it.
+  void ExpectLost(const char* text)
+  {
+    EXPECT_TRUE(this->WaitForFault(SafetyFault::DeviceLost));
+    EXPECT_TRUE(this->WaitForText(text)) << this->Text();
+    (*this)->Arm();
+    EXPECT_TRUE(this->WaitForTicks(20));
+    EXPECT_TRUE(this->WaitForFault(SafetyFault::DeviceLost));
+    EXPECT_EQ(this->Device->GetCondition().Stage, DeviceStage::Lost);
+  }
+
   std::unique_ptr<DeviceBackend> Device;
   std::string Error;
 
@@ -108,6 +119,19 @@ inline bool IsNear(const Triple& force, const Triple& expected, double tolerance
 {
   return Size({ force[0] - expected[0], force[1] - expected[1], force[2] - expected[2] }) <
     tolerance;
+}
+
+/// The error of an id that can't be opened.
+inline std::string ErrorOf(const std::string& id, const DeviceOptions& options = {})
+{
+  HidBench bench;
+  EXPECT_FALSE(bench.Open(id, options)) << id;
+  return bench.Error;
+}
+
+inline bool Has(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
 }
 
 } // namespace emulated

@@ -5,60 +5,17 @@
  * A session with a force-feedback stick: from plugging it in to feeling a wall, and again after it was unplugged.
  */
 
-#include "HidRig.h"
-#include "ModelClock.h"
-#include "StickModel.h"
-
-#include <gtest/gtest.h>
+#include "StickRig.h"
 
 using namespace emulated;
 using Bytes = std::vector<std::uint8_t>;
-
-namespace
-{
-constexpr double Wall = 0.01; ///< m: to the right of the middle
-/// To the device's left is out of the wall.
-const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 });
-
-class Pid : public testing::Test
-{
-protected:
-  Pid() { this->Options.NewtonsPerFullScale = { StickModel::FullScale, StickModel::FullScale }; }
-
-  void Feel()
-  {
-    // The stick only says what is new.
-    ASSERT_TRUE(this->Bench.WaitForText("move it a little")) << this->Bench.Text();
-    EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
-    this->Model.SetGoal(Wall - 0.005, 0.0);
-    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
-    this->Bench.Start(this->Ground.Model);
-    ASSERT_TRUE(this->Bench.WaitForTicks(20));
-    this->Bench->Arm();
-    this->Model.SetGoal(Wall + 0.01, 0.0);
-    const double force = -FloorStiffness * BalancedDepth(0.01);
-    EXPECT_TRUE(Eventually(
-      [&] {
-        return IsNear(this->Model.GetForce(), { force, 0.0, 0.0 }, 0.05);
-      }))
-      << this->Model.GetForce()[0];
-  }
-
-  StickModel Model;
-  EmulatedHid Hid{ this->Model, 0 };
-  ModelClock Clock{ [this] { this->Model.Step(); } };
-  Floor Ground{ -Wall, ToTheLeft };
-  DeviceOptions Options;
-  HidBench Bench;
-};
-} // namespace
 
 TEST_F(Pid, FromPluggingInToFeelingAgain)
 {
   const std::vector<DeviceListing> all = ListDevices();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].Id, "pid:1209:ffb0");
-  EXPECT_EQ(all[0].Name, "Emulated FFB Stick (/dev/hidraw0)");
+  EXPECT_EQ(all[0].Name, "Emulated FFB Stick (" + this->Hid.GetNode() + ")");
   EXPECT_EQ(all[0].State, "available");
   ASSERT_TRUE(this->Bench.Open("pid:1209:FFB0", this->Options)) << this->Bench.Error;
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, StickModel::FullScale);

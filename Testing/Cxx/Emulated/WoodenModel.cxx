@@ -125,6 +125,7 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
     if (word(3) == 1)
     {
       ++this->Presets;
+      this->LastPreset = this->Last;
     }
     if (word(3) == 1 && !this->IgnoresPresets)
     {
@@ -204,6 +205,21 @@ std::vector<std::uint8_t> WoodenModel::GetLastPacket() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   return this->Last;
+}
+
+std::vector<std::uint8_t> WoodenModel::GetLastPreset() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->LastPreset;
+}
+
+void WoodenModel::PassTime(double time)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (time >= 0.5)
+  {
+    this->Currents = {};
+  }
 }
 
 } // namespace emulated

@@ -47,9 +47,11 @@ public:
   /** N on the hand, of the currents that flow. */
   Triple GetForce() const;
   std::vector<std::uint8_t> GetLastPacket() const;
+  std::vector<std::uint8_t> GetLastPreset() const;
+  /** Time (s) without a packet: after half a second the firmware takes the currents away. */
+  void PassTime(double time);
   int GetPresets() const { return this->Presets; }
   int GetPackets() const { return this->Packets; }
-  /** Takes the zero from the encoders as at power-up, wherever the arm is. */
   std::atomic<WoodenFault> Fault{ WoodenFault::None };
   std::atomic<bool> IgnoresPresets{ false };
 
@@ -65,6 +67,7 @@ private:
   std::array<int, 3> Currents{};
   bool IsCalibrated = false;
   std::vector<std::uint8_t> Last;
+  std::vector<std::uint8_t> LastPreset;
   std::chrono::steady_clock::time_point Next;
   std::atomic<int> Presets{ 0 };
   std::atomic<int> Packets{ 0 };

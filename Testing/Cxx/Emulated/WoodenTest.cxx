@@ -5,55 +5,16 @@
  * A session with a WoodenHaptics: from plugging it in to feeling a floor, and again after it was unplugged.
  */
 
-#include "HidRig.h"
-#include "WoodenModel.h"
-
-#include <gtest/gtest.h>
+#include "WoodenRig.h"
 
 using namespace emulated;
-
-namespace
-{
-constexpr double Height = -0.01; ///< m, of the floor
-
-class Wooden : public testing::Test
-{
-protected:
-  /// Calibrates, arms, and leads the hand to the floor's middle, 10 mm inside.
-  void Feel()
-  {
-    ASSERT_TRUE(this->Bench.WaitForText("rest pose")) << this->Bench.Text();
-    EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
-    this->Bench.Start(this->Ground.Model);
-    this->Bench.Device->Home();
-    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
-    ASSERT_TRUE(this->Bench.WaitForTicks(20));
-    this->Bench->Arm();
-    this->Model.SetGoal({ 0.0, 0.0, Height + 0.005 });
-    ASSERT_TRUE(Eventually([&] { return this->Model.GetTip()[2] < Height + 0.006; }));
-    this->Model.SetGoal({ 0.0, 0.0, Height - 0.01 });
-    EXPECT_TRUE(this->Settles(1.0)) << this->Model.GetForce()[2];
-  }
-  /// The floor holds against a hand that is led 10 mm inside.
-  bool Settles(double part)
-  {
-    const double force = part * FloorStiffness * BalancedDepth(0.01);
-    return Eventually([&] { return IsNear(this->Model.GetForce(), { 0.0, 0.0, force }, 0.05); });
-  }
-
-  WoodenModel Model;
-  EmulatedHid Hid{ this->Model, 0 };
-  Floor Ground{ Height };
-  HidBench Bench;
-};
-} // namespace
 
 TEST_F(Wooden, FromPluggingInToFeelingAgain)
 {
   const std::vector<DeviceListing> all = ListDevices();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].Id, "wooden:0");
-  EXPECT_EQ(all[0].Name, "Emulated PolhemHaptics (/dev/hidraw0)");
+  EXPECT_EQ(all[0].Name, "Emulated PolhemHaptics (" + this->Hid.GetNode() + ")");
   EXPECT_EQ(all[0].State, "available");
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 5.0);

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What can go wrong with a stick: no force is left, and the text says why.
+ */
+
+#include "StickRig.h"
+
+#include <limits>
+
+using namespace emulated;
+
+namespace
+{
+class PidFaults : public Pid
+{
+protected:
+  void Break(StickFault fault)
+  {
+    ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
+    ASSERT_NO_FATAL_FAILURE(this->Feel());
+    this->Model.Fault = fault;
+  }
+  bool IsQuiet()
+  {
+    return Eventually([&] { return Size(this->Model.GetForce()) == 0.0; });
+  }
+};
+
+struct Refusal
+{
+  StickFault Fault;
+  const char* Text;
+};
+class PidRefusals
+  : public PidFaults
+  , public testing::WithParamInterface<Refusal>
+{
+};
+} // namespace
+
+TEST_F(PidFaults, ShortReport)
+{
+  this->Break(StickFault::ShortReport);
+  this->Bench.ExpectLost("sent a report that is shorter than the device's descriptor says");
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(PidFaults, PlacesThatNoHandReachesAreOverSpeed)
+{
+  this->Break(StickFault::None);
+  SafetyLimits limits = QuickLimits();
+  limits.MaximumSpeed = this->Bench.Device->GetLimits().MaximumSpeed;
+  this->Bench->SetLimits(limits);
+  this->Model.Fault = StickFault::Garbage;
+  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::OverSpeed));
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(PidFaults, AStickThatReportedAllTheTimeMayNotFallSilent)
+{
+  this->Model.Streams = true;
+  ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << "it says where it is by itself";
+  this->Bench.Start(this->Ground.Model);
+  ASSERT_TRUE(this->Bench.WaitForTicks(100));
+  this->Bench->Arm();
+  this->Model.SetGoal(Wall + 0.01, 0.0);
+  ASSERT_TRUE(Eventually([&] { return this->Model.GetForce()[0] < -1.0; }));
+  this->Model.Fault = StickFault::Silence;
+  this->Bench.ExpectLost("does not report where it is any more");
+  EXPECT_TRUE(this->IsQuiet());
+  this->Model.Fault = StickFault::None;
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  this->Bench->Arm();
+  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::None));
+}
+
+TEST_F(PidFaults, AfterAWriteErrorEffectsEndByThemselves)
+{
+  this->Break(StickFault::WriteError);
+  this->Bench.ExpectLost("does not take what is sent to it");
+  EXPECT_TRUE(this->IsQuiet());
+  EXPECT_EQ(this->Model.CountPlaying(), 0);
+}
+
+TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
+{
+  this->Model.Streams = true;
+  ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
+  const auto push = [&]
+  {
+    this->Bench.Device->Write({ 0.0, 0.5, 0.0 });
+    // Forward, away from the hand: against HID's own y.
+    return this->Model.GetForce()[1] > 0.4;
+  };
+  EXPECT_TRUE(Eventually(push));
+  EXPECT_TRUE(this->IsQuiet()) << "the servo fell silent";
+  EXPECT_GT(this->Model.CountPlaying(), 0) << "with no magnitude, and ready for the next force";
+  EXPECT_TRUE(Eventually(push));
+  this->Bench.Device->Quench();
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_P(PidRefusals, AreSaid)
+{
+  this->Model.Fault = this->GetParam().Fault;
+  ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
+  EXPECT_TRUE(this->Bench.WaitForText(this->GetParam().Text)) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+  EXPECT_TRUE(Has(this->Bench.Text(), "plug it in anew, then Open() and Start() it"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PidRefusals,
+  testing::Values(Refusal{ StickFault::NoBlockLoad, "does not say whether it has made the effect" },
+    Refusal{ StickFault::FullPool, "has no room for another effect" },
+    Refusal{ StickFault::FewEffects, "plays fewer effects at a time than it has axes" }));

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What can go wrong with a WoodenHaptics while a floor is felt: no force is left, and the text says why.
+ */
+
+#include "WoodenRig.h"
+
+using namespace emulated;
+
+namespace
+{
+class WoodenFaults : public Wooden
+{
+protected:
+  void Break(WoodenFault fault, const char* text)
+  {
+    ASSERT_TRUE(this->Bench.Open("wooden:0")) << this->Bench.Error;
+    ASSERT_NO_FATAL_FAILURE(this->Feel());
+    this->Model.Fault = fault;
+    this->Bench.ExpectLost(text);
+  }
+  bool IsQuiet()
+  {
+    return Eventually([&] { return Size(this->Model.GetForce()) == 0.0; });
+  }
+  /// From where the hand is, in the floor.
+  void FeelAgain()
+  {
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+    ASSERT_TRUE(this->Bench.WaitForTicks(50));
+    EXPECT_EQ(Size(this->Model.GetForce()), 0.0) << "not before it is armed";
+    this->Model.SetGoal({ 0.0, 0.0, Height + 0.005 });
+    ASSERT_TRUE(Eventually([&] { return this->Model.GetTip()[2] > Height + 0.004; }));
+    this->Bench->Arm();
+    this->Model.SetGoal({ 0.0, 0.0, Height - 0.01 });
+    EXPECT_TRUE(Eventually([&] { return this->Model.GetForce()[2] > 1.5; }));
+  }
+};
+} // namespace
+
+TEST_F(WoodenFaults, ShortReport)
+{
+  this->Break(WoodenFault::ShortReport, "sent a packet of a wrong size");
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(WoodenFaults, SilenceAndBackByHoming)
+{
+  this->Break(WoodenFault::Silence, "does not answer");
+  EXPECT_TRUE(this->IsQuiet());
+  this->Model.Fault = WoodenFault::None;
+  this->Bench.Device->Home();
+  this->FeelAgain();
+  EXPECT_EQ(this->Model.GetPresets(), 1) << "it kept its zero";
+}
+
+TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)
+{
+  this->Break(WoodenFault::WriteError, "does not take what is sent to it");
+  // Nothing keeps the watchdog from its work: half a second later the currents are gone.
+  this->Model.Fault = WoodenFault::None;
+  const int packets = this->Model.GetPackets();
+  EXPECT_TRUE(this->Bench.WaitForTicks(100));
+  EXPECT_EQ(this->Model.GetPackets(), packets);
+  this->Model.PassTime(0.5);
+  EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
+}
+
+TEST_F(WoodenFaults, AJumpOfAnEncoderAsksForTheZero)
+{
+  this->Break(WoodenFault::Jump, "a jump of its arm that no hand makes");
+  EXPECT_TRUE(this->IsQuiet());
+  this->Model.Fault = WoodenFault::None;
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+}
+
+TEST_F(WoodenFaults, ALostZeroIsToldAnew)
+{
+  this->Break(WoodenFault::LostZero, "lost the zero of its encoders");
+  EXPECT_TRUE(this->IsQuiet());
+  this->Model.PowerUp();
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  this->Bench.Device->Home();
+  this->FeelAgain();
+  EXPECT_EQ(this->Model.GetPresets(), 2);
+}
+
+TEST_F(WoodenFaults, AZeroThatIsNotTakenIsAskedForAgain)
+{
+  this->Model.IgnoresPresets = true;
+  ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("rest pose"));
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitForText("did not take in where its arm is")) << this->Bench.Text();
+  // To the byte: no currents, command 1, encoders 0, 0, 6000.
+  EXPECT_EQ(this->Model.GetLastPreset(),
+    (std::vector<std::uint8_t>{ 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x70, 0x17 }));
+  this->Model.IgnoresPresets = false;
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
+}
+
+TEST_F(WoodenFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
+{
+  ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("rest pose"));
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
+  const auto push = [&]
+  {
+    this->Bench.Device->Write({ 0.0, 0.5, 0.0 });
+    return Size(this->Model.GetForce()) > 0.4;
+  };
+  EXPECT_TRUE(Eventually(push));
+  EXPECT_TRUE(this->IsQuiet()) << "the servo fell silent";
+  EXPECT_TRUE(Eventually(push));
+  this->Bench.Device->Quench();
+  const int packets = this->Model.GetPackets();
+  EXPECT_TRUE(Eventually([&] { return this->Model.GetPackets() > packets + 2; }));
+  EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
+}
