@@ -16,14 +16,27 @@ namespace emulated
 {
 namespace
 {
-/** The first ports are those of the tests of USB devices. */
-std::string PortOf(int number)
+/** Ports that are taken, a bit each. The first three are those of the tests of USB devices. */
+unsigned int Taken = 7;
+
+int TakePort()
 {
-  return "1-" + std::to_string(number + 4);
+  int port = 0;
+  while ((Taken >> port & 1) != 0)
+  {
+    ++port;
+  }
+  Taken |= 1u << port;
+  return port;
+}
+
+std::string NameOf(int port)
+{
+  return "1-" + std::to_string(port + 1);
 }
 
 /** The node of the device in a port; empty where the kernel has made none. */
-std::filesystem::path FindNode(const std::string& port)
+std::string FindNode(const std::string& port)
 {
   std::error_code none;
   using Folder = std::filesystem::directory_iterator;
@@ -32,7 +45,7 @@ std::filesystem::path FindNode(const std::string& port)
     for (const auto& node : Folder(device.path() / "hidraw", none))
     {
       const std::filesystem::path path = "/dev" / node.path().filename();
-      return std::filesystem::exists(path) ? path : std::filesystem::path();
+      return std::filesystem::exists(path) ? path.string() : std::string();
     }
   }
   return {};
@@ -41,22 +54,32 @@ std::filesystem::path FindNode(const std::string& port)
 
 struct EmulatedHid::Plug
 {
-  Plug(HidModel& model, int number)
-    : Device(model)
-    , Usb(this->Device, PortOf(number))
+  explicit Plug(HidModel& model)
+    : Port(TakePort())
+    , Device(model)
+    , Usb(this->Device, NameOf(this->Port))
   {
+    this->WaitForNode();
+  }
+  ~Plug() { Taken &= ~(1u << this->Port); }
+
+  void WaitForNode()
+  {
+    EXPECT_TRUE(machinetest::Eventually(
+      [this] { return !(this->Node = FindNode(NameOf(this->Port))).empty(); }))
+      << "no driver of the kernel takes the device";
   }
 
+  const int Port;
   HidOverUsb Device;
   EmulatedUsb Usb;
+  std::string Node;
 };
 
-EmulatedHid::EmulatedHid(HidModel& model, int number)
+EmulatedHid::EmulatedHid(HidModel& model)
   : Model(model)
-  , Number(number)
-  , Current(new Plug(model, number))
+  , Current(new Plug(model))
 {
-  this->PlugIn();
 }
 
 EmulatedHid::~EmulatedHid()
@@ -68,12 +91,9 @@ EmulatedHid::~EmulatedHid()
 
 void EmulatedHid::PlugIn()
 {
-  if (FindNode(PortOf(this->Number)).empty())
-  {
-    this->Current->Device.Forget();
-    this->Current->Usb.PlugIn();
-  }
-  EXPECT_TRUE(machinetest::Eventually([this] { return !FindNode(PortOf(this->Number)).empty(); }));
+  this->Current->Device.Forget();
+  this->Current->Usb.PlugIn();
+  this->Current->WaitForNode();
 }
 
 void EmulatedHid::Unplug()
@@ -81,9 +101,13 @@ void EmulatedHid::Unplug()
   this->Current->Usb.Unplug();
 }
 
+const std::string& EmulatedHid::GetNode() const
+{
+  return this->Current->Node;
+}
+
 void EmulatedHid::SetPermissions(unsigned mode)
 {
-  std::filesystem::permissions(
-    FindNode(PortOf(this->Number)), static_cast<std::filesystem::perms>(mode));
+  std::filesystem::permissions(this->GetNode(), static_cast<std::filesystem::perms>(mode));
 }
 } // namespace emulated

@@ -98,7 +98,7 @@ chmod +x "$files/init"
 
 echo "== Running in the machine"
 : > "$machine/status"
-timeout 900 qemu-system-x86_64 -accel tcg,thread=multi -cpu max -smp 2 -m 1024 -nodefaults -no-reboot -display none \
+timeout 3000 qemu-system-x86_64 -accel tcg,thread=multi -cpu max -smp 2 -m 1024 -nodefaults -no-reboot -display none \
   -kernel "$kernel/boot/vmlinuz-$version" -initrd "$machine/initramfs.gz" \
   -append "console=ttyS0 panic=-1" \
   -serial "file:$machine/kernel.log" -serial stdio -serial "file:$machine/status" < /dev/null |
