@@ -153,11 +153,13 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
     this->Beginning = true;
     return stage == DeviceStage::Lost ? DeviceState::Lost : DeviceState::NotReady;
   }
-  if (this->Samples.Update())
+  const bool isNew = this->Samples.Update();
+  if (isNew || !this->Beginning)
   {
+    // A button that is held stays so, and a view goes on turning, where the device is slower than the servo.
     sample = this->Samples.Read();
-    sample.Fresh = true;
-    sample.Begins = sample.Begins || this->Beginning;
+    sample.Fresh = isNew;
+    sample.Begins = isNew && (sample.Begins || this->Beginning);
     this->Beginning = false;
   }
   return DeviceState::Running;
