@@ -40,13 +40,16 @@ TEST_P(HidCarrier, CarriesReports)
   EXPECT_EQ(std::memcmp(back, feature, 5), 0);
 
   const int front = GetParam() ? 0 : 1; // an input report has its id in front where there are ids
-  for (unsigned i = 0; i < 1000; ++i)
   {
-    const unsigned char sent[5] = { id, static_cast<unsigned char>(i),
-      static_cast<unsigned char>(i >> 8), 7, 8 };
-    ASSERT_EQ(hid_write(device, sent, 5), 5);
-    ASSERT_EQ(hid_read_timeout(device, back, sizeof(back), 5000), 5 - front);
-    ASSERT_EQ(std::memcmp(sent + front, back, 5 - front), 0) << i;
+    const RateOf rate("HID output and input", 1000);
+    for (unsigned i = 0; i < 1000; ++i)
+    {
+      const unsigned char sent[5] = { id, static_cast<unsigned char>(i),
+        static_cast<unsigned char>(i >> 8), 7, 8 };
+      ASSERT_EQ(hid_write(device, sent, 5), 5);
+      ASSERT_EQ(hid_read_timeout(device, back, sizeof(back), 5000), 5 - front);
+      ASSERT_EQ(std::memcmp(sent + front, back, 5 - front), 0) << i;
+    }
   }
 
   port.Unplug();

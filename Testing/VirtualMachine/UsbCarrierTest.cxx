@@ -65,13 +65,17 @@ TEST(UsbCarrier, CarriesBulkTransfersAndRequests)
   int moved = 0;
   EXPECT_EQ(libusb_bulk_transfer(handle, 0x81, bytes, 64, &moved, 50), LIBUSB_ERROR_TIMEOUT)
     << "there is nothing yet, and the transfer was taken back";
-  for (unsigned i = 0; i < 1000; ++i)
   {
-    unsigned char sent[16] = { static_cast<unsigned char>(i), static_cast<unsigned char>(i >> 8) };
-    ASSERT_EQ(libusb_bulk_transfer(handle, 0x02, sent, 16, &moved, 5000), 0);
-    ASSERT_EQ(libusb_bulk_transfer(handle, 0x81, bytes, 64, &moved, 5000), 0);
-    ASSERT_EQ(moved, 16);
-    ASSERT_EQ(std::memcmp(sent, bytes, 16), 0) << i;
+    const RateOf rate("bulk OUT and IN", 1000);
+    for (unsigned i = 0; i < 1000; ++i)
+    {
+      unsigned char sent[16] = { static_cast<unsigned char>(i),
+        static_cast<unsigned char>(i >> 8) };
+      ASSERT_EQ(libusb_bulk_transfer(handle, 0x02, sent, 16, &moved, 5000), 0);
+      ASSERT_EQ(libusb_bulk_transfer(handle, 0x81, bytes, 64, &moved, 5000), 0);
+      ASSERT_EQ(moved, 16);
+      ASSERT_EQ(std::memcmp(sent, bytes, 16), 0) << i;
+    }
   }
 
   port.Unplug();

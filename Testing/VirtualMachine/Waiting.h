@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Waits for what a kernel does in its own time.
+ * Waits for what a kernel does in its own time, and says how long it takes.
  */
 #ifndef Waiting_h
 #define Waiting_h
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <iostream>
 #include <thread>
 
 namespace machinetest
@@ -29,6 +30,27 @@ bool Eventually(F&& holds)
   }
   return true;
 }
+
+/** Prints how often something was done in a second, at its end. */
+class RateOf
+{
+public:
+  RateOf(const char* what, int times)
+    : What(what)
+    , Times(times)
+  {
+  }
+  ~RateOf()
+  {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Begin;
+    std::cout << this->What << ": " << this->Times / time.count() << " round trips/s\n";
+  }
+
+private:
+  const char* const What;
+  const int Times;
+  const std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+};
 } // namespace machinetest
 
 #endif

@@ -68,7 +68,8 @@ ldd "$program" | sed -n 's/.*=> \(\/[^ ]*\) .*/\1/p; s/^\t\(\/[^ ]*\) .*/\1/p' |
     install -D "$library" "$files$library"
   done
 # In the order in which they depend on each other.
-for module in vhci-hcd usbhid hid-generic evdev joydev ftdi_sio; do
+# As udev would load them: the older SpaceMice are under the care of hid-logitech.
+for module in vhci-hcd usbhid hid-generic hid-logitech evdev joydev ftdi_sio; do
   modprobe -d "$kernel" -S "$version" --show-depends "$module" | sed -n 's/^insmod \([^ ]*\).*/\1/p'
 done | awk '!seen[$0]++' > "$machine/modules"
 while read -r file; do
@@ -102,7 +103,7 @@ timeout 3000 qemu-system-x86_64 -accel tcg,thread=multi -cpu max -smp 2 -m 1024 
   -kernel "$kernel/boot/vmlinuz-$version" -initrd "$machine/initramfs.gz" \
   -append "console=ttyS0 panic=-1" \
   -serial "file:$machine/kernel.log" -serial stdio -serial "file:$machine/status" < /dev/null |
-  tr -d '\r' || true
+  sed -u 's/\r$//' || true
 status=$(tr -dc '0-9' < "$machine/status")
 if [ -z "$status" ]; then
   tail -n 30 "$machine/kernel.log" >&2

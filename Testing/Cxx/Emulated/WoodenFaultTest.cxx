@@ -113,6 +113,8 @@ TEST_F(WoodenFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   const auto push = [&]
   {
+    DeviceSample sample;
+    this->Bench.Device->Read(0.001, sample);
     this->Bench.Device->Write({ 0.0, 0.5, 0.0 });
     return Size(this->Model.GetForce()) > 0.4;
   };
