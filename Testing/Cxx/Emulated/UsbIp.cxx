@@ -21,7 +21,18 @@ constexpr std::uint32_t LargestTransfer = 1u << 16;
 
 bool ReceiveAll(int socket, void* bytes, std::size_t size)
 {
-  return recv(socket, bytes, size, MSG_WAITALL) == static_cast<ssize_t>(size);
+  auto* place = static_cast<std::uint8_t*>(bytes);
+  while (size > 0)
+  {
+    const ssize_t part = recv(socket, place, size, MSG_WAITALL);
+    if (part == 0 || (part < 0 && errno != EINTR))
+    {
+      return false;
+    }
+    place += std::max<ssize_t>(part, 0);
+    size -= static_cast<std::size_t>(std::max<ssize_t>(part, 0));
+  }
+  return true;
 }
 } // namespace
 

@@ -4,6 +4,7 @@
 
 #include "UsbIp.h"
 
+#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -122,8 +123,14 @@ void VirtualUsb::Serve()
   UsbIp dialogue(this->Model, this->Socket->Number);
   pollfd sources[2] = { { this->Socket->Number, POLLIN, 0 }, { this->Wake->Number, POLLIN, 0 } };
   bool goesOn = true;
-  while (goesOn && poll(sources, 2, -1) > 0)
+  while (goesOn)
   {
+    if (poll(sources, 2, -1) < 0)
+    {
+      // A signal, such as when the process changes its user.
+      goesOn = errno == EINTR;
+      continue;
+    }
     if (sources[1].revents)
     {
       eventfd_t count = 0;
