@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
-constexpr std::chrono::milliseconds LostPause(10);
+constexpr int LostPause = 10; // ms
 /** What the kernel keeps for a reader. */
 constexpr int LongestQueue = 64;
 
@@ -79,7 +79,7 @@ void HidDriver::Serve(HardwareExchange& exchange)
     }
     if (this->Lost)
     {
-      std::this_thread::sleep_for(LostPause);
+      this->LookWhetherGone(exchange);
     }
     else
     {
@@ -93,6 +93,22 @@ void HidDriver::Restart(HardwareExchange& exchange, bool isAnew)
   this->Lost = false;
   this->IsSilent(true);
   this->Begin(exchange, isAnew);
+}
+
+void HidDriver::LookWhetherGone(HardwareExchange& exchange) noexcept
+{
+  if (this->Gone)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(LostPause));
+    return;
+  }
+  // Of a device that is pulled out, the system refuses writes a while before it ends reads.
+  std::uint8_t bytes[LongestReport];
+  if (this->Port.Read(bytes, sizeof(bytes), LostPause) < 0)
+  {
+    this->Gone = true;
+    this->Tell(exchange, DeviceStage::Lost, Unplugged);
+  }
 }
 
 bool HidDriver::IsSilent(bool hasNews) noexcept

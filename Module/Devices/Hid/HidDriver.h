@@ -74,6 +74,8 @@ protected:
 private:
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;
+  /** While it is lost: a moment, after which it may turn out to be unplugged. */
+  void LookWhetherGone(HardwareExchange& exchange) noexcept;
 
   std::string Label;
   bool Lost = false;

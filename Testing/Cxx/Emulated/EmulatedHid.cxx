@@ -3,6 +3,9 @@
 
 #include "EmulatedHid.h"
 
+#include "Testbed.h"
+
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

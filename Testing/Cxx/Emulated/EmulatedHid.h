@@ -12,9 +12,7 @@
 #define EmulatedHid_h
 
 #include "DeviceModels.h"
-#include "Testbed.h"
 
-#include <atomic>
 #include <mutex>
 
 namespace emulated

@@ -48,7 +48,7 @@ protected:
       << this->Falcon.GetGrip()[2] << " instead of " << Middle + Radius - depth;
     const Numbers force{ 0.0, 0.0, Stiffness * depth };
     EXPECT_TRUE(Eventually([&] { return IsNear(this->Falcon.GetForce(), force, 0.06); }))
-      << this->Falcon.GetForce()[2] << " N instead of " << force[2];
+      << this->Falcon.GetForce()[2] << " N instead of " << force[2] << ". " << this->GetText();
   }
   /** No command was ever into the wall. */
   void ExpectPushedOut(servotest::RunningLoop& loop)

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A computer that was asleep loses the device; a thread that is held up between two clocks does not.
+ */
+#include "HardwareExchange.h"
+
+#include <gtest/gtest.h>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+constexpr std::int64_t Second = 1000000000; // ns
+
+std::int64_t Asleep = 0;
+std::int64_t Late = 0; ///< by so much the next call sees too little
+
+std::int64_t Tell()
+{
+  const std::int64_t seen = Asleep - Late;
+  Late = 0;
+  return seen;
+}
+} // namespace
+
+TEST(ExchangeSleep, IsToldFromBeingHeldUp)
+{
+  Asleep = 100 * Second;
+  HardwareExchange exchange(&Tell);
+  Late = Second; // also at the beginning
+  exchange.Begin();
+  exchange.SetCondition(DeviceStage::Ready, "");
+  for (int round = 0; round < 3; ++round)
+  {
+    EXPECT_FALSE(exchange.HasSlept());
+    Late = Second;
+    EXPECT_FALSE(exchange.HasSlept());
+  }
+  EXPECT_EQ(exchange.GetCondition().Stage, DeviceStage::Ready);
+
+  Asleep += Second;
+  EXPECT_TRUE(exchange.HasSlept());
+  EXPECT_EQ(exchange.GetCondition().Stage, DeviceStage::Lost);
+  EXPECT_FALSE(exchange.HasSlept()) << "once";
+}

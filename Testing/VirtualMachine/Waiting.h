@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Waits for what a kernel does in its own time, and says how long it takes.
+ */
+#ifndef Waiting_h
+#define Waiting_h
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace machinetest
+{
+/** Polls until something holds; false after a generous time. */
+template <typename F>
+bool Eventually(F&& holds)
+{
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!holds())
+  {
+    if (std::chrono::steady_clock::now() > end)
+    {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+/** Prints how often something was done in a second, at its end. */
+class RateOf
+{
+public:
+  RateOf(const char* what, int times)
+    : What(what)
+    , Times(times)
+  {
+  }
+  ~RateOf()
+  {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Begin;
+    std::cout << this->What << ": " << this->Times / time.count() << " round trips/s\n";
+  }
+
+private:
+  const char* const What;
+  const int Times;
+  const std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+};
+} // namespace machinetest
+
+#endif
