@@ -115,10 +115,9 @@ std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uin
   std::snprintf(rule, sizeof(rule),
     "SUBSYSTEM==\"%s\", %s{idVendor}==\"%04x\", %s{idProduct}==\"%04x\", TAG+=\"uaccess\"",
     subsystem, isUsb ? "ATTR" : "ATTRS", vendor, isUsb ? "ATTR" : "ATTRS", product);
-  return std::string("no permission. Put this line into /etc/udev/rules.d/70-volume-haptics.rules "
-                     "(the file of "
-                     "that name which is installed with this library has it): ") +
-    rule + " - then run \"sudo udevadm control --reload\" and plug the device in again.";
+  return std::string("no permission. Put this line into a file of /etc/udev/rules.d named ") +
+    "70-volume-haptics.rules (one of that name is installed with this library): " + rule +
+    " - then run \"sudo udevadm control --reload\" and plug the device in again.";
 }
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Applications with emulated devices, on the head phantom; and the console tool.
-foreach (test IN ITEMS PhantomFalcon PhantomStick PhantomTwoHands PhantomWooden)
+foreach (test IN ITEMS PhantomFalcon PhantomSignal PhantomStick PhantomTwoHands PhantomWooden)
   volume_haptics_add_emulated_test(${test}
     SOURCES EmulatedHid.cxx StickModel.cxx WoodenModel.cxx
     LIBRARIES EmulatedFalcon VolumeHapticsApiRig VTK::IOXML)

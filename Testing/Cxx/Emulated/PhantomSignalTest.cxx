@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A signal that ends the application while a hand feels the face: the device has got zero before the signal goes on.
+ */
+
+#include "PhantomFalconRig.h"
+
+#include <csignal>
+
+using namespace emulated;
+
+namespace
+{
+volatile std::sig_atomic_t HasSignal = 0;
+
+class PhantomSignal : public PhantomFalcon
+{
+protected:
+  PhantomSignal()
+    : PhantomFalcon(true)
+  {
+  }
+};
+} // namespace
+
+TEST_F(PhantomSignal, GoesOnOnceTheDeviceHasGotZero)
+{
+  // As an application's own handler, which was there before the device.
+  std::signal(SIGTERM, [](int) { HasSignal = 1; });
+  ASSERT_TRUE(this->Device->Open("falcon"));
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_NO_FATAL_FAILURE(this->Home());
+  ASSERT_NO_FATAL_FAILURE(this->Press(0.0, 0.0, 0.006));
+  EXPECT_NE(this->Falcon.GetCommands(), Numbers{});
+  std::raise(SIGTERM);
+  ASSERT_TRUE(Eventually([] { return HasSignal != 0; }));
+  EXPECT_EQ(this->Falcon.GetCommands(), Numbers{});
+  EXPECT_TRUE(this->Hand.WaitTicks(100));
+  EXPECT_EQ(this->Falcon.GetCommands(), Numbers{}) << "and none comes back";
+  EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+}
