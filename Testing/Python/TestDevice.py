@@ -9,7 +9,7 @@ import tempfile
 import time
 
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from volumehaptics import vtkHapticDevice, vtkVolumeHapticsFilter
 
@@ -55,6 +55,15 @@ errors = Errors(device)
 
 ids = vtkHapticDevice.EnumerateDevices()
 assert "virtual" in [ids.GetValue(i) for i in range(ids.GetNumberOfValues())]
+table = vtkTable()
+vtkHapticDevice.ListDevices(table)
+assert [table.GetColumnName(c) for c in range(3)] == ["Id", "Name", "State"]
+assert table.GetValueByName(0, "Id").ToString() == "virtual" and table.GetNumberOfRows() >= 1
+device.SetFirmwareFile("image.bin")
+device.SetNewtonsPerFullScale(2.0, -3.0)
+device.SetHomingTime(0.0)
+assert device.GetFirmwareFile() == "image.bin" and device.GetHomingTime() == 1.0
+assert device.GetNewtonsPerFullScale() == (2.0, -3.0) and device.GetTurnRate() == (0.0, 0.0, 0.0)
 assert device.GetStatus() == vtkHapticDevice.CLOSED and "Open" in device.GetStatusText()
 for bad in ("", "nothing", "replay:" + os.path.join(folder, "missing.vtp"), None):
     assert not device.Open(bad), bad
