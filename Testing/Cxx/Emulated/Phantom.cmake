@@ -4,8 +4,7 @@
 # Applications with emulated devices, on the head phantom; and the console tool.
 foreach (test IN ITEMS PhantomFalcon PhantomSignal PhantomStick PhantomTwoHands PhantomWooden)
   volume_haptics_add_emulated_test(${test}
-    SOURCES EmulatedHid.cxx StickModel.cxx WoodenModel.cxx
-    LIBRARIES EmulatedFalcon VolumeHapticsApiRig VTK::IOXML)
+    LIBRARIES EmulatedFalcon EmulatedHidDevices VolumeHapticsApiRig VTK::IOXML)
   target_compile_definitions(Emulated${test}Test PRIVATE
     HEAD_PHANTOM="${PROJECT_SOURCE_DIR}/Data/HeadPhantom.vti")
 endforeach ()
