@@ -94,31 +94,54 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in,
   std::ostream& errors)
 {
   const bool isWooden = options.Id.compare(0, 6, "wooden") == 0;
-  const bool asksFirst =
-    isWooden && (options.What == Command::Home || device->GetStatus() == vtkHapticDevice::HOMING);
-  if (asksFirst &&
-    !AskForEnter("Put the arm into its rest pose, hold it there and press Enter.", in, out, errors))
-  {
-    return false;
-  }
-  if (asksFirst || options.What == Command::Home)
+  // A WoodenHaptics is first asked whether it knows its zero: where it does, homing asks for the rest pose anew.
+  bool mustHome = options.What == Command::Home;
+  if (mustHome && !isWooden)
   {
     device->Home();
+    mustHome = false;
   }
   LiveLine line(out);
-  int status = device->GetStatus();
-  while (status == vtkHapticDevice::HOMING || status == vtkHapticDevice::FIRMWARE)
+  for (;;)
   {
-    line.Show(device->GetStatusText());
-    std::this_thread::sleep_for(ShowPeriod);
-    status = device->GetStatus();
+    const int status = device->GetStatus();
+    const std::string text = device->GetStatusText();
+    const bool asksForHome =
+      status == vtkHapticDevice::HOMING && text.find("press Home()") != std::string::npos;
+    if (mustHome && status == vtkHapticDevice::READY)
+    {
+      device->Home();
+      mustHome = false;
+    }
+    else if (asksForHome)
+    {
+      line.End();
+      out << text << "\n";
+      if (!AskForEnter(
+            "Put the arm into its rest pose, hold it there and press Enter.", in, out, errors))
+      {
+        return false;
+      }
+      device->Home();
+      mustHome = false;
+    }
+    else if (status == vtkHapticDevice::HOMING || status == vtkHapticDevice::FIRMWARE)
+    {
+      line.Show(text);
+      std::this_thread::sleep_for(ShowPeriod);
+    }
+    else if (status == vtkHapticDevice::FAULT)
+    {
+      line.End();
+      errors << text << "\n";
+      return false;
+    }
+    else
+    {
+      break;
+    }
   }
   line.End();
-  if (status == vtkHapticDevice::FAULT)
-  {
-    errors << device->GetStatusText() << "\n";
-    return false;
-  }
   out << options.Id << " is ready.\n";
   return true;
 }
