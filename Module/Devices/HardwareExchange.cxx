@@ -109,6 +109,15 @@ bool HardwareExchange::TakeHomeRequest() noexcept
   return requested;
 }
 
+void HardwareExchange::RefuseHomeRequest(const char* text) noexcept
+{
+  if (this->HomeRequested.load(std::memory_order_acquire))
+  {
+    this->SetCondition(DeviceStage::Lost, text);
+    this->HomeRequested.store(false, std::memory_order_release);
+  }
+}
+
 void HardwareExchange::RequestHome() noexcept
 {
   this->HomeRequested.store(true);
