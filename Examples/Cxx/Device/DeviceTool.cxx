@@ -186,6 +186,12 @@ bool Test(ToolDevice& device, const ToolOptions& options, std::istream& in, std:
   }
   out << "There is a wall in the middle of the workspace, on the negative side of "
       << "xyz"[axis] << ". It pushes with at most " << GentleForce << " N.\n";
+  if (isStick && !options.HasNewtons)
+  {
+    out << "That is if its force at full scale is " << options.Newtons[0]
+        << " N. Most devices have less and are hardly felt: measure it, then say so with "
+           "--newtons.\n";
+  }
   if (!AskForEnter("Take the device in your hand and press Enter to arm it; Ctrl+C ends at once.",
         in, out, errors))
   {

@@ -16,4 +16,7 @@ if (VolumeHaptics_BUILD_TOOLS)
   volume_haptics_add_emulated_test(WoodenTool
     SOURCES EmulatedHid.cxx WoodenModel.cxx
     LIBRARIES VolumeHapticsDeviceTool)
+  volume_haptics_add_emulated_test(StickTool
+    SOURCES EmulatedHid.cxx StickModel.cxx
+    LIBRARIES VolumeHapticsDeviceTool)
 endif ()
