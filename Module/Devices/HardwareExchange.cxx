@@ -147,13 +147,14 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   DeviceCondition condition;
   condition.Stage = stage;
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
-  this->Conditions.Write(condition);
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
     // Before the stage: it may have been ready before, too, when the servo looks.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
+  // After the stage: who arms a device that is said to be ready must not find that the servo thinks otherwise.
+  this->Conditions.Write(condition);
 }
 
 bool HardwareExchange::HasSlept() noexcept
