@@ -24,7 +24,7 @@ struct DeviceOptions
 {
   std::string FirmwareFile;  ///< an image to load into a device that has none
   double HomingTime = 120.0; ///< s, that each step of homing may take
-  std::array<double, 2> NewtonsPerFullScale{ 1.0, 1.0 }; ///< N, of a stick's x and y
+  std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 }; ///< N, of a stick's x and y
 };
 
 /** A device that is plugged in. */

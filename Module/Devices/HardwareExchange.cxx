@@ -109,6 +109,15 @@ bool HardwareExchange::TakeHomeRequest() noexcept
   return requested;
 }
 
+void HardwareExchange::RefuseHomeRequest(const char* text) noexcept
+{
+  if (this->HomeRequested.load(std::memory_order_acquire))
+  {
+    this->SetCondition(DeviceStage::Lost, text);
+    this->HomeRequested.store(false, std::memory_order_release);
+  }
+}
+
 void HardwareExchange::RequestHome() noexcept
 {
   this->HomeRequested.store(true);
@@ -138,13 +147,14 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   DeviceCondition condition;
   condition.Stage = stage;
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
-  this->Conditions.Write(condition);
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
     // Before the stage: it may have been ready before, too, when the servo looks.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
+  // After the stage: who arms a device that is said to be ready must not find that the servo thinks otherwise.
+  this->Conditions.Write(condition);
 }
 
 bool HardwareExchange::HasSlept() noexcept

@@ -69,6 +69,8 @@ public:
    * even where it is ready again at once; no force from before counts.
    */
   bool TakeHomeRequest() noexcept;
+  /** Where homing brings nothing back, such as of a device that is unplugged: Lost as before, with the text. */
+  void RefuseHomeRequest(const char* text) noexcept;
   int GetLights() const noexcept { return this->Lights.load(); }
   /** The force to send now (N): zero unless the device is ready and the servo alive. */
   Vector3 GetForce() noexcept;

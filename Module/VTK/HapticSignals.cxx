@@ -59,8 +59,9 @@ void QuenchAll()
 
 #if defined(__unix__)
 
-const int Signals[] = { SIGINT, SIGTERM, SIGHUP };
-constexpr int SignalCount = 3;
+// Ctrl+Z stops all threads at once, and a device without a watchdog would keep its last force.
+const int Signals[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP };
+constexpr int SignalCount = 5;
 struct sigaction Before[SignalCount];
 int Pipe[2] = { -1, -1 };
 

@@ -4,10 +4,10 @@
  * @file
  * Zero force when the process is told to end.
  *
- * While a session is guarded, SIGINT, SIGTERM and SIGHUP first quench every session, on a thread of
- * its own that a pipe wakes (a signal handler may not touch a device), and are then delivered to
- * whatever handled them before. exit() quenches, too. For a crash there are only the device's own
- * watchdogs.
+ * While a session is guarded, SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) first quench every
+ * session, on a thread of its own that a pipe wakes (a signal handler may not touch a device), and are
+ * then delivered to whatever handled them before. exit() quenches, too. For a crash there are only the
+ * device's own watchdogs.
  */
 #ifndef HapticSignals_h
 #define HapticSignals_h

@@ -21,8 +21,8 @@
  * gap it rises from zero over half a second. A tip that is not finite, that moves faster than a
  * hand can hold the device, or a device that is lost, cuts the force and latches a fault until Arm
  * is called again. Without fresh samples for 30 ms the force goes to zero. Stop, Close, deletion,
- * exit() and SIGINT, SIGTERM and SIGHUP send zero force. Stiffness and ForceFieldDamping are capped
- * at what the device can hold.
+ * exit() and SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) send zero force. Stiffness and
+ * ForceFieldDamping are capped at what the device can hold.
  *
  * The servo reads the image's own array, without a copy: give the image a new array instead of resizing
  * or refilling one that is being touched.

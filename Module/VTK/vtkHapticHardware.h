@@ -17,6 +17,10 @@
  * of it runs against emulated devices, which answer as public descriptions of the protocols say. Vendors'
  * own libraries are added with AddDeviceKind.
  *
+ * Where the program crashes, there is only what devices do by themselves: WoodenHaptics lets go after half a
+ * second, a stick's effects end within a tenth. No such watchdog is known of the Falcon: it may keep its last
+ * force until it is switched off.
+ *
  * On Linux a user needs permission: the udev rules 70-volume-haptics.rules that are installed with this
  * library give it to whoever sits at the computer. Where it is missing, ListDevices and Open say the rule.
  */
@@ -101,8 +105,9 @@ public:
   ///@{
   /**
    * What a stick's or wheel's forces are at full scale (N) along x and y, which no device tells: measure it
-   * with a spring scale. At most 100; below zero turns the sense, 0 gives no force. Default 1, which is
-   * gentle on what there is. Takes effect with Open.
+   * with a spring scale. At most 100; below zero turns the sense, 0 gives no force. A number that is too small
+   * gives too much force. Default 100, so that what is stronger than nearly all of them is still not felt as
+   * more than was asked for; weaker ones are hardly felt until this is set. Takes effect with Open.
    */
   void SetNewtonsPerFullScale(double x, double y);
   void SetNewtonsPerFullScale(const double newtons[2]) VTK_SIZEHINT(2);
@@ -119,7 +124,7 @@ protected:
 
   std::string FirmwareFile;
   double HomingTime = 120.0;
-  double NewtonsPerFullScale[2] = { 1.0, 1.0 };
+  double NewtonsPerFullScale[2] = { 100.0, 100.0 };
 
 private:
   vtkHapticHardware(const vtkHapticHardware&) = delete;

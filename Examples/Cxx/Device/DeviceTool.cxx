@@ -94,31 +94,54 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in,
   std::ostream& errors)
 {
   const bool isWooden = options.Id.compare(0, 6, "wooden") == 0;
-  const bool asksFirst =
-    isWooden && (options.What == Command::Home || device->GetStatus() == vtkHapticDevice::HOMING);
-  if (asksFirst &&
-    !AskForEnter("Put the arm into its rest pose, hold it there and press Enter.", in, out, errors))
-  {
-    return false;
-  }
-  if (asksFirst || options.What == Command::Home)
+  // A WoodenHaptics is first asked whether it knows its zero: where it does, homing asks for the rest pose anew.
+  bool mustHome = options.What == Command::Home;
+  if (mustHome && !isWooden)
   {
     device->Home();
+    mustHome = false;
   }
   LiveLine line(out);
-  int status = device->GetStatus();
-  while (status == vtkHapticDevice::HOMING || status == vtkHapticDevice::FIRMWARE)
+  for (;;)
   {
-    line.Show(device->GetStatusText());
-    std::this_thread::sleep_for(ShowPeriod);
-    status = device->GetStatus();
+    const int status = device->GetStatus();
+    const std::string text = device->GetStatusText();
+    const bool asksForHome =
+      status == vtkHapticDevice::HOMING && text.find("press Home()") != std::string::npos;
+    if (mustHome && status == vtkHapticDevice::READY)
+    {
+      device->Home();
+      mustHome = false;
+    }
+    else if (asksForHome)
+    {
+      line.End();
+      out << text << "\n";
+      if (!AskForEnter(
+            "Put the arm into its rest pose, hold it there and press Enter.", in, out, errors))
+      {
+        return false;
+      }
+      device->Home();
+      mustHome = false;
+    }
+    else if (status == vtkHapticDevice::HOMING || status == vtkHapticDevice::FIRMWARE)
+    {
+      line.Show(text);
+      std::this_thread::sleep_for(ShowPeriod);
+    }
+    else if (status == vtkHapticDevice::FAULT)
+    {
+      line.End();
+      errors << text << "\n";
+      return false;
+    }
+    else
+    {
+      break;
+    }
   }
   line.End();
-  if (status == vtkHapticDevice::FAULT)
-  {
-    errors << device->GetStatusText() << "\n";
-    return false;
-  }
   out << options.Id << " is ready.\n";
   return true;
 }
@@ -163,6 +186,12 @@ bool Test(ToolDevice& device, const ToolOptions& options, std::istream& in, std:
   }
   out << "There is a wall in the middle of the workspace, on the negative side of "
       << "xyz"[axis] << ". It pushes with at most " << GentleForce << " N.\n";
+  if (isStick && !options.HasNewtons)
+  {
+    out << "That is if its force at full scale is " << options.Newtons[0]
+        << " N. Most devices have less and are hardly felt: measure it, then say so with "
+           "--newtons.\n";
+  }
   if (!AskForEnter("Take the device in your hand and press Enter to arm it; Ctrl+C ends at once.",
         in, out, errors))
   {

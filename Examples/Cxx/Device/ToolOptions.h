@@ -23,12 +23,13 @@ struct ToolOptions
   };
   Command What = Command::Help;
   std::string Id;
-  std::string File;             ///< of a recording
-  std::string Firmware;         ///< empty: as the environment says
-  double Seconds = 0.0;         ///< 0: until it is interrupted
-  double HomingTime = 120.0;    ///< s, a step
-  double ServoRate = 1000.0;    ///< Hz
-  double Newtons[2] = { 1, 1 }; ///< of a stick at full scale, along x and y
+  std::string File;                 ///< of a recording
+  std::string Firmware;             ///< empty: as the environment says
+  double Seconds = 0.0;             ///< 0: until it is interrupted
+  double HomingTime = 120.0;        ///< s, a step
+  double ServoRate = 1000.0;        ///< Hz
+  double Newtons[2] = { 100, 100 }; ///< of a stick at full scale, along x and y
+  bool HasNewtons = false;          ///< somebody said what they are
   int Axis = -1; ///< of the wall's normal; below zero: as the kind of device needs it
 };
 

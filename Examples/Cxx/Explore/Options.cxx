@@ -8,6 +8,7 @@
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -20,6 +21,7 @@ using Explore::Options;
 
 constexpr int SMALLEST_WIDTH = 100;
 constexpr int LARGEST_WIDTH = 8000;
+constexpr double MOST_NEWTONS = 100.0;
 
 const std::map<std::string, Estimator> ESTIMATORS = { { "central", Estimator::CentralDifference },
   { "gaussian", Estimator::Gaussian }, { "bspline", Estimator::CubicBSpline } };
@@ -67,6 +69,17 @@ std::string List(vtkStringArray* names, const std::string& quote)
   return list;
 }
 
+double ParseNewtons(const std::string& text)
+{
+  char* end = nullptr;
+  const double newtons = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !(std::abs(newtons) <= MOST_NEWTONS))
+  {
+    throw InputError("--newtons '" + text + "'", "is no force of a stick", "take -100 to 100");
+  }
+  return newtons;
+}
+
 int ParseWidth(const std::string& text)
 {
   char* end = nullptr;
@@ -109,6 +122,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   else if (name == "--firmware")
   {
     options.Device.Firmware = value;
+  }
+  else if (name == "--newtons")
+  {
+    options.Device.Newtons = ParseNewtons(value);
   }
   else if (name == "--setup")
   {
@@ -199,6 +216,7 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --device ID       of the window: virtual (default, the mouse), replay:FILE, or a real one, such as
                     falcon: see volumehaptics-device list
   --firmware FILE   the image for a Novint Falcon that has none
+  --newtons N       what a stick's force is at full scale (100): measure it, most have much less
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate

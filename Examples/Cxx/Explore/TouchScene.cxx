@@ -72,6 +72,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   {
     touch.Device->SetFirmwareFile(device.Firmware);
   }
+  touch.Device->SetNewtonsPerFullScale(device.Newtons, device.Newtons);
   if (!touch.Device->Open(device.Id.c_str()) || !touch.Device->Start())
   {
     throw InputError("--device " + device.Id, capture.FirstError(),

@@ -18,7 +18,8 @@ namespace Explore
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string Firmware; // none: as the environment says
+  std::string Firmware;   // none: as the environment says
+  double Newtons = 100.0; // of a stick at full scale
 };
 
 /// A scene that can be touched: the volume, and a device whose servo runs, with everything that shows

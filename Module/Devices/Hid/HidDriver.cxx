@@ -53,6 +53,7 @@ void HidDriver::Serve(HardwareExchange& exchange)
     {
       if (!this->Driver->Gone)
       {
+        this->Driver->Port.TryAgain();
         this->Driver->End();
       }
     }
@@ -91,6 +92,7 @@ void HidDriver::Serve(HardwareExchange& exchange)
 void HidDriver::Restart(HardwareExchange& exchange, bool isAnew)
 {
   this->Lost = false;
+  this->Port.TryAgain();
   this->IsSilent(true);
   this->Begin(exchange, isAnew);
 }

@@ -3,6 +3,7 @@
 #include "HidPort.h"
 
 #include "DeviceRegistry.h"
+#include "ServoClock.h"
 
 #include <chrono>
 #include <thread>
@@ -15,6 +16,8 @@ namespace
 /** Who only looks whether a device is free holds it for a moment. */
 constexpr int Attempts = 10;
 constexpr std::chrono::milliseconds AttemptPause(5);
+/** ns: longer than devices that are well take, and as long as the slowest one's own watchdog. */
+constexpr std::int64_t StuckTime = 500000000;
 
 std::string ErrorOf(hid_device* device)
 {
@@ -32,6 +35,7 @@ std::string ErrorOf(hid_device* device)
 bool HidPort::Open(const HidPlace& place, std::string& error)
 {
   this->Close();
+  this->TryAgain();
   HidClaim::Answer answer = HidClaim::Answer::InUse;
   for (int i = 0; i < Attempts && answer == HidClaim::Answer::InUse; ++i)
   {
@@ -86,14 +90,28 @@ int HidPort::Read(std::uint8_t* bytes, std::size_t size, int time) noexcept
   return hid_read_timeout(this->Device, bytes, size, time);
 }
 
+template <typename F>
+bool HidPort::Send(F&& send) noexcept
+{
+  if (this->Stuck)
+  {
+    return false;
+  }
+  const std::int64_t begin = ServoClock::Now();
+  const bool isTaken = send();
+  this->Stuck = !isTaken && ServoClock::Now() - begin > StuckTime;
+  return isTaken;
+}
+
 bool HidPort::Write(const std::uint8_t* report, std::size_t size) noexcept
 {
-  return hid_write(this->Device, report, size) == static_cast<int>(size);
+  return this->Send(
+    [&] { return hid_write(this->Device, report, size) == static_cast<int>(size); });
 }
 
 bool HidPort::SendFeature(const std::uint8_t* report, std::size_t size) noexcept
 {
-  return hid_send_feature_report(this->Device, report, size) >= 0;
+  return this->Send([&] { return hid_send_feature_report(this->Device, report, size) >= 0; });
 }
 
 int HidPort::GetFeature(std::uint8_t* report, std::size_t size) noexcept

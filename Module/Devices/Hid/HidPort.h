@@ -91,14 +91,23 @@ public:
   /** Reports begin with their id, 0 where the device has none. False where the device does not take it. */
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
+  /**
+   * After the kernel has waited in vain for a device to take a report, nothing more is sent until this is
+   * called: each report would wait as long, and the device's own watchdog has long taken its force away.
+   */
+  void TryAgain() noexcept { this->Stuck = false; }
   /** Fills in the report of the id that it begins with. Its size with the id, below zero where there is none. */
   int GetFeature(std::uint8_t* report, std::size_t size) noexcept;
   ///@}
 
 private:
+  template <typename F>
+  bool Send(F&& send) noexcept;
+
   hid_device* Device = nullptr;
   HidClaim Claim;
   bool InUse = false;
+  bool Stuck = false;
 };
 
 } // namespace VolumeHaptics

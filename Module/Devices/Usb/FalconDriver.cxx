@@ -87,6 +87,10 @@ void FalconDriver::Serve(HardwareExchange& exchange)
     // A device that is gone does not come back by homing.
     while (!exchange.MustStop() && (end == End::Gone || !exchange.TakeHomeRequest()))
     {
+      if (end == End::Gone)
+      {
+        exchange.RefuseHomeRequest(GoneText);
+      }
       ServoClock::SleepUntil(ServoClock::Now() + QuietTime);
     }
   }

@@ -89,11 +89,26 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   {
     this->Usb.ClearHalt(FalconOut);
   }
+  if (!this->InStalled)
+  {
+    this->PostReceivers();
+  }
+  const FalconPacket packet = FalconEncode(order);
+  std::copy(packet.begin(), packet.end(), this->Flight->Out.GetBytes());
+  this->Woken = false;
+  this->SentAt = this->LimitFrom = ServoClock::Now();
+  this->Awaiting = this->Submit(this->Flight->Out, packet.size());
+  // Not before zero is on its way: a device that is ill may take seconds to answer.
   if (this->InStalled)
   {
     this->Usb.ClearHalt(FalconIn);
+    this->PostReceivers();
   }
   this->OutStalled = this->InStalled = false;
+}
+
+void FalconRounds::PostReceivers() noexcept
+{
   for (UsbTransfer* const in : { &this->Flight->First, &this->Flight->Second })
   {
     if (!in->IsFlying())
@@ -101,11 +116,6 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
       this->Submit(*in, UsbTransfer::Capacity);
     }
   }
-  const FalconPacket packet = FalconEncode(order);
-  std::copy(packet.begin(), packet.end(), this->Flight->Out.GetBytes());
-  this->Woken = false;
-  this->SentAt = this->LimitFrom = ServoClock::Now();
-  this->Awaiting = this->Submit(this->Flight->Out, packet.size());
 }
 
 bool FalconRounds::Submit(UsbTransfer& transfer, std::size_t size) noexcept

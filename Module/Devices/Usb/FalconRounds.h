@@ -62,6 +62,7 @@ private:
 
   void TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noexcept override;
   bool Submit(UsbTransfer& transfer, std::size_t size) noexcept;
+  void PostReceivers() noexcept;
   void Note(UsbOutcome outcome) noexcept;
   bool IsPending() const noexcept { return this->Awaiting || this->Flight->Out.IsFlying(); }
   template <typename F>

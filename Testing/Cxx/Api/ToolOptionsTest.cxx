@@ -32,6 +32,7 @@ TEST(ToolOptions, AreRead)
   EXPECT_EQ(options.Id, "pid:1209:ffb0");
   EXPECT_EQ(options.File, "a.csv");
   EXPECT_EQ(options.ServoRate, 500.0);
+  EXPECT_TRUE(options.HasNewtons);
   EXPECT_EQ(options.Newtons[0], 2.0);
   EXPECT_EQ(options.Newtons[1], -3.0);
   EXPECT_EQ(options.Axis, 1);

@@ -58,6 +58,8 @@ TEST_F(DeviceHardware, IsEnumeratedByIdAndListedWithItsState)
 
 TEST_F(DeviceHardware, OptionsReachIt)
 {
+  EXPECT_EQ(this->Device->GetNewtonsPerFullScale()[0], 100.0)
+    << "unknown devices are taken for strong ones";
   this->Device->SetFirmwareFile("image.bin");
   this->Device->SetHomingTime(7.0);
   this->Device->SetNewtonsPerFullScale(3.0, -200.0);

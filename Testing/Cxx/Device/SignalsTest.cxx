@@ -12,7 +12,7 @@ using namespace devicetest;
 
 TEST_F(Signals, CutTheForceBeforeTheHandlerThatWasThere)
 {
-  for (const int signal : { SIGTERM, SIGINT, SIGHUP })
+  for (const int signal : { SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGTSTP })
   {
     EXPECT_EQ(InChild(
                 [&]

@@ -112,7 +112,12 @@ int EmulatedUsb::Plug::Answer(
     case USBDEVFS_IOCTL:
       return this->DriverIoctl(argument);
     case USBDEVFS_CLEAR_HALT:
-      return 0;
+    {
+      // As on the wire: CLEAR_FEATURE, ENDPOINT_HALT.
+      const std::uint8_t setup[8] = { 0x02, 1, 0, 0,
+        static_cast<std::uint8_t>(*Argument<unsigned int>(argument)), 0, 0, 0 };
+      return this->Model.Control(setup, nullptr, 0);
+    }
     case USBDEVFS_SUBMITURB:
       return this->Submit(client, argument);
     case USBDEVFS_REAPURB:

@@ -89,9 +89,28 @@ TEST_P(FalconForgives, OnePacket)
 }
 INSTANTIATE_TEST_SUITE_P(, FalconForgives, testing::ValuesIn(Harmless), NameOf);
 
-class FalconStuck : public FalconTest
+using FalconStuck = FalconTest;
+
+TEST_F(FalconStuck, ZeroLeavesBeforeAStallIsCleared)
 {
-};
+  this->MakeReady();
+  ASSERT_TRUE(this->Feels({ 0.0, 0.0, 2.0 }));
+  this->Falcon.TakeTranscript();
+  this->Falcon.Break(FalconFault::StallIn, 1);
+  this->ExpectLost("stall");
+  EXPECT_TRUE(this->StaysAtZero(5)) << "some rounds later";
+  std::string last;
+  for (const std::string& line : this->Falcon.TakeTranscript())
+  {
+    if (line.rfind("c 02 01", 0) == 0)
+    {
+      EXPECT_EQ(last.rfind("o 3c 41 41 41 41 41 41 41 41 41 41 41 41", 0), 0u) << last;
+      return;
+    }
+    last = line;
+  }
+  FAIL() << "it was not cleared";
+}
 
 TEST_F(FalconStuck, TransfersAreTakenBack)
 {

@@ -40,7 +40,8 @@ int FalconModel::Control(const std::uint8_t setup[8], std::uint8_t*, int)
 {
   const Lock lock(this->Mutex);
   const int value = setup[2] | setup[3] << 8;
-  if (setup[0] != 0x40)
+  const bool clearsHalt = setup[0] == 0x02 && setup[1] == 1;
+  if (setup[0] != 0x40 && !clearsHalt)
   {
     return -EPIPE;
   }
@@ -49,6 +50,10 @@ int FalconModel::Control(const std::uint8_t setup[8], std::uint8_t*, int)
   if (this->Transcript.size() < MostLines)
   {
     this->Transcript.emplace_back(line);
+  }
+  if (clearsHalt)
+  {
+    return 0;
   }
   if (setup[1] == 0 && value == 1)
   {

@@ -9,6 +9,7 @@ foreach (test IN ITEMS
     HidTogether
     Pid
     PidFault
+    PidStuck
     SpaceMouse
     SpaceMouseFault
     Wooden

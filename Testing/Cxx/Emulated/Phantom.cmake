@@ -12,4 +12,10 @@ endforeach ()
 if (VolumeHaptics_BUILD_TOOLS)
   volume_haptics_add_emulated_test(DeviceTool
     LIBRARIES EmulatedFalcon VolumeHapticsDeviceTool)
+  volume_haptics_add_emulated_test(WoodenTool
+    SOURCES EmulatedHid.cxx WoodenModel.cxx
+    LIBRARIES VolumeHapticsDeviceTool)
+  volume_haptics_add_emulated_test(StickTool
+    SOURCES EmulatedHid.cxx StickModel.cxx
+    LIBRARIES VolumeHapticsDeviceTool)
 endif ()

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A device that is said to be ready is so for the servo, too: what is armed then stays armed.
+ */
+
+#include "ExchangeRig.h"
+
+#include <thread>
+
+using namespace hardwaretest;
+
+TEST_F(ExchangeTest, WhoeverIsToldThatItIsReadyCanArmIt)
+{
+  constexpr int rounds = 100000;
+  std::atomic<int> begun{ 0 };
+  std::atomic<int> ended{ 0 };
+  const auto wait = [](auto&& holds)
+  {
+    while (!holds())
+    {
+      std::this_thread::yield();
+    }
+  };
+  std::thread device(
+    [&]
+    {
+      for (int i = 1; i <= rounds; ++i)
+      {
+        wait([&] { return begun == i; });
+        this->Exchange.SetCondition(DeviceStage::Ready, "");
+        ended = i;
+      }
+    });
+  int refusals = 0;
+  for (int i = 1; i <= rounds; ++i)
+  {
+    this->Exchange.SetCondition(DeviceStage::Homing, ""); // the device's thread waits
+    this->Take();
+    begun = i;
+    wait([this] { return this->Exchange.GetCondition().Stage == DeviceStage::Ready; });
+    refusals += this->Take() == DeviceState::NotReady ? 1 : 0;
+    wait([&] { return ended == i; });
+  }
+  device.join();
+  EXPECT_EQ(refusals, 0);
+}
