@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # HID devices: the carrier, and what each of them is like.
+add_library(EmulatedHidDevices OBJECT EmulatedHid.cxx StickModel.cxx WoodenModel.cxx)
+target_link_libraries(EmulatedHidDevices PUBLIC PkgConfig::UMOCKDEV)
 foreach (test IN ITEMS
     HidClaim
     HidTogether
@@ -12,6 +14,5 @@ foreach (test IN ITEMS
     Wooden
     WoodenFault)
   volume_haptics_add_emulated_test(${test}
-    SOURCES EmulatedHid.cxx StickModel.cxx WoodenModel.cxx
-    LIBRARIES VolumeHapticsDevices VolumeHapticsCore)
+    LIBRARIES EmulatedHidDevices VolumeHapticsDevices VolumeHapticsCore)
 endforeach ()

@@ -82,8 +82,8 @@ TEST_F(PidFaults, AfterAWriteErrorEffectsEndByThemselves)
 {
   this->Break(StickFault::WriteError);
   this->Bench.ExpectLost("does not take what is sent to it");
-  EXPECT_TRUE(this->IsQuiet());
-  EXPECT_EQ(this->Model.CountPlaying(), 0);
+  EXPECT_TRUE(Eventually([&] { return this->Model.CountPlaying() == 0; }));
+  EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
 }
 
 TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
@@ -94,8 +94,9 @@ TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
   const auto push = [&]
   {
     this->Bench.Device->Write({ 0.0, 0.5, 0.0 });
-    // Forward, away from the hand: against HID's own y.
-    return this->Model.GetForce()[1] > 0.4;
+    // Forward, away from the hand: against HID's own y. Block 2, and -1250 of 10000 for 0.5 N of 4 N.
+    return this->Model.GetForce()[1] > 0.4 &&
+      this->Model.GetLast(5) == std::vector<std::uint8_t>{ 5, 2, 0x1E, 0xFB };
   };
   EXPECT_TRUE(Eventually(push));
   EXPECT_TRUE(this->IsQuiet()) << "the servo fell silent";

@@ -48,8 +48,7 @@ TEST(SpaceMouse, WhereLettingGoIsNotHeardTheTipDoesNotGoOn)
   EXPECT_TRUE(turns(1.0));
   // It repeats what is held, so that this goes on.
   EXPECT_TRUE(bench.WaitForTicks(1500));
-  bench->ReadState();
-  EXPECT_EQ(bench->GetState().Turn.Z, 1.0);
+  EXPECT_TRUE(turns(1.0));
   model.IsSilent = true;
   EXPECT_TRUE(turns(0.0));
   EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Ready) << "they are silent at rest";

@@ -92,6 +92,8 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
   EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.Y > 0.95 * Edge; }));
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Reaches({ 0.0, Edge, 0.0 })) << "from the middle straight up";
+  EXPECT_FALSE(this->State().Armed);
+  this->Bench->Arm();
 
   this->Model.Push({ 0, 0, 0, 350, 0, 0 });
   EXPECT_TRUE(this->Turns({ 1.0, 0.0, 0.0 }));
