@@ -104,14 +104,16 @@ void FalconPilot::FollowHoming(const FalconReport& report) noexcept
   const FalconPose pose = FalconForward(FalconAnglesOf(report.Encoders));
   if (pose.Reach != FalconReach::Reached)
   {
-    return this->Lose("The device's encoders lead to a place out of its reach: they have lost "
-                      "counts. Home() and Arm() again.");
+    return this->Lose(
+      "The device's encoders lead to a place out of its reach: they have lost "
+      "counts. Home() and Arm() again; if it comes back, switch the device off and on.");
   }
   const bool isFirst = this->Told != FalconHomingState::Ready;
   if (!isFirst && !this->IsPossible(pose.Position, this->SincePose))
   {
-    return this->Lose("The device's position jumped as no hand moves it: its encoders have lost "
-                      "counts. Home() and Arm() again.");
+    return this->Lose(
+      "The device's position jumped as no hand moves it: its encoders have lost "
+      "counts. Home() and Arm() again; if it comes back, switch the device off and on.");
   }
   this->Pose = pose;
   this->SincePose = 0.0;

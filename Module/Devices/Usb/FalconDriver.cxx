@@ -27,8 +27,7 @@ const char* TroubleText(UsbOutcome trouble) noexcept
 {
   return trouble == UsbOutcome::Stalled
     ? "The device refused a transfer (a stall). Home() and Arm() again; if that does not help, "
-      "plug it "
-      "in again."
+      "plug it in again."
     : "A transfer to or from the device failed. Check its cable, then Home() and Arm() again.";
 }
 

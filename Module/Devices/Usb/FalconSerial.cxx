@@ -129,8 +129,11 @@ bool FalconSerial::Runs(int packets) noexcept
     std::array<std::uint8_t, FtdiPacketSize + FtdiStatusSize> transfer{};
     std::array<std::uint8_t, FtdiPacketSize> bytes;
     FalconReport report;
-    for (int size = this->Read(bytes, ReportTime); size != 0; size = this->Read(bytes, ReportTime))
+    // Whatever it sends instead of a report, its time is limited.
+    const std::int64_t end = ServoClock::Now() + ReportTime * NanosecondsPerMillisecond;
+    for (int size = 1; size > 0 && ServoClock::Now() < end;)
     {
+      size = this->Read(bytes, ReportTime);
       if (size < 0)
       {
         return false;

@@ -21,7 +21,12 @@ foreach (test IN ITEMS
     FalconPanel
     FalconPermission
     FalconSession
+    FalconSleep
+    FalconUnplug
     FalconZero)
   volume_haptics_add_emulated_test(${test}
     LIBRARIES EmulatedFalcon VolumeHapticsDevices VolumeHapticsCore ${CMAKE_DL_LIBS})
 endforeach ()
+
+# It runs a driver under a clock of its own.
+target_include_directories(EmulatedFalconSleepTest SYSTEM PRIVATE ${LIBUSB_INCLUDE_DIRS})

@@ -29,16 +29,42 @@ protected:
   }
   double Draw() { return static_cast<double>(this->Random() % 20001) * 1e-4 - 1.0; }
 
-  /** The force of the motors once a force has gone out. */
-  Vector3 Realise(const Vector3& force)
+  static double Largest(const Numbers& commands)
+  {
+    return std::max({ std::fabs(commands[0]), std::fabs(commands[1]), std::fabs(commands[2]) });
+  }
+  /** Commands as the force (N) that the motors make of them. */
+  Vector3 ForceOf(const Numbers& commands)
+  {
+    const Numbers made = FalconMotorForce(this->Falcon.GetGrip(), commands);
+    return { made[0], made[1], made[2] };
+  }
+  /**
+   * What the device got once a force has gone out: as it is wanted, or as much as it can. On a busy machine a force may
+   * have faded meanwhile, as one does that nobody renews.
+   */
+  Numbers Realise(const Vector3& wanted)
   {
     const long end = this->Falcon.GetPackets() + 5;
-    EXPECT_TRUE(this->Push(force, [&] { return this->Falcon.GetPackets() > end; }));
-    const Numbers made = this->Falcon.GetForce();
-    return { made[0], made[1], made[2] };
+    Numbers commands{};
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        DeviceSample sample;
+        this->Device->Read(0.001, sample);
+        this->Tip = sample.Fresh ? sample.Tip : this->Tip;
+        this->Device->Write(wanted);
+        commands = this->Falcon.GetCommands();
+        const bool isWhole = Largest(commands) == 4096.0 ||
+          Norm(this->ForceOf(commands) - wanted) < 0.01 * Norm(wanted);
+        return this->Falcon.GetPackets() > end && isWhole;
+      }))
+      << commands[0] << " " << commands[1] << " " << commands[2];
+    return commands;
   }
 
   std::mt19937 Random{ 11 };
+  Vector3 Tip; ///< m, as reported
 };
 } // namespace
 
@@ -55,17 +81,13 @@ TEST_F(FalconDirection, IsKeptThroughSaturation)
     for (const double size : { 2.0, 8.0, 100.0, 1000.0 })
     {
       const Vector3 wanted = (size / Norm(direction)) * direction;
-      const Vector3 made = this->Realise(wanted);
-      const Numbers commands = this->Falcon.GetCommands();
-      const double largest =
-        std::max({ std::fabs(commands[0]), std::fabs(commands[1]), std::fabs(commands[2]) });
+      const Numbers commands = this->Realise(wanted);
+      const Vector3 made = this->ForceOf(commands);
+      EXPECT_LT(Norm(this->Tip - place), 1e-4) << "the tip in the same axes";
+      const double largest = Largest(commands);
       EXPECT_LE(largest, 4096.0);
       EXPECT_GT(Dot(made, wanted), 0.0);
       EXPECT_LT(Norm(Cross(made, wanted)), 0.01 * Norm(made) * Norm(wanted)) << i << " " << size;
-      if (largest < 4096.0)
-      {
-        EXPECT_LT(Norm(made - wanted), 0.01 * size);
-      }
       saturated += largest == 4096.0 ? 1 : 0;
     }
   }

@@ -63,8 +63,9 @@ int FalconModel::Control(const std::uint8_t setup[8], std::uint8_t*, int)
       this->IsShaken = false;
       this->Image.clear();
     }
-    this->Runs =
-      this->Runs || (value == 0x02 && !this->Image.empty() && !this->Takes(FalconFault::DeadImage));
+    this->Runs = this->Runs ||
+      (value == 0x02 && this->Image.size() >= this->ImageSize &&
+        !this->Takes(FalconFault::DeadImage));
   }
   return 0;
 }

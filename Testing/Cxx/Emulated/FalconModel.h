@@ -64,6 +64,7 @@ public:
   long GetPackets() const;
   double TakeLargestCommand(); ///< since the last call
   std::vector<std::uint8_t> GetImage() const;
+  void SetImageSize(std::size_t bytes); ///< below which an image does not run
   bool IsRunning() const;
   /** Without power it forgets its firmware and its zero. */
   void SwitchOff();
@@ -103,6 +104,7 @@ private:
   bool IsShaken = false;
   std::string Waiting; ///< of a run packet, or of a greeting
   std::vector<std::uint8_t> Image;
+  std::size_t ImageSize = 1;
   std::deque<std::string> Replies; ///< a transfer each
   std::vector<std::string> Transcript;
 };

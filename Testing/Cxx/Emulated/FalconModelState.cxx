@@ -82,6 +82,12 @@ std::vector<std::uint8_t> FalconModel::GetImage() const
   return this->Image;
 }
 
+void FalconModel::SetImageSize(std::size_t bytes)
+{
+  const Lock lock(this->Mutex);
+  this->ImageSize = bytes;
+}
+
 bool FalconModel::IsRunning() const
 {
   const Lock lock(this->Mutex);

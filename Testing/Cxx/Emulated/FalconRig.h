@@ -62,6 +62,7 @@ protected:
   std::string GetText() { return this->Device->GetCondition().Text.data(); }
   void Home()
   {
+    ASSERT_TRUE(Eventually([&] { return this->Falcon.IsRunning(); })) << this->GetText();
     ASSERT_TRUE(this->IsAt(DeviceStage::Homing)) << this->GetText();
     this->LeadTo({ 0.0, 0.0, 0.1735 });
     this->LeadTo({ 0.0, 0.0, 0.08 });
