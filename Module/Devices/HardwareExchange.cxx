@@ -152,9 +152,10 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
 {
   const DeviceStage stage = this->Stage.load(std::memory_order_acquire);
   const unsigned int homings = this->Homings.load();
-  if (stage != DeviceStage::Ready || homings != this->HomingsSeen)
+  const bool hasMissed = !this->Beginning && homings != this->HomingsSeen;
+  this->HomingsSeen = homings;
+  if (stage != DeviceStage::Ready || hasMissed)
   {
-    this->HomingsSeen = homings;
     this->Beginning = true;
     return stage == DeviceStage::Lost ? DeviceState::Lost : DeviceState::NotReady;
   }
