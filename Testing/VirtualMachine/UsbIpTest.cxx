@@ -90,6 +90,18 @@ TEST_F(UsbIpTest, GivesTransfersBack)
   EXPECT_EQ(this->Kernel.Receive(true).Command, 0u) << "nobody waits for it any more";
 }
 
+TEST_F(UsbIpTest, GivesTransfersBackBeforeTheyCome)
+{
+  ASSERT_TRUE(this->Kernel.Unlink(9, 8));
+  EXPECT_EQ(this->Kernel.Receive(false).Status, -ECONNRESET);
+  ASSERT_TRUE(this->Kernel.Out(8, 2, { 1 }));
+  EXPECT_EQ(this->Kernel.Receive(false).Command, 0u) << "the kernel does not know it any more";
+  ASSERT_TRUE(this->Kernel.Out(10, 2, { 2 }));
+  EXPECT_EQ(this->Kernel.Receive(false).Number, 10u);
+  ASSERT_TRUE(this->Kernel.In(11, 1, 64));
+  EXPECT_EQ(this->Kernel.Receive(true).Data, Bytes({ 2 }));
+}
+
 TEST_F(UsbIpTest, EndsWhereTheKernelMakesNoSense)
 {
   EXPECT_FALSE(this->Kernel.Raw({ 7, 1, 0, 0, 0, 0, 0, 0, 0, 0 })) << "no command";

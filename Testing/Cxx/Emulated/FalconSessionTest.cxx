@@ -86,6 +86,8 @@ TEST_F(FalconSession, FromFirmwareToFeelingAndBack)
     loop->SetRecording(true);
     loop->Publish(this->Model);
     loop->Arm();
+    // The proxy has to be outside when it begins.
+    ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > 20; }));
     const long before = this->Falcon.GetPackets();
     const std::uint64_t from = loop->GetTickCount();
     this->PressAt(0.0, 0.0, 0.005);

@@ -87,6 +87,11 @@ bool UsbIp::Submit(const Message& message)
   {
     return false;
   }
+  this->Newest = number;
+  if (this->TakenBack.erase(number) > 0)
+  {
+    return true;
+  }
   if (endpoint != 0)
   {
     const auto address = static_cast<std::uint8_t>(endpoint | (isIn ? 0x80 : 0));
@@ -114,12 +119,22 @@ bool UsbIp::Unlink(const Message& message)
   const std::uint32_t victim = ntohl(message[5]);
   const auto found = std::find_if(this->Waiting.begin(), this->Waiting.end(),
     [victim](const Transfer& transfer) { return transfer.Number == victim; });
+  // Numbers grow, and wrap around.
+  const bool isYetToCome = static_cast<std::int32_t>(victim - this->Newest) > 0;
   Message answer{};
   answer[0] = htonl(AnswerUnlink);
   answer[1] = message[1];
-  if (found != this->Waiting.end())
+  if (isYetToCome)
+  {
+    this->TakenBack.insert(victim);
+  }
+  const bool waits = found != this->Waiting.end();
+  if (waits)
   {
     this->Waiting.erase(found);
+  }
+  if (waits || isYetToCome)
+  {
     answer[5] = htonl(static_cast<std::uint32_t>(-ECONNRESET));
   }
   return this->Send(answer.data(), sizeof(answer));

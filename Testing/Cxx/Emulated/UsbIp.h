@@ -14,6 +14,7 @@
 
 #include <array>
 #include <list>
+#include <set>
 
 namespace emulated
 {
@@ -57,6 +58,9 @@ private:
   const int Socket;
   const Bytes Descriptors;
   std::list<Transfer> Waiting; ///< in the order in which they came
+  std::uint32_t Newest = 0;    ///< number of a transfer
+  /** Taken back before they came: the kernel's thread that sends may mix up the two. */
+  std::set<std::uint32_t> TakenBack;
 };
 } // namespace emulated
 
