@@ -17,8 +17,7 @@ const char* Explain(SafetyFault fault)
   {
     case SafetyFault::NotFinite:
       return "Force cut off: a force or a position was not a finite number. Check the image and "
-             "the "
-             "device, then Arm() again.";
+             "the device, then Arm() again.";
     case SafetyFault::OverSpeed:
       return "Force cut off: the tip moved faster than a hand can hold the device. Take the "
              "stylus, then Arm() again.";

@@ -65,8 +65,7 @@ std::unique_ptr<DeviceBackend> MakePid(
   {
     error = "\"" + id +
       "\" is no device id: give \"pid\", or \"pid:VVVV:PPPP\" with the device's vendor and product "
-      "in "
-      "four hexadecimal digits each.";
+      "in four hexadecimal digits each.";
     return nullptr;
   }
   for (const double newtons : options.NewtonsPerFullScale)

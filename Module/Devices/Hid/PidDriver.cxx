@@ -102,8 +102,7 @@ std::vector<HidPlace> PidDriver::Choose(std::string& error) const
   {
     error = this->Wanted.Any
       ? "No force-feedback stick or wheel is plugged in. Plug it in and switch it on; it has to "
-        "speak "
-        "HID PID."
+        "speak HID PID."
       : "No device with these numbers is plugged in. Plug it in, or give an id that "
         "EnumerateDevices() lists.";
   }

@@ -103,8 +103,7 @@ bool WoodenDriver::Prepare(const HidPlace& place, std::string& error)
   {
     error = place.GetLabel() +
       " does not exchange packets of 14 bytes, as its report descriptor says. It needs the "
-      "firmware "
-      "of WoodenHaptics or Polhem.";
+      "firmware of WoodenHaptics or Polhem.";
     return false;
   }
   return true;
@@ -153,8 +152,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
   {
     this->Lose(exchange,
       "does not answer. Look after its cable and its power, then Home() and Arm() again; if that "
-      "does "
-      "not help, plug it in anew, then Open() and Start() it.");
+      "does not help, plug it in anew, then Open() and Start() it.");
   }
   if (this->IsLost())
   {
@@ -196,8 +194,7 @@ void WoodenDriver::FollowHand(HardwareExchange& exchange)
   {
     this->Lose(exchange,
       "lost the zero of its encoders. Look after its power and cables, then press Home() and put "
-      "the "
-      "arm into its rest pose.");
+      "the arm into its rest pose.");
   }
   else if (this->Now == Phase::Ready && jumps)
   {
