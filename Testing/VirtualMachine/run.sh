@@ -9,7 +9,8 @@
 # The other tests of emulated devices have umockdev in the place of the kernel; here libusb and hidapi talk to Debian's
 # own, down to its USB core, which gets the devices from vhci_hcd. Installs what is missing (a kernel is only unpacked,
 # in BUILD_DIR/virtual-machine), builds in BUILD_DIR (default build/test), boots without KVM, and runs for about ten
-# minutes; --gtest_filter=PATTERN chooses tests. The exit status is the test program's; 125 where it got none. Messages of the kernel: BUILD_DIR/virtual-machine/kernel.log.
+# minutes; --gtest_filter=PATTERN chooses tests. The exit status is the test program's; 125 where it got none.
+# Messages of the kernel: BUILD_DIR/virtual-machine/kernel.log.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
