@@ -10,12 +10,8 @@ foreach (test IN ITEMS PhantomFalcon PhantomSignal PhantomStick PhantomTwoHands 
 endforeach ()
 
 if (VolumeHaptics_BUILD_TOOLS)
-  volume_haptics_add_emulated_test(DeviceTool
-    LIBRARIES EmulatedFalcon VolumeHapticsDeviceTool)
-  volume_haptics_add_emulated_test(WoodenTool
-    SOURCES EmulatedHid.cxx WoodenModel.cxx
-    LIBRARIES VolumeHapticsDeviceTool)
-  volume_haptics_add_emulated_test(StickTool
-    SOURCES EmulatedHid.cxx StickModel.cxx
-    LIBRARIES VolumeHapticsDeviceTool)
+  foreach (test IN ITEMS DeviceTool StickTool WoodenTool)
+    volume_haptics_add_emulated_test(${test}
+      LIBRARIES EmulatedFalcon EmulatedHidDevices VolumeHapticsDeviceTool)
+  endforeach ()
 endif ()
