@@ -77,9 +77,29 @@ protected:
         return holds();
       });
   }
+  /// Force flows. Where a busy machine held the loop up, it began anew from where the hand is: once more from outside.
   bool WaitForce()
   {
-    return this->Wait([this] { return Length(this->Device->GetForce()) > 0.2; });
+    for (int attempt = 0; attempt < 5; ++attempt)
+    {
+      for (int i = 0; i < 300; ++i)
+      {
+        this->Device->UpdateState();
+        if (Length(this->Device->GetForce()) > 0.2)
+        {
+          return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      if (this->Device->GetDeviceId() == "virtual")
+      {
+        const double* const tip = this->Device->GetTipPosition();
+        const double inside[3] = { tip[0], tip[1], tip[2] };
+        this->Lead(7.0, 7.0, 5.0);
+        this->Device->SetVirtualTip(inside);
+      }
+    }
+    return false;
   }
   /// Leads the tip and waits until it is there.
   bool Lead(double x, double y, double z)

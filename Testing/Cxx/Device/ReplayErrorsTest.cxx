@@ -28,7 +28,10 @@ TEST_F(Replay, RefusesEverythingElseWithOneClearError)
     for (const double share : { 0.01, 0.3, 0.6, 0.95 })
     {
       const auto cut = static_cast<std::size_t>(share * static_cast<double>(good.size()));
-      this->ExpectRefused(ending, good.substr(0, cut));
+      // Within the first columns of a row: a last number that is cut short is a number, too.
+      const std::size_t row = good.rfind('\n', cut);
+      const bool isTable = ending == std::string(".csv") && row != std::string::npos;
+      this->ExpectRefused(ending, good.substr(0, isTable ? row + 20 : cut));
     }
   }
 }
