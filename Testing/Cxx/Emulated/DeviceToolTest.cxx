@@ -5,37 +5,21 @@
  * volumehaptics-device with an emulated Falcon: what a person sees who tries one for the first time.
  */
 
-#include "DeviceTool.h"
 #include "EmulatedUsb.h"
 #include "FalconModel.h"
 #include "ModelClock.h"
-
-#include <gtest/gtest.h>
+#include "ToolRig.h"
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 using namespace emulated;
 
 namespace
 {
-class DeviceToolTest : public testing::Test
+class DeviceToolTest : public ToolTest
 {
 protected:
-  int Run(const std::vector<std::string>& arguments, const std::string& typed = "")
-  {
-    std::istringstream in(typed);
-    std::ostringstream out;
-    std::ostringstream errors;
-    const int result = RunDeviceTool(arguments, in, out, errors);
-    this->Out = out.str();
-    this->Errors = errors.str();
-    return result;
-  }
-  bool Shows(const char* words) { return this->Out.find(words) != std::string::npos; }
-  bool Complains(const char* words) { return this->Errors.find(words) != std::string::npos; }
-
   /// Homes the device whenever it asks for it, and goes on to a place in between: a step a call.
   void MoveHand()
   {
@@ -53,8 +37,6 @@ protected:
   FalconModel Falcon;
   EmulatedUsb Usb{ this->Falcon, "1-2" };
   std::atomic<bool> IsPressing{ false };
-  std::string Out;
-  std::string Errors;
 
 private:
   bool WasHoming = false;

@@ -117,10 +117,6 @@ public:
   {
     return this->Device->GetStatusText().find(words) != std::string::npos;
   }
-  bool HasForce(double newtons)
-  {
-    return this->Wait([&] { return Length(this->Device->GetForce()) > newtons; });
-  }
 
   vtkNew<vtkHapticDevice> Device;
 };

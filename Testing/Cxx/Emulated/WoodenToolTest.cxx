@@ -5,37 +5,21 @@
  * volumehaptics-device with an emulated WoodenHaptics, whose zero somebody has to tell by pressing Enter.
  */
 
-#include "DeviceTool.h"
 #include "EmulatedHid.h"
+#include "ToolRig.h"
 #include "WoodenModel.h"
-
-#include <gtest/gtest.h>
-
-#include <sstream>
 
 using namespace emulated;
 
 namespace
 {
-class WoodenToolTest : public testing::Test
+class WoodenToolTest : public ToolTest
 {
 protected:
-  int Run(const std::vector<std::string>& arguments, const std::string& typed)
-  {
-    std::istringstream in(typed);
-    std::ostringstream out;
-    std::ostringstream errors;
-    const int result = RunDeviceTool(arguments, in, out, errors);
-    this->Out = out.str();
-    this->Errors = errors.str();
-    return result;
-  }
-  bool Asks() { return this->Out.find("hold it there and press Enter") != std::string::npos; }
+  bool Asks() { return this->Shows("hold it there and press Enter"); }
 
   WoodenModel Model;
   EmulatedHid Hid{ this->Model };
-  std::string Out;
-  std::string Errors;
 };
 } // namespace
 

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * volumehaptics-device, what somebody types into it, and what it says.
+ */
+#ifndef ToolRig_h
+#define ToolRig_h
+
+#include "DeviceTool.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace emulated
+{
+
+class ToolTest : public testing::Test
+{
+protected:
+  int Run(const std::vector<std::string>& arguments, const std::string& typed = "")
+  {
+    std::istringstream in(typed);
+    std::ostringstream out;
+    std::ostringstream errors;
+    const int result = RunDeviceTool(arguments, in, out, errors);
+    this->Out = out.str();
+    this->Errors = errors.str();
+    return result;
+  }
+  bool Shows(const char* words) { return this->Out.find(words) != std::string::npos; }
+  bool Complains(const char* words) { return this->Errors.find(words) != std::string::npos; }
+
+  std::string Out;
+  std::string Errors;
+};
+
+} // namespace emulated
+
+#endif
