@@ -2,20 +2,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticHistogram.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
-#include "vtkImageHistogram.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** Counts by hand: ParaView is built without VTK's vtkImageHistogram. */
+struct BinCounter
+{
+  const int Component;
+  const double Origin; // the middle of the first bin
+  const double Width;
+  std::vector<vtkIdType>& Counts;
+
+  template <typename ArrayType>
+  void operator()(ArrayType* scalars)
+  {
+    const double last = static_cast<double>(this->Counts.size() - 1);
+    for (const auto tuple : vtk::DataArrayTupleRange(scalars))
+    {
+      const double value = static_cast<double>(tuple[this->Component]);
+      if (std::isfinite(value))
+      {
+        const double bin = std::floor((value - this->Origin) / this->Width + 0.5);
+        ++this->Counts[static_cast<std::size_t>(std::clamp(bin, 0.0, last))];
+      }
+    }
+  }
+};
+
+} // namespace
 
 bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double range[2])
 {
@@ -42,17 +71,14 @@ bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double r
   width = width > 0.0 ? width : 1.0;
   const int bins = std::clamp(static_cast<int>((range[1] - range[0]) / width) + 1, 1, most);
 
-  vtkNew<vtkImageHistogram> histogram;
-  histogram->SetInputData(image);
-  histogram->SetActiveComponent(used);
-  histogram->GenerateHistogramImageOff();
-  histogram->AutomaticBinningOff();
-  histogram->SetNumberOfBins(bins);
-  histogram->SetBinSpacing(width);
-  histogram->SetBinOrigin(
-    range[0] + (type == VTK_FLOAT || type == VTK_DOUBLE ? 0.5 * width : 0.5 * (width - 1)));
-  histogram->Update();
-  vtkIdTypeArray* const counts = histogram->GetHistogram();
+  const double origin =
+    range[0] + (type == VTK_FLOAT || type == VTK_DOUBLE ? 0.5 * width : 0.5 * (width - 1));
+  std::vector<vtkIdType> counts(bins);
+  BinCounter count{ used, origin, width, counts };
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, count))
+  {
+    count(scalars);
+  }
 
   vtkNew<vtkDoubleArray> values, shares;
   values->SetName("value");
@@ -60,8 +86,8 @@ bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double r
   double largest = 0.0;
   for (int i = 0; i < bins; ++i)
   {
-    values->InsertNextValue(histogram->GetBinOrigin() + i * width);
-    shares->InsertNextValue(std::log1p(static_cast<double>(counts->GetValue(i))));
+    values->InsertNextValue(origin + i * width);
+    shares->InsertNextValue(std::log1p(static_cast<double>(counts[i])));
     largest = std::max(largest, shares->GetValue(i));
   }
   for (int i = 0; i < bins && largest > 0.0; ++i)
