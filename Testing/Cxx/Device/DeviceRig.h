@@ -8,33 +8,16 @@
 #define DeviceRig_h
 
 #include "../Api/ApiRig.h"
+#include "Eventually.h"
+#include "LoopPauses.h"
 
-#include <vtkHapticDevice.h>
 #include <vtkMatrix4x4.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 namespace devicetest
 {
 using namespace apitest;
-
-/// Polls until something holds; false after a generous time.
-template <typename F>
-bool Eventually(F&& holds)
-{
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!holds())
-  {
-    if (std::chrono::steady_clock::now() > end)
-    {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(500));
-  }
-  return true;
-}
 
 inline double Length(const double v[3])
 {
@@ -53,6 +36,7 @@ protected:
   /// The servo runs, with the tip where the ramp begins to be felt.
   void Begin(const char* id = "virtual")
   {
+    this->Way.clear();
     ASSERT_TRUE(this->Device->Open(id));
     if (std::string(id) == "virtual")
     {
@@ -63,55 +47,40 @@ protected:
   }
   bool WaitTicks(vtkIdType ticks)
   {
-    this->Device->UpdateState();
+    this->Look();
     const vtkIdType end = this->Device->GetTick() + ticks;
     return this->Wait([&] { return this->Device->GetTick() >= end; });
   }
+  /// Polls the device until something holds in a state that no pause of the loop came before.
   template <typename F>
   bool Wait(F&& holds)
   {
     return Eventually(
       [&]
       {
-        this->Device->UpdateState();
-        return holds();
+        this->Look();
+        if (this->Pauses.WasHeldUp())
+        {
+          this->GoAgain();
+        }
+        return !this->Pauses.WasHeldUp() && holds();
       });
   }
-  /// Force flows. Where a busy machine held the loop up, it began anew from where the hand is: once more from outside.
   bool WaitForce()
   {
-    for (int attempt = 0; attempt < 5; ++attempt)
-    {
-      for (int i = 0; i < 300; ++i)
-      {
-        this->Device->UpdateState();
-        if (Length(this->Device->GetForce()) > 0.2)
-        {
-          return true;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      }
-      if (this->Device->GetDeviceId() == "virtual")
-      {
-        const double* const tip = this->Device->GetTipPosition();
-        const double inside[3] = { tip[0], tip[1], tip[2] };
-        this->Lead(7.0, 7.0, 5.0);
-        this->Device->SetVirtualTip(inside);
-      }
-    }
-    return false;
+    return this->Wait([this] { return Length(this->Device->GetForce()) > 0.2; });
   }
   /// Leads the tip and waits until it is there.
   bool Lead(double x, double y, double z)
   {
+    if (this->Way.empty())
+    {
+      const double* const start = this->Device->GetTipPosition();
+      this->Way.push_back({ start[0], start[1], start[2] });
+    }
+    this->Way.push_back({ x, y, z });
     this->Device->SetVirtualTip(x, y, z);
-    return this->Wait(
-      [&]
-      {
-        const double* tip = this->Device->GetTipPosition();
-        const double way[3] = { tip[0] - x, tip[1] - y, tip[2] - z };
-        return Length(way) < 1e-6;
-      });
+    return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
   std::string File(const char* name) { return testing::TempDir() + "VolumeHaptics" + name; }
   void ExpectError(const char* words)
@@ -126,6 +95,41 @@ protected:
   vtkNew<vtkHapticDevice> Device;
   MessageLog Log{ this->Device };
   MessageLog FilterLog{ this->Filter };
+
+private:
+  void Look()
+  {
+    this->Device->UpdateState();
+    this->Pauses.Look(this->Device);
+  }
+  bool IsAt(const Point& place)
+  {
+    const double* const tip = this->Device->GetTipPosition();
+    const double way[3] = { tip[0] - place[0], tip[1] - place[1], tip[2] - place[2] };
+    return Length(way) < 1e-6;
+  }
+  /// The way that Lead went, from its start on.
+  void GoAgain()
+  {
+    this->Pauses.Forget();
+    for (const Point& place : this->Way)
+    {
+      this->Device->SetVirtualTip(place.data());
+      const bool isThere = Eventually(
+        [&]
+        {
+          this->Look();
+          return this->Pauses.WasHeldUp() || this->IsAt(place);
+        });
+      if (!isThere || this->Pauses.WasHeldUp())
+      {
+        return;
+      }
+    }
+  }
+
+  LoopPauses Pauses;
+  std::vector<Point> Way;
 };
 } // namespace devicetest
 

@@ -61,9 +61,8 @@ protected:
     Watched = this->Device;
     this->Device->SetServoRate(100.0);
     this->Begin();
-    this->Device->SetVirtualTip(7.0, 7.0, 9.0);
     this->Device->Arm();
-    return this->WaitForce();
+    return this->Lead(7.0, 7.0, 9.0) && this->WaitForce();
   }
 };
 } // namespace devicetest

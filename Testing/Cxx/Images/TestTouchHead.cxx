@@ -11,7 +11,7 @@
 int TestTouchHead(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::GPU);
-  head.Press(165, 160, 3);
+  head.TouchAt(165, 160, [&] { head.Press(165, 160, 3); });
   if (head.Touch.Device->GetContact() == 0)
   {
     std::cerr << "nothing is touched\n";

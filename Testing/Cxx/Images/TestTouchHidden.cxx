@@ -9,36 +9,68 @@
 
 #include <iostream>
 
-int TestTouchHidden(int argc, char* argv[])
+namespace
 {
-  TouchedHead head(argc, argv, Explore::MapperChoice::GPU);
+/// What was felt at last; nothing where something is wrong.
+struct Felt
+{
+  double OnSkin = 0.0;
+  double OnSkull = 0.0;
+  const char* Wrong = nullptr;
+};
+
+Felt PressThroughTheSkin(TouchedHead& head, vtkPiecewiseFunction* opacity)
+{
   vtkHapticDevice* const device = head.Touch.Device;
+  Felt felt;
   head.Press(165, 160, 2);
-  const double onSkin = device->GetSurfaceValue();
+  felt.OnSkin = device->GetSurfaceValue();
   if (device->GetContact() == 0)
   {
-    std::cerr << "the skin is not touched\n";
-    return EXIT_FAILURE;
+    felt.Wrong = "the skin is not touched";
+    return felt;
   }
-  vtkPiecewiseFunction* const opacity = head.Touch.Scene.Look->GetScalarOpacity();
   opacity->RemoveAllPoints();
   opacity->AddPoint(250.0, 0.0);
   opacity->AddPoint(600.0, 1.0);
   head.Run(20);
   if (device->GetContact() != 0)
   {
-    std::cerr << "the skin is still felt\n";
-    return EXIT_FAILURE;
+    felt.Wrong = "the skin is still felt";
+    return felt;
   }
   for (int i = 0; i < 12 && device->GetContact() == 0; ++i)
   {
     head.Event(165, 160, vtkCommand::MouseWheelForwardEvent);
     head.Run(30);
   }
-  if (device->GetContact() == 0 || device->GetSurfaceValue() < onSkin + 100.0)
+  felt.OnSkull = device->GetSurfaceValue();
+  if (device->GetContact() == 0 || felt.OnSkull < felt.OnSkin + 100.0)
   {
-    std::cerr << "the skull is not felt: contact " << device->GetContact() << ", values " << onSkin
-              << " and " << device->GetSurfaceValue() << "\n";
+    felt.Wrong = "the skull is not felt";
+  }
+  return felt;
+}
+} // namespace
+
+int TestTouchHidden(int argc, char* argv[])
+{
+  TouchedHead head(argc, argv, Explore::MapperChoice::GPU);
+  vtkPiecewiseFunction* const opacity = head.Touch.Scene.Look->GetScalarOpacity();
+  vtkNew<vtkPiecewiseFunction> all;
+  all->DeepCopy(opacity);
+  Felt felt;
+  head.TouchAt(165, 160,
+    [&]
+    {
+      opacity->DeepCopy(all);
+      head.Run(20);
+      felt = PressThroughTheSkin(head, opacity);
+    });
+  if (felt.Wrong)
+  {
+    std::cerr << felt.Wrong << ": contact " << head.Touch.Device->GetContact() << ", values "
+              << felt.OnSkin << " and " << felt.OnSkull << "\n";
     return EXIT_FAILURE;
   }
   vtkRenderWindow* const window = head.Touch.Scene.Window;

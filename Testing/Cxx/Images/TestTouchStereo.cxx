@@ -9,7 +9,7 @@
 int TestTouchStereo(int argc, char* argv[])
 {
   TouchedHead head(argc, argv, Explore::MapperChoice::GPU);
-  head.Press(165, 160, 3);
+  head.TouchAt(165, 160, [&] { head.Press(165, 160, 3); });
   vtkRenderWindow* const window = head.Touch.Scene.Window;
   Explore::SetStereo(window, "anaglyph");
   window->Render();

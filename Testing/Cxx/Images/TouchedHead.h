@@ -3,6 +3,7 @@
 #ifndef TouchedHead_h
 #define TouchedHead_h
 
+#include "../Device/LoopPauses.h"
 #include "HeadExploration.h"
 #include "TouchScene.h"
 
@@ -46,14 +47,26 @@ struct TouchedHead
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       this->Touch.Style->UpdateHaptics();
+      this->Pauses.Look(this->Touch.Device);
     }
   }
-  /// Puts the pointer there, enters the touch mode and presses in by some steps of the wheel.
+  /// Does something with the pointer there in the touch mode, from the start until no pause of the loop came between.
+  template <typename F>
+  void TouchAt(int x, int y, F&& act)
+  {
+    for (int attempt = 0; attempt < 20 && (attempt == 0 || this->Pauses.WasHeldUp()); ++attempt)
+    {
+      this->Touch.Style->TouchModeOff();
+      this->Event(x, y, vtkCommand::MouseMoveEvent);
+      this->Touch.Style->TouchModeOn();
+      this->Run(20);
+      this->Pauses.Forget();
+      act();
+    }
+  }
+  /// Presses in there by some steps of the wheel.
   void Press(int x, int y, int steps)
   {
-    this->Event(x, y, vtkCommand::MouseMoveEvent);
-    this->Touch.Style->TouchModeOn();
-    this->Run(20);
     for (int i = 0; i < steps; ++i)
     {
       this->Event(x, y, vtkCommand::MouseWheelForwardEvent);
@@ -65,6 +78,7 @@ struct TouchedHead
   Explore::Exploration Exploration;
   Explore::TouchScene Touch;
   vtkNew<vtkRenderWindowInteractor> Interactor;
+  LoopPauses Pauses;
 };
 
 #endif

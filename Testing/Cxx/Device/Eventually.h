@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Waits for what another thread does.
+ */
+#ifndef Eventually_h
+#define Eventually_h
+
+#include <chrono>
+#include <thread>
+
+namespace devicetest
+{
+/// Polls until something holds; false after a generous time.
+template <typename F>
+bool Eventually(F&& holds)
+{
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (!holds())
+  {
+    if (std::chrono::steady_clock::now() > end)
+    {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  }
+  return true;
+}
+} // namespace devicetest
+
+#endif
