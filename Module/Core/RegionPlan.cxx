@@ -36,7 +36,10 @@ double CountVoxels(const int extent[6]) noexcept
   return count(0) * count(1) * count(2);
 }
 
-/** The part of a volume within a half-width (world units), by indices; never empty. How many voxels it has. */
+/**
+ * The part of a volume within a half-width (world units), by indices; never empty. How many voxels
+ * it has.
+ */
 double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int region[6]) noexcept
 {
   for (int a = 0; a < 3; ++a)
