@@ -81,4 +81,4 @@ assert forces[0] == forces[1] and max(abs(f[2]) for f in forces[0]) > 0.5
 device = vtkHapticDevice()
 assert device.GetResidency() == 1.0 and device.GetAbsentTicks() == 0
 device.FadeOut()
-assert "50 ms" in vtkHapticDevice.GetResidency.__doc__ and "50 ms" in vtkHapticDevice.FadeOut.__doc__
+assert "50 ms" in vtkHapticDevice.GetResidency.__doc__ and "50 ms" in vtkHapticDevice.Arm.__doc__

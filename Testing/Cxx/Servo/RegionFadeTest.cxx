@@ -24,6 +24,7 @@ protected:
   {
     this->Limits.MaximumForce = 8.0;
     this->Limits.MaximumForceRate = 500.0;
+    this->Model = this->MakeRegion(TipOf(0), 24);
     this->Stage.Arm();
     this->Walk(Outside, TipOf(0), 100);
     this->Walk(TipOf(0), TipOf(0), 700); // through the ramp, with the surface pressed
@@ -62,7 +63,7 @@ protected:
 
   const Vector3 Outside = (26.0 / 23.4) * TipOf(0);
   HapticModelDescription Whole = DescribeBall(this->GetParam().Method, this->GetParam().Solver);
-  std::shared_ptr<const HapticModel> Model = this->MakeRegion(TipOf(0), 24);
+  std::shared_ptr<const HapticModel> Model;
   ServoState State;
   ResidentServo Servo;
   TickRecord Record;
