@@ -181,6 +181,8 @@ protected:
 
 private:
   std::string CheckSettings() const;
+  std::string GiveOutFile(vtkPolyData* output) const;
+  std::string GiveOutShape(vtkPolyData* output) const;
 
   vtkHapticPathSource(const vtkHapticPathSource&) = delete;
   void operator=(const vtkHapticPathSource&) = delete;
