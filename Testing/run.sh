@@ -39,6 +39,27 @@ linker=()
 if command -v ld.gold > /dev/null; then
   linker=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold)
 fi
+
+# The plugin in ParaView, whose traces are compared with those of the build in $build_dir.
+test_paraview()
+{
+  local plugin_dir prefix paraview
+  plugin_dir=$(dirname "$build_dir")/paraview
+  prefix=$plugin_dir-prefix
+  echo "== ParaView's plugin in $plugin_dir"
+  if ! require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev ||
+    ! "$root/Plugin/paraview-prefix.sh" "$prefix"; then
+    echo "!!!! SKIPPED: ParaView could not be installed, so its plugin was neither built nor tested !!!!" >&2
+    return 0
+  fi
+  paraview=$(echo "$prefix"/usr/lib/*/cmake/paraview-*)
+  PATH=$prefix/usr/bin:$PATH PYTHONPATH=$prefix/usr/lib/python3/dist-packages \
+    cmake -S "$root" -B "$plugin_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_PARAVIEW_PLUGIN=ON \
+    -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
+  cmake --build "$plugin_dir" -j "$jobs"
+  run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
+}
+
 echo "== Building in $build_dir"
 cmake -S "$root" -B "$build_dir" -G Ninja "${linker[@]}" -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
 cmake --build "$build_dir" -j "$jobs"
@@ -86,3 +107,4 @@ fi
 
 echo "== Tests"
 run_tests "$build_dir"
+test_paraview
