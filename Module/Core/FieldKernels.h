@@ -34,7 +34,7 @@ VOLUME_HAPTICS_INLINE void LocateSpline(
   const double position[3] = { x, y, z };
   for (int a = 0; a < 3; ++a)
   {
-    const Axis axis = Locate(position[a], view.Last[a]);
+    const Axis axis = Locate(position[a], view.First[a], view.Last[a]);
     const double t = axis.Fraction;
     const double t2 = t * t;
     foot.First[a] = axis.Cell - 1;
@@ -77,12 +77,14 @@ FieldSample SplineGradient(const FieldView& view, double x, double y, double z) 
 
 /** First tap and weights of the Gaussian along one axis, from the kernel's table. */
 VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
-  const KernelView& kernel, double position, double last, int taps, double* weights)
+  const FieldView& view, int axis, double position, int taps, double* weights)
 {
   constexpr int intervals = GradientKernel::Intervals;
-  const Axis axis = Locate(position * intervals, last * intervals);
-  const auto interval = static_cast<std::uint64_t>(axis.Cell);
-  const double t = axis.Fraction;
+  const KernelView& kernel = view.Kernel;
+  const Axis place =
+    Locate(position * intervals, view.First[axis] * intervals, view.Last[axis] * intervals);
+  const auto interval = static_cast<std::uint64_t>(place.Cell);
+  const double t = place.Fraction;
   const double t2 = t * t;
   const int count = 2 * taps;
   const double* const c =
@@ -105,7 +107,7 @@ FieldSample GaussianGradient(const FieldView& view, double x, double y, double z
   const double position[3] = { x, y, z };
   for (int a = 0; a < 3; ++a)
   {
-    foot.First[a] = LocateGaussian(view.Kernel, position[a], view.Last[a], N, foot.Weights[a]);
+    foot.First[a] = LocateGaussian(view, a, position[a], N, foot.Weights[a]);
   }
   FieldSample sample;
   sample.Value = Separable<T, N, true>(view.Volume, foot, &sample.Gradient);
@@ -123,8 +125,7 @@ FieldSample WideGaussianGradient(const FieldView& view, double x, double y, doub
   std::int64_t offset[3][most];
   for (int a = 0; a < 3; ++a)
   {
-    const std::int64_t first =
-      LocateGaussian(view.Kernel, position[a], view.Last[a], taps, weights[a]);
+    const std::int64_t first = LocateGaussian(view, a, position[a], taps, weights[a]);
     for (int i = 0; i < taps; ++i)
     {
       offset[a][i] = ClampedOffset(view.Volume, a, first + i);

@@ -4,6 +4,28 @@
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+std::int64_t SizeOf(ScalarType type)
+{
+  constexpr std::int64_t sizes[] = { 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
+  return sizes[static_cast<int>(type)];
+}
+
+/** Lets the volume's indices lead to the samples of a region; as a number, since nothing may be there. */
+const void* WholeData(const VolumeView& view)
+{
+  std::int64_t elements = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    elements += view.First[axis] * view.Stride[axis];
+  }
+  const auto bytes = static_cast<std::uintptr_t>(elements * SizeOf(view.Type));
+  return reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(view.Data) - bytes);
+}
+
+} // namespace
 
 FieldFunctions SelectBaselineFunctions(const VolumeView&, GradientEstimator, int taps);
 #ifdef VOLUME_HAPTICS_HAS_AVX2
@@ -23,10 +45,14 @@ InstructionSet DetectInstructionSet()
 FieldSampler::FieldSampler(
   const VolumeView& view, const GradientKernel& kernel, InstructionSet instructions)
   : View{ view, kernel.GetView() }
+  , Given(view)
 {
+  this->View.Volume.Data = WholeData(view);
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->View.Last[axis] = static_cast<double>(view.Dimensions[axis] - 1);
+    this->View.First[axis] = static_cast<double>(view.First[axis]);
+    this->View.Last[axis] = static_cast<double>(view.Last(axis));
+    this->Border[axis] = static_cast<double>(view.Border(axis));
   }
 #ifdef VOLUME_HAPTICS_HAS_AVX2
   if (instructions == InstructionSet::AVX2)

@@ -33,9 +33,12 @@ struct FieldSample
 /** What a kernel samples and with which weights; borrows both. */
 struct FieldView
 {
-  VolumeView Volume;
+  VolumeView
+    Volume; ///< with Data where the volume's first sample would be, of which it may only be a region
   KernelView Kernel;
-  double Last[3] = { 0.0, 0.0, 0.0 }; ///< the largest index along each axis
+  double First[3] = { 0.0, 0.0,
+    0.0 }; ///< the smallest and the largest index along each axis that are there
+  double Last[3] = { 0.0, 0.0, 0.0 };
 };
 
 /** Values on both sides of a position, which a tick always needs together. */
@@ -76,7 +79,7 @@ public:
   FieldSampler(const VolumeView& view, const GradientKernel& kernel,
     InstructionSet instructions = DetectInstructionSet());
 
-  /** V at a continuous index, clamped to the border; BorderValue where a sample is not finite. */
+  /** V at a continuous index, clamped to the samples that are there; BorderValue where a sample is not finite. */
   double Value(const Vector3& index) const noexcept
   {
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
@@ -96,25 +99,26 @@ public:
     return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
   }
 
-  /** Whether a continuous index lies within the samples' bounding box. */
+  /** Whether a continuous index lies within the bounding box of the volume's samples, there or not. */
   bool IsInside(const Vector3& index) const noexcept
   {
-    const double* const last = this->View.Last;
+    const double* const last = this->Border;
     return index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 && index.X <= last[0] &&
       index.Y <= last[1] && index.Z <= last[2];
   }
 
-  /** How many voxels an index lies within the border along the axis where it is nearest. */
+  /** How many voxels an index lies within the volume's border along the axis where it is nearest. */
   double DistanceToBorder(const Vector3& index) const noexcept
   {
-    const double* const last = this->View.Last;
+    const double* const last = this->Border;
     const double x = std::min(index.X, last[0] - index.X);
     const double y = std::min(index.Y, last[1] - index.Y);
     const double z = std::min(index.Z, last[2] - index.Z);
     return std::min(std::min(x, y), z);
   }
 
-  const VolumeView& GetView() const noexcept { return this->View.Volume; }
+  /** The samples, as they were given. */
+  const VolumeView& GetView() const noexcept { return this->Given; }
 
 private:
   double Checked(double value) const noexcept
@@ -123,6 +127,8 @@ private:
   }
 
   FieldView View;
+  VolumeView Given;
+  double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   FieldFunctions Functions;
 };
 

@@ -51,7 +51,7 @@ HapticModel::Baked::Baked(const HapticModelDescription& d)
   , Settings(d.Settings)
   , Samples(d.Samples)
   , Mesh(d.Mesh)
-  , Number(NextNumber())
+  , Number(d.Number > 0 ? d.Number : NextNumber())
 {
 }
 
@@ -97,6 +97,8 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
   , InverseRadius(1.0 / this->Kernel.Radius)
   , GradientToReach(this->KernelLength * (this->DeviceToIndex.Linear * this->GradientToDevice))
   , FallbackReach(this->DeviceToIndex.Linear * (this->KernelLength * this->FallbackNormal))
+  , Resident(this->Field.GetView())
+  , ReadReach(FindReadReach(*this))
 {
 }
 

@@ -17,6 +17,7 @@
 #include "FieldSampler.h"
 #include "ForceCaps.h"
 #include "PiecewiseTable.h"
+#include "Residency.h"
 
 #include <memory>
 
@@ -104,6 +105,11 @@ struct HapticModelDescription
   HapticMaterial Material;
   HapticSettings Settings;
   std::shared_ptr<const SurfaceMesh> Mesh; ///< in the world; for HapticMethod::SurfaceProxy
+  /**
+   * 0, or the BakedNumber of a model of another region of the same volume, with the same material and settings: a
+   * servo goes on from one to the other as if it had the whole.
+   */
+  std::uint64_t Number = 0;
 };
 
 class HapticModel
@@ -151,7 +157,7 @@ public:
   const SurfaceMesh* const Mesh;         ///< null without one
   const Affine3& IndexToWorld;
   const std::uint64_t
-    BakedNumber; ///< of the volume, the material and the settings; no two have the same
+    BakedNumber; ///< of the volume, the material and the settings; only regions may share one
   const Affine3 DeviceToWorld;
   const Affine3 WorldToDevice;
   const Affine3 DeviceToIndex;
@@ -169,8 +175,10 @@ public:
   const Matrix3 GradientToReach;
   /** x_s - x_p, as index steps, where there is no gradient. */
   const Vector3 FallbackReach;
+  const ResidentBox Resident; ///< see Residency.h
+  const Vector3 ReadReach;    ///< index steps; how far from tip and proxy a tick reads
 
-  /** 0 at the border, rising to 1 one kernel radius inside. */
+  /** 0 at the volume's border, rising to 1 one kernel radius inside. */
   double BorderFade(const Vector3& index) const noexcept
   {
     const double fade = this->Field.DistanceToBorder(index) * this->InverseRadius;

@@ -35,18 +35,18 @@ struct Axis
   double Fraction;
 };
 
-/** Positions outside [0, last] are clamped. */
-VOLUME_HAPTICS_INLINE Axis Locate(double position, double last)
+/** Positions outside [first, last] are clamped; first is not negative. */
+VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
 {
-  const double inside = position > 0.0 ? (position < last ? position : last) : 0.0;
+  const double inside = position > first ? (position < last ? position : last) : first;
   const double cell = Floor(inside);
   return { static_cast<std::int64_t>(cell), inside - cell };
 }
 
 /** The same with a sample behind the cell: the last sample is the end of the cell before it. */
-VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double last)
+VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last)
 {
-  const double inside = position > 0.0 ? (position < last ? position : last) : 0.0;
+  const double inside = position > first ? (position < last ? position : last) : first;
   const double whole = Floor(inside);
   const double cell = whole < last ? whole : last - 1.0;
   return { static_cast<std::int64_t>(cell), inside - cell };
@@ -55,9 +55,9 @@ VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double last)
 template <typename T>
 VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y, double z)
 {
-  const Axis ax = LocateCell(x, view.Last[0]);
-  const Axis ay = LocateCell(y, view.Last[1]);
-  const Axis az = LocateCell(z, view.Last[2]);
+  const Axis ax = LocateCell(x, view.First[0], view.Last[0]);
+  const Axis ay = LocateCell(y, view.First[1], view.Last[1]);
+  const Axis az = LocateCell(z, view.First[2], view.Last[2]);
   const std::int64_t sx = view.Volume.Stride[0];
   const std::int64_t sy = view.Volume.Stride[1];
   const std::int64_t sz = view.Volume.Stride[2];

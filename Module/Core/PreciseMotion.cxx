@@ -78,13 +78,13 @@ bool Surroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
 {
   const Vector3 i = this->Model.DeviceToIndex(a);
   const Vector3 j = this->Model.DeviceToIndex(b);
-  const std::int64_t* const n = this->Model.Field.GetView().Dimensions;
-  const auto beyond = [](double u, double v, std::int64_t count)
+  const VolumeView& view = this->Model.Field.GetView();
+  const auto beyond = [&](double u, double v, int axis)
   {
-    const double last = static_cast<double>(count - 1);
+    const double last = static_cast<double>(view.Border(axis));
     return (u < 0.0 && v < 0.0) || (u > last && v > last);
   };
-  return beyond(i.X, j.X, n[0]) || beyond(i.Y, j.Y, n[1]) || beyond(i.Z, j.Z, n[2]);
+  return beyond(i.X, j.X, 0) || beyond(i.Y, j.Y, 1) || beyond(i.Z, j.Z, 2);
 }
 
 double Surroundings::ToLevel(

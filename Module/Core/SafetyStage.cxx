@@ -88,8 +88,9 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
     // The loop itself stood still: what was felt before is not what is there now.
     this->Last = {};
   }
-  const Vector3 wanted =
-    this->Stale ? Vector3{} : this->Ramp * ClampNorm(input.Force, limits.MaximumForce);
+  const Vector3 wanted = this->Stale
+    ? Vector3{}
+    : this->Ramp * ClampNorm(input.Residency * input.Force, limits.MaximumForce);
   // However slow forces may change, one that nobody controls any more is gone in RetreatTime.
   const double rate = this->Stale
     ? std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime)

@@ -6,14 +6,15 @@
  *
  * In the order in which a force passes:
  * 1. A force or a tip that is not finite gives zero and a fault.
- * 2. The norm is clamped to the smaller of the device's and the user's maximum.
- * 3. The change from the last force is limited (the slew limit).
- * 4. Stiffness and damping are capped where the force is computed: see HapticSettings::Caps.
- * 5. Joint commands are scaled down together, by the back end: SaturateTogether.
- * 6. A tip faster than the limit gives zero and a fault.
- * 7. After arming, and after every gap in the tip's samples, forces rise from zero over RampTime.
+ * 2. Where data are not there, only as much of the force is taken as the residency says (Residency.h).
+ * 3. The norm is clamped to the smaller of the device's and the user's maximum.
+ * 4. The change from the last force is limited (the slew limit).
+ * 5. Stiffness and damping are capped where the force is computed: see HapticSettings::Caps.
+ * 6. Joint commands are scaled down together, by the back end: SaturateTogether.
+ * 7. A tip faster than the limit gives zero and a fault.
+ * 8. After arming, and after every gap in the tip's samples, forces rise from zero over RampTime.
  *
- * The ramp is applied before the slew limit, so that nothing that leaves breaks the limit, except
+ * Residency and ramp are applied before the slew limit, so that nothing that leaves breaks the limit, except
  * on its way to zero: a fault and disarming cut the force at once. Without fresh samples for
  * WatchdogTime the force goes down to zero within the slew limit, in 20 ms at most, and after a pause of
  * the loop that long it starts from zero. A fault holds until Arm.
@@ -48,12 +49,13 @@ struct SafetyLimits
 /** What the stage needs to know of a tick. */
 struct SafetyInput
 {
-  Vector3 Force;        ///< N, as computed
-  Vector3 Tip;          ///< m
-  double Period = 1e-3; ///< s, nominal: what the slew limit and the ramp go by
-  double Elapsed = 0.0; ///< s since the last tick, measured
-  bool Fresh = false;   ///< the tip was measured for this tick
-  bool Lost = false;    ///< the device is gone
+  Vector3 Force;          ///< N, as computed
+  Vector3 Tip;            ///< m
+  double Residency = 1.0; ///< 0 to 1; the share of the force that is to be felt
+  double Period = 1e-3;   ///< s, nominal: what the slew limit and the ramp go by
+  double Elapsed = 0.0;   ///< s since the last tick, measured
+  bool Fresh = false;     ///< the tip was measured for this tick
+  bool Lost = false;      ///< the device is gone
 };
 
 class SafetyStage

@@ -153,11 +153,13 @@ VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::i
   return DotRow<N>(sum, foot.Weights[0]);
 }
 
-/** Offset of a tap along an axis; taps beyond the border replicate the border sample. */
+/** Offset of a tap along an axis; taps beyond the samples that are there replicate the last one. */
 VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axis, std::int64_t tap)
 {
-  const std::int64_t last = view.Dimensions[axis] - 1;
-  return (tap < 0 ? 0 : (tap < last ? tap : last)) * view.Stride[axis];
+  // Not VolumeView's own functions: see FieldKernels.h.
+  const std::int64_t least = view.First[axis];
+  const std::int64_t last = least + view.Dimensions[axis] - 1;
+  return (tap < least ? least : (tap < last ? tap : last)) * view.Stride[axis];
 }
 
 /**
@@ -214,8 +216,9 @@ VOLUME_HAPTICS_INLINE double Separable(
   const std::int64_t* const n = view.Dimensions;
   const std::int64_t* const stride = view.Stride;
   const std::int64_t* const first = foot.First;
-  if (stride[0] == 1 && first[0] >= 0 && first[1] >= 0 && first[2] >= 0 && first[0] + N <= n[0] &&
-    first[1] + N <= n[1] && first[2] + N <= n[2])
+  const auto fits = [&](int a)
+  { return first[a] >= view.First[a] && first[a] + N <= view.First[a] + n[a]; };
+  if (stride[0] == 1 && fits(0) && fits(1) && fits(2))
   {
     const T* const corner =
       static_cast<const T*>(view.Data) + first[0] + first[1] * stride[1] + first[2] * stride[2];

@@ -41,16 +41,18 @@ std::uint64_t ComputeSeal(const ServoSnapshot& s) noexcept
 {
   std::uint64_t seal = Mix(Mix(s.Tick, s.Time), s.Generation);
   seal = Mix(Mix(Mix(seal, s.Record.Tip), s.Record.Proxy), s.Record.Force);
-  seal = Mix(seal, s.Turn);
+  seal = Mix(Mix(seal, s.Turn), s.Residency);
   seal = Mix(Mix(seal, s.Record.Normal), s.Command);
   seal = Mix(Mix(seal, s.Record.GradientMagnitude), s.Record.SurfaceValue);
   seal = Mix(Mix(seal, s.Record.Stiffness), s.Record.SurfaceStrength);
   seal = Mix(Mix(seal, s.Record.NormalForce), s.Record.FrictionForce);
   seal = Mix(Mix(Mix(seal, s.Before.Proxy), s.Before.PreviousTip), s.Record.MediumValue);
-  seal = Mix(Mix(Mix(seal, s.Before.Local.Place), s.Before.Local.Fading), std::uint64_t{ s.Before.Local.Number });
+  seal = Mix(Mix(Mix(seal, s.Before.Local.Place), s.Before.Local.Fading),
+    std::uint64_t{ s.Before.Local.Number });
   const std::uint64_t flags = static_cast<std::uint64_t>(s.Armed) << 1 |
-    static_cast<std::uint64_t>(s.Stale) << 2 | static_cast<std::uint64_t>(s.Before.Enabled) << 3 |
-    static_cast<std::uint64_t>(s.Fault) << 8 | static_cast<std::uint64_t>(s.Device) << 16 |
+    static_cast<std::uint64_t>(s.Stale) << 2 | static_cast<std::uint64_t>(s.Awaiting) << 4 |
+    static_cast<std::uint64_t>(s.Before.Enabled) << 3 | static_cast<std::uint64_t>(s.Fault) << 8 |
+    static_cast<std::uint64_t>(s.Device) << 16 |
     static_cast<std::uint64_t>(s.Record.Contact) << 24 |
     static_cast<std::uint64_t>(s.Record.IsRenewed) << 28 |
     static_cast<std::uint64_t>(s.Buttons) << 32;
@@ -101,13 +103,22 @@ void ServoLoop::FollowCommands() noexcept
   if (command != this->ArmCommandSeen)
   {
     this->ArmCommandSeen = command;
-    if (command & 1)
+    const auto order = static_cast<ArmOrder>(command & 3);
+    if (order == ArmOrder::FadeOut)
+    {
+      this->Servo.FadeOut();
+    }
+    else
+    {
+      this->Servo.Recover();
+    }
+    if (order == ArmOrder::Arm)
     {
       // Re-entry after a fault starts from the tip, without force.
       this->State.Enabled = this->State.Enabled && this->Safety.GetFault() == SafetyFault::None;
       this->Safety.Arm();
     }
-    else
+    else if (order == ArmOrder::Disarm)
     {
       this->Safety.Disarm();
     }
@@ -118,6 +129,7 @@ void ServoLoop::FollowCommands() noexcept
     this->WakeLatency.Reset();
     this->MissedTicks.store(0, std::memory_order_relaxed);
     this->UnfinishedTicks.store(0, std::memory_order_relaxed);
+    this->AbsentTicks.store(0, std::memory_order_relaxed);
     this->StatisticsStart = 0;
   }
   this->Limits.Update();
@@ -152,7 +164,7 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   const HapticModel* const model = this->Current->Model.get();
   if (model)
   {
-    VolumeHaptics::Tick(*model, this->State, sample.Tip, s.Record,
+    this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
       this->Fitter.FindAnswer(*model, this->State.Local));
     this->Fitter.Ask(*model, this->State.Local);
     if (s.Record.IsUnfinished)
@@ -165,17 +177,30 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
     s.Record = TickRecord{};
     s.Record.Tip = s.Record.Proxy = sample.Tip;
     this->State.Enabled = false;
+    this->Servo.Rest(period);
+  }
+  s.Residency = this->Servo.GetShare();
+  s.Awaiting = this->Servo.IsAwaiting();
+  if (s.Awaiting)
+  {
+    this->AbsentTicks.fetch_add(1, std::memory_order_relaxed);
   }
 
   SafetyInput input;
   input.Force = s.Record.Force;
   input.Tip = sample.Tip;
+  input.Residency = s.Residency;
   input.Period = period;
   input.Elapsed = elapsed;
   input.Fresh = sample.Fresh;
   // What Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   s.Command = this->Safety.Apply(input, this->Limits.Read());
+  if (this->Servo.IsFadedOut())
+  {
+    this->Safety.Disarm();
+    this->Servo.Recover();
+  }
   this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
   if (this->WriteLost)
   {

@@ -8,7 +8,7 @@
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
- * - commands (arm, disarm, stop) and limits are single atomics.
+ * - commands (arm, disarm, fade out, stop) and limits are single atomics.
  *
  * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter to
  * the slow loop; ReadState to one reader; Drain to one recorder; everything else to the owner (the GUI
@@ -46,6 +46,8 @@ struct ServoSnapshot
   Vector3 Turn; ///< rad/s, see DeviceSample
   bool Armed = false;
   bool Stale = false;
+  bool Awaiting = false;  ///< force was held back since data were not there
+  double Residency = 1.0; ///< the share of Record.Force that went to the safety stage
   SafetyFault Fault = SafetyFault::None;
   DeviceState Device = DeviceState::Running;
 };
@@ -94,9 +96,19 @@ public:
   }
 
   /** Force may flow, after a ramp; forgets a fault. */
-  void Arm() noexcept { this->Command(true); }
+  void Arm() noexcept { this->Command(ArmOrder::Arm); }
   /** No force from the next tick on. */
-  void Disarm() noexcept { this->Command(false); }
+  void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
+  /** The force goes to zero within ResidentServo::FadeTime; then as Disarm. */
+  void FadeOut() noexcept
+  {
+    // What is disarmed, or is about to be, has nothing to fade.
+    if ((this->ArmCommand.load(std::memory_order_relaxed) & 3) !=
+      static_cast<std::uint64_t>(ArmOrder::Disarm))
+    {
+      this->Command(ArmOrder::FadeOut);
+    }
+  }
 
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
 
@@ -122,6 +134,11 @@ public:
   {
     return this->UnfinishedTicks.load(std::memory_order_relaxed);
   }
+  /** Ticks whose force was held back since data were not there (Residency.h). */
+  std::uint64_t GetAbsentTicks() const noexcept
+  {
+    return this->AbsentTicks.load(std::memory_order_relaxed);
+  }
   std::uint64_t GetMissedTicks() const noexcept
   {
     return this->MissedTicks.load(std::memory_order_relaxed);
@@ -140,12 +157,18 @@ public:
   Privilege GetLockedMemory() const noexcept { return this->LockedMemory.load(); }
 
 private:
+  enum class ArmOrder : std::uint8_t
+  {
+    Disarm = 0,
+    Arm = 1,
+    FadeOut = 2
+  };
   /** From any thread. */
-  void Command(bool arm) noexcept
+  void Command(ArmOrder order) noexcept
   {
     std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
     while (!this->ArmCommand.compare_exchange_weak(
-      last, ((last >> 1) + 1) << 1 | (arm ? 1 : 0), std::memory_order_release))
+      last, ((last >> 2) + 1) << 2 | static_cast<std::uint64_t>(order), std::memory_order_release))
     {
     }
   }
@@ -165,7 +188,7 @@ private:
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> Recording{ false };
   std::atomic<bool> ResetRequested{ false };
-  std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bit whether to arm
+  std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bits an ArmOrder
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<ServoSnapshot> Latest;
   TraceRing<ServoSnapshot> Trace;
@@ -173,6 +196,7 @@ private:
   // The servo's own.
   const PublishedModel* Current = nullptr;
   ServoState State;
+  ResidentServo Servo;
   bool HasSample = false; ///< a fresh one, ever
   SafetyStage Safety;
   ServoSnapshot Snapshot;
@@ -186,6 +210,7 @@ private:
   std::atomic<std::uint64_t> TickCount{ 0 };
   std::atomic<std::uint64_t> MissedTicks{ 0 };
   std::atomic<std::uint64_t> UnfinishedTicks{ 0 };
+  std::atomic<std::uint64_t> AbsentTicks{ 0 };
   std::atomic<double> TickRate{ 0.0 };
   std::atomic<Privilege> RealTimePriority{ Privilege::Unknown };
   std::atomic<Privilege> LockedMemory{ Privilege::Unknown };

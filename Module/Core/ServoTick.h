@@ -87,7 +87,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
 
 /**
  * Takes the state from one placement of the device to another. The proxy rests on the volume: when the
- * volume moves under the hand, it goes along.
+ * volume moves under the hand, it goes along. From one region of a volume to another the state stays as it is.
  */
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept;
 

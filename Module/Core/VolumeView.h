@@ -31,6 +31,10 @@ enum class ScalarType : std::uint8_t
  * One component of a structured point array. The sample with index (i, j, k) stands
  * i*Stride[0] + j*Stride[1] + k*Stride[2] elements of `Type` behind `Data`. Indices run from 0 to
  * Dimensions - 1, whatever extent the image had: the index-to-space maps account for that.
+ *
+ * A view may be of a region of a larger volume. Its indices are then the volume's: they count from First, and the
+ * sample that `Data` points to has the index First. So whatever is read in a region is read as in the whole, to the
+ * bit.
  */
 struct VolumeView
 {
@@ -38,8 +42,21 @@ struct VolumeView
   ScalarType Type = ScalarType::Float64;
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   std::int64_t Stride[3] = { 0, 0, 0 };
+  std::int64_t First[3] = { 0, 0, 0 };
+  /** Samples of the whole volume, of which these are a region; 0 where there are no others. */
+  std::int64_t Whole[3] = { 0, 0, 0 };
   /** What counts as the value where a sample is NaN or infinite (SPEC 2, ruling 8). */
   double BorderValue = 0.0;
+
+  /** The largest index along an axis: of a sample that is here, and of the volume. */
+  std::int64_t Last(int axis) const noexcept
+  {
+    return this->First[axis] + this->Dimensions[axis] - 1;
+  }
+  std::int64_t Border(int axis) const noexcept
+  {
+    return this->Whole[axis] > 0 ? this->Whole[axis] - 1 : this->Last(axis);
+  }
 };
 
 } // namespace VolumeHaptics

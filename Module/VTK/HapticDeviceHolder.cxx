@@ -124,6 +124,15 @@ void HapticDeviceHolder::Arm(bool on)
   }
 }
 
+void HapticDeviceHolder::FadeOut()
+{
+  this->ArmWanted = false;
+  if (this->Session)
+  {
+    this->Session->GetLoop().FadeOut();
+  }
+}
+
 void HapticDeviceHolder::Home()
 {
   if (this->Backend)

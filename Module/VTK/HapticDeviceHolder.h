@@ -44,6 +44,7 @@ public:
   double GetRate() const { return this->Rate; }
 
   void Arm(bool on);
+  void FadeOut();
   /** Whether it is open and, as far as is known now, can be felt. */
   bool IsReady() const
   {
@@ -63,6 +64,7 @@ public:
   const ServoSnapshot& GetState() const { return this->State; }
   int GetButtons() const { return static_cast<int>(this->State.Buttons); }
   int GetContact() const { return static_cast<int>(this->State.Record.Contact); }
+  double GetResidency() const { return this->State.Residency; }
   long long GetTick() const { return static_cast<long long>(this->State.Tick); }
 
   /** Every state since the last call, as rows of a table: see vtkHapticDevice::DrainStates. */

@@ -128,6 +128,12 @@ std::string HapticDeviceHolder::GetStatusText() const
     text = this->State.Armed ? "Active: " + this->Id + "."
                              : "Running: " + this->Id + ". Arm() lets force through.";
   }
+  if (this->State.Awaiting)
+  {
+    text += this->State.Residency > 0.0
+      ? " The data around the tip are awaited: the force fades."
+      : " The data around the tip are awaited: no force until then.";
+  }
   ServoLoop& loop = this->Session->GetLoop();
   text += std::string(" Real-time priority ") + DescribePrivilege(loop.GetRealTimePriority()) +
     ", locked memory " + DescribePrivilege(loop.GetLockedMemory()) + ".";

@@ -4,6 +4,7 @@
 
 #include "HapticFunctions.h"
 #include "HapticNoise.h"
+#include "HapticRegion.h"
 #include "HapticSurface.h"
 #include "HapticVolumeView.h"
 #include "SurfaceMesh.h"
@@ -88,12 +89,14 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 }
 
 /** Keeps noise from being felt where nobody has said from which gradient on there is a surface. */
-void BakeNoiseRamp(vtkHapticProperty* property, vtkDataArray* scalars, HapticModelDescription& d)
+void BakeNoiseRamp(vtkHapticProperty* property, vtkDataArray* scalars, const WholeFacts& whole,
+  HapticModelDescription& d)
 {
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
   {
-    const double noise = EstimateNoise(scalars, d.View, property->GetComponent());
+    const double noise =
+      whole.IsThere ? whole.Noise : EstimateNoise(scalars, d.View, property->GetComponent());
     ramp = MakeNoiseRamp(noise, HapticModel::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())
@@ -119,7 +122,10 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
       0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   }
   d.Settings.HasIsoSurface = options.Surface == nullptr;
-  const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue };
+  const std::int64_t* const first = d.View.First;
+  const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue,
+    { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
+    !ResidentBox(d.View).IsWhole() };
   d.Mesh = options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error);
   if (!d.Mesh)
   {
@@ -154,10 +160,18 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
 {
   HapticModelDescription d;
+  WholeFacts whole;
   if (!MakeVolumeView(image, scalars, property->GetComponent(), d.View, error) ||
-    !MakeIndexToWorld(image, d.IndexToWorld, error) || !BakeFunctions(property, d.Material, error))
+    !ReadWholeFacts(image, property->GetComponent(), whole, error) ||
+    !MakeIndexToWorld(
+      image, whole.IsThere ? whole.Extent : image->GetExtent(), d.IndexToWorld, error) ||
+    !BakeFunctions(property, d.Material, error))
   {
     return nullptr;
+  }
+  if (whole.IsThere)
+  {
+    PlaceInWhole(image, whole, d.View);
   }
   const std::int64_t* const n = d.View.Dimensions;
   const std::int64_t needed = 2 * options.KernelRadius + 1;
@@ -167,7 +181,8 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     message << "The kernel is larger than the input image: a KernelRadius of "
             << options.KernelRadius << " needs " << needed
             << " points along every axis, and the image is " << n[0] << " x " << n[1] << " x "
-            << n[2] << ". Lower KernelRadius or use a larger image.";
+            << n[2] << ". Lower KernelRadius or use a larger image"
+            << (ResidentBox(d.View).IsWhole() ? "." : ", here a larger region of the volume.");
     error = message.str();
     return nullptr;
   }
@@ -182,8 +197,16 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   {
     return nullptr;
   }
-  BakeNoiseRamp(property, scalars, d);
-  return std::make_shared<const HapticModel>(d);
+  BakeNoiseRamp(property, scalars, whole, d);
+  const std::string array =
+    std::to_string(property->GetComponent()) + (scalars->GetName() ? scalars->GetName() : "");
+  d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;
+  auto model = std::make_shared<const HapticModel>(d);
+  if (options.Regions)
+  {
+    options.Regions->Note(d, whole, array, model->BakedNumber);
+  }
+  return model;
 }
 
 } // namespace VolumeHaptics

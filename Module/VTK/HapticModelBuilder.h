@@ -19,6 +19,7 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 class HapticSurface;
+class RegionSeries;
 
 struct HapticModelOptions
 {
@@ -29,6 +30,7 @@ struct HapticModelOptions
     Settings; ///< the surface side is taken from the property; a radius of 0 is half a voxel
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
+  RegionSeries* Regions = nullptr;   ///< of the models before, where the image may be a region
 };
 
 /**

@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 
 #include <cmath>
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -29,6 +30,31 @@ constexpr double Squares[3] = { 5, 10, 14 };
 /** The products of degree 2 at most. */
 constexpr int Terms[Quadratic][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } };
+
+/** Where the blocks of a volume are along an axis. */
+struct BlockAxis
+{
+  static constexpr std::int64_t None = -1;
+
+  explicit BlockAxis(std::int64_t count)
+    : Last(count - 1)
+    , Step(std::max<std::int64_t>(Side, count / MostBlocksAlongAnAxis))
+    , Blocks(count < Side ? 0 : (count - Side) / this->Step + 1)
+  {
+  }
+
+  /** The block that has an index in it, or None. */
+  std::int64_t Find(std::int64_t index) const
+  {
+    const std::int64_t block = index / this->Step;
+    return block < this->Blocks && index - block * this->Step < Side ? block : None;
+  }
+  bool IsEnd(std::int64_t index) const { return index == 0 || index == this->Last; }
+
+  std::int64_t Last;
+  std::int64_t Step;
+  std::int64_t Blocks;
+};
 
 /** The sum of squares that is left of a block when the best quadratic is taken off. */
 double Remainder(const double* block)
@@ -109,41 +135,129 @@ static_assert(GradientKernel::Intervals == 32, "NoiseGain reads one position per
 
 double EstimateNoise(vtkDataArray* scalars, const VolumeView& view, int component)
 {
-  const std::int64_t* const n = view.Dimensions;
-  std::int64_t step[3];
+  int extent[6];
   for (int a = 0; a < 3; ++a)
   {
-    if (n[a] < Side)
+    extent[2 * a] = 0;
+    extent[2 * a + 1] = static_cast<int>(view.Dimensions[a] - 1);
+  }
+  WholeSamples samples;
+  CollectSamples(scalars, component, extent, extent, samples);
+  return EstimateNoise(samples);
+}
+
+void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], const int whole[6],
+  WholeSamples& samples)
+{
+  std::int64_t n[3];    // of the piece
+  std::int64_t from[3]; // of its first sample, in the whole
+  std::vector<std::int64_t> wanted[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    n[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
+    from[a] = std::int64_t{ extent[2 * a] } - whole[2 * a];
+    samples.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
+    const BlockAxis axis(samples.Dimensions[a]);
+    for (std::int64_t i = 0; i < n[a]; ++i)
     {
-      return 0.0;
+      if (axis.Find(from[a] + i) != BlockAxis::None || axis.IsEnd(from[a] + i))
+      {
+        wanted[a].push_back(i);
+      }
     }
-    step[a] = std::max<std::int64_t>(Side, n[a] / MostBlocksAlongAnAxis);
+  }
+  const BlockAxis axes[3] = { BlockAxis(samples.Dimensions[0]), BlockAxis(samples.Dimensions[1]),
+    BlockAxis(samples.Dimensions[2]) };
+  for (const std::int64_t k : wanted[2])
+  {
+    for (const std::int64_t j : wanted[1])
+    {
+      for (const std::int64_t i : wanted[0])
+      {
+        const std::int64_t at[3] = { from[0] + i, from[1] + j, from[2] + k };
+        bool isInBlock = true;
+        bool isCorner = true;
+        for (int a = 0; a < 3; ++a)
+        {
+          isInBlock = isInBlock && axes[a].Find(at[a]) != BlockAxis::None;
+          isCorner = isCorner && axes[a].IsEnd(at[a]);
+        }
+        if (isInBlock || isCorner)
+        {
+          samples.Places.push_back(
+            at[0] + samples.Dimensions[0] * (at[1] + samples.Dimensions[1] * at[2]));
+          samples.Values.push_back(scalars->GetComponent(i + n[0] * (j + n[1] * k), component));
+        }
+      }
+    }
   }
   double range[2];
   scalars->GetRange(range, component);
-  std::vector<double> left;
-  double block[Samples];
-  for (std::int64_t z = 0; z + Side <= n[2]; z += step[2])
+  samples.MergeRange(range);
+}
+
+double FindBorderValue(const WholeSamples& samples)
+{
+  const std::int64_t* const n = samples.Dimensions;
+  int first = 8;
+  double value = 0.0;
+  for (std::size_t s = 0; s < samples.Places.size(); ++s)
   {
-    for (std::int64_t y = 0; y + Side <= n[1]; y += step[1])
+    const std::int64_t place = samples.Places[s];
+    const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
+    int corner = 0;
+    bool isCorner = true;
+    for (int a = 0; a < 3; ++a)
     {
-      for (std::int64_t x = 0; x + Side <= n[0]; x += step[0])
-      {
-        bool isFlat = true;
-        bool isFinite = true;
-        for (int i = 0; i < Samples; ++i)
-        {
-          const std::int64_t tuple =
-            (x + i % Side) + n[0] * ((y + i / Side % Side) + n[1] * (z + i / (Side * Side)));
-          block[i] = scalars->GetComponent(tuple, component);
-          isFlat = isFlat && block[i] == block[0];
-          isFinite = isFinite && std::isfinite(block[i]);
-        }
-        if (isFinite && !(isFlat && (block[0] == range[0] || block[0] == range[1])))
-        {
-          left.push_back(isFlat ? 0.0 : Remainder(block));
-        }
-      }
+      isCorner = isCorner && (at[a] == 0 || at[a] == n[a] - 1);
+      corner |= at[a] == 0 ? 0 : 1 << a;
+    }
+    if (isCorner && corner < first && std::isfinite(samples.Values[s]))
+    {
+      first = corner;
+      value = samples.Values[s];
+    }
+  }
+  return value;
+}
+
+double EstimateNoise(const WholeSamples& samples)
+{
+  const std::int64_t* const n = samples.Dimensions;
+  const BlockAxis axes[3] = { BlockAxis(n[0]), BlockAxis(n[1]), BlockAxis(n[2]) };
+  const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
+  constexpr double missing = std::numeric_limits<double>::infinity();
+  std::vector<double> all(static_cast<std::size_t>(blocks * Samples), missing);
+  for (std::size_t s = 0; s < samples.Places.size(); ++s)
+  {
+    const std::int64_t place = samples.Places[s];
+    const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
+    const std::int64_t x = axes[0].Find(at[0]);
+    const std::int64_t y = axes[1].Find(at[1]);
+    const std::int64_t z = axes[2].Find(at[2]);
+    if (x != BlockAxis::None && y != BlockAxis::None && z != BlockAxis::None)
+    {
+      const std::int64_t block = x + axes[0].Blocks * (y + axes[1].Blocks * z);
+      const std::int64_t sample = at[0] - x * axes[0].Step +
+        Side * (at[1] - y * axes[1].Step + Side * (at[2] - z * axes[2].Step));
+      all[static_cast<std::size_t>(block * Samples + sample)] = samples.Values[s];
+    }
+  }
+  const double* const range = samples.Range;
+  std::vector<double> left;
+  for (std::int64_t b = 0; b < blocks; ++b)
+  {
+    const double* const block = &all[static_cast<std::size_t>(b * Samples)];
+    bool isFlat = true;
+    bool isFinite = true;
+    for (int i = 0; i < Samples; ++i)
+    {
+      isFlat = isFlat && block[i] == block[0];
+      isFinite = isFinite && std::isfinite(block[i]);
+    }
+    if (isFinite && !(isFlat && (block[0] == range[0] || block[0] == range[1])))
+    {
+      left.push_back(isFlat ? 0.0 : Remainder(block));
     }
   }
   if (left.empty())

@@ -8,6 +8,7 @@
 #define HapticNoise_h
 
 #include "HapticModel.h"
+#include "WholeSamples.h"
 
 class vtkDataArray;
 
@@ -21,6 +22,19 @@ namespace VolumeHaptics
  * and for images of less than 5 samples along an axis.
  */
 double EstimateNoise(vtkDataArray* scalars, const VolumeView& view, int component);
+
+/** The same from what all pieces of a volume gave; blocks that are not whole do not count. */
+double EstimateNoise(const WholeSamples& samples);
+
+/** The first finite value among the corners of a volume that were given; 0 where there is none. */
+double FindBorderValue(const WholeSamples& samples);
+
+/**
+ * Adds what one piece of a volume holds: samples of noise blocks and corners, and its range. The array has a tuple
+ * for every sample of `extent`, whose indices count as those of `whole`.
+ */
+void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], const int whole[6],
+  WholeSamples& samples);
 
 /**
  * The ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4 sigma_g, which a

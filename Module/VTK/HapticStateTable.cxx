@@ -11,7 +11,7 @@ namespace VolumeHaptics
 StateTable::StateTable()
 {
   static const char* const scalars[] = { "Time", "Tick", "NormalForce", "FrictionForce",
-    "DragForce", "SurfaceValue", "Contact", "Armed", "Fault" };
+    "DragForce", "SurfaceValue", "Contact", "Armed", "Fault", "Residency" };
   static const char* const vectors[] = { "Tip", "Proxy", "Force", "Command" };
   for (int i = 0; i < Scalars; ++i)
   {
@@ -31,8 +31,8 @@ void StateTable::Append(const ServoSnapshot& state, const Affine3& toWorld)
   const TickRecord& record = state.Record;
   const double scalars[Scalars] = { state.Time, static_cast<double>(state.Tick), record.NormalForce,
     record.FrictionForce, record.DragForce, record.SurfaceValue,
-    static_cast<double>(record.Contact), state.Armed ? 1.0 : 0.0,
-    static_cast<double>(state.Fault) };
+    static_cast<double>(record.Contact), state.Armed ? 1.0 : 0.0, static_cast<double>(state.Fault),
+    state.Residency };
   const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
   const Vector3 vectors[Vectors] = { toWorld(record.Tip), toWorld(record.Proxy),
     rotation * record.Force, rotation * state.Command };

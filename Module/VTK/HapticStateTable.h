@@ -42,6 +42,7 @@ private:
     Contact,
     Armed,
     Fault,
+    Residency,
     Scalars
   };
   enum Vector

@@ -114,7 +114,14 @@ std::shared_ptr<const SurfaceMesh> MeshOf(
 {
   // Found in steps of the index: what stands where in the world is the image's geometry, whole.
   vtkNew<vtkImageData> samples;
-  samples->SetDimensions(iso.Image->GetDimensions());
+  // Where a region has its samples in the whole: what is found is then the same, to the bit.
+  int extent[6];
+  for (int a = 0; a < 3; ++a)
+  {
+    extent[2 * a] = iso.First[a];
+    extent[2 * a + 1] = iso.First[a] + iso.Image->GetDimensions()[a] - 1;
+  }
+  samples->SetExtent(extent);
   samples->GetPointData()->SetScalars(iso.Scalars);
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(samples);
@@ -127,6 +134,11 @@ std::shared_ptr<const SurfaceMesh> MeshOf(
   const auto mesh = edges->GetOutput()->GetNumberOfPoints() > 0
     ? MakeMesh(edges->GetOutput(), indexToWorld, Transpose(Inverse(indexToWorld.Linear)))
     : nullptr;
+  if (iso.MayBeEmpty && !mesh)
+  {
+    return std::make_shared<SurfaceMesh>(
+      std::vector<Vector3>(), std::vector<SurfaceMesh::Indices>(), std::vector<Vector3>());
+  }
   if (!mesh || mesh->GetNumberOfTriangles() == 0)
   {
     double range[2];

@@ -30,6 +30,9 @@ struct IsoSurface
   vtkDataArray* Scalars;
   int Component;
   double Value;
+  /** Index of the image's first sample, as indexToWorld counts; not 0 for a region of a larger volume. */
+  int First[3] = { 0, 0, 0 };
+  bool MayBeEmpty = false; ///< in a region there may just be none
 };
 
 /** Makes meshes, and keeps the last one for as long as nothing that it came from changes. */

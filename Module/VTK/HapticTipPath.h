@@ -69,10 +69,15 @@ public:
   double GetTime() const;
 
 private:
+  void Step(
+    const HapticModel& model, const Vector3& tip, TickRecord& record, const LocalAnswer& answer);
+
   const TipPath& Path;
   const double Period;
   std::size_t Next = 0;
   ServoState State;
+  ResidentServo Servo;
+  TickRecord Whole; ///< of the last tick, with the force before the residency takes its share
 };
 
 } // namespace VolumeHaptics

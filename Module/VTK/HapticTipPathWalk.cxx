@@ -18,7 +18,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
   const std::size_t i = this->Next++;
   if (!this->Path.IsRecording)
   {
-    VolumeHaptics::Tick(*model, this->State, model->WorldToDevice(this->Path.Tips[i]), record);
+    this->Step(*model, model->WorldToDevice(this->Path.Tips[i]), record, LocalAnswer::Simulated());
     return model;
   }
   // What the servo did, in its order: first the model, then enabling, then the tick.
@@ -44,8 +44,19 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
     surface = FitLocalSurface(*model, this->State.Local.Asked);
     answer.Surface = &surface;
   }
-  VolumeHaptics::Tick(*model, this->State, this->Path.Tips[i], record, answer);
+  this->Step(*model, this->Path.Tips[i], record, answer);
   return model;
+}
+
+void TipPathWalk::Step(
+  const HapticModel& model, const Vector3& tip, TickRecord& record, const LocalAnswer& answer)
+{
+  this->Servo.Tick(model, this->State, tip, model.Settings.TickPeriod, this->Whole, answer);
+  record = this->Whole;
+  if (this->Servo.GetShare() < 1.0)
+  {
+    record.Force = this->Servo.GetShare() * record.Force;
+  }
 }
 
 double TipPathWalk::GetTime() const

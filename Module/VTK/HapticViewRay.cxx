@@ -84,6 +84,12 @@ bool FindFirstContact(
   for (int i = 0; i <= steps; ++i)
   {
     const Vector3 tip = start + (i * step) * sight;
+    if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
+    {
+      // What is not here is not felt.
+      state.Enabled = false;
+      continue;
+    }
     Tick(*model, state, model->WorldToDevice(tip), record);
     if (record.Contact != ContactState::Free)
     {

@@ -151,11 +151,10 @@ bool MakeVolumeView(
   return false;
 }
 
-bool MakeIndexToWorld(vtkImageData* image, Affine3& map, std::string& error)
+bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, std::string& error)
 {
   const double* const spacing = image->GetSpacing();
   const double* const origin = image->GetOrigin();
-  const int* const extent = image->GetExtent();
   const double* const direction = image->GetDirectionMatrix()->GetData();
   for (int i = 0; i < 3; ++i)
   {

@@ -24,8 +24,11 @@ namespace VolumeHaptics
 bool MakeVolumeView(
   vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view, std::string& error);
 
-/** From the index that counts from 0 to the world. False, with an error, for a broken geometry. */
-bool MakeIndexToWorld(vtkImageData* image, Affine3& map, std::string& error);
+/**
+ * From the index that counts from 0 at the beginning of an extent (the image's own, or that of the whole volume) to
+ * the world. False, with an error, for a broken geometry.
+ */
+bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, std::string& error);
 
 /**
  * From the device (m) to the world. False, with an error, unless the matrix is a rotation, a

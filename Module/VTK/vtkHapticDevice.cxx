@@ -129,6 +129,13 @@ bool vtkHapticDevice::Publish()
   }
   if (HapticSession* session = d.Holder.GetSession())
   {
+    if (session->IsRecording() && model && !model->Resident.IsWhole())
+    {
+      vtkErrorMacro("A recording is under way, and recordings can't be of a region of a larger "
+                    "volume: no single "
+                    "image could replay them. StopRecording() first.");
+      return false;
+    }
     session->Publish(std::move(model));
   }
   return true;
@@ -194,6 +201,12 @@ void vtkHapticDevice::Disarm()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::FadeOut()
+{
+  this->Internals->Holder.FadeOut();
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::Home()
 {
   this->Internals->Holder.Home();
@@ -244,6 +257,7 @@ vtkHapticDeviceStateMacro(double, DragForce, GetState().Record.DragForce);
 vtkHapticDeviceStateMacro(double*, Normal, Normal);
 vtkHapticDeviceStateMacro(double*, SurfacePosition, SurfacePosition);
 vtkHapticDeviceStateMacro(double*, MediumPosition, MediumPosition);
+vtkHapticDeviceStateMacro(double, Residency, GetResidency());
 vtkHapticDeviceStateMacro(vtkIdType, Tick, GetTick());
 vtkHapticDeviceStateMacro(double, Time, GetState().Time);
 

@@ -129,6 +129,12 @@ public:
   void Disarm();
   ///@}
 
+  /**
+   * Let the force go to zero within 50 ms, and then disarm: for data that will not come any more, as of a server that is
+   * gone.
+   */
+  void FadeOut();
+
   /** Look for the zero of a real device's encoders anew, with the hand's help; disarms. */
   void Home();
 
@@ -215,13 +221,19 @@ public:
   double* GetSurfacePosition() VTK_SIZEHINT(3);
   double* GetMediumPosition() VTK_SIZEHINT(3);
   ///@}
+  /**
+   * Of the latest state: the share of the force, 0 to 1, that was let through since the data around the tip are here. 1
+   * where the image is no region of a larger volume (vtkHapticRegionFilter), 0 where they are not here. Changes by 1 in 50 ms
+   * at most.
+   */
+  double GetResidency();
   /** Of the latest state: its number since Start, and its time (s). */
   vtkIdType GetTick();
   double GetTime();
 
   /**
    * Every state since the last call, oldest first, as rows of a table that is overwritten: columns Time
-   * (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, and with
+   * (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, Residency, and with
    * three components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The
    * first call begins to keep states. Where nobody calls for 100000 ticks, the oldest are dropped.
    */
@@ -249,7 +261,9 @@ public:
    * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
    * writes it to a .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp
    * on port 1 of vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but
-   * the placement of the device changed while it was made. Needs a running servo and a filter.
+   * the placement of the device changed while it was made. Needs a running servo and a filter. Refused, with an error,
+   * while a region of a larger volume is touched, and so is Publish() of one during a recording: what was felt hangs
+   * on every region that came and when, of which no single image on port 0 could tell again.
    */
   bool StartRecording(const char* file);
   bool StopRecording();
@@ -259,13 +273,15 @@ public:
   /**
    * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration
    * (s) that a percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to
-   * 1/8 of it; ticks that were left out because the loop was late; and ticks that solver PRECISE could not
+   * 1/8 of it; ticks that were left out because the loop was late; ticks whose force was held back since the data
+   * around the tip were not here (GetResidency); and ticks that solver PRECISE could not
    * finish (a tip that jumps by tens of voxels), which the next ones did.
    */
   double GetTickRate();
   double GetTickPercentile(double p);
   double GetWakePercentile(double p);
   vtkIdType GetMissedTicks();
+  vtkIdType GetAbsentTicks();
   vtkIdType GetUnfinishedTicks();
   void ResetStatistics();
   ///@}

@@ -75,8 +75,18 @@ bool vtkHapticDevice::StartRecording(const char* file)
   }
   if (!session->GetLatestModel())
   {
-    vtkErrorMacro("There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
-                  "of what is felt.");
+    vtkErrorMacro(
+      "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
+      "of what is felt.");
+    return false;
+  }
+  if (!session->GetLatestModel()->Resident.IsWhole())
+  {
+    vtkErrorMacro("A region of a larger volume can't be recorded: what is felt hangs on every "
+                  "region that comes and "
+                  "when, which no single image could replay. Connect the whole volume to the "
+                  "filter and Publish() it, "
+                  "or keep the states with DrainStates().");
     return false;
   }
   if (GetTraceEnding(name).empty())
@@ -153,6 +163,13 @@ vtkIdType vtkHapticDevice::GetMissedTicks()
 {
   HapticSession* const session = this->Internals->Holder.GetSession();
   return session ? static_cast<vtkIdType>(session->GetLoop().GetMissedTicks()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticDevice::GetAbsentTicks()
+{
+  HapticSession* const session = this->Internals->Holder.GetSession();
+  return session ? static_cast<vtkIdType>(session->GetLoop().GetAbsentTicks()) : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "HapticHash.h"
 #include "HapticModelBuilder.h"
+#include "HapticRegion.h"
 #include "HapticSurface.h"
 #include "HapticTipPath.h"
 #include "HapticTrace.h"
@@ -27,6 +28,7 @@ vtkStandardNewMacro(vtkVolumeHapticsFilter);
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   : Surfaces(new VolumeHaptics::HapticSurface)
+  , Regions(new VolumeHaptics::RegionSeries)
 {
   this->SetNumberOfInputPorts(3);
   this->SetInputArrayToProcess(
@@ -124,6 +126,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Settings.LocalSurfaceRate = this->LocalSurfaceRate;
   options.Settings.RecoveryTime = this->RecoveryTime;
   options.Surfaces = this->Surfaces.get();
+  options.Regions = this->Regions.get();
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
 }

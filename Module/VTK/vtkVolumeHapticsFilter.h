@@ -43,7 +43,9 @@
  *
  * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
  * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is not
- * copied.
+ * copied. It may be a region of a larger volume, as vtkHapticRegionFilter makes it: what is felt there is what is felt
+ * in the whole, to the bit. Where the data that a tick needs are not in the region, the force fades within 50 ms, the
+ * proxy is on the tip, and force comes back in the same way.
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. A recording of
@@ -80,7 +82,7 @@
  * can't be touched gives one error that names the input and the cure, and an empty output. A long
  * path reports progress and can be aborted; the output then ends where it was aborted.
  *
- * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice
+ * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter
  */
 #ifndef vtkVolumeHapticsFilter_h
 #define vtkVolumeHapticsFilter_h
@@ -100,6 +102,7 @@ namespace VolumeHaptics
 {
 class HapticModel;
 class HapticSurface;
+class RegionSeries;
 struct Affine3;
 struct ForceCaps;
 } // namespace VolumeHaptics
@@ -160,6 +163,7 @@ private:
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
   vtkMTimeType LastBakedTime = 0;
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
+  std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
 #endif
 
   vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;

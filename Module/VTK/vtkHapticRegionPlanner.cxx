@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticRegionPlanner.h"
+
+#include "HapticFunctions.h"
+#include "HapticRegion.h"
+#include "LocalSurface.h"
+#include "RegionPlan.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkHapticRegionPlanner);
+
+using namespace VolumeHaptics;
+
+namespace
+{
+/** No hand stretches the spring further (m) where nothing limits the force. */
+constexpr double LongestSpring = 0.05;
+/** What a kernel reads beyond its radius, and a spare (voxels). */
+constexpr double Spare = 3.0;
+
+Matrix3 IndexToWorld(const double direction[9], const double spacing[3])
+{
+  Matrix3 m;
+  for (int i = 0; i < 3; ++i)
+  {
+    m.Row[i] = { direction[3 * i] * spacing[0], direction[3 * i + 1] * spacing[1],
+      direction[3 * i + 2] * spacing[2] };
+  }
+  return m;
+}
+
+RegionNeeds NeedsOf(vtkHapticRegionPlanner* p)
+{
+  RegionNeeds needs;
+  needs.MaximumSpeed = p->GetMaximumSpeed() / p->GetMetersPerWorldUnit();
+  needs.Latency = p->GetLatency();
+  needs.SpringLength = p->GetSpringLength();
+  needs.Reach = p->GetReach();
+  needs.Band = p->GetBand();
+  needs.MostVoxels = static_cast<double>(p->GetMaximumVoxels());
+  return needs;
+}
+
+/** The largest (T_N sqrt(1 + mu^2) + R) / k, in metres: between points of the functions it is no larger. */
+double FindSpring(vtkHapticProperty* property)
+{
+  vtkPiecewiseFunction* const k = property->GetStiffness();
+  vtkPiecewiseFunction* const functions[] = { k, property->GetSurfaceStrength(),
+    property->GetFriction(), property->GetViscosity() };
+  const double defaults[] = { 500.0, 2.0, 0.0, 0.0 };
+  const auto at = [&](int i, double x)
+  { return functions[i]->GetSize() > 0 ? functions[i]->GetValue(x) : defaults[i]; };
+  std::vector<double> places = { 0.0 };
+  double drag = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int n = 0; n < functions[i]->GetSize(); ++n)
+    {
+      double node[4];
+      functions[i]->GetNodeValue(n, node);
+      places.push_back(node[0]);
+      drag = i == 3 ? std::max(drag, node[1]) : drag;
+    }
+  }
+  double longest = 0.0;
+  for (const double x : places)
+  {
+    const double stiffness = at(0, x);
+    const double mu = at(2, x);
+    const double force = at(1, x) * std::sqrt(1.0 + mu * mu) + drag;
+    longest =
+      stiffness > HapticModel::MinimumStiffness ? std::max(longest, force / stiffness) : longest;
+  }
+  return std::min(longest, LongestSpring);
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionPlanner::SetWhole(vtkImageData* image)
+{
+  WholeFacts facts;
+  std::string error;
+  if (!image || !ReadWholeFacts(image, 0, facts, error))
+  {
+    vtkErrorMacro(<< (image ? error : "There is no image to take the whole volume from."));
+    return false;
+  }
+  this->SetWholeExtent(facts.IsThere ? facts.Extent : image->GetExtent());
+  this->SetOrigin(image->GetOrigin());
+  this->SetSpacing(image->GetSpacing());
+  this->SetDirection(image->GetDirectionMatrix()->GetData());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
+{
+  if (!filter)
+  {
+    vtkErrorMacro("There is no filter to take the settings of.");
+    return;
+  }
+  const Matrix3 toWorld = IndexToWorld(this->Direction, this->Spacing);
+  const double voxel = LargestColumn(toWorld);
+  const double radius = filter->GetKernelRadius();
+  this->SetMetersPerWorldUnit(filter->GetMetersPerWorldUnit());
+  const int method = filter->GetMethod();
+  const bool isSurface = method == vtkVolumeHapticsFilter::SURFACE_PROXY ||
+    method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
+  const double spring = isSurface ? LongestSpring : FindSpring(filter->GetProperty());
+  this->SetSpringLength(spring / this->MetersPerWorldUnit);
+  double voxels = radius + Spare;
+  if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
+  {
+    // See Residency.cxx: the corners of the cube in which a surface is looked for, and how it bends there.
+    voxels += std::sqrt(3.0) * LocalReach + radius;
+  }
+  this->SetReach(voxels * voxel +
+    (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0));
+  this->SetBand(ResidencyBand * voxel);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPlanner::AddLatency(double seconds)
+{
+  const double latency = SmoothLatency(this->HasLatency ? this->Latency : seconds, seconds);
+  if (seconds >= 0.0 && std::isfinite(seconds))
+  {
+    this->HasLatency = true;
+    this->Latency = std::min(latency, MostLatency);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPlanner::ResetLatency()
+{
+  this->HasLatency = false;
+  this->Latency = RegionNeeds{}.Latency;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticRegionPlanner::GetHalfWidth()
+{
+  return FindHalfWidth(NeedsOf(this));
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionPlanner::Plan(
+  const double tip[3], const double velocity[3], const int resident[6], int wanted[6])
+{
+  WholeGeometry whole;
+  std::copy(this->WholeExtent, this->WholeExtent + 6, whole.Extent);
+  whole.IndexToWorld.Linear = IndexToWorld(this->Direction, this->Spacing);
+  whole.IndexToWorld.Offset = { this->Origin[0], this->Origin[1], this->Origin[2] };
+  return PlanRegion(whole, NeedsOf(this), { tip[0], tip[1], tip[2] },
+    { velocity[0], velocity[1], velocity[2] }, resident, wanted);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPlanner::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const int* const e = this->WholeExtent;
+  os << indent << "WholeExtent: (" << e[0] << ", " << e[1] << ", " << e[2] << ", " << e[3] << ", "
+     << e[4] << ", " << e[5] << ")\n";
+  os << indent << "Origin: (" << this->Origin[0] << ", " << this->Origin[1] << ", "
+     << this->Origin[2] << ")\n";
+  os << indent << "Spacing: (" << this->Spacing[0] << ", " << this->Spacing[1] << ", "
+     << this->Spacing[2] << ")\n";
+  os << indent << "Direction:";
+  for (const double d : this->Direction)
+  {
+    os << " " << d;
+  }
+  os << "\n";
+  os << indent << "MaximumSpeed: " << this->MaximumSpeed << " m/s\n";
+  os << indent << "MetersPerWorldUnit: " << this->MetersPerWorldUnit << "\n";
+  os << indent << "SpringLength: " << this->SpringLength << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "Band: " << this->Band << "\n";
+  os << indent << "MaximumVoxels: " << this->MaximumVoxels << "\n";
+  os << indent << "Latency: " << this->Latency << " s\n";
+}

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticRegionPlanner
+ * @brief   which part of a volume that is somewhere else has to come to the hand next, and when
+ *
+ * From where the tip is and how fast it goes, Plan says which region is wanted, and whether it is to be fetched now:
+ * before the tip can leave the one that is here. With the latency t, the speed v_max that no hand exceeds, the
+ * spring's length T_N/k, the reach r and the band b, the half-width of a region is
+ *
+ *   h = v_max t + T_N/k + r + b
+ *
+ * world units round x + t v, the place where the tip will be when it comes; clipped to the whole, and cut to MaximumVoxels.
+ * Where the whole has no more voxels than that, it is the whole. It is fetched as soon as the resident one leaves the tip
+ * less than half the room that the wanted one would, so that a resting hand fetches nothing.
+ *
+ *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);
+ *   planner->UseSettingsOf(haptics);                      // T_N/k, r, b, metres a world unit
+ *   ... in the GUI's timer ...
+ *   if (planner->Plan(device->GetTipPosition(), velocity, resident, wanted))
+ *   {
+ *     ... fetch it: vtkHapticRegionFilter's Region where the data are; then give it to the filter, and Publish ...
+ *     planner->AddLatency(seconds);                       // from Plan to Publish
+ *   }
+ *
+ * Not thread-safe: belongs to one thread.
+ *
+ * @sa vtkHapticRegionFilter, vtkHapticDevice
+ */
+#ifndef vtkHapticRegionPlanner_h
+#define vtkHapticRegionPlanner_h
+
+#include "vtkObject.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkImageData;
+class vtkVolumeHapticsFilter;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticRegionPlanner : public vtkObject
+{
+public:
+  static vtkHapticRegionPlanner* New();
+  vtkTypeMacro(vtkHapticRegionPlanner, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The whole volume: its extent (default (0, -1, 0, -1, 0, -1): none), and origin, spacing (world units) and direction
+   * (nine numbers, row by row) as those of vtkImageData.
+   */
+  vtkSetVector6Macro(WholeExtent, int);
+  vtkGetVector6Macro(WholeExtent, int);
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  vtkSetVector3Macro(Spacing, double);
+  vtkGetVector3Macro(Spacing, double);
+  vtkSetVectorMacro(Direction, double, 9);
+  vtkGetVectorMacro(Direction, double, 9);
+  ///@}
+
+  /**
+   * Take all of the above from an image: the whole itself, or a region of it that vtkHapticRegionFilter has made.
+   * False, with an error, where it is null or its field arrays are malformed.
+   */
+  bool SetWhole(vtkImageData* image);
+
+  /**
+   * Take SpringLength, Reach, Band and MetersPerWorldUnit from the settings and the property of a filter, and the Spacing
+   * and Direction that are set here. SpringLength is the largest (T_N sqrt(1 + mu^2) + R) / k of the functions' points, at
+   * most 0.05 m; with the methods of surfaces, which hold without limit, 0.05 m.
+   */
+  void UseSettingsOf(vtkVolumeHapticsFilter* filter);
+
+  ///@{
+  /** v_max (m/s), 0 or more. Default 0.5. */
+  vtkSetClampMacro(MaximumSpeed, double, 0.0, 10.0);
+  vtkGetMacro(MaximumSpeed, double);
+  ///@}
+
+  ///@{
+  /** Metres a world unit is. Default 0.001. */
+  vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
+  vtkGetMacro(MetersPerWorldUnit, double);
+  ///@}
+
+  ///@{
+  /**
+   * T_N/k, r and b (world units), 0 or more. Defaults 4, 8 and 4. See UseSettingsOf.
+   */
+  vtkSetClampMacro(SpringLength, double, 0.0, 1e12);
+  vtkGetMacro(SpringLength, double);
+  vtkSetClampMacro(Reach, double, 0.0, 1e12);
+  vtkGetMacro(Reach, double);
+  vtkSetClampMacro(Band, double, 0.0, 1e12);
+  vtkGetMacro(Band, double);
+  ///@}
+
+  ///@{
+  /** The most voxels of a region, 4096 or more. Default 2097152, that is, 128^3. */
+  vtkSetClampMacro(MaximumVoxels, vtkIdType, 4096, VTK_ID_MAX);
+  vtkGetMacro(MaximumVoxels, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The latency t (s) that is planned for: the smoothed one of what AddLatency was told, from a plan to the moment at
+   * which the region can be felt. The first counts whole; a longer one counts half, a shorter one a tenth. Numbers that
+   * are negative or not finite are ignored. At most 10. Default 0.2, until there is one. ResetLatency forgets all.
+   */
+  void AddLatency(double seconds);
+  void ResetLatency();
+  vtkGetMacro(Latency, double);
+  ///@}
+
+  /** h above (world units), before any cut. */
+  double GetHalfWidth();
+
+  /**
+   * The region (an extent) that is wanted for a tip (world) with a velocity (world units per second), and whether it is
+   * to be fetched now. `resident` is the extent of the region that is here, or on its way; an empty one, such as
+   * (0, -1, 0, -1, 0, -1), where there is none. Never empty, unless the whole is, and never beyond the whole, for any
+   * numbers.
+   */
+  bool Plan(const double tip[3], const double velocity[3], const int resident[6], int wanted[6]);
+
+protected:
+  vtkHapticRegionPlanner() = default;
+  ~vtkHapticRegionPlanner() override = default;
+
+  int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Spacing[3] = { 1.0, 1.0, 1.0 };
+  double Direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  double MaximumSpeed = 0.5;
+  double MetersPerWorldUnit = 0.001;
+  double SpringLength = 4.0;
+  double Reach = 8.0;
+  double Band = 4.0;
+  vtkIdType MaximumVoxels = 2097152;
+  double Latency = 0.2;
+  bool HasLatency = false;
+
+private:
+  vtkHapticRegionPlanner(const vtkHapticRegionPlanner&) = delete;
+  void operator=(const vtkHapticRegionPlanner&) = delete;
+};
+
+#endif
