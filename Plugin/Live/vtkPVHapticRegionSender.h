@@ -32,7 +32,7 @@ public:
    * without indices for a corner of the volume, which tells where the whole is. On all processes together. The client
    * gets one answer, whatever happens: the region, or an error.
    */
-  void Send(const char* array, const int region[6]);
+  void Send(const char* array, int x0, int x1, int y0, int y1, int z0, int z1);
 
 protected:
   vtkPVHapticRegionSender();
