@@ -10,9 +10,9 @@
 #ifndef vtkPVHapticRegionSender_h
 #define vtkPVHapticRegionSender_h
 
+#include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkAlgorithm.h"
-#include "vtkNew.h"                     // for ivars
-#include "vtkVolumeHapticsLiveModule.h" // for export macro
+#include "vtkNew.h" // for ivars
 
 #include <string> // for std::string
 #include <vector> // for std::vector
@@ -20,7 +20,7 @@
 class vtkImageData;
 class vtkPVHapticRegionFilter;
 
-class VTKVOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionSender : public vtkAlgorithm
+class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionSender : public vtkAlgorithm
 {
 public:
   static vtkPVHapticRegionSender* New();
