@@ -131,8 +131,12 @@ void vtkPVHapticRegionSender::Send(
   std::string error;
   try
   {
-    message = this->Assemble(array, region, error) ? PackRegion(this->Filter->GetOutput())
-                                                   : PackError(error);
+    const bool isThere = this->Assemble(array, region, error);
+    if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() > 0)
+    {
+      return;
+    }
+    message = isThere ? PackRegion(this->Filter->GetOutput()) : PackError(error);
   }
   catch (const std::exception& exception)
   {

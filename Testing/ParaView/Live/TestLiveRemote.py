@@ -14,9 +14,10 @@ LOG = live.FOLDER + "/remote%d.csv" % RANKS
 HEAD = sys.argv[4]
 
 
-def touch_head(**settings):
+def touch_head():
     head = simple.XMLImageDataReader(FileName=[HEAD])
-    return simple.VolumeHaptics(Input=head, **settings)
+    # A power of two takes tips from the device's space to the world and back to the bit.
+    return simple.VolumeHaptics(Input=head, Preset="CT contrast", MetersPerWorldUnit=2.0**-10)
 
 
 def offline(touch, tips):

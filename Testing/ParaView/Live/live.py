@@ -82,7 +82,10 @@ class Server:
         command = [shutil.which("pvserver"), "--disable-xdisplay-test", "--server-port=0"]
         if ranks > 1:
             command = [shutil.which("mpiexec"), "--oversubscribe", "-np", str(ranks)] + command
-        self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, start_new_session=True)
+        # This process' own MPI is not the server's.
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith(("OMPI_", "OPAL_", "PMIX_")) or name.startswith("OMPI_ALLOW")}
+        self.process = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, start_new_session=True)
         self.port = None
         self.lines = threading.Thread(target=self._read, daemon=True)
         self.lines.start()
