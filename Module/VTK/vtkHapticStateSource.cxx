@@ -56,11 +56,33 @@ vtkMTimeType vtkHapticStateSource::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-int vtkHapticStateSource::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+bool vtkHapticStateSource::ReadState(ShownState& state)
 {
   vtkHapticDevice* const device = this->Device;
   if (!device || device->GetTime() == 0.0)
+  {
+    return false;
+  }
+  state.Tip = vtkVector3d(device->GetTipPosition());
+  state.Proxy = vtkVector3d(device->GetProxyPosition());
+  state.SurfacePosition = vtkVector3d(device->GetSurfacePosition());
+  state.MediumPosition = vtkVector3d(device->GetMediumPosition());
+  state.Force = vtkVector3d(device->GetForce());
+  state.ComputedForce = vtkVector3d(device->GetComputedForce());
+  state.Normal = vtkVector3d(device->GetNormal());
+  state.NormalForce = device->GetNormalForce();
+  state.FrictionForce = device->GetFrictionForce();
+  state.Contact = device->GetContact();
+  state.SurfaceValue = device->GetSurfaceValue();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticStateSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  ShownState state;
+  if (!this->ReadState(state))
   {
     return 1;
   }
@@ -91,24 +113,24 @@ int vtkHapticStateSource::RequestData(
     describe(part, force);
   };
 
-  const vtkVector3d tip(device->GetTipPosition());
-  const vtkVector3d proxy(device->GetProxyPosition());
-  const vtkVector3d computed(device->GetComputedForce());
-  const vtkVector3d normal(device->GetNormal());
-  const vtkVector3d force = this->ShowCommandedForce ? vtkVector3d(device->GetForce()) : computed;
+  const vtkVector3d& tip = state.Tip;
+  const vtkVector3d& proxy = state.Proxy;
+  const vtkVector3d& computed = state.ComputedForce;
+  const vtkVector3d& normal = state.Normal;
+  const vtkVector3d& force = this->ShowCommandedForce ? state.Force : computed;
   // Cells are numbered vertices first: so are the arrays.
   addVertex(TIP, tip.GetData());
   addVertex(PROXY, proxy.GetData());
-  addVertex(SURFACE_POSITION, device->GetSurfacePosition());
-  addVertex(MEDIUM_POSITION, device->GetMediumPosition());
+  addVertex(SURFACE_POSITION, state.SurfacePosition.GetData());
+  addVertex(MEDIUM_POSITION, state.MediumPosition.GetData());
   const double unit = 1.0 / this->ForceScale;
   addLine(SPRING, tip, proxy, 0.0);
   addLine(FORCE, tip, tip + unit * force, force.Norm());
-  const double push = device->GetNormalForce();
+  const double push = state.NormalForce;
   addLine(NORMAL_FORCE, proxy, proxy - (unit * push) * normal, push);
   const vtkVector3d tangent = computed - computed.Dot(normal) * normal;
   const double length = tangent.Norm();
-  const double grip = device->GetFrictionForce();
+  const double grip = state.FrictionForce;
   addLine(
     FRICTION_FORCE, proxy, proxy + (length > 0.0 ? unit * grip / length : 0.0) * tangent, grip);
 
@@ -118,8 +140,8 @@ int vtkHapticStateSource::RequestData(
   output->SetLines(lines);
   output->GetCellData()->AddArray(parts);
   output->GetCellData()->AddArray(newtons);
-  const std::pair<const char*, double> fields[] = { { "Contact", device->GetContact() },
-    { "SurfaceValue", device->GetSurfaceValue() } };
+  const std::pair<const char*, double> fields[] = { { "Contact", state.Contact },
+    { "SurfaceValue", state.SurfaceValue } };
   for (const auto& [name, value] : fields)
   {
     vtkNew<vtkDoubleArray> array;

@@ -21,6 +21,7 @@
 
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"        // for vtkSmartPointer
+#include "vtkVector.h"              // for vtkVector3d
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 class vtkHapticDevice;
@@ -73,6 +74,27 @@ public:
 protected:
   vtkHapticStateSource();
   ~vtkHapticStateSource() override;
+
+#ifndef __VTK_WRAP__
+  /** What is shown: positions in world units, forces in N along the world's axes. */
+  struct ShownState
+  {
+    vtkVector3d Tip;
+    vtkVector3d Proxy;
+    vtkVector3d SurfacePosition;
+    vtkVector3d MediumPosition;
+    vtkVector3d Force;
+    vtkVector3d ComputedForce;
+    vtkVector3d Normal;
+    double NormalForce = 0.0;
+    double FrictionForce = 0.0;
+    double Contact = 0.0;
+    double SurfaceValue = 0.0;
+  };
+
+  /** The state, of the device; false where there is none. For sources that have it from somewhere else. */
+  virtual bool ReadState(ShownState& state);
+#endif
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Errors of VTK objects as text, so that a timer that runs into the same one sixty times a second says it once.
+ */
+#ifndef HapticErrorCatcher_h
+#define HapticErrorCatcher_h
+
+#include "vtkObject.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace VolumeHapticsLive
+{
+
+class HapticErrorCatcher
+{
+public:
+  HapticErrorCatcher() = default;
+  ~HapticErrorCatcher();
+  HapticErrorCatcher(const HapticErrorCatcher&) = delete;
+  void operator=(const HapticErrorCatcher&) = delete;
+
+  /** From now on, errors of this object are not shown but kept. Once for an object is enough. */
+  void Catch(vtkObject* object);
+  /** What has been caught since the last call, without files and addresses; empty where nothing was. */
+  std::string Take();
+
+private:
+  void Note(vtkObject* object, unsigned long event, void* data);
+
+  std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Objects;
+  std::string Text;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Data of this process' own pipeline, for a filter in the client: shared, not copied.
+ */
+#ifndef HapticImageLink_h
+#define HapticImageLink_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkSMSourceProxy;
+
+namespace VolumeHapticsLive
+{
+
+/**
+ * The filter is not connected to the pipeline, since what the servo reads must not be executed by whoever looks at
+ * it: it is given a shallow copy whenever the pipeline has something new. Whoever allocates anew in the pipeline
+ * then leaves the array alone that is being touched.
+ */
+class HapticImageLink
+{
+public:
+  /** Bring the source up to date, and give its output to an input port of the filter where it is new. */
+  void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
+
+private:
+  vtkDataObject* Seen = nullptr; // only compared
+  vtkAlgorithm* SeenFilter = nullptr;
+  vtkMTimeType SeenTime = 0;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is not seen is not felt: the opacity with which ParaView shows a volume.
+ */
+#ifndef HapticOpacityLink_h
+#define HapticOpacityLink_h
+
+#include "vtkNew.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWeakPointer.h"
+
+class vtkSMProxy;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHapticsLive
+{
+
+class HapticOpacityLink
+{
+public:
+  /**
+   * The opacity function with which a source is volume-rendered, in the active view, or else in any: as a volume
+   * property whose function is ParaView's own. Null where it is not, where what is shown is another array than
+   * what is touched, or where opacity comes from something else than that array's value.
+   */
+  vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
+
+  /** The view that was found; null where there is none. */
+  vtkSMProxy* GetView() const { return this->View; }
+
+private:
+  vtkNew<vtkVolumeProperty> Property;
+  vtkWeakPointer<vtkSMProxy> View;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

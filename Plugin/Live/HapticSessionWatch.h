@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * When a proxy has to let go of the hand: what it needs is taken out of the pipeline, the session is closed, or the
+ * server is gone.
+ */
+#ifndef HapticSessionWatch_h
+#define HapticSessionWatch_h
+
+#include "vtkObject.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+class vtkSMProxy;
+class vtkSMSession;
+
+namespace VolumeHapticsLive
+{
+
+/**
+ * In scripts a deleted proxy lives on as long as a variable names it, so that destructors come too late: a proxy is
+ * taken for deleted when it is no longer registered.
+ */
+class HapticSessionWatch
+{
+public:
+  struct Calls
+  {
+    std::function<void(vtkSMProxy*)> Unregistered; ///< any proxy of the session
+    std::function<void()> Closed;                  ///< the session is about to end
+    std::function<void()> Lost;                    ///< the server does not answer any more
+  };
+
+  explicit HapticSessionWatch(Calls calls);
+  ~HapticSessionWatch();
+  HapticSessionWatch(const HapticSessionWatch&) = delete;
+  void operator=(const HapticSessionWatch&) = delete;
+
+  /** Watch a session, once; others are not watched any more. */
+  void Watch(vtkSMSession* session);
+
+private:
+  void NoteUnregistered(vtkObject*, unsigned long, void* data);
+  void NoteClosed(vtkObject*, unsigned long, void* data);
+  void NoteLost();
+  void LetGo();
+
+  Calls Call;
+  vtkWeakPointer<vtkObject> Session;
+  std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticTouchLink.h"
+
+#include "vtkCommand.h"
+#include "vtkPVSession.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkVolumeHapticsFilter.h"
+
+namespace VolumeHapticsLive
+{
+
+HapticTouchLink::~HapticTouchLink()
+{
+  this->LetGo();
+}
+
+void HapticTouchLink::LetGo()
+{
+  if (this->Touch && this->Observer)
+  {
+    this->Touch->RemoveObserver(this->Observer);
+  }
+  this->Observer = 0;
+  this->Touch = nullptr;
+  this->Twin = nullptr;
+}
+
+void HapticTouchLink::Follow(vtkSMProxy* touch)
+{
+  if (touch != this->Touch || !touch)
+  {
+    this->LetGo();
+    if (!touch || !touch->GetSession())
+    {
+      return;
+    }
+    this->Touch = touch;
+    this->Observer =
+      touch->AddObserver(vtkCommand::PropertyModifiedEvent, this, &HapticTouchLink::NoteChange);
+    this->Twin.TakeReference(
+      touch->GetSessionProxyManager()->NewProxy(touch->GetXMLGroup(), touch->GetXMLName()));
+    this->IsDirty = true;
+    if (this->Twin)
+    {
+      this->Twin->SetLocation(vtkPVSession::CLIENT);
+    }
+  }
+  if (this->Twin && this->IsDirty)
+  {
+    this->Twin->Copy(touch, "vtkSMInputProperty");
+    this->Twin->UpdateVTKObjects();
+    this->IsDirty = false;
+  }
+}
+
+vtkVolumeHapticsFilter* HapticTouchLink::GetFilter() const
+{
+  return this->Twin ? vtkVolumeHapticsFilter::SafeDownCast(this->Twin->GetClientSideObject())
+                    : nullptr;
+}
+
+vtkSMProxy* HapticTouchLink::GetTouch() const
+{
+  return this->Touch;
+}
+
+vtkSMSourceProxy* HapticTouchLink::GetInput(const char* name, unsigned int& port) const
+{
+  if (!this->Touch || !this->Touch->GetProperty(name))
+  {
+    return nullptr;
+  }
+  const vtkSMPropertyHelper input(this->Touch, name, true);
+  if (input.GetNumberOfElements() == 0)
+  {
+    return nullptr;
+  }
+  port = input.GetOutputPort();
+  return vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+}
+
+} // namespace VolumeHapticsLive

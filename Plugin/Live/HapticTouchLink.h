@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A filter in the client with the settings of a filter proxy whose data may be elsewhere.
+ */
+#ifndef HapticTouchLink_h
+#define HapticTouchLink_h
+
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+class vtkSMProxy;
+class vtkSMSourceProxy;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHapticsLive
+{
+
+/**
+ * The settings are those of a second proxy of the same kind, whose objects are made in the client only. It copies
+ * every property of the first but its inputs, whatever they are; functions are shared, as ParaView's piecewise
+ * functions are on the client, too.
+ */
+class HapticTouchLink
+{
+public:
+  HapticTouchLink() = default;
+  ~HapticTouchLink();
+  HapticTouchLink(const HapticTouchLink&) = delete;
+  void operator=(const HapticTouchLink&) = delete;
+
+  /** Take over what has changed; nullptr lets go. */
+  void Follow(vtkSMProxy* touch);
+
+  /** Null without a proxy, or where it is not one of vtkVolumeHapticsFilter. */
+  vtkVolumeHapticsFilter* GetFilter() const;
+  vtkSMProxy* GetTouch() const;
+
+  /** What an input of the followed proxy is connected to, and to which of its ports; null without. */
+  vtkSMSourceProxy* GetInput(const char* name, unsigned int& port) const;
+
+private:
+  void NoteChange() { this->IsDirty = true; }
+  void LetGo();
+
+  vtkWeakPointer<vtkSMProxy> Touch;
+  vtkSmartPointer<vtkSMProxy> Twin;
+  unsigned long Observer = 0;
+  bool IsDirty = false;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVHapticStateSource
+ * @brief   what a device in ParaView's client does, as geometry on the data server
+ *
+ * The output is that of vtkHapticStateSource; the state comes from the client, through vtkSMHapticDeviceProxy.
+ * Of several processes the first one has the output.
+ */
+#ifndef vtkPVHapticStateSource_h
+#define vtkPVHapticStateSource_h
+
+#include "VolumeHapticsLiveModule.h" // for export macro
+#include "vtkHapticStateSource.h"
+
+class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticStateSource : public vtkHapticStateSource
+{
+public:
+  static vtkPVHapticStateSource* New();
+  vtkTypeMacro(vtkPVHapticStateSource, vtkHapticStateSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What is touched: only for ParaView to know that it has to do with this source. */
+  void SetTouch(vtkObject*) {}
+
+  /** Length of a state. */
+  static constexpr int Length = 26;
+
+  /**
+   * 1 for a state and 0 for none; tip, proxy, x_s, x_v (world units); commanded and computed force (N); normal;
+   * force of the surface and of friction (N), contact, value in the surface.
+   */
+  void SetState(const double state[26]);
+
+  /** Whether the state is newer than the output: what ParaView asks a live source. */
+  bool GetNeedsUpdate();
+
+protected:
+  vtkPVHapticStateSource() = default;
+  ~vtkPVHapticStateSource() override = default;
+
+#ifndef __VTK_WRAP__
+  bool ReadState(ShownState& state) override;
+#endif
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkPVHapticStateSource(const vtkPVHapticStateSource&) = delete;
+  void operator=(const vtkPVHapticStateSource&) = delete;
+
+  double State[Length] = {};
+  bool IsNew = false;
+};
+
+#endif

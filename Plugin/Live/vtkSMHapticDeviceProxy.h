@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMHapticDeviceProxy
+ * @brief   a haptic device in ParaView's client, that touches what a Volume Haptics filter would
+ *
+ * The servo runs in the client, wherever the data are. The proxy owns a vtkHapticDevice and, by way of the property
+ * Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy. On the data server there is only a
+ * small source that shows what the client tells it, vtkPVHapticStateSource. Data of the same process are touched
+ * without a copy. Of data on a server, a region around the tip is fetched (vtkHapticRegionPlanner) and given to the servo,
+ * without a step of the force. With the round trip and load time t, v_max of a hand, the spring's length T_N/k, the
+ * reach r of a tick and the band b over which force fades, its half-width is
+ *
+ *   h = v_max t + T_N/k + r + b
+ *
+ * and where the hand is faster than the data, force fades, and comes back when they are there.
+ *
+ * Nothing here has a clock: Poll is for the timer of a user interface and for UpdatePipeline, which scripts call.
+ *
+ * How a hand is kept safe. Force leaves only while Running and Armed are 1 and through the safety stage of
+ * vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go back to 0, with zero
+ * force, when this proxy, what it touches or the view in which that is seen is deleted, when the session is closed,
+ * and after a fault. When the server is gone, force fades within 50 ms. What is set to 0 has its effect at once, without a Poll.
+ */
+#ifndef vtkSMHapticDeviceProxy_h
+#define vtkSMHapticDeviceProxy_h
+
+#include "VolumeHapticsLiveModule.h" // for export macro
+#include "vtkSMSourceProxy.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkHapticDevice;
+class vtkVolumeHapticsFilter;
+class vtkVolumeProperty;
+
+class VOLUMEHAPTICSLIVE_EXPORT vtkSMHapticDeviceProxy : public vtkSMSourceProxy
+{
+public:
+  static vtkSMHapticDeviceProxy* New();
+  vtkTypeMacro(vtkSMHapticDeviceProxy, vtkSMSourceProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The device, which this proxy opens, starts and arms as its properties say. */
+  vtkHapticDevice* GetDevice();
+
+  /** The filter in the client; null while there is nothing to touch. */
+  vtkVolumeHapticsFilter* GetFilter();
+
+  /**
+   * Take over what has changed in properties, pipeline and opacity, give it to the servo, and take its latest state.
+   * True if that is a new one. Where it is called while it runs, it does nothing.
+   */
+  bool Poll();
+
+  /**
+   * What is not seen is not felt: instead of what FollowOpacity finds. nullptr (default) goes back to that.
+   */
+  void SetVisibility(vtkVolumeProperty* property);
+
+  /** Zero force, and let go of the device; again when Running is set the next time. */
+  void Shutdown();
+
+  void UpdateVTKObjects() override;
+  ///@{
+  /** Poll, and bring the source on the server up to date. */
+  void UpdatePipeline() override;
+  void UpdatePipeline(double time) override;
+  ///@}
+
+protected:
+  vtkSMHapticDeviceProxy();
+  ~vtkSMHapticDeviceProxy() override;
+
+  void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
+
+private:
+  vtkSMHapticDeviceProxy(const vtkSMHapticDeviceProxy&) = delete;
+  void operator=(const vtkSMHapticDeviceProxy&) = delete;
+
+  int GetInt(const char* name);
+  void Reset(const char* name);
+  bool CanReachServer() const;
+  void StopHand(const std::string& why);
+
+  void TakeLimits();
+  void TakeOrders();
+  void TakeTip();
+  void TakeRecording();
+  bool IsLocal() const;
+  void LoseServer();
+  void FollowData();
+  void FollowTime(vtkSMSourceProxy* volume);
+  void FollowRegion(vtkSMSourceProxy* volume, unsigned int port);
+  void FollowRunning();
+  void FollowFault();
+  void Publish();
+  void Report();
+  void ShowState();
+  void TellInformation();
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
