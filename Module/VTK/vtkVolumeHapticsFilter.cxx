@@ -20,8 +20,20 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+
+namespace
+{
+/** Whether somebody else makes the trace. */
+bool IsLaterPiece(vtkInformationVector* outputs)
+{
+  vtkInformation* const output = outputs->GetInformationObject(0);
+  return output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
+    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+} // namespace
 
 vtkStandardNewMacro(vtkVolumeHapticsFilter);
 
@@ -186,11 +198,44 @@ std::string vtkVolumeHapticsFilter::HashScalars()
 }
 
 //------------------------------------------------------------------------------
+int vtkVolumeHapticsFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+  const bool isFirst = !IsLaterPiece(outputs);
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkInformation* const input = inputs[port]->GetInformationObject(0);
+    if (!input)
+    {
+      continue;
+    }
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isFirst ? 1 : 0);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    if (port == 0 && input->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      constexpr int none[] = { 0, -1, 0, -1, 0, -1 };
+      input->Set(
+        Pipeline::UPDATE_EXTENT(), isFirst ? input->Get(Pipeline::WHOLE_EXTENT()) : none, 6);
+      input->Set(Pipeline::EXACT_EXTENT(), 0);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkVolumeHapticsFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using namespace VolumeHaptics;
 
+  if (IsLaterPiece(outputs))
+  {
+    vtkPolyData::GetData(outputs)->Initialize();
+    return 1;
+  }
   vtkPolyData* const path = vtkPolyData::GetData(inputs[1]);
   std::string error;
   const double period = 1.0 / this->ServoRate;

@@ -82,6 +82,9 @@
  * can't be touched gives one error that names the input and the cure, and an empty output. A long
  * path reports progress and can be aborted; the output then ends where it was aborted.
  *
+ * A path is felt as a whole: where the output is asked for in pieces, as it is on several ranks, piece 0
+ * asks for the whole image and is the whole trace, and the others ask for nothing and are empty.
+ *
  * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter
  */
 #ifndef vtkVolumeHapticsFilter_h
@@ -149,6 +152,7 @@ protected:
   ~vtkVolumeHapticsFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVVolumeHapticsFilter
+ * @brief   vtkVolumeHapticsFilter with its material as plain settings
+ *
+ * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. So this filter
+ * keeps what was chosen (a preset, or five functions and the newtons that their 1 stands for) and fills its
+ * vtkHapticProperty from that whenever something of it has changed, before anybody asks for the property's
+ * effect: the pipeline and vtkHapticDevice::Publish alike begin with GetMTime().
+ */
+#ifndef vtkPVVolumeHapticsFilter_h
+#define vtkPVVolumeHapticsFilter_h
+
+#include "VolumeHapticsFiltersModule.h" // for export macro
+#include "vtkSmartPointer.h"            // for ivars
+#include "vtkVolumeHapticsFilter.h"
+
+#include <string> // for std::string
+
+class vtkPiecewiseFunction;
+
+class VOLUMEHAPTICSFILTERS_EXPORT vtkPVVolumeHapticsFilter : public vtkVolumeHapticsFilter
+{
+public:
+  static vtkPVVolumeHapticsFilter* New();
+  vtkTypeMacro(vtkPVVolumeHapticsFilter, vtkVolumeHapticsFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * "Custom" (default): the functions below. Else one of vtkHapticProperty::GetPresetNames(), and
+   * the functions, DistinctnessFromNoise and SurfaceSide wait until it is "Custom" again.
+   */
+  void SetPreset(const char* preset);
+
+  ///@{
+  /**
+   * The functions of vtkHapticProperty, divided by the scale that stands beside them. nullptr
+   * (default) or no points: the property's own default.
+   */
+  void SetStiffnessFunction(vtkPiecewiseFunction* function);
+  void SetFrictionFunction(vtkPiecewiseFunction* function);
+  void SetViscosityFunction(vtkPiecewiseFunction* function);
+  void SetSurfaceStrengthFunction(vtkPiecewiseFunction* function);
+  ///@}
+
+  ///@{
+  /** What 1 in a function stands for: N/m (default 1000), no unit (1), N (1) and N (4). */
+  void SetStiffnessScale(double scale);
+  void SetFrictionScale(double scale);
+  void SetViscosityScale(double scale);
+  void SetSurfaceStrengthScale(double scale);
+  ///@}
+
+  ///@{
+  /** On (default): distinctness keeps noise from being felt, and its function waits until this is off. */
+  void SetDistinctnessFromNoise(bool fromNoise);
+  void SetDistinctnessFunction(vtkPiecewiseFunction* function);
+  ///@}
+
+  ///@{
+  /** Of the property. */
+  void SetSurfaceSide(int side);
+  void SetComponent(int component);
+  double* GetNoiseRamp() VTK_SIZEHINT(2);
+  ///@}
+
+  using vtkVolumeHapticsFilter::SetInputArrayToProcess;
+  /** A name that is empty, as it is in batch jobs that have not set one, stands for the active scalars. */
+  void SetInputArrayToProcess(
+    int index, int port, int connection, int association, const char* name) override;
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkPVVolumeHapticsFilter();
+  ~vtkPVVolumeHapticsFilter() override;
+
+private:
+  /** A function from 0 to 1, and what its 1 stands for. */
+  struct Curve
+  {
+    vtkSmartPointer<vtkPiecewiseFunction> Shape;
+    double Scale = 1.0;
+
+    void CopyTo(vtkPiecewiseFunction* function) const;
+  };
+
+  template <typename T>
+  void Choose(T& setting, const T& value);
+  void FillProperty();
+  vtkMTimeType GetMaterialTime() const;
+
+  std::string Preset = "Custom";
+  Curve Stiffness;
+  Curve Friction;
+  Curve Viscosity;
+  Curve SurfaceStrength;
+  Curve Distinctness;
+  bool DistinctnessFromNoise = true;
+  int SurfaceSide = 0;
+  vtkTimeStamp Chosen; // when a setting of the material was made
+  vtkTimeStamp Filled; // when the property got it
+
+  vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;
+  void operator=(const vtkPVVolumeHapticsFilter&) = delete;
+};
+
+#endif
