@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticOpacityLink.h"
 
+#include "vtkCollection.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkPiecewiseFunction.h"
@@ -12,6 +13,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <string>
+#include <vector>
 
 namespace VolumeHapticsLive
 {
