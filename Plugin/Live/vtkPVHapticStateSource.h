@@ -20,6 +20,9 @@ public:
   vtkTypeMacro(vtkPVHapticStateSource, vtkHapticStateSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** What is touched: only for ParaView to know that it has to do with this source. */
+  void SetTouch(vtkObject*) {}
+
   /** Length of a state. */
   static constexpr int Length = 26;
 

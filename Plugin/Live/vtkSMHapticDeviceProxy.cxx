@@ -27,15 +27,7 @@ vtkSMHapticDeviceProxy::vtkSMHapticDeviceProxy()
     this->Shutdown();
     this->Internals->IsClosed = true;
   };
-  calls.Lost = [this]
-  {
-    auto& d = *this->Internals;
-    d.IsLost = true;
-    d.Device->Disarm();
-    d.Problem = "The server does not answer any more; the force was let go of. Connect to a server "
-                "anew, and load "
-                "the data and the device's state there.";
-  };
+  calls.Lost = [this] { this->LoseServer(); };
   this->Internals.reset(new vtkInternals(std::move(calls)));
 }
 
@@ -88,9 +80,12 @@ void vtkSMHapticDeviceProxy::StopHand(const std::string& why)
   auto& d = *this->Internals;
   if (d.Device->IsRunning())
   {
+    d.Device->Disarm();
+    d.Log.Continue(d.Device);
     d.Device->Stop(); // writes a recording, too
     d.Problem = why;
   }
+  d.Log.Stop();
   d.IsArmed = false;
   d.IsRecording = false;
   for (const char* const name : { "Armed", "Recording", "Running" })
@@ -109,6 +104,21 @@ void vtkSMHapticDeviceProxy::Shutdown()
   this->StopHand("");
   d.Device->Close();
   d.Device->SetVolumeHaptics(nullptr);
+  d.Region.Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkSMHapticDeviceProxy::LoseServer()
+{
+  auto& d = *this->Internals;
+  if (!d.IsLost)
+  {
+    d.IsLost = true;
+    d.Device->FadeOut();
+    d.Problem = "The server does not answer any more, and force was let go of. Connect to a server "
+                "anew, and open "
+                "the data there.";
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -147,6 +157,7 @@ bool vtkSMHapticDeviceProxy::Poll()
     this->Report();
   }
   const bool isNew = d.Device->UpdateState();
+  d.Log.Continue(d.Device);
   this->FollowFault();
   this->TellInformation();
   d.IsBusy = false;

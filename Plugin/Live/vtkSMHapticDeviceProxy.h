@@ -7,14 +7,20 @@
  * The servo runs in the client, wherever the data are. The proxy owns a vtkHapticDevice and, by way of the property
  * Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy. On the data server there is only a
  * small source that shows what the client tells it, vtkPVHapticStateSource. Data of the same process are touched
- * without a copy.
+ * without a copy. Of data on a server, a region around the tip is fetched (vtkHapticRegionPlanner) and given to the servo,
+ * without a step of the force. With the round trip and load time t, v_max of a hand, the spring's length T_N/k, the
+ * reach r of a tick and the band b over which force fades, its half-width is
+ *
+ *   h = v_max t + T_N/k + r + b
+ *
+ * and where the hand is faster than the data, force fades, and comes back when they are there.
  *
  * Nothing here has a clock: Poll is for the timer of a user interface and for UpdatePipeline, which scripts call.
  *
  * How a hand is kept safe. Force leaves only while Running and Armed are 1 and through the safety stage of
  * vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go back to 0, with zero
  * force, when this proxy, what it touches or the view in which that is seen is deleted, when the session is closed,
- * and after a fault. What is set to 0 has its effect at once, without a Poll.
+ * and after a fault. When the server is gone, force fades within 50 ms. What is set to 0 has its effect at once, without a Poll.
  */
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h
@@ -81,7 +87,12 @@ private:
   void TakeLimits();
   void TakeOrders();
   void TakeTip();
+  void TakeRecording();
+  bool IsLocal() const;
+  void LoseServer();
   void FollowData();
+  void FollowTime(vtkSMSourceProxy* volume);
+  void FollowRegion(vtkSMSourceProxy* volume, unsigned int port);
   void FollowRunning();
   void FollowFault();
   void Publish();

@@ -6,7 +6,9 @@
 #include "HapticErrorCatcher.h"
 #include "HapticImageLink.h"
 #include "HapticOpacityLink.h"
+#include "HapticRegionLink.h"
 #include "HapticSessionWatch.h"
+#include "HapticStateLog.h"
 #include "HapticTouchLink.h"
 #include "vtkSMHapticDeviceProxy.h"
 
@@ -31,8 +33,10 @@ struct vtkSMHapticDeviceProxy::vtkInternals
   VolumeHapticsLive::HapticTouchLink Touch;
   VolumeHapticsLive::HapticImageLink Image;
   VolumeHapticsLive::HapticImageLink Surface;
+  VolumeHapticsLive::HapticRegionLink Region; // where the data are on a server
   VolumeHapticsLive::HapticOpacityLink Opacity;
   VolumeHapticsLive::HapticSessionWatch Watch;
+  VolumeHapticsLive::HapticStateLog Log;         // instead of a recording, for a region
   vtkSmartPointer<vtkVolumeProperty> Visibility; // of SetVisibility
 
   bool IsBusy = false;
@@ -43,8 +47,9 @@ struct vtkSMHapticDeviceProxy::vtkInternals
   double ArmedAt = 0.0; // s, of the device
   std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX }; // taken over
   vtkMTimeType PublishedTime = 0;
-  std::string Problem;  // of now; empty where all is well
-  std::string Reported; // said as an error
+  double ViewTime = 0.0; // s, of the data
+  std::string Problem;   // of now; empty where all is well
+  std::string Reported;  // said as an error
 };
 
 #endif

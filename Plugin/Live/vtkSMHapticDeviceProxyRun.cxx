@@ -3,15 +3,9 @@
 // The part of vtkSMHapticDeviceProxy that makes the device do what the properties say.
 #include "vtkSMHapticDeviceProxyInternals.h"
 
-#include "vtkDataArray.h"
-#include "vtkHapticProperty.h"
-#include "vtkImageData.h"
-#include "vtkPVSession.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMSession.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace
 {
@@ -70,20 +64,7 @@ void vtkSMHapticDeviceProxy::TakeOrders()
   this->TakeTip();
   if (record != d.IsRecording)
   {
-    if (record)
-    {
-      d.IsRecording =
-        d.Device->StartRecording(vtkSMPropertyHelper(this, "RecordingFile").GetAsString());
-    }
-    else
-    {
-      d.Device->StopRecording();
-      d.IsRecording = false;
-    }
-    if (record != d.IsRecording)
-    {
-      this->Reset("Recording");
-    }
+    this->TakeRecording();
   }
   if (arm && !d.IsArmed && this->CanReachServer())
   {
@@ -95,9 +76,45 @@ void vtkSMHapticDeviceProxy::TakeOrders()
 }
 
 //------------------------------------------------------------------------------
+void vtkSMHapticDeviceProxy::TakeRecording()
+{
+  auto& d = *this->Internals;
+  const bool record = this->GetInt("Recording") != 0;
+  const char* const file = vtkSMPropertyHelper(this, "RecordingFile").GetAsString();
+  std::string error;
+  if (!record)
+  {
+    d.Log.Continue(d.Device);
+    d.Log.IsOpen() ? d.Log.Stop() : void(d.Device->StopRecording());
+    d.IsRecording = false;
+  }
+  else if (this->IsLocal())
+  {
+    d.IsRecording = d.Device->StartRecording(file);
+  }
+  else
+  {
+    d.IsRecording = d.Log.Start(file, d.Device, error);
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+  if (record && !d.IsRecording)
+  {
+    this->Reset("Recording");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::FollowFault()
 {
   auto& d = *this->Internals;
+  if (d.IsLost && d.Device->IsRunning() && d.Device->GetStatus() <= vtkHapticDevice::READY)
+  {
+    this->StopHand(d.Problem); // it has faded
+    return;
+  }
   const bool isReady = d.Device->GetStatus() >= vtkHapticDevice::READY;
   const bool isFault = d.Device->GetStatus() == vtkHapticDevice::FAULT;
   if (d.IsArmed && (!isReady || (isFault && d.Device->GetTime() > d.ArmedAt + FaultAge)))
@@ -106,27 +123,6 @@ void vtkSMHapticDeviceProxy::FollowFault()
     d.IsArmed = false;
     this->Reset("Armed");
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkSMHapticDeviceProxy::FollowData()
-{
-  auto& d = *this->Internals;
-  d.Touch.Follow(vtkSMPropertyHelper(this, "Touch").GetAsProxy());
-  vtkVolumeHapticsFilter* const filter = d.Touch.GetFilter();
-  if (!filter)
-  {
-    return;
-  }
-  d.Errors.Catch(filter);
-  unsigned int port = 0;
-  vtkSMSourceProxy* const volume = d.Touch.GetInput("Input", port);
-  d.Image.Follow(volume, port, filter, 0);
-  unsigned int surfacePort = 0;
-  d.Surface.Follow(d.Touch.GetInput("Surface", surfacePort), surfacePort, filter, 2);
-  vtkVolumeProperty* const seen =
-    this->GetInt("FollowOpacity") ? d.Opacity.Find(volume, filter) : nullptr;
-  filter->GetProperty()->SetVisibilityFrom(d.Visibility ? d.Visibility.Get() : seen);
 }
 
 //------------------------------------------------------------------------------
@@ -185,8 +181,10 @@ void vtkSMHapticDeviceProxy::Publish()
   vtkDataObject* const image = filter ? filter->GetInputDataObject(0, 0) : nullptr;
   if (!filter || !image)
   {
-    d.Problem =
-      filter ? "There is no image to touch: give the filter that Touch names an Input." : "";
+    if (filter && d.Problem.empty())
+    {
+      d.Problem = "There is no image to touch: give the filter that Touch names an Input.";
+    }
     return;
   }
   vtkDataObject* const surface = filter->GetInputDataObject(2, 0);

@@ -61,6 +61,9 @@ void vtkSMHapticDeviceProxy::TellInformation()
   const auto count = [](vtkIdType ticks)
   { return static_cast<int>(std::min<vtkIdType>(ticks, VTK_INT_MAX)); };
   vtkSMPropertyHelper(this, "MissedTicks").Set(count(device->GetMissedTicks()));
+  vtkSMPropertyHelper(this, "AbsentTicks").Set(count(device->GetAbsentTicks()));
+  vtkSMPropertyHelper(this, "Latency").Set(d.Region.GetLatency());
+  vtkSMPropertyHelper(this, "Residency").Set(device->GetResidency());
 }
 
 //------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ vtkHapticViewLink* vtkSMHapticViewProxy::GetLink()
 //------------------------------------------------------------------------------
 void vtkSMHapticViewProxy::UpdateVTKObjects()
 {
-  this->Superclass::UpdateVTKObjects();
+  // Nothing of this is anywhere else: there is nothing to be sent.
   if (vtkSMPropertyHelper(this, "Attached").GetAsInt() == 0)
   {
     this->Link->Detach();

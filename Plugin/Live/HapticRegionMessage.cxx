@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticRegionMessage.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace VolumeHapticsLive
+{
+namespace
+{
+
+constexpr int Tag = 78231;
+/** Reads as another number where the bytes of numbers are in another order. */
+constexpr std::int32_t Mark = 0x01020304;
+enum Contents : std::int32_t
+{
+  Error,
+  Region
+};
+
+void Put(std::vector<char>& message, const void* data, std::size_t size)
+{
+  const std::size_t start = message.size();
+  message.resize(start + size);
+  if (size > 0)
+  {
+    std::memcpy(message.data() + start, data, size);
+  }
+}
+
+template <typename T>
+void Put(std::vector<char>& message, const T& number)
+{
+  Put(message, &number, sizeof(T));
+}
+
+void Put(std::vector<char>& message, const char* text)
+{
+  const std::int64_t size = text ? static_cast<std::int64_t>(std::strlen(text)) : 0;
+  Put(message, size);
+  Put(message, text, static_cast<std::size_t>(size));
+}
+
+void Put(std::vector<char>& message, vtkDataArray* array)
+{
+  Put(message, array->GetName());
+  Put(message, std::int32_t{ array->GetDataType() });
+  Put(message, std::int32_t{ array->GetNumberOfComponents() });
+  Put(message, std::int64_t{ array->GetNumberOfTuples() });
+  const auto size = static_cast<std::size_t>(array->GetDataSize()) * array->GetDataTypeSize();
+  Put(message, array->GetVoidPointer(0), size);
+}
+
+/** Takes numbers from a message as long as there are any. */
+class Reader
+{
+public:
+  explicit Reader(const std::vector<char>& message)
+    : Message(message)
+  {
+  }
+
+  bool Take(void* data, std::int64_t size)
+  {
+    if (size < 0 || size > static_cast<std::int64_t>(this->Message.size() - this->Next))
+    {
+      this->IsGood = false;
+      return false;
+    }
+    std::memcpy(data, this->Message.data() + this->Next, static_cast<std::size_t>(size));
+    this->Next += static_cast<std::size_t>(size);
+    return true;
+  }
+
+  template <typename T>
+  T Take()
+  {
+    T number = {};
+    this->Take(&number, sizeof(T));
+    return number;
+  }
+
+  std::string TakeText()
+  {
+    const auto size = this->Take<std::int64_t>();
+    std::string text;
+    if (size > 0 && size <= static_cast<std::int64_t>(this->Message.size() - this->Next))
+    {
+      text.resize(static_cast<std::size_t>(size));
+      this->Take(text.data(), size);
+    }
+    return text;
+  }
+
+  vtkSmartPointer<vtkDataArray> TakeArray()
+  {
+    const std::string name = this->TakeText();
+    const auto type = this->Take<std::int32_t>();
+    const auto components = this->Take<std::int32_t>();
+    const auto tuples = this->Take<std::int64_t>();
+    vtkSmartPointer<vtkDataArray> array;
+    array.TakeReference(vtkDataArray::CreateDataArray(type));
+    const auto rest = static_cast<std::int64_t>(this->Message.size() - this->Next);
+    this->IsGood = this->IsGood && array && components > 0 && tuples >= 0 &&
+      tuples <= rest / components / array->GetDataTypeSize();
+    if (!this->IsGood)
+    {
+      return nullptr;
+    }
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples);
+    this->Take(array->GetVoidPointer(0), tuples * components * array->GetDataTypeSize());
+    return array;
+  }
+
+  bool IsGood = true;
+
+private:
+  const std::vector<char>& Message;
+  std::size_t Next = 0;
+};
+
+} // namespace
+
+std::vector<char> PackError(const std::string& error)
+{
+  std::vector<char> message;
+  Put(message, Mark);
+  Put(message, Contents::Error);
+  Put(message, error.c_str());
+  return message;
+}
+
+std::vector<char> PackRegion(vtkImageData* image)
+{
+  std::vector<char> message;
+  Put(message, Mark);
+  Put(message, Contents::Region);
+  Put(message, image->GetExtent(), 6 * sizeof(int));
+  Put(message, image->GetOrigin(), 3 * sizeof(double));
+  Put(message, image->GetSpacing(), 3 * sizeof(double));
+  Put(message, image->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
+  Put(message, image->GetPointData()->GetScalars());
+  vtkFieldData* const fields = image->GetFieldData();
+  std::vector<vtkDataArray*> arrays;
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* const array = fields->GetArray(i))
+    {
+      arrays.push_back(array);
+    }
+  }
+  Put(message, static_cast<std::int32_t>(arrays.size()));
+  for (vtkDataArray* const array : arrays)
+  {
+    Put(message, array);
+  }
+  return message;
+}
+
+bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error)
+{
+  Reader reader(message);
+  if (reader.Take<std::int32_t>() != Mark)
+  {
+    error = "The server's numbers can't be read here. Use a client and a server of the same "
+            "version, on computers "
+            "with the same order of bytes.";
+    return false;
+  }
+  if (reader.Take<std::int32_t>() != Contents::Region)
+  {
+    error = reader.TakeText();
+    return false;
+  }
+  int extent[6] = {};
+  double origin[3] = {};
+  double spacing[3] = {};
+  double direction[9] = {};
+  reader.Take(extent, sizeof(extent));
+  reader.Take(origin, sizeof(origin));
+  reader.Take(spacing, sizeof(spacing));
+  reader.Take(direction, sizeof(direction));
+  const vtkSmartPointer<vtkDataArray> scalars = reader.TakeArray();
+  image->Initialize();
+  image->SetExtent(extent);
+  image->SetOrigin(origin);
+  image->SetSpacing(spacing);
+  image->SetDirectionMatrix(direction);
+  const auto fields = reader.Take<std::int32_t>();
+  for (std::int32_t i = 0; i < fields && reader.IsGood; ++i)
+  {
+    if (const vtkSmartPointer<vtkDataArray> array = reader.TakeArray())
+    {
+      image->GetFieldData()->AddArray(array);
+    }
+  }
+  if (!reader.IsGood || scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    error = "The server sent something that is no region of a volume. Use a client and a server of "
+            "the same version.";
+    return false;
+  }
+  image->GetPointData()->SetScalars(scalars);
+  return true;
+}
+
+bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message)
+{
+  const auto size = static_cast<vtkIdType>(message.size());
+  return controller->Send(&size, 1, 1, Tag) && controller->Send(message.data(), size, 1, Tag);
+}
+
+bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message)
+{
+  vtkIdType size = 0;
+  if (!controller->Receive(&size, 1, 1, Tag) || size <= 0)
+  {
+    return false;
+  }
+  message.resize(static_cast<std::size_t>(size));
+  return controller->Receive(message.data(), size, 1, Tag) != 0;
+}
+
+} // namespace VolumeHapticsLive

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A region of a volume as bytes, on its way from the data server to the client.
+ *
+ * ParaView's own way of sending images loses their direction, and does not say that the other side has died.
+ */
+#ifndef HapticRegionMessage_h
+#define HapticRegionMessage_h
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkMultiProcessController;
+
+namespace VolumeHapticsLive
+{
+
+/** The image with its scalars and its numeric field arrays. */
+std::vector<char> PackRegion(vtkImageData* image);
+/** Instead of an image: why there is none. */
+std::vector<char> PackError(const std::string& error);
+
+/** False, with an error, where that is what was packed, or the bytes are no image. */
+bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error);
+
+bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message);
+/** False where the other side is gone. */
+bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message);
+
+} // namespace VolumeHapticsLive
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Every tick as text, where a region of a volume is touched, of which vtkHapticDevice makes no recording.
+ */
+#ifndef HapticStateLog_h
+#define HapticStateLog_h
+
+#include <fstream>
+#include <string>
+
+class vtkHapticDevice;
+
+namespace VolumeHapticsLive
+{
+
+/**
+ * A .csv with the columns of vtkHapticDevice::DrainStates, vectors as Name:0, Name:1 and Name:2, and numbers with all
+ * their digits. It can't be replayed as a recording, but its tips are a path for Volume Haptics.
+ */
+class HapticStateLog
+{
+public:
+  /** False, with an error, where the file can't be written. */
+  bool Start(const std::string& file, vtkHapticDevice* device, std::string& error);
+  /** Write what has come since the last call. */
+  void Continue(vtkHapticDevice* device);
+  void Stop();
+  bool IsOpen() const { return this->File.is_open(); }
+
+private:
+  std::ofstream File;
+  bool HasHeader = false;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

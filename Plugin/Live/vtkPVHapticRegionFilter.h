@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVHapticRegionFilter
+ * @brief   a region of a volume whose pieces are on several processes
+ *
+ * vtkHapticRegionFilter on every process of a controller, each with its own piece and the whole's extent: the first
+ * process has the output. The noise is that of the whole, to the bit, wherever it is cut. All processes have to execute it
+ * together; what can be wrong on one of them is agreed on beforehand, with CanExecute.
+ */
+#ifndef vtkPVHapticRegionFilter_h
+#define vtkPVHapticRegionFilter_h
+
+#include "vtkHapticRegionFilter.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsLiveModule.h" // for export macro
+
+class vtkImageData;
+class vtkMultiProcessController;
+class vtkTrivialProducer;
+
+class VTKVOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionFilter : public vtkHapticRegionFilter
+{
+public:
+  static vtkPVHapticRegionFilter* New();
+  vtkTypeMacro(vtkPVHapticRegionFilter, vtkHapticRegionFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Null (default) stands for this process alone. */
+  void SetController(vtkMultiProcessController* controller);
+
+  /** What this process holds, null or empty where nothing, and the extent of the whole. */
+  void SetPiece(vtkImageData* piece, const int whole[6]);
+
+  /**
+   * Whether all processes can execute: each says whether its piece could be had, and checks the array. Collective. On the
+   * first process the error says what is wrong, anywhere.
+   */
+  bool CanExecute(bool hasPiece, std::string& error);
+
+protected:
+  vtkPVHapticRegionFilter();
+  ~vtkPVHapticRegionFilter() override;
+
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+#ifndef __VTK_WRAP__
+  bool IsCurrent(vtkMTimeType time) override;
+  void GatherSamples(SamplesOfComponents& samples) override;
+  bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
+    vtkImageData* output, std::string& error) override;
+#endif
+
+private:
+  vtkPVHapticRegionFilter(const vtkPVHapticRegionFilter&) = delete;
+  void operator=(const vtkPVHapticRegionFilter&) = delete;
+
+  bool IsAlone() const;
+
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  vtkSmartPointer<vtkTrivialProducer> Producer;
+  vtkImageData* Seen = nullptr; // only compared
+  vtkMTimeType SeenTime = 0;
+  int ArrayType = 0; // as agreed on
+  int Components = 0;
+  std::string ArrayName;
+};
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVHapticRegionSender
+ * @brief   sends regions of a volume from the data server to the client
+ *
+ * Every process of the server asks its input for the same piece that it has already, so that nothing is read again,
+ * and the first one sends the region that they assemble. See vtkSMHapticRegionProxy for the other side.
+ */
+#ifndef vtkPVHapticRegionSender_h
+#define vtkPVHapticRegionSender_h
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"                     // for ivars
+#include "vtkVolumeHapticsLiveModule.h" // for export macro
+
+#include <string> // for std::string
+#include <vector> // for std::vector
+
+class vtkImageData;
+class vtkPVHapticRegionFilter;
+
+class VTKVOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionSender : public vtkAlgorithm
+{
+public:
+  static vtkPVHapticRegionSender* New();
+  vtkTypeMacro(vtkPVHapticRegionSender, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Send a region (an extent) of a point array by name; an empty name stands for the active scalars, and a region
+   * without indices for a corner of the volume, which tells where the whole is. On all processes together. The client
+   * gets one answer, whatever happens: the region, or an error.
+   */
+  void Send(const char* array, const int region[6]);
+
+protected:
+  vtkPVHapticRegionSender();
+  ~vtkPVHapticRegionSender() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkPVHapticRegionSender(const vtkPVHapticRegionSender&) = delete;
+  void operator=(const vtkPVHapticRegionSender&) = delete;
+
+#ifndef __VTK_WRAP__
+  bool UpdatePiece(int whole[6]);
+  bool Assemble(const char* array, const int region[6], std::string& error);
+#endif
+
+  vtkNew<vtkPVHapticRegionFilter> Filter;
+  std::string Array;
+};
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMHapticRegionProxy
+ * @brief   the client's side of vtkPVHapticRegionSender
+ *
+ * A fetch is one message there and one back, so that it takes one round trip and the time to cut out and send the
+ * region. The client waits: ParaView's connection has no way to do something else meanwhile.
+ */
+#ifndef vtkSMHapticRegionProxy_h
+#define vtkSMHapticRegionProxy_h
+
+#include "vtkSMSourceProxy.h"
+#include "vtkVolumeHapticsLiveModule.h" // for export macro
+
+#include <string> // for std::string
+
+class vtkImageData;
+
+class VTKVOLUMEHAPTICSLIVE_EXPORT vtkSMHapticRegionProxy : public vtkSMSourceProxy
+{
+public:
+  static vtkSMHapticRegionProxy* New();
+  vtkTypeMacro(vtkSMHapticRegionProxy, vtkSMSourceProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Answer
+  {
+    FETCHED,
+    REFUSED, ///< the server says why
+    LOST     ///< the server does not answer
+  };
+
+  /** Get a region of the Input, as vtkPVHapticRegionSender::Send says, into an image. */
+  Answer Fetch(
+    const std::string& array, const int region[6], vtkImageData* image, std::string& error);
+
+  ///@{
+  /** Whether the Input has changed since the last survey. */
+  vtkGetMacro(Stale, bool);
+  vtkSetMacro(Stale, bool);
+  ///@}
+
+  void MarkDirty(vtkSMProxy* modified) override;
+
+protected:
+  vtkSMHapticRegionProxy();
+  ~vtkSMHapticRegionProxy() override;
+
+private:
+  vtkSMHapticRegionProxy(const vtkSMHapticRegionProxy&) = delete;
+  void operator=(const vtkSMHapticRegionProxy&) = delete;
+
+  bool Stale = true;
+};
+
+#endif
