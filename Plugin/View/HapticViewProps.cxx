@@ -6,13 +6,23 @@
 #include "vtkImageData.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <cmath>
+
 namespace VolumeHaptics
 {
 namespace
 {
 /// The proxy's radius and the arrow of one newton, in parts of the volume's diagonal.
 constexpr double RadiusPart = 0.006;
-constexpr double NewtonPart = 0.04;
+constexpr double NewtonPart = 0.05;
+
+/// 1, 2 or 5 times a power of ten, at most a length.
+double RoundLength(double length)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  const double part = length / power;
+  return power * (part < 2.0 ? 1.0 : part < 5.0 ? 2.0 : 5.0);
+}
 } // namespace
 
 HapticViewProps::HapticViewProps(
@@ -29,7 +39,7 @@ HapticViewProps::HapticViewProps(
   if (image && image->GetLength() > 0.0)
   {
     this->Representation->SetRadius(RadiusPart * image->GetLength());
-    this->Representation->SetForceScale(1.0 / (NewtonPart * image->GetLength()));
+    this->Representation->SetForceScale(1.0 / RoundLength(NewtonPart * image->GetLength()));
     const double unit = filter->GetMetersPerWorldUnit();
     this->Representation->SetWorldUnitName(unit == 0.001 ? "mm" : unit == 1.0 ? "m" : "units");
   }

@@ -38,6 +38,7 @@ struct vtkHapticViewLink::vtkInternals
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkInteractorObserver> StyleBefore;
   vtkSmartPointer<vtkHapticViewStyle> Style;
+  vtkSmartPointer<vtkHapticViewStyle> LastStyle; // which may have called for its own end
   std::unique_ptr<VolumeHaptics::HapticViewProps> Props;
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
   std::string Reason;
@@ -117,7 +118,7 @@ void vtkHapticViewLink::Watch()
   };
   watch(d.View, vtkCommand::DeleteEvent, &vtkHapticViewLink::OnEvent);
   watch(d.DeviceProxy, vtkCommand::DeleteEvent, &vtkHapticViewLink::OnEvent);
-  watch(d.Interactor, vtkCommand::ModifiedEvent, &vtkHapticViewLink::OnEvent);
+  watch(d.Style, vtkCommand::DisableEvent, &vtkHapticViewLink::OnEvent);
   watch(
     vtkSMProxyManager::GetProxyManager(), vtkCommand::UnRegisterEvent, &vtkHapticViewLink::OnEvent);
   watch(vtkProcessModule::GetProcessModule(), vtkCommand::ConnectionClosedEvent,
@@ -138,15 +139,10 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
   switch (event)
   {
     case vtkCommand::ModifiedEvent:
-      if (caller == d.Style)
-      {
-        this->Modified(); // a key has changed the touch mode, perhaps
-      }
-      else if (d.Interactor->GetInteractorStyle() != d.Style)
-      {
-        this->End(
-          "ParaView gave the view another way of interaction. Attach again when it is done.");
-      }
+      this->Modified(); // a key has changed the touch mode, perhaps
+      break;
+    case vtkCommand::DisableEvent:
+      this->End("ParaView gave the view another way of interaction. Attach again when it is done.");
       break;
     case vtkCommand::UnRegisterEvent:
       if (info->Proxy && info->Proxy == d.View)
@@ -215,9 +211,10 @@ void vtkHapticViewLink::Detach()
   d.Style->SetDeviceProxy(nullptr);
   d.Style->SetView(nullptr);
   const vtkSmartPointer<vtkSMHapticDeviceProxy> proxy = d.DeviceProxy.GetPointer();
-  const std::string reason = d.Reason;
-  d = vtkInternals();
-  d.Reason = reason;
+  vtkInternals after;
+  after.LastStyle = d.Style;
+  after.Reason = d.Reason;
+  d = std::move(after);
   if (proxy)
   {
     vtkSMPropertyHelper(proxy, "Armed").Set(0);

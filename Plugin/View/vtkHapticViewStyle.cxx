@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticViewStyle.h"
 
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -31,6 +32,16 @@ void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
 void vtkHapticViewStyle::SetDeviceProxy(vtkSMHapticDeviceProxy* device)
 {
   this->DeviceProxy = device;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  this->Superclass::SetInteractor(interactor);
+  if (!interactor)
+  {
+    this->InvokeEvent(vtkCommand::DisableEvent);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,8 @@ public:
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}
 
+  /** vtkCommand::DisableEvent follows where the interactor has let go of this style. */
+  void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
   void OnChar() override;
 

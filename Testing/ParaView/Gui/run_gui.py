@@ -15,8 +15,8 @@ import tempfile
 
 PARAVIEW, PLUGIN, VOLUME, OUTPUT = map(os.path.abspath, sys.argv[1:5])
 HERE = os.path.dirname(os.path.abspath(__file__))
-STEPS = ["setup", "attached", "contact", "touch_mode", "picture", "detached", "other_style", "view_closed", "device_deleted",
-         "armed_at_exit"]
+STEPS = ["setup", "attached", "touch_mode", "contact", "picture", "detached", "armed", "other_style", "view_closed",
+         "device_deleted", "armed_at_exit"]
 LIMIT = 240  # s
 
 
@@ -33,9 +33,8 @@ def main():
     # Settings of a user of this computer are neither read nor written.
     with tempfile.TemporaryDirectory() as home:
         environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home, QT_QPA_PLATFORM="xcb",
-                           QT_XCB_GL_INTEGRATION="", GUI_SESSION=os.path.join(HERE, "session.py"), GUI_VOLUME=VOLUME,
+                           GUI_SESSION=os.path.join(HERE, "session.py"), GUI_VOLUME=VOLUME,
                            GUI_OUTPUT=OUTPUT)
-        del environment["QT_XCB_GL_INTEGRATION"]
         command = [PARAVIEW, "-qwindowgeometry", "1280x800+0+0", "--dr", "--plugin-search-paths", os.path.dirname(PLUGIN),
                    "--plugins", os.path.splitext(os.path.basename(PLUGIN))[0], "--test-directory=" + OUTPUT,
                    "--test-script=" + os.path.join(HERE, "Gui.xml"), "--exit"]

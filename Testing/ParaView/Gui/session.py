@@ -18,7 +18,6 @@ class Session:
 
     def __init__(self):
         self.style = None
-        self.actors = 0
 
     def step(self, name):
         try:
@@ -41,9 +40,11 @@ class Session:
     def current_style(self):
         return simple.GetActiveView().GetInteractor().GetInteractorStyle()
 
-    def count_props(self):
+    def hands(self):
+        """What of this plugin is in the view."""
         renderer = simple.GetActiveView().SMProxy.GetClientSideObject().GetNonCompositedRenderer()
-        return renderer.GetViewProps().GetNumberOfItems()
+        names = [prop.GetClassName() for prop in renderer.GetViewProps()]
+        return sorted(name for name in names if name.startswith("vtkHaptic"))
 
     def setup(self):
         head = simple.XMLImageDataReader(registrationName="HeadPhantom.vti", FileName=[os.environ["GUI_VOLUME"]])
@@ -65,41 +66,38 @@ class Session:
         simple.SetActiveSource(head)
         simple.Render()
         self.style = self.current_style()
-        self.actors = self.count_props()
 
     def attached(self):
         device = self.device()
         assert device.Running == 1, "Attach has not started the device"
         assert device.Touch.Input.GetXMLName() == "XMLImageDataReader", "the active volume is not what is touched"
         assert self.current_style() is not self.style, "the view has no haptic style"
-        assert self.count_props() == self.actors + 2, "the hand is not shown"
+        assert self.hands() == ["vtkHapticHeadUpDisplay", "vtkHapticRepresentation"], "the hand is not shown"
 
-    def lead(self):
-        """Into the skin of the forehead, by the properties alone."""
+    def tip(self):
         device = self.device()
-        device.VirtualTip = [-25, -82, 45]
-        device.UpdatePipeline()
+        device.UpdatePropertyInformation()
+        return list(device.GetPropertyValue("TipPosition"))
+
+    def touch_mode(self):
+        assert self.device().Armed == 1, "the touch mode has not armed the device"
+        self.start = self.tip()
+        assert any(self.start), "the tip is not in front of what is seen"
 
     def contact(self):
         device = self.device()
-        assert device.Armed == 1, "Arm has not armed the device"
+        way = sum((a - b) ** 2 for a, b in zip(self.tip(), self.start)) ** 0.5
+        assert way > 5, f"the mouse led the tip by {way} mm only"
         force = self.force(device)
         assert force > 0.5, f"only {force} N are felt in the skin"
 
-    def touch_mode(self):
-        device = self.device()
-        assert device.Armed == 1, "the touch mode arms"
-        before = self.tip
-        device.UpdatePropertyInformation()
-        after = device.GetPropertyValue("TipPosition")
-        way = sum((a - b) ** 2 for a, b in zip(after, before)) ** 0.5
-        assert way > 5, f"the mouse led the tip by {way} mm only"
-        assert self.current_style() is not self.style
+    def press(self):
+        """1 cm along the line of sight, by the property alone."""
+        camera = simple.GetActiveView().GetActiveCamera()
+        self.device().VirtualTip = [x + 10 * d for x, d in zip(self.tip(), camera.GetDirectionOfProjection())]
 
-    def remember_tip(self):
-        device = self.device()
-        device.UpdatePropertyInformation()
-        self.tip = list(device.GetPropertyValue("TipPosition"))
+    def armed(self):
+        assert self.device().Armed == 1, "Arm has not armed the device"
 
     def picture(self):
         simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
@@ -109,7 +107,7 @@ class Session:
     def detached(self):
         device = self.device()
         assert self.current_style() is self.style, "the view has not got its own style back"
-        assert self.count_props() == self.actors, "something is left in the view"
+        assert not self.hands(), "something is left in the view"
         assert device.Armed == 0 and self.force(device) < AT_REST, "a detached device has force"
 
     def go_2d(self):
@@ -118,7 +116,7 @@ class Session:
 
     def other_style(self):
         assert self.style_2d is not self.style and self.current_style() is self.style_2d, "ParaView's style was overwritten"
-        assert self.count_props() == self.actors
+        assert not self.hands(), "something is left in the view"
         device = self.device()
         assert device.Armed == 0 and self.force(device) < AT_REST, "force, and no hand in the view"
         simple.GetActiveView().InteractionMode = "3D"
@@ -132,15 +130,13 @@ class Session:
     def view_closed(self):
         assert self.kept.Armed == 0 and self.force(self.kept) < AT_REST, "the view is closed, and force is left"
         view = simple.CreateView("RenderView")
-        layout = simple.GetLayout()
-        layout.AssignView(0, view)
+        simple.GetLayoutByName("Layout #1").AssignView(0, view)
         head = simple.FindSource("HeadPhantom.vti")
         simple.Show(head, view)
         simple.SetActiveView(view)
         simple.SetActiveSource(head)
         simple.Render()
         self.style = self.current_style()
-        self.actors = self.count_props()
 
     def delete_device(self):
         self.kept = self.device()
