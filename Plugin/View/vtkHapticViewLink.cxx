@@ -124,11 +124,6 @@ void vtkHapticViewLink::Watch()
   watch(vtkProcessModule::GetProcessModule(), vtkCommand::ConnectionClosedEvent,
     &vtkHapticViewLink::OnEvent);
   watch(d.Style, vtkCommand::ModifiedEvent, &vtkHapticViewLink::OnEvent);
-  for (const auto event : { vtkInteractorStyleHaptic::ArmedEvent,
-         vtkInteractorStyleHaptic::DisarmedEvent, vtkInteractorStyleHaptic::FaultEvent })
-  {
-    watch(d.Style, event, &vtkHapticViewLink::OnArming);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -168,19 +163,6 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
     default:
       d.DeviceProxy = nullptr;
       this->End("The connection was closed. Attach anew in another one.");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticViewLink::OnArming(vtkObject*, unsigned long event, void*)
-{
-  auto& d = *this->Internals;
-  // What the keys in the view did is to be known to whoever looks at the proxy.
-  const int armed = event == vtkInteractorStyleHaptic::ArmedEvent ? 1 : 0;
-  if (d.DeviceProxy && vtkSMPropertyHelper(d.DeviceProxy, "Armed").GetAsInt() != armed)
-  {
-    vtkSMPropertyHelper(d.DeviceProxy, "Armed").Set(armed);
-    d.DeviceProxy->UpdateVTKObjects();
   }
 }
 
@@ -273,6 +255,7 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   const int* const size = d.Interactor->GetSize();
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);
+  d.Style->SetArmed(d.Style->GetTouchMode());
 }
 
 //------------------------------------------------------------------------------

@@ -74,7 +74,6 @@ private:
 
   void Watch();
   void OnEvent(vtkObject* caller, unsigned long event, void* data);
-  void OnArming(vtkObject* caller, unsigned long event, void* data);
   void End(const char* reason);
 
   struct vtkInternals;

