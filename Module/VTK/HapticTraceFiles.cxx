@@ -24,7 +24,10 @@ namespace VolumeHaptics
 namespace
 {
 
-const char* const Axes[] = { " x", " y", " z" };
+/** What the three columns of positions are called, the first that are there: here, by ParaView, by people. */
+const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },
+  { "Points:0", "Points:1", "Points:2" }, { "x", "y", "z" } };
+const char* const DeviceColumns[3] = { "DeviceTip x", "DeviceTip y", "DeviceTip z" };
 
 /** The title of a column without its unit: "Tip x (world)" is "Tip x". */
 std::string WithoutUnit(const std::string& title)
@@ -53,11 +56,11 @@ std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
 }
 
 /** Vectors of three columns; empty where they are not all there. */
-std::vector<Vector3> ReadVectors(vtkTable* table, const std::string& name)
+std::vector<Vector3> ReadVectors(vtkTable* table, const char* const columns[3])
 {
-  const std::vector<double> x = ReadColumn(table, name + Axes[0]);
-  const std::vector<double> y = ReadColumn(table, name + Axes[1]);
-  const std::vector<double> z = ReadColumn(table, name + Axes[2]);
+  const std::vector<double> x = ReadColumn(table, columns[0]);
+  const std::vector<double> y = ReadColumn(table, columns[1]);
+  const std::vector<double> z = ReadColumn(table, columns[2]);
   std::vector<Vector3> vectors;
   for (std::size_t i = 0; i < x.size() && x.size() == y.size() && x.size() == z.size(); ++i)
   {
@@ -137,8 +140,15 @@ Contents ReadTable(const std::string& file)
   reader->SetDefaultDoubleValue(std::numeric_limits<double>::quiet_NaN());
   reader->Update();
   vtkTable* const table = reader->GetOutput();
-  return { ReadVectors(table, RecordingNames::DeviceTip), ReadVectors(table, "Tip"),
-    ReadColumn(table, "Time") };
+  Contents contents{ ReadVectors(table, DeviceColumns), {}, ReadColumn(table, "Time") };
+  for (const auto& columns : WorldColumns)
+  {
+    if (contents.WorldTips.empty())
+    {
+      contents.WorldTips = ReadVectors(table, columns);
+    }
+  }
+  return contents;
 }
 
 /** A table that was cut off shows in its last line, which has no end. */
@@ -156,7 +166,7 @@ std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& t
   {
     return "holds no tip positions (point array or columns \"Tip\" or \"DeviceTip\", three numbers "
            "a "
-           "tick)";
+           "tick; or columns \"x\", \"y\" and \"z\")";
   }
   if (!times.empty() && times.size() != tips.size())
   {
@@ -176,37 +186,44 @@ std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& t
   return {};
 }
 
+/** What is wrong with a file; empty where nothing is. */
+std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
+{
+  const std::string ending = GetTraceEnding(file);
+  if (ending.empty())
+  {
+    return std::string("has an unknown ending: a ") + (isPath ? "path" : "recording") +
+      " is a .vtp or a .csv";
+  }
+  if (!vtksys::SystemTools::FileExists(file, true))
+  {
+    return "does not exist";
+  }
+  if (vtksys::SystemTools::FileLength(file) == 0)
+  {
+    return "is empty";
+  }
+  if (ending == ".csv" && !isPath && !EndsWithLine(file))
+  {
+    return "is cut off: its last line has no end";
+  }
+  bool failed = false;
+  Contents contents = ending == ".vtp" ? ReadPolyData(file, failed) : ReadTable(file);
+  if (failed)
+  {
+    return "cannot be read as VTK polydata: it is cut off or something else";
+  }
+  result.InDeviceSpace = !isPath && !contents.DeviceTips.empty();
+  result.Tips = std::move(result.InDeviceSpace ? contents.DeviceTips : contents.WorldTips);
+  result.Times = std::move(contents.Times);
+  return Judge(result.Tips, result.Times);
+}
+
 } // namespace
 
 bool ReadTraceFile(const std::string& file, RecordedTips& result, std::string& error)
 {
-  const std::string ending = GetTraceEnding(file);
-  error.clear();
-  if (ending.empty())
-  {
-    error = "has an unknown ending: a recording is a .vtp or a .csv";
-  }
-  else if (!vtksys::SystemTools::FileExists(file, true))
-  {
-    error = "does not exist";
-  }
-  else if (vtksys::SystemTools::FileLength(file) == 0)
-  {
-    error = "is empty";
-  }
-  else if (ending == ".csv" && !EndsWithLine(file))
-  {
-    error = "is cut off: its last line has no end";
-  }
-  else
-  {
-    bool failed = false;
-    Contents contents = ending == ".vtp" ? ReadPolyData(file, failed) : ReadTable(file);
-    result.InDeviceSpace = !contents.DeviceTips.empty();
-    result.Tips = std::move(result.InDeviceSpace ? contents.DeviceTips : contents.WorldTips);
-    error = failed ? "cannot be read as VTK polydata: it is cut off or something else"
-                   : Judge(result.Tips, contents.Times);
-  }
+  error = ReadTips(file, false, result);
   if (error.empty())
   {
     return true;
@@ -214,6 +231,18 @@ bool ReadTraceFile(const std::string& file, RecordedTips& result, std::string& e
   result = {};
   error = "The recording " + file + " " + error +
     ". Record again with vtkHapticDevice::StartRecording, or give another file.";
+  return false;
+}
+
+bool ReadPathFile(const std::string& file, RecordedTips& result, std::string& error)
+{
+  error = file.empty() ? "(no name was given) does not exist" : ReadTips(file, true, result);
+  if (error.empty())
+  {
+    return true;
+  }
+  result = {};
+  error = "The path file " + file + (file.empty() ? "" : " ") + error + ". Give another FileName.";
   return false;
 }
 

@@ -30,6 +30,7 @@ bool WriteTraceFile(vtkPolyData* trace, const std::string& file, std::string& er
 struct RecordedTips
 {
   std::vector<Vector3> Tips;
+  std::vector<double> Times;  ///< s, of every tip; empty where the file has none
   bool InDeviceSpace = false; ///< else in world units
 };
 
@@ -40,6 +41,12 @@ struct RecordedTips
  * run backwards.
  */
 bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
+
+/**
+ * The same for a path in world units: never DeviceTip, and from the columns "Points:0" to "Points:2" or "x", "y"
+ * and "z" where a .csv has no Tip. Whoever wrote it may have left out the end of its last line.
+ */
+bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
 
 } // namespace VolumeHaptics
 

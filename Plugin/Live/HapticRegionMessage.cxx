@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace VolumeHapticsLive
 {
@@ -40,19 +41,20 @@ void Put(std::vector<char>& message, const void* data, std::size_t size)
 template <typename T>
 void Put(std::vector<char>& message, const T& number)
 {
+  static_assert(!std::is_pointer_v<T>, "addresses mean nothing elsewhere");
   Put(message, &number, sizeof(T));
 }
 
-void Put(std::vector<char>& message, const char* text)
+void PutText(std::vector<char>& message, const char* text)
 {
   const std::int64_t size = text ? static_cast<std::int64_t>(std::strlen(text)) : 0;
   Put(message, size);
   Put(message, text, static_cast<std::size_t>(size));
 }
 
-void Put(std::vector<char>& message, vtkDataArray* array)
+void PutArray(std::vector<char>& message, vtkDataArray* array)
 {
-  Put(message, array->GetName());
+  PutText(message, array->GetName());
   Put(message, std::int32_t{ array->GetDataType() });
   Put(message, std::int32_t{ array->GetNumberOfComponents() });
   Put(message, std::int64_t{ array->GetNumberOfTuples() });
@@ -137,7 +139,7 @@ std::vector<char> PackError(const std::string& error)
   std::vector<char> message;
   Put(message, Mark);
   Put(message, Contents::Error);
-  Put(message, error.c_str());
+  PutText(message, error.c_str());
   return message;
 }
 
@@ -150,7 +152,7 @@ std::vector<char> PackRegion(vtkImageData* image)
   Put(message, image->GetOrigin(), 3 * sizeof(double));
   Put(message, image->GetSpacing(), 3 * sizeof(double));
   Put(message, image->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
-  Put(message, image->GetPointData()->GetScalars());
+  PutArray(message, image->GetPointData()->GetScalars());
   vtkFieldData* const fields = image->GetFieldData();
   std::vector<vtkDataArray*> arrays;
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
@@ -163,7 +165,7 @@ std::vector<char> PackRegion(vtkImageData* image)
   Put(message, static_cast<std::int32_t>(arrays.size()));
   for (vtkDataArray* const array : arrays)
   {
-    Put(message, array);
+    PutArray(message, array);
   }
   return message;
 }

@@ -11,15 +11,15 @@
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
 
+#include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkHapticRegionFilter.h"
 #include "vtkSmartPointer.h"
-#include "vtkVolumeHapticsLiveModule.h" // for export macro
 
 class vtkImageData;
 class vtkMultiProcessController;
 class vtkTrivialProducer;
 
-class VTKVOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionFilter : public vtkHapticRegionFilter
+class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionFilter : public vtkHapticRegionFilter
 {
 public:
   static vtkPVHapticRegionFilter* New();

@@ -21,6 +21,14 @@
 
 vtkStandardNewMacro(vtkPVHapticRegionSender);
 
+namespace
+{
+
+/** A corner in which the largest kernel fits. */
+constexpr int CornerSteps = 39;
+
+} // namespace
+
 //------------------------------------------------------------------------------
 vtkPVHapticRegionSender::vtkPVHapticRegionSender()
 {
@@ -99,7 +107,7 @@ bool vtkPVHapticRegionSender::Assemble(const char* array, const int region[6], s
     for (int a = 0; a < 6; a += 2)
     {
       wanted[a] = whole[a];
-      wanted[a + 1] = std::min(whole[a] + 1, whole[a + 1]);
+      wanted[a + 1] = std::min(whole[a] + CornerSteps, whole[a + 1]);
     }
   }
   this->Filter->SetRegion(wanted);
@@ -113,16 +121,22 @@ bool vtkPVHapticRegionSender::Assemble(const char* array, const int region[6], s
 }
 
 //------------------------------------------------------------------------------
-void vtkPVHapticRegionSender::Send(const char* array, const int region[6])
+void vtkPVHapticRegionSender::Send(
+  const char* array, int x0, int x1, int y0, int y1, int z0, int z1)
 {
   using namespace VolumeHapticsLive;
 
+  const int region[6] = { x0, x1, y0, y1, z0, z1 };
   std::vector<char> message;
   std::string error;
   try
   {
-    message = this->Assemble(array, region, error) ? PackRegion(this->Filter->GetOutput())
-                                                   : PackError(error);
+    const bool isThere = this->Assemble(array, region, error);
+    if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() > 0)
+    {
+      return;
+    }
+    message = isThere ? PackRegion(this->Filter->GetOutput()) : PackError(error);
   }
   catch (const std::exception& exception)
   {

@@ -10,9 +10,9 @@
 #ifndef vtkPVHapticRegionSender_h
 #define vtkPVHapticRegionSender_h
 
+#include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkAlgorithm.h"
-#include "vtkNew.h"                     // for ivars
-#include "vtkVolumeHapticsLiveModule.h" // for export macro
+#include "vtkNew.h" // for ivars
 
 #include <string> // for std::string
 #include <vector> // for std::vector
@@ -20,7 +20,7 @@
 class vtkImageData;
 class vtkPVHapticRegionFilter;
 
-class VTKVOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionSender : public vtkAlgorithm
+class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionSender : public vtkAlgorithm
 {
 public:
   static vtkPVHapticRegionSender* New();
@@ -32,7 +32,7 @@ public:
    * without indices for a corner of the volume, which tells where the whole is. On all processes together. The client
    * gets one answer, whatever happens: the region, or an error.
    */
-  void Send(const char* array, const int region[6]);
+  void Send(const char* array, int x0, int x1, int y0, int y1, int z0, int z1);
 
 protected:
   vtkPVHapticRegionSender();

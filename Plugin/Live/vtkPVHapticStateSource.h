@@ -10,10 +10,10 @@
 #ifndef vtkPVHapticStateSource_h
 #define vtkPVHapticStateSource_h
 
+#include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkHapticStateSource.h"
-#include "vtkVolumeHapticsLiveModule.h" // for export macro
 
-class VTKVOLUMEHAPTICSLIVE_EXPORT vtkPVHapticStateSource : public vtkHapticStateSource
+class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticStateSource : public vtkHapticStateSource
 {
 public:
   static vtkPVHapticStateSource* New();

@@ -83,7 +83,7 @@ void vtkSMHapticDeviceProxy::StopHand(const std::string& why)
     d.Device->Disarm();
     d.Log.Continue(d.Device);
     d.Device->Stop(); // writes a recording, too
-    d.Problem = why;
+    d.Notice = why;
   }
   d.Log.Stop();
   d.IsArmed = false;
@@ -115,9 +115,9 @@ void vtkSMHapticDeviceProxy::LoseServer()
   {
     d.IsLost = true;
     d.Device->FadeOut();
-    d.Problem = "The server does not answer any more, and force was let go of. Connect to a server "
-                "anew, and open "
-                "the data there.";
+    d.Notice = "The server does not answer any more, and force was let go of. Connect to a server "
+               "anew, and open "
+               "the data there.";
   }
 }
 

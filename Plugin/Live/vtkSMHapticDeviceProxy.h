@@ -25,8 +25,8 @@
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h
 
+#include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkSMSourceProxy.h"
-#include "vtkVolumeHapticsLiveModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
@@ -35,7 +35,7 @@ class vtkHapticDevice;
 class vtkVolumeHapticsFilter;
 class vtkVolumeProperty;
 
-class VTKVOLUMEHAPTICSLIVE_EXPORT vtkSMHapticDeviceProxy : public vtkSMSourceProxy
+class VOLUMEHAPTICSLIVE_EXPORT vtkSMHapticDeviceProxy : public vtkSMSourceProxy
 {
 public:
   static vtkSMHapticDeviceProxy* New();

@@ -48,6 +48,7 @@ struct vtkSMHapticDeviceProxy::vtkInternals
   std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX }; // taken over
   vtkMTimeType PublishedTime = 0;
   double ViewTime = 0.0; // s, of the data
+  std::string Notice;    // why it was stopped; until it is started again
   std::string Problem;   // of now; empty where all is well
   std::string Reported;  // said as an error
 };

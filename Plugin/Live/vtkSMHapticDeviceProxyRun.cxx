@@ -112,7 +112,7 @@ void vtkSMHapticDeviceProxy::FollowFault()
   auto& d = *this->Internals;
   if (d.IsLost && d.Device->IsRunning() && d.Device->GetStatus() <= vtkHapticDevice::READY)
   {
-    this->StopHand(d.Problem); // it has faded
+    this->StopHand(d.Notice); // it has faded
     return;
   }
   const bool isReady = d.Device->GetStatus() >= vtkHapticDevice::READY;
@@ -158,6 +158,7 @@ void vtkSMHapticDeviceProxy::FollowRunning()
     this->TakeTip();
   }
   d.PublishedTime = 0;
+  d.Notice.clear();
   if (!device->IsOpen() || !device->Start())
   {
     this->StopHand("");

@@ -50,7 +50,8 @@ void vtkSMHapticDeviceProxy::TellInformation()
 {
   auto& d = *this->Internals;
   vtkHapticDevice* const device = d.Device;
-  const std::string text = d.Problem.empty() ? device->GetStatusText() : d.Problem;
+  const std::string wrong = d.Problem.empty() ? d.Notice : d.Problem;
+  const std::string text = wrong.empty() ? device->GetStatusText() : wrong;
   vtkSMPropertyHelper(this, "StatusText").Set(text.c_str());
   vtkSMPropertyHelper(this, "TipPosition").Set(device->GetTipPosition(), 3);
   vtkSMPropertyHelper(this, "ProxyPosition").Set(device->GetProxyPosition(), 3);

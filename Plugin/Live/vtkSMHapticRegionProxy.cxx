@@ -38,8 +38,12 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(
     return LOST;
   }
   vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "Send" << array.c_str()
-         << vtkClientServerStream::InsertArray(region, 6) << vtkClientServerStream::End;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "Send" << array.c_str();
+  for (int i = 0; i < 6; ++i)
+  {
+    stream << region[i];
+  }
+  stream << vtkClientServerStream::End;
   session->ExecuteStream(vtkPVSession::DATA_SERVER, stream);
   std::vector<char> message;
   if (!VolumeHapticsLive::ReceiveMessage(server, message))

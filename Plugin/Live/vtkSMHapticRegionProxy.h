@@ -10,14 +10,14 @@
 #ifndef vtkSMHapticRegionProxy_h
 #define vtkSMHapticRegionProxy_h
 
+#include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkSMSourceProxy.h"
-#include "vtkVolumeHapticsLiveModule.h" // for export macro
 
 #include <string> // for std::string
 
 class vtkImageData;
 
-class VTKVOLUMEHAPTICSLIVE_EXPORT vtkSMHapticRegionProxy : public vtkSMSourceProxy
+class VOLUMEHAPTICSLIVE_EXPORT vtkSMHapticRegionProxy : public vtkSMSourceProxy
 {
 public:
   static vtkSMHapticRegionProxy* New();

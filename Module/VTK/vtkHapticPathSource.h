@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticPathSource
+ * @brief   the way of a stylus' tip, to be felt by vtkVolumeHapticsFilter
+ *
+ * A line, a circle, a spiral, a press that slides and lifts, or what a file holds. The hand moves with
+ * constant speed along the path; the output has a point where it is at each tick,
+ *
+ *   x_i = x(i L / n),  i = 0 ... n,  n = the least whole number with L / n <= Speed / PointsPerSecond,
+ *
+ * L the length of the path, in one polyline, with the point array Time (s), i / PointsPerSecond. So the
+ * filter resamples it where its ServoRate is another, and what is felt is as fast as before.
+ *
+ * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, a file that
+ * is none) give one error that names them and the cure, and an empty output.
+ *
+ * @sa vtkVolumeHapticsFilter
+ */
+#ifndef vtkHapticPathSource_h
+#define vtkHapticPathSource_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <string> // for std::string
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticPathSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHapticPathSource* New();
+  vtkTypeMacro(vtkHapticPathSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ShapeType
+  {
+    LINE = 0,
+    CIRCLE = 1,
+    SPIRAL = 2,
+    PRESS_AND_SLIDE = 3,
+    FROM_FILE = 4
+  };
+
+  ///@{
+  /**
+   * LINE (default): from Point1 to Point2. CIRCLE: Turns times around Center, Radius away from it, in the plane
+   * across Normal, against the clock for whom Normal points at. SPIRAL: in that plane from Center to
+   * Radius, by the same step outwards with each of its Turns. PRESS_AND_SLIDE: comes down on a face of a box,
+   * presses in, slides across and lifts again; see PressDirection. FROM_FILE: see FileName.
+   */
+  vtkSetClampMacro(Shape, int, LINE, FROM_FILE);
+  vtkGetMacro(Shape, int);
+  void SetShapeToLine() { this->SetShape(LINE); }
+  void SetShapeToCircle() { this->SetShape(CIRCLE); }
+  void SetShapeToSpiral() { this->SetShape(SPIRAL); }
+  void SetShapeToPressAndSlide() { this->SetShape(PRESS_AND_SLIDE); }
+  void SetShapeToFile() { this->SetShape(FROM_FILE); }
+  ///@}
+
+  ///@{
+  /** Where the hand moves (world units per second), more than 0. Default 100: 0.1 m/s in millimetres. */
+  vtkSetMacro(Speed, double);
+  vtkGetMacro(Speed, double);
+  ///@}
+
+  ///@{
+  /** Points for each second (1/s), 1 to 100000. Default 1000: one a tick of the default servo. */
+  vtkSetClampMacro(PointsPerSecond, double, 1.0, 1e5);
+  vtkGetMacro(PointsPerSecond, double);
+  ///@}
+
+  ///@{
+  /** The ends of LINE (world). Default (-50, 0, 0) and (50, 0, 0). */
+  vtkSetVector3Macro(Point1, double);
+  vtkGetVector3Macro(Point1, double);
+  vtkSetVector3Macro(Point2, double);
+  vtkGetVector3Macro(Point2, double);
+  ///@}
+
+  ///@{
+  /** The middle of CIRCLE and SPIRAL (world). Default (0, 0, 0). */
+  vtkSetVector3Macro(Center, double);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /** What CIRCLE and SPIRAL are across, of any length but 0. Default (0, 0, 1). */
+  vtkSetVector3Macro(Normal, double);
+  vtkGetVector3Macro(Normal, double);
+  ///@}
+
+  ///@{
+  /** The radius of CIRCLE, and the largest of SPIRAL (world units), more than 0. Default 20. */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** How often CIRCLE and SPIRAL go round, more than 0 and up to 10000; parts of a turn count. Default 3. */
+  vtkSetMacro(Turns, double);
+  vtkGetMacro(Turns, double);
+  ///@}
+
+  ///@{
+  /**
+   * The box of PRESS_AND_SLIDE (world): its corner with the least coordinates, and its size, 0 or more. Default
+   * (-25, -25, -25) and (50, 50, 50). SetBoxBounds() takes both as (x0, x1, y0, y1, z0, z1).
+   */
+  vtkSetVector3Macro(BoxCorner, double);
+  vtkGetVector3Macro(BoxCorner, double);
+  vtkSetVector3Macro(BoxSize, double);
+  vtkGetVector3Macro(BoxSize, double);
+  void SetBoxBounds(double x0, double x1, double y0, double y1, double z0, double z1);
+  void SetBoxBounds(const double bounds[6]);
+  ///@}
+
+  enum PressDirectionType
+  {
+    PLUS_X = 0,
+    MINUS_X = 1,
+    PLUS_Y = 2,
+    MINUS_Y = 3,
+    PLUS_Z = 4,
+    MINUS_Z = 5
+  };
+
+  ///@{
+  /**
+   * Where PRESS_AND_SLIDE presses. With MINUS_Z (default) it begins Clearance above the face with the largest
+   * z, comes down, presses Depth into the box, slides from one end of the face to the other, along the longer
+   * one of its sides and through the middle of the other, and lifts to where it began.
+   */
+  vtkSetClampMacro(PressDirection, int, PLUS_X, MINUS_Z);
+  vtkGetMacro(PressDirection, int);
+  ///@}
+
+  ///@{
+  /** How far PRESS_AND_SLIDE presses into the box (world units), 0 or more. Default 3. */
+  vtkSetMacro(Depth, double);
+  vtkGetMacro(Depth, double);
+  ///@}
+
+  ///@{
+  /** How far above the box PRESS_AND_SLIDE begins and ends (world units), 0 or more. Default 10. */
+  vtkSetMacro(Clearance, double);
+  vtkGetMacro(Clearance, double);
+  ///@}
+
+  ///@{
+  /**
+   * What FROM_FILE reads. A .vtp is given out as it is: a recording of vtkHapticDevice is then replayed to the bit.
+   * A .csv has a line a point, with the columns "Tip x", "Tip y" and "Tip z", as the project's own traces
+   * have, or "Points:0" to "Points:2", as ParaView exports, or "x", "y" and "z", all in world units; and
+   * "Time" (s), where it has that. Default: none.
+   */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+
+protected:
+  vtkHapticPathSource();
+  ~vtkHapticPathSource() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Shape = LINE;
+  double Speed = 100.0;
+  double PointsPerSecond = 1000.0;
+  double Point1[3] = { -50.0, 0.0, 0.0 };
+  double Point2[3] = { 50.0, 0.0, 0.0 };
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Normal[3] = { 0.0, 0.0, 1.0 };
+  double Radius = 20.0;
+  double Turns = 3.0;
+  double BoxCorner[3] = { -25.0, -25.0, -25.0 };
+  double BoxSize[3] = { 50.0, 50.0, 50.0 };
+  int PressDirection = MINUS_Z;
+  double Depth = 3.0;
+  double Clearance = 10.0;
+  std::string FileName;
+
+private:
+  std::string CheckSettings() const;
+  std::string GiveOutFile(vtkPolyData* output) const;
+  std::string GiveOutShape(vtkPolyData* output) const;
+
+  vtkHapticPathSource(const vtkHapticPathSource&) = delete;
+  void operator=(const vtkHapticPathSource&) = delete;
+};
+
+#endif

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""With the data in this process: changes anywhere reach the servo, errors are said once, and states come back unarmed."""
+import os
+
+from paraview import servermanager, simple
+
+import live
+
+live.load_plugin()
+OUTSIDE, INSIDE = [-9.0, 0.0, 0.0], [-4.0, 0.0, 0.0]
+
+
+def force_follows(what, change, holds):
+    before = list(device.ComputedForce)
+    change()
+    live.check(live.poll(device, lambda: holds(before)), what, before, list(device.ComputedForce), device.StatusText)
+
+
+def felt():
+    return live.norm(device.ComputedForce)
+
+
+wavelet = simple.Wavelet()
+# k = 100 N/m: the spring is 5 mm long at most, and no surface is strong enough to hold more than 2 N.
+touch = simple.VolumeHaptics(Input=wavelet)
+device = simple.HapticDevice(Touch=touch)
+device.UpdatePipeline()
+live.check(device.Running == 0 and device.Armed == 0, "neither runs by itself")
+live.press(device, OUTSIDE, INSIDE)
+live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "force leaves", device.StatusText)
+live.check(device.Contact > 0 and device.TickRate > 0 and device.Latency == 0.0 and device.Residency == 1.0, "information")
+live.check(servermanager.Fetch(device).GetNumberOfPoints() == 12, "the state is geometry")
+bounds = servermanager.Fetch(device).GetBounds()
+live.check(bounds[0] <= INSIDE[0] <= bounds[1], "where the hand is", bounds)
+
+force_follows("a setting", lambda: setattr(touch, "Method", "Force Field"), lambda f: live.distance(f, device.ComputedForce) > 1e-6)
+touch.Method = "Proxy"
+live.press(device, OUTSIDE, INSIDE)
+force_follows("a function of the material", lambda: setattr(touch.Stiffness, "Points", [0, 50, 0.5, 0, 1000, 50, 0.5, 0]),
+              lambda f: live.distance(f, device.ComputedForce) > 0.1)
+force_follows("the volume", lambda: setattr(wavelet, "Maximum", -1000.0), lambda f: live.distance(f, device.ComputedForce) > 1e-3)
+wavelet.Maximum = 255.0
+live.check(touch.Preset == "Custom", "the filter is as it was")
+
+# Disarming and stopping need no timer.
+device.Armed = 0
+live.check(live.norm(device.Force) == 0.0 or live.poll(device, lambda: live.norm(device.Force) == 0.0), "disarmed")
+device.Running = 0
+live.check("Running" not in device.StatusText or live.poll(device, lambda: device.TickRate == 0), "stopped")
+
+# Of a state, armed and recording, only what is no danger comes back.
+live.press(device, OUTSIDE, INSIDE)
+device.RecordingFile = os.path.join(live.FOLDER, "state.vtp")
+device.Recording = 1
+state, script = os.path.join(live.FOLDER, "live.pvsm"), os.path.join(live.FOLDER, "live_state.py")
+simple.SaveState(state)
+simple.SaveState(script)
+live.check("Armed" not in open(script).read() and "Running" not in open(script).read(), "no order in a script")
+live.check('name="Armed"' not in open(state).read(), "no order in a state")
+simple.ResetSession()
+simple.LoadState(state)
+again = simple.FindSource("HapticDevice1")
+live.check(again is not None and again.Touch is not None, "the state has the device and what it touches")
+again.UpdatePipeline()
+live.check(again.Running == 0 and again.Armed == 0 and again.Recording == 0, "and it waits for its user")
+device = again
+live.press(device, OUTSIDE, INSIDE)
+live.check(live.poll(device, lambda: felt() > 0.5), "and is felt as before")
+
+# What can't be is said, once, with its cure, and does not stop the hand.
+simple.SetActiveSource(None)
+device.RecordingFile = "nowhere.xyz"
+device.Recording = 1
+live.check(device.Recording == 0, "a recording that can't be is off")
+device.Device = "replay:missing.vtp"
+device.UpdatePipeline()
+live.check(device.Running == 0 and live.norm(device.Force) == 0.0, "another device stops this one")
+device.Running = 1
+device.UpdatePipeline()
+live.check(device.Running == 0 and "missing.vtp" in device.StatusText, "a device that is not there", device.StatusText)
+os._exit(0) if device.Running else None

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A server that is killed in mid-contact: force fades, the user is told, the client goes on and connects again."""
+import os
+
+from paraview import simple
+
+import live
+
+LOG = os.path.join(live.FOLDER, "lost.csv")
+server = live.Server()
+with server:
+    live.load_plugin(remote=True)
+    touch = simple.VolumeHaptics(Input=simple.Wavelet())
+    device = simple.HapticDevice(Touch=touch, RecordingFile=LOG)
+    live.press(device, [-9, 0, 0], [-4, 0, 0])
+    device.Recording = 1
+    live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a hand is held", device.StatusText)
+    server.kill()
+    # No more than a timer's ticks: no error reaches the script.
+    live.check(live.poll(device, lambda: device.Running == 0), "the device stops", device.StatusText)
+    live.check(device.Armed == 0 and live.norm(device.Force) == 0.0, "without force")
+    live.check("server" in device.StatusText and "Connect" in device.StatusText, "what happened, and the cure", device.StatusText)
+    print(device.StatusText)
+    device.UpdatePipeline()
+    device.VirtualTip = [0, 0, 0]
+    device.Running = 1
+    device.UpdatePipeline()
+    live.check(live.norm(device.Force) == 0.0, "it does not start without its server")
+
+log = live.read_log(LOG)
+commands = [[log["Command:%d" % a][i] for a in range(3)] for i in range(len(log["Time"]))]
+steps = [live.distance(a, b) for a, b in zip(commands, commands[1:])]
+held = max(range(len(commands)), key=lambda i: live.norm(commands[i]))
+print("held %.3f N, largest step %.3f N, ticks from full force to none %d"
+      % (live.norm(commands[held]), max(steps), sum(1 for c in log["Residency"] if 0 < c < 1)))
+live.check(max(steps) <= 0.5 + 1e-9, "force fades within the slew limit", max(steps))
+live.check(live.norm(commands[-1]) == 0.0, "the last command is zero", commands[-3:])
+live.check(any(0 < c < 1 for c in log["Residency"]), "it fades rather than ends")
+
+simple.Disconnect()
+with live.Server():
+    live.load_plugin(remote=True)
+    touch = simple.VolumeHaptics(Input=simple.Wavelet())
+    device = simple.HapticDevice(Touch=touch)
+    live.press(device, [-9, 0, 0], [-4, 0, 0])
+    live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a new server is touched", device.StatusText)
+    device.Running = 0
+    simple.Disconnect()

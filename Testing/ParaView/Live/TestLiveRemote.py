@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""With the data on a server, of one or more ranks, every tick has the force that the whole volume gives."""
+import sys
+
+from paraview import servermanager, simple
+from vtkmodules.numpy_interface import dataset_adapter
+import numpy
+
+import live
+
+RANKS = int(sys.argv[3])
+LOG = live.FOLDER + "/remote%d.csv" % RANKS
+HEAD = sys.argv[4]
+
+
+def touch_head():
+    head = simple.XMLImageDataReader(FileName=[HEAD])
+    # A power of two takes tips from the device's space to the world and back to the bit.
+    return simple.VolumeHaptics(Input=head, Preset="CT contrast", MetersPerWorldUnit=2.0**-10)
+
+
+def offline(touch, tips):
+    """The forces of a path of one point a tick, on the data of this process."""
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(tips, deep=True))
+    path = vtkPolyData()
+    path.SetPoints(points)
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(path)
+    touch.Path = producer
+    touch.UpdatePipeline()
+    output = dataset_adapter.WrapDataObject(servermanager.Fetch(touch))
+    return numpy.array(output.PointData["Force"])
+
+
+with live.Server(RANKS):
+    live.load_plugin(remote=True)
+    touch = touch_head()
+    device = simple.HapticDevice(Touch=touch, MaximumRegionVoxels=48**3)
+    device.RecordingFile = LOG
+    device.VirtualTip = [-60, -100, 60]
+    device.Running = 1
+    live.check(live.poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
+    live.check(live.poll(device, lambda: device.Residency == 1.0), "the region is here", device.StatusText)
+    device.Recording = 1
+    device.Armed = 1
+    regions = set()
+    for way in numpy.linspace([-60, -100, 60], [30, -80, 20], 300):
+        device.VirtualTip = list(way)
+        live.poll_for(device, 0.01)
+    live.check(device.Armed == 1, "the hand is still held", device.StatusText)
+    device.Recording = 0
+    print("latency %.1f ms, missed ticks %d" % (1e3 * device.Latency, device.MissedTicks))
+    points = servermanager.Fetch(device).GetNumberOfPoints()
+    live.check(points == 12, "the server shows the hand once", points)
+    simple.Disconnect()
+
+simple.Connect()
+live.load_plugin()
+log = live.read_log(LOG)
+tips = numpy.column_stack([log["Tip:%d" % a] for a in range(3)])
+felt = numpy.column_stack([log["Force:%d" % a] for a in range(3)])
+resident = numpy.array(log["Residency"])
+whole = offline(touch_head(), tips)
+live.check(len(whole) == len(felt), "ticks are complete", len(whole), len(felt))
+first_absent = int(numpy.argmax(resident < 1.0)) if (resident < 1.0).any() else len(resident)
+difference = numpy.abs(whole - felt).max(axis=1)
+print("ticks %d, resident %d, largest force %.3f N, largest difference %.3g N"
+      % (len(felt), (resident == 1.0).sum(), numpy.abs(felt).max(), difference[resident == 1.0].max()))
+live.check(numpy.abs(felt).max() > 0.5, "something was felt")
+live.check(first_absent > 2000, "the data were there for most of the way", first_absent)
+live.check(difference[:first_absent].max() < 1e-9, "forces are those of the whole", difference[:first_absent].max())

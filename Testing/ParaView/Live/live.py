@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of a live device in ParaView share."""
+import csv
+import os
+import shutil
+import subprocess
+import sys
+import threading
+import time
+
+from paraview import simple
+
+PLUGIN, FOLDER = sys.argv[1], sys.argv[2]
+os.makedirs(FOLDER, exist_ok=True)
+PATIENCE = 60.0  # s; only so that nothing hangs
+
+
+def check(condition, *what):
+    if not condition:
+        print("FAILED:", *what, flush=True)
+        sys.stdout.flush()
+        os._exit(1)  # whatever state ParaView is in
+    print("ok:", *what[:1], flush=True)
+
+
+def load_plugin(remote=False):
+    if remote:
+        simple.LoadPlugin(PLUGIN, remote=True, ns=globals())
+    simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
+
+
+def poll(device, condition, patience=PATIENCE, period=0.005):
+    """What a user interface's timer does, until something holds."""
+    end = time.time() + patience
+    while time.time() < end:
+        device.UpdatePipeline()
+        if condition():
+            return True
+        time.sleep(period)
+    return False
+
+
+def poll_for(device, seconds, period=0.005):
+    end = time.time() + seconds
+    while time.time() < end:
+        device.UpdatePipeline()
+        time.sleep(period)
+
+
+def norm(vector):
+    return sum(x * x for x in vector) ** 0.5
+
+
+def distance(a, b):
+    return norm([x - y for x, y in zip(a, b)])
+
+
+def press(device, start, end, armed=True):
+    """Start at one place, and lead the tip to another one."""
+    device.VirtualTip = start
+    device.Running = 1
+    check(poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
+    # Not a tick before what is around the tip is here.
+    check(poll(device, lambda: device.Residency == 1.0), "what is around the tip is here", device.StatusText)
+    device.Armed = 1 if armed else 0
+    device.VirtualTip = end
+    check(poll(device, lambda: distance(device.TipPosition, end) < 1e-9), "the tip is led")
+
+
+def read_log(path):
+    """The columns of a .csv of numbers."""
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    return {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
+
+
+class Server:
+    """A pvserver on a free port, which ends with the test whatever happens."""
+
+    def __init__(self, ranks=1, relay=None):
+        command = [shutil.which("pvserver"), "--disable-xdisplay-test", "--server-port=0"]
+        if ranks > 1:
+            command = [shutil.which("mpiexec"), "--oversubscribe", "-np", str(ranks)] + command
+        # This process' own MPI is not the server's.
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith(("OMPI_", "OPAL_", "PMIX_")) or name.startswith("OMPI_ALLOW")}
+        self.process = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, start_new_session=True)
+        self.port = None
+        self.lines = threading.Thread(target=self._read, daemon=True)
+        self.lines.start()
+        end = time.time() + PATIENCE
+        while self.port is None and self.process.poll() is None and time.time() < end:
+            time.sleep(0.02)
+        check(self.port is not None, "the server listens")
+        port = relay(self.port) if relay else self.port
+        simple.Connect("127.0.0.1", port)
+
+    def _read(self):
+        for line in self.process.stdout:
+            if line.startswith("Accepting connection"):
+                self.port = int(line.strip().rsplit(":", 1)[1])
+
+    def kill(self):
+        """As a crash does it: nobody says goodbye."""
+        try:
+            os.killpg(self.process.pid, 9)
+        except ProcessLookupError:
+            pass
+        self.process.wait()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.kill()

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests in ParaView share: the plugin, and traces as arrays.
+
+Every test is `pvbatch TestNAME.py PLUGIN REFERENCE_FOLDER SOURCE_FOLDER OUTPUT_FOLDER`, and ends with an exception where
+something is wrong.
+"""
+
+import json
+import os
+import sys
+
+import numpy
+from paraview import servermanager, simple
+from paraview.modules.vtkRemotingCore import vtkProcessModule
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+PLUGIN, REFERENCE, SOURCE, OUTPUT = sys.argv[1:5]
+simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
+os.makedirs(OUTPUT, exist_ok=True)
+
+
+def is_first_rank():
+    return vtkProcessModule.GetProcessModule().GetPartitionId() == 0
+
+
+def classes():
+    """What reference.py says of the classes."""
+    with open(os.path.join(REFERENCE, "classes.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def read(name):
+    """A pipeline source for a .vti or .vtp of the reference folder."""
+    file = os.path.join(REFERENCE, name)
+    reader = simple.XMLImageDataReader if name.endswith(".vti") else simple.XMLPolyDataReader
+    source = reader(FileName=[file])
+    source.UpdatePipeline()
+    return source
+
+
+def arrays_of(proxy):
+    """All point arrays of a trace, and its points as "Proxy"."""
+    proxy.UpdatePipeline()
+    trace = servermanager.Fetch(proxy)
+    data = trace.GetPointData()
+    arrays = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for i in range(data.GetNumberOfArrays())}
+    if trace.GetPoints():
+        arrays["Proxy"] = vtk_to_numpy(trace.GetPoints().GetData())
+    return {name: numpy.array(array) for name, array in arrays.items()}
+
+
+def assert_same(arrays, expected, what):
+    """To the bit, so that not a number is the same as not a number."""
+    assert sorted(arrays) == sorted(expected), f"{what}: arrays {sorted(arrays)}, not {sorted(expected)}"
+    for name, array in arrays.items():
+        wanted = expected[name]
+        assert array.dtype == wanted.dtype and array.shape == wanted.shape, (
+            f"{what}: {name} is {array.dtype} {array.shape}, not {wanted.dtype} {wanted.shape}")
+        if array.tobytes() != wanted.tobytes():
+            tick = int(numpy.argmax((array != wanted).reshape(len(array), -1).any(axis=1)))
+            raise AssertionError(f"{what}: {name} is {array[tick]} instead of {wanted[tick]} in tick {tick}")
+
+
+def touch(name, **settings):
+    """The filter on a scene of scenes.py, but for preset and isovalue."""
+    volume, path = read(name + ".vti"), read(name + "Path.vtp")
+    simple.SetActiveSource(volume)  # whose arrays ParaView takes for granted
+    return VolumeHaptics(Input=volume, Path=path, **settings)  # noqa: F821, from the plugin
+
+
+def head(**settings):
+    """The head phantom, stroked as scenes.py says, with the preset for CT."""
+    return touch("Head", **{"Preset": "CT contrast", **settings})
