@@ -166,6 +166,12 @@ protected:
   vtkInteractorStyleHaptic();
   ~vtkInteractorStyleHaptic() override;
 
+  /**
+   * Draw the scene now: quickly while something moves, else well. Sets the window's desired update rate and
+   * calls the interactor's Render(). For subclasses in applications that render in a way of their own.
+   */
+  virtual void DrawScene(bool quickly);
+
   bool TouchMode = false;
   double DepthStep = 0.0;
   double DisplayRate = 60.0;

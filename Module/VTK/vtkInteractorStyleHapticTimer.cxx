@@ -48,17 +48,23 @@ void vtkInteractorStyleHaptic::OnTimer()
 }
 
 //------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::Draw(bool quickly)
+void vtkInteractorStyleHaptic::DrawScene(bool quickly)
 {
-  auto& d = *this->Internals;
   // What VTK calls down-sampling: mappers draw as well as the wanted rate of frames lets them.
   if (vtkRenderWindow* window = this->Interactor->GetRenderWindow())
   {
     window->SetDesiredUpdateRate(
       quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
   }
-  const double start = vtkTimerLog::GetUniversalTime();
   this->Interactor->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::Draw(bool quickly)
+{
+  auto& d = *this->Internals;
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->DrawScene(quickly);
   const double end = vtkTimerLog::GetUniversalTime();
   d.Pace.Drawn(quickly, end, end - start);
   d.HasHappened = false;

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   HapticDock
+ * @brief   the dock window "Volume Haptics"
+ *
+ * Choose the device, attach it to the active view and volume, arm, stop, home, record; and what is felt, in
+ * figures. It is in ParaView's menu View, as every dock window is.
+ */
+#ifndef HapticDock_h
+#define HapticDock_h
+
+#include "HapticController.h"
+
+#include <QDockWidget>
+#include <QTimer>
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+class HapticDock : public QDockWidget
+{
+  Q_OBJECT
+  typedef QDockWidget Superclass;
+
+public:
+  explicit HapticDock(QWidget* parent = nullptr);
+  ~HapticDock() override;
+
+private Q_SLOTS:
+  void listDevices();
+  void onAttach(bool on);
+  void onRecord(bool on);
+  void onTold(const QString& message);
+  void update();
+
+private:
+  QPushButton* addButton(QGridLayout* grid, int row, int column, const char* name,
+    const QString& text, const QString& tip);
+
+  HapticController* Controller;
+  QTimer Timer;
+  QString Told; ///< until something else is done
+  QComboBox* Device;
+  QPushButton* Attach;
+  QPushButton* Arm;
+  QPushButton* Touch;
+  QPushButton* Home;
+  QPushButton* Record;
+  QLabel* Felt;
+  QLabel* Status;
+  QLabel* Force;
+  QProgressBar* Bar;
+  QLabel* Rate;
+};
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The way from what is active in the pipeline browser to a device that feels it.
+ */
+#ifndef HapticPipeline_h
+#define HapticPipeline_h
+
+class pqPipelineSource;
+class vtkSMHapticDeviceProxy;
+
+namespace HapticPipeline
+{
+
+///@{
+/** What a pipeline object is. */
+bool IsDevice(pqPipelineSource* source);
+bool IsTouch(pqPipelineSource* source);
+bool IsVolume(pqPipelineSource* source);
+///@}
+
+/**
+ * The HapticDevice for a source: itself, or the one that feels it, through a VolumeHaptics filter. What is
+ * missing is made; a device that feels something else is used for this from now on, since there is one hand.
+ * nullptr where the source is nothing that can be felt.
+ */
+pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
+
+///@{
+/** Upstream: the filter of a device, and the input of that. nullptr where there is none. */
+pqPipelineSource* GetTouch(pqPipelineSource* device);
+pqPipelineSource* GetVolume(pqPipelineSource* touch);
+///@}
+
+} // namespace HapticPipeline
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is seen of a touch in a view: the hand with its forces, and the figures.
+ */
+#ifndef HapticViewProps_h
+#define HapticViewProps_h
+
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticRepresentation.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+class vtkHapticDevice;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/** In a renderer for as long as it lives. */
+class HapticViewProps
+{
+public:
+  /** The hand is sized by the filter's image, where there is one. */
+  HapticViewProps(vtkRenderer* renderer, vtkHapticDevice* device, vtkVolumeHapticsFilter* filter);
+  ~HapticViewProps();
+  HapticViewProps(const HapticViewProps&) = delete;
+  HapticViewProps& operator=(const HapticViewProps&) = delete;
+
+  vtkHapticHeadUpDisplay* GetDisplay() { return this->Display; }
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkNew<vtkHapticRepresentation> Representation;
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+};
+
+} // namespace VolumeHaptics
+
+#endif

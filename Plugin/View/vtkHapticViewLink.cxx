@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticViewLink.h"
+
+#include "HapticViewProps.h"
+#include "vtkHapticDevice.h"
+#include "vtkHapticViewStyle.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkProcessModule.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSMHapticDeviceProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkWeakPointer.h"
+
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkHapticViewLink);
+
+namespace
+{
+constexpr const char* ViewClosed = "The view was closed. Attach the device to another one.";
+constexpr const char* DeviceDeleted =
+  "The haptic device was deleted. Attach anew with another one.";
+} // namespace
+
+struct vtkHapticViewLink::vtkInternals
+{
+  // What ParaView or the user may delete is not kept alive by this link; but for what is needed to put
+  // things back.
+  vtkWeakPointer<vtkSMRenderViewProxy> View;
+  vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
+  vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  vtkSmartPointer<vtkInteractorObserver> StyleBefore;
+  vtkSmartPointer<vtkHapticViewStyle> Style;
+  vtkSmartPointer<vtkHapticViewStyle> LastStyle; // which may have called for its own end
+  std::unique_ptr<VolumeHaptics::HapticViewProps> Props;
+  std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
+  std::string Reason;
+};
+
+//------------------------------------------------------------------------------
+vtkHapticViewLink::vtkHapticViewLink()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHapticViewLink::~vtkHapticViewLink()
+{
+  this->Detach();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProxy* device)
+{
+  auto& d = *this->Internals;
+  if (!view || !device)
+  {
+    vtkErrorMacro("Attaching takes a render view and a haptic device: one of them is missing.");
+    return false;
+  }
+  if (this->IsAttached() && d.View == view && d.DeviceProxy == device)
+  {
+    return true;
+  }
+  this->Detach();
+  auto* const pvview = vtkPVRenderView::SafeDownCast(view->GetClientSideView());
+  view->MakeRenderWindowInteractor(true);
+  vtkRenderWindowInteractor* const interactor = view->GetInteractor();
+  if (!pvview || !interactor)
+  {
+    vtkErrorMacro(
+      "This view has nobody to interact with, as in pvbatch. Attach the device to a render "
+      "view of paraview or pvpython; a path can be felt anywhere.");
+    return false;
+  }
+  if (vtkHapticViewStyle::SafeDownCast(interactor->GetInteractorStyle()))
+  {
+    vtkErrorMacro("Another device is attached to this view. Detach that one first.");
+    return false;
+  }
+  d.View = view;
+  d.DeviceProxy = device;
+  d.Device = device->GetDevice();
+  d.Interactor = interactor;
+  d.StyleBefore = interactor->GetInteractorStyle();
+  d.Reason.clear();
+
+  // This renderer is drawn by the client alone, with local and with remote rendering.
+  d.Props = std::make_unique<VolumeHaptics::HapticViewProps>(
+    pvview->GetNonCompositedRenderer(), d.Device, device->GetFilter());
+  d.Style = vtkSmartPointer<vtkHapticViewStyle>::New();
+  d.Style->SetDevice(d.Device);
+  d.Style->SetHeadUpDisplay(d.Props->GetDisplay());
+  d.Style->SetDeviceProxy(device);
+  interactor->SetInteractorStyle(d.Style);
+  d.Style->SetView(view);
+  this->Watch();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewLink::Watch()
+{
+  auto& d = *this->Internals;
+  const auto watch = [this, &d](vtkObject* object, unsigned long event, auto method)
+  {
+    if (object)
+    {
+      d.Observers.emplace_back(object, object->AddObserver(event, this, method));
+    }
+  };
+  watch(d.View, vtkCommand::DeleteEvent, &vtkHapticViewLink::OnEvent);
+  watch(d.DeviceProxy, vtkCommand::DeleteEvent, &vtkHapticViewLink::OnEvent);
+  watch(d.Style, vtkCommand::DisableEvent, &vtkHapticViewLink::OnEvent);
+  watch(
+    vtkSMProxyManager::GetProxyManager(), vtkCommand::UnRegisterEvent, &vtkHapticViewLink::OnEvent);
+  watch(vtkProcessModule::GetProcessModule(), vtkCommand::ConnectionClosedEvent,
+    &vtkHapticViewLink::OnEvent);
+  watch(d.Style, vtkCommand::ModifiedEvent, &vtkHapticViewLink::OnEvent);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* data)
+{
+  auto& d = *this->Internals;
+  const auto* const info = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
+  switch (event)
+  {
+    case vtkCommand::ModifiedEvent:
+      this->Modified(); // a key has changed the touch mode, perhaps
+      break;
+    case vtkCommand::DisableEvent:
+      this->End("ParaView gave the view another way of interaction. Attach again when it is done.");
+      break;
+    case vtkCommand::UnRegisterEvent:
+      if (info->Proxy && info->Proxy == d.View)
+      {
+        this->End(ViewClosed);
+      }
+      else if (info->Proxy && info->Proxy == d.DeviceProxy)
+      {
+        this->End(DeviceDeleted);
+      }
+      break;
+    case vtkCommand::DeleteEvent:
+      if (caller == d.DeviceProxy.GetPointer())
+      {
+        d.DeviceProxy = nullptr; // nothing is to be sent through it any more
+        this->End(DeviceDeleted);
+      }
+      else
+      {
+        this->End(ViewClosed);
+      }
+      break;
+    default:
+      d.DeviceProxy = nullptr;
+      this->End("The connection was closed. Attach anew in another one.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewLink::Detach()
+{
+  auto& d = *this->Internals;
+  if (!d.Style)
+  {
+    return;
+  }
+  // Before anything else: nobody sees from here on what the hand feels.
+  d.Device->Disarm();
+  for (auto& [object, tag] : d.Observers)
+  {
+    if (object)
+    {
+      object->RemoveObserver(tag);
+    }
+  }
+  d.Observers.clear();
+  d.Props.reset();
+  if (d.Interactor->GetInteractorStyle() == d.Style)
+  {
+    d.Interactor->SetInteractorStyle(d.StyleBefore);
+  }
+  d.Style->SetDevice(nullptr);
+  d.Style->SetDeviceProxy(nullptr);
+  d.Style->SetView(nullptr);
+  const vtkSmartPointer<vtkSMHapticDeviceProxy> proxy = d.DeviceProxy.GetPointer();
+  vtkInternals after;
+  after.LastStyle = d.Style;
+  after.Reason = d.Reason;
+  d = std::move(after);
+  if (proxy)
+  {
+    vtkSMPropertyHelper(proxy, "Armed").Set(0);
+    proxy->UpdateVTKObjects();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewLink::End(const char* reason)
+{
+  const vtkSmartPointer<vtkHapticViewLink> self(this);
+  this->Detach();
+  this->Internals->Reason = reason;
+  this->InvokeEvent(vtkCommand::EndEvent);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticViewLink::IsAttached() const
+{
+  return this->Internals->Style != nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticViewLink::GetReason() const
+{
+  return this->Internals->Reason;
+}
+
+//------------------------------------------------------------------------------
+vtkSMRenderViewProxy* vtkHapticViewLink::GetView() const
+{
+  return this->Internals->View;
+}
+
+//------------------------------------------------------------------------------
+vtkSMHapticDeviceProxy* vtkHapticViewLink::GetDeviceProxy() const
+{
+  return this->Internals->DeviceProxy;
+}
+
+//------------------------------------------------------------------------------
+vtkInteractorStyleHaptic* vtkHapticViewLink::GetStyle() const
+{
+  return this->Internals->Style;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewLink::SetTouchMode(bool on)
+{
+  auto& d = *this->Internals;
+  if (!d.Style || on == d.Style->GetTouchMode())
+  {
+    return;
+  }
+  // Who comes from a button has no pointer in the view yet.
+  const int* const size = d.Interactor->GetSize();
+  d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
+  d.Style->SetTouchMode(on);
+  d.Style->SetArmed(d.Style->GetTouchMode());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticViewLink::GetTouchMode() const
+{
+  return this->Internals->Style && this->Internals->Style->GetTouchMode();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewLink::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->GetView() << "\n";
+  os << indent << "DeviceProxy: " << this->GetDeviceProxy() << "\n";
+  os << indent << "Style: " << this->GetStyle() << "\n";
+  os << indent << "Reason: " << this->GetReason() << "\n";
+}

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticViewStyle.h"
+
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSMHapticDeviceProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+
+vtkStandardNewMacro(vtkHapticViewStyle);
+
+//------------------------------------------------------------------------------
+vtkHapticViewStyle::vtkHapticViewStyle() = default;
+
+//------------------------------------------------------------------------------
+vtkHapticViewStyle::~vtkHapticViewStyle() = default;
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
+{
+  this->View = view;
+  // It wins over what lies under the pointer.
+  vtkRenderer* const renderer = view ? view->GetRenderer() : nullptr;
+  this->SetDefaultRenderer(renderer);
+  this->SetCurrentRenderer(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetDeviceProxy(vtkSMHapticDeviceProxy* device)
+{
+  this->DeviceProxy = device;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  this->Superclass::SetInteractor(interactor);
+  if (!interactor)
+  {
+    this->InvokeEvent(vtkCommand::DisableEvent);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::OnTimer()
+{
+  if (this->IsBusy)
+  {
+    return;
+  }
+  this->IsBusy = true;
+  // The view may be closed, and this with it, by what a poll or a frame sets off.
+  const vtkSmartPointer<vtkHapticViewStyle> self(this);
+  if (this->DeviceProxy)
+  {
+    this->DeviceProxy->Poll();
+  }
+  if (this->Interactor)
+  {
+    this->Superclass::OnTimer();
+  }
+  this->IsBusy = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetArmed(bool on)
+{
+  if (this->DeviceProxy)
+  {
+    vtkSMPropertyHelper(this->DeviceProxy, "Armed").Set(on ? 1 : 0);
+    this->DeviceProxy->UpdateVTKObjects();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::OnKeyPress()
+{
+  const char* const symbol = this->Interactor->GetKeySym();
+  const std::string key = symbol ? symbol : "";
+  if (key == "a" && this->DeviceProxy)
+  {
+    this->SetArmed(vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() == 0);
+    this->DrawScene(true);
+    return;
+  }
+  this->Superclass::OnKeyPress();
+  if (key == "t" || key == "Escape")
+  {
+    this->SetArmed(this->TouchMode);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::OnChar()
+{
+  if (this->View && this->Interactor && this->Interactor->GetKeyCode() == 'r')
+  {
+    this->View->ResetCamera();
+    this->DrawScene(false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::DrawScene(bool quickly)
+{
+  if (!this->View ||
+    vtkSMPropertyHelper(this->View, "EnableRenderOnInteraction", true).GetAsInt() != 1)
+  {
+    return;
+  }
+  quickly ? this->View->InteractiveRender() : this->View->StillRender();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->View.GetPointer() << "\n";
+  os << indent << "DeviceProxy: " << this->DeviceProxy.GetPointer() << "\n";
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticViewStyle
+ * @brief   vtkInteractorStyleHaptic in a render view of ParaView
+ *
+ * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that data on
+ * servers are rendered there, too. Picks in the one renderer that shows the data, whichever of the view's
+ * renderers lies under the pointer. Of VTK's keys only "r" is left, which resets the view's camera: the others
+ * would change actors that belong to ParaView. What arms and disarms does so through the device's property Armed,
+ * lest that says something else than the device does.
+ *
+ * @sa vtkHapticViewLink
+ */
+#ifndef vtkHapticViewStyle_h
+#define vtkHapticViewStyle_h
+
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkVolumeHapticsViewModule.h" // for export macro
+#include "vtkWeakPointer.h"             // for vtkWeakPointer
+
+class vtkSMHapticDeviceProxy;
+class vtkSMRenderViewProxy;
+
+class VTKVOLUMEHAPTICSVIEW_EXPORT vtkHapticViewStyle : public vtkInteractorStyleHaptic
+{
+public:
+  static vtkHapticViewStyle* New();
+  vtkTypeMacro(vtkHapticViewStyle, vtkInteractorStyleHaptic);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The view and the device, neither of them kept: one that is gone is neither drawn nor polled. */
+  void SetView(vtkSMRenderViewProxy* view);
+  void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
+  ///@}
+
+  /** By the property Armed of the device's proxy. */
+  void SetArmed(bool on);
+
+  /** vtkCommand::DisableEvent follows where the interactor has let go of this style. */
+  void SetInteractor(vtkRenderWindowInteractor* interactor) override;
+  void OnTimer() override;
+  void OnKeyPress() override;
+  void OnChar() override;
+
+protected:
+  vtkHapticViewStyle();
+  ~vtkHapticViewStyle() override;
+
+  void DrawScene(bool quickly) override;
+
+private:
+  vtkHapticViewStyle(const vtkHapticViewStyle&) = delete;
+  void operator=(const vtkHapticViewStyle&) = delete;
+
+  vtkWeakPointer<vtkSMRenderViewProxy> View;
+  vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
+  bool IsBusy = false; ///< a timer may fire while a view that renders waits for its server
+};
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMHapticViewProxy.h"
+
+#include "vtkHapticViewLink.h"
+
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMHapticDeviceProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+
+vtkStandardNewMacro(vtkSMHapticViewProxy);
+
+//------------------------------------------------------------------------------
+vtkSMHapticViewProxy::vtkSMHapticViewProxy()
+{
+  this->Link->AddObserver(vtkCommand::EndEvent, this, &vtkSMHapticViewProxy::OnEnd);
+  this->Link->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMHapticViewProxy::OnModified);
+}
+
+//------------------------------------------------------------------------------
+vtkSMHapticViewProxy::~vtkSMHapticViewProxy()
+{
+  this->Link->Detach();
+}
+
+//------------------------------------------------------------------------------
+vtkHapticViewLink* vtkSMHapticViewProxy::GetLink()
+{
+  return this->Link;
+}
+
+//------------------------------------------------------------------------------
+void vtkSMHapticViewProxy::UpdateVTKObjects()
+{
+  // Nothing of this is anywhere else: there is nothing to be sent.
+  if (vtkSMPropertyHelper(this, "Attached").GetAsInt() == 0)
+  {
+    this->Link->Detach();
+    vtkSMPropertyHelper(this, "TouchMode").Set(0);
+    return;
+  }
+  auto* const view =
+    vtkSMRenderViewProxy::SafeDownCast(vtkSMPropertyHelper(this, "View").GetAsProxy());
+  auto* const device =
+    vtkSMHapticDeviceProxy::SafeDownCast(vtkSMPropertyHelper(this, "Device").GetAsProxy());
+  if (this->Link->Attach(view, device))
+  {
+    this->Link->SetTouchMode(vtkSMPropertyHelper(this, "TouchMode").GetAsInt() != 0);
+  }
+  else
+  {
+    this->OnEnd();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMHapticViewProxy::OnEnd()
+{
+  vtkSMPropertyHelper(this, "Attached").Set(0);
+  vtkSMPropertyHelper(this, "TouchMode").Set(0);
+  // What was closed is not kept from going.
+  vtkSMPropertyHelper(this, "View").RemoveAllValues();
+  vtkSMPropertyHelper(this, "Device").RemoveAllValues();
+}
+
+//------------------------------------------------------------------------------
+void vtkSMHapticViewProxy::OnModified()
+{
+  vtkSMPropertyHelper(this, "TouchMode").Set(this->Link->GetTouchMode() ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkSMHapticViewProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Link: " << this->Link << "\n";
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMHapticViewProxy
+ * @brief   a vtkHapticViewLink for scripts and for the dock window
+ *
+ * Lives in the client. Its properties act with UpdateVTKObjects:
+ *
+ *   View        the render view
+ *   Device      a `HapticDevice`
+ *   Attached    1: attach the device to the view; 0: detach it. Default 0
+ *   TouchMode   1: the mouse leads the tip of a virtual device. Default 0
+ *
+ *   link = servermanager.ProxyManager().NewProxy("misc", "HapticView")
+ *
+ * Attached and TouchMode turn 0 by themselves where the link ends: see vtkHapticViewLink. Neither a state nor a
+ * trace has them: whoever loads it has not got a hand on the device.
+ */
+#ifndef vtkSMHapticViewProxy_h
+#define vtkSMHapticViewProxy_h
+
+#include "vtkNew.h" // for vtkNew
+#include "vtkSMProxy.h"
+#include "vtkVolumeHapticsViewModule.h" // for export macro
+
+class vtkHapticViewLink;
+
+class VTKVOLUMEHAPTICSVIEW_EXPORT vtkSMHapticViewProxy : public vtkSMProxy
+{
+public:
+  static vtkSMHapticViewProxy* New();
+  vtkTypeMacro(vtkSMHapticViewProxy, vtkSMProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What the properties work on. */
+  vtkHapticViewLink* GetLink();
+
+  void UpdateVTKObjects() override;
+
+protected:
+  vtkSMHapticViewProxy();
+  ~vtkSMHapticViewProxy() override;
+
+private:
+  vtkSMHapticViewProxy(const vtkSMHapticViewProxy&) = delete;
+  void operator=(const vtkSMHapticViewProxy&) = delete;
+
+  void OnEnd();
+  void OnModified();
+
+  vtkNew<vtkHapticViewLink> Link;
+};
+
+#endif

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs paraview with the dock window: run_gui.py PARAVIEW PLUGIN VOLUME OUTPUT_FOLDER.
+
+Gui.xml presses the buttons and moves the mouse, session.py checks in ParaView's own Python, step by step, and writes
+steps.txt. Needs a display. Exits with 77 where paraview can't open a window.
+"""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+PARAVIEW, PLUGIN, VOLUME, OUTPUT = map(os.path.abspath, sys.argv[1:5])
+HERE = os.path.dirname(os.path.abspath(__file__))
+STEPS = ["setup", "attached", "touch_mode", "contact", "picture", "recorded", "detached", "armed", "other_style",
+         "view_closed", "device_deleted", "armed_at_exit"]
+LIMIT = 240  # s
+
+
+def skip(why):
+    print("Skipped: " + why)
+    sys.exit(77)
+
+
+def main():
+    if not os.environ.get("DISPLAY"):
+        skip("there is no display for paraview to open a window on. Run ctest under xvfb-run.")
+    shutil.rmtree(OUTPUT, ignore_errors=True)
+    os.makedirs(OUTPUT)
+    # Settings of a user of this computer are neither read nor written.
+    with tempfile.TemporaryDirectory() as home:
+        environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home, QT_QPA_PLATFORM="xcb",
+                           GUI_SESSION=os.path.join(HERE, "session.py"), GUI_VOLUME=VOLUME,
+                           GUI_OUTPUT=OUTPUT)
+        command = [PARAVIEW, "-qwindowgeometry", "1280x800+0+0", "--dr", "--plugin-search-paths", os.path.dirname(PLUGIN),
+                   "--plugins", os.path.splitext(os.path.basename(PLUGIN))[0], "--test-directory=" + OUTPUT,
+                   "--test-script=" + os.path.join(HERE, "Gui.xml"), "--exit"]
+        log_name = os.path.join(OUTPUT, "paraview.log")
+        with open(log_name, "wb") as log:
+            process = subprocess.Popen(command, env=environment, stdout=log, stderr=subprocess.STDOUT, start_new_session=True)
+            try:
+                code = process.wait(timeout=LIMIT)
+            except subprocess.TimeoutExpired:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+                code = "none, within %d s" % LIMIT
+    with open(log_name, encoding="utf-8", errors="replace") as file:
+        log = file.read()
+    if "could not connect to display" in log or "no Qt platform plugin could be initialized" in log:
+        skip("paraview's Qt can't start here:\n" + log)
+    steps_name = os.path.join(OUTPUT, "steps.txt")
+    steps = open(steps_name, encoding="utf-8").read() if os.path.exists(steps_name) else ""
+    print(log, steps, sep="\n")
+    done = [line.split()[1] for line in steps.splitlines() if line.startswith("passed ")]
+    assert "failed " not in steps, "a step has failed: see above"
+    assert done == STEPS, f"only these steps were taken: {done}"
+    assert code == 0, f"paraview's exit code is {code}"
+
+
+main()

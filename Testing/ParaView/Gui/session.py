@@ -1,0 +1,164 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What Gui.xml calls, step by step, in the Python of a running paraview."""
+
+import os
+import shutil
+import subprocess
+import traceback
+
+from paraview import servermanager, simple
+
+OUTPUT = os.environ["GUI_OUTPUT"]
+AT_REST = 1e-9  # N
+
+
+class Session:
+    """The scene, and the checks. Every step is logged, so that one that fails is not lost in a console."""
+
+    def __init__(self):
+        self.style = None
+
+    def step(self, name):
+        try:
+            getattr(self, name)()
+            line = "passed " + name
+        except Exception:  # noqa: BLE001, into the log
+            line = "failed " + name + "\n" + traceback.format_exc()
+        with open(os.path.join(OUTPUT, "steps.txt"), "a", encoding="utf-8") as file:
+            file.write(line + "\n")
+
+    def device(self):
+        found = [proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "HapticDevice"]
+        assert len(found) == 1, f"{len(found)} haptic devices"
+        return found[0]
+
+    def force(self, device):
+        device.UpdatePropertyInformation()
+        return sum(x * x for x in device.GetPropertyValue("Force")) ** 0.5
+
+    def current_style(self):
+        return simple.GetActiveView().GetInteractor().GetInteractorStyle()
+
+    def hands(self):
+        """What of this plugin is in the view."""
+        renderer = simple.GetActiveView().SMProxy.GetClientSideObject().GetNonCompositedRenderer()
+        names = [prop.GetClassName() for prop in renderer.GetViewProps()]
+        return sorted(name for name in names if name.startswith("vtkHaptic"))
+
+    def setup(self):
+        head = simple.XMLImageDataReader(registrationName="HeadPhantom.vti", FileName=[os.environ["GUI_VOLUME"]])
+        head.UpdatePipeline()
+        view = simple.GetActiveViewOrCreate("RenderView")
+        shown = simple.Show(head, view, "UniformGridRepresentation")
+        colours = simple.GetColorTransferFunction("HU")
+        colours.RGBPoints = [-1000, 0.8, 0.6, 0.5, 0, 0.9, 0.7, 0.6, 300, 0.95, 0.85, 0.75, 1500, 1, 1, 0.95]
+        opacity = simple.GetOpacityTransferFunction("HU")
+        opacity.Points = [-1000, 0, 0.5, 0, -600, 0, 0.5, 0, -200, 0.35, 0.5, 0, 2000, 0.9, 0.5, 0]
+        simple.ColorBy(shown, ("POINTS", "HU"))
+        shown.SetRepresentationType("Volume")
+        shown.ScalarOpacityUnitDistance = 4
+        shown.Shade = 1
+        shown.SetScalarBarVisibility(view, False)
+        view.CameraPosition = [-235, -300, 60]
+        view.CameraFocalPoint = [0, 0, -12]
+        view.CameraViewUp = [0, 0, 1]
+        simple.SetActiveSource(head)
+        simple.Render()
+        self.style = self.current_style()
+
+    def attached(self):
+        device = self.device()
+        assert device.Running == 1, "Attach has not started the device"
+        assert device.Touch.Input.GetXMLName() == "XMLImageDataReader", "the active volume is not what is touched"
+        assert self.current_style() is not self.style, "the view has no haptic style"
+        assert self.hands() == ["vtkHapticHeadUpDisplay", "vtkHapticRepresentation"], "the hand is not shown"
+
+    def tip(self):
+        device = self.device()
+        device.UpdatePropertyInformation()
+        return list(device.GetPropertyValue("TipPosition"))
+
+    def touch_mode(self):
+        assert self.device().Armed == 1, "the touch mode has not armed the device"
+        self.start = self.tip()
+        assert any(self.start), "the tip is not in front of what is seen"
+
+    def contact(self):
+        device = self.device()
+        way = sum((a - b) ** 2 for a, b in zip(self.tip(), self.start)) ** 0.5
+        assert way > 5, f"the mouse led the tip by {way} mm only"
+        force = self.force(device)
+        assert force > 0.5, f"only {force} N are felt in the skin"
+
+    def press(self):
+        """1 cm along the line of sight, by the property alone."""
+        camera = simple.GetActiveView().GetActiveCamera()
+        self.device().VirtualTip = [x + 10 * d for x, d in zip(self.tip(), camera.GetDirectionOfProjection())]
+
+    def armed(self):
+        assert self.device().Armed == 1, "Arm has not armed the device"
+
+    def picture(self):
+        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
+        if shutil.which("import"):
+            subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
+
+    def recorded(self):
+        assert self.device().Recording == 0
+        trace = simple.XMLPolyDataReader(FileName=[os.path.join(OUTPUT, "touch.vtp")])
+        trace.UpdatePipeline()
+        strongest = trace.PointData["Force"].GetRange(-1)[1]
+        simple.Delete(trace)
+        simple.SetActiveSource(simple.FindSource("HeadPhantom.vti"))
+        assert strongest > 0.5, f"the recording knows of {strongest} N only"
+
+    def detached(self):
+        device = self.device()
+        assert self.current_style() is self.style, "the view has not got its own style back"
+        assert not self.hands(), "something is left in the view"
+        assert device.Armed == 0 and self.force(device) < AT_REST, "a detached device has force"
+
+    def go_2d(self):
+        simple.GetActiveView().InteractionMode = "2D"
+        self.style_2d = self.current_style()
+
+    def other_style(self):
+        assert self.style_2d is not self.style and self.current_style() is self.style_2d, "ParaView's style was overwritten"
+        assert not self.hands(), "something is left in the view"
+        device = self.device()
+        assert device.Armed == 0 and self.force(device) < AT_REST, "force, and no hand in the view"
+        simple.GetActiveView().InteractionMode = "3D"
+        assert self.current_style() is self.style
+
+    def close_view(self):
+        self.kept = self.device()
+        assert self.force(self.kept) > 0.5, "nothing is felt that could end"
+        simple.Delete(simple.GetActiveView())
+
+    def view_closed(self):
+        assert self.kept.Armed == 0 and self.force(self.kept) < AT_REST, "the view is closed, and force is left"
+        view = simple.CreateView("RenderView")
+        simple.GetLayoutByName("Layout #1").AssignView(0, view)
+        head = simple.FindSource("HeadPhantom.vti")
+        simple.Show(head, view)
+        simple.SetActiveView(view)
+        simple.SetActiveSource(head)
+        simple.Render()
+        self.style = self.current_style()
+
+    def delete_device(self):
+        self.kept = self.device()
+        assert self.force(self.kept) > 0.5, "nothing is felt that could end"
+        simple.Delete(self.kept)
+
+    def device_deleted(self):
+        assert self.force(self.kept) < AT_REST, "the device is deleted, and force is left"
+        assert self.current_style() is self.style, "the view has not got its own style back"
+        self.kept = None
+
+    def armed_at_exit(self):
+        assert self.force(self.device()) > 0.5, "nothing is felt that could end"
+
+
+session = Session()
