@@ -105,6 +105,7 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
+test_paraview
+
 echo "== Tests"
 run_tests "$build_dir"
-test_paraview
