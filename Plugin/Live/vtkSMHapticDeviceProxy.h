@@ -83,6 +83,7 @@ private:
   void Reset(const char* name);
   bool CanReachServer() const;
   void StopHand(const std::string& why);
+  void EndForce();
 
   void TakeLimits();
   void TakeOrders();

@@ -22,7 +22,6 @@ def felt():
 
 
 wavelet = simple.Wavelet()
-# k = 100 N/m: the spring is 5 mm long at most, and no surface is strong enough to hold more than 2 N.
 touch = simple.VolumeHaptics(Input=wavelet)
 device = simple.HapticDevice(Touch=touch)
 device.UpdatePipeline()
@@ -34,11 +33,13 @@ live.check(servermanager.Fetch(device).GetNumberOfPoints() == 12, "the state is 
 bounds = servermanager.Fetch(device).GetBounds()
 live.check(bounds[0] <= INSIDE[0] <= bounds[1], "where the hand is", bounds)
 
-force_follows("a setting", lambda: setattr(touch, "Method", "Force Field"), lambda f: live.distance(f, device.ComputedForce) > 1e-6)
+force_follows("a setting", lambda: setattr(touch, "Method", "Force field"), lambda f: live.distance(f, device.ComputedForce) > 1e-6)
 touch.Method = "Proxy"
 live.press(device, OUTSIDE, INSIDE)
-force_follows("a function of the material", lambda: setattr(touch.Stiffness, "Points", [0, 50, 0.5, 0, 1000, 50, 0.5, 0]),
+force_follows("a function of the material", lambda: setattr(touch.Stiffness, "Points", [0, 0.1, 0.5, 0, 1000, 0.1, 0.5, 0]),
               lambda f: live.distance(f, device.ComputedForce) > 0.1)
+touch.Stiffness.Points = [0, 0.5, 0.5, 0, 1000, 0.5, 0.5, 0]
+live.press(device, OUTSIDE, INSIDE)
 force_follows("the volume", lambda: setattr(wavelet, "Maximum", -1000.0), lambda f: live.distance(f, device.ComputedForce) > 1e-3)
 wavelet.Maximum = 255.0
 live.check(touch.Preset == "Custom", "the filter is as it was")
