@@ -30,10 +30,18 @@ struct Cube
   double PerUnit[3]; // index steps
 };
 
-/** The part of a volume within a half-width (world units), by indices; never empty. */
+double CountVoxels(const int extent[6]) noexcept
+{
+  const auto count = [&](int a) { return double{ extent[2 * a + 1] + 1.0 } - extent[2 * a]; };
+  return count(0) * count(1) * count(2);
+}
+
+/**
+ * The part of a volume within a half-width (world units), by indices; never empty. How many voxels
+ * it has.
+ */
 double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int region[6]) noexcept
 {
-  double voxels = 1.0;
   for (int a = 0; a < 3; ++a)
   {
     const double first = whole.Extent[2 * a];
@@ -43,9 +51,8 @@ double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int r
     const double high = std::clamp(std::ceil(cube.Centre[a] + half), first, last);
     region[2 * a] = static_cast<int>(low);
     region[2 * a + 1] = static_cast<int>(high);
-    voxels *= high - low + 1.0;
   }
-  return voxels;
+  return CountVoxels(region);
 }
 
 bool IsEmpty(const int extent[6]) noexcept
@@ -110,8 +117,8 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   }
   const double limit = needs.MostVoxels > LeastVoxels ? needs.MostVoxels : LeastVoxels;
   const double half = FindHalfWidth(needs);
-  int all[6];
-  if (Cut(whole, cube, HUGE_VAL, all) > limit && Cut(whole, cube, half, wanted) > limit)
+  const bool isWhole = CountVoxels(whole.Extent) <= limit;
+  if (!isWhole && Cut(whole, cube, half, wanted) > limit)
   {
     double low = 0.0;
     double high = half;
@@ -121,10 +128,6 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
       (Cut(whole, cube, middle, wanted) > limit ? high : low) = middle;
     }
     Cut(whole, cube, low, wanted);
-  }
-  else if (Cut(whole, cube, HUGE_VAL, all) <= limit)
-  {
-    std::copy(all, all + 6, wanted);
   }
   if (!resident || IsEmpty(resident))
   {

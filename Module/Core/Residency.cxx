@@ -9,7 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Voxels that a kernel reads beyond its radius, that a motion bulges out between tip and proxy, and one to spare. */
+/**
+ * Voxels that a kernel reads beyond its radius, that a motion bulges out between tip and proxy, and
+ * one to spare.
+ */
 constexpr double Spare = 3.0;
 /** The diagonal of a cube. */
 constexpr double Diagonal = 1.7320508075688772;
@@ -24,7 +27,10 @@ Vector3 Most(const Vector3& a, const Vector3& b) noexcept
   return { std::fmax(a.X, b.X), std::fmax(a.Y, b.Y), std::fmax(a.Z, b.Z) };
 }
 
-/** How many index steps a way of length 1, in the space that a matrix begins in, is along each axis at most. */
+/**
+ * How many index steps a way of length 1, in the space that a matrix begins in, is along each axis
+ * at most.
+ */
 Vector3 StepsPerLength(const Matrix3& toIndex) noexcept
 {
   return { Norm(toIndex.Row[0]), Norm(toIndex.Row[1]), Norm(toIndex.Row[2]) };

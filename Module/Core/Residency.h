@@ -4,15 +4,16 @@
  * @file
  * Touching a region of a volume that is somewhere else: how much of what a tick reads is there.
  *
- * A model of a region (VolumeView::Whole) knows which of its borders are the volume's own, where surfaces fade
- * (HapticModel::BorderFade), and which are merely the region's, where they must not. At those it says how *resident*
- * a tick is instead. With c the voxels between the region's border and what the tick can read (kernels, x_s, x_v, and
- * the way between tip and proxy), over all borders that are not the volume's own,
+ * A model of a region (VolumeView::Whole) knows which of its borders are the volume's own, where
+ * surfaces fade (HapticModel::BorderFade), and which are merely the region's, where they must not.
+ * At those it says how *resident* a tick is instead. With c the voxels between the region's border
+ * and what the tick can read (kernels, x_s, x_v, and the way between tip and proxy), over all
+ * borders that are not the volume's own,
  *
  *   residency = s(c / ResidencyBand),   s(t) = t^2 (3 - 2 t) on 0 ... 1,
  *
- * so that it is 1 well inside, 0 from where a tick could read what is not there, and everything is true in between.
- * Models of whole volumes have a residency of 1.
+ * so that it is 1 well inside, 0 from where a tick could read what is not there, and everything is
+ * true in between. Models of whole volumes have a residency of 1.
  */
 #ifndef Residency_h
 #define Residency_h
@@ -59,10 +60,10 @@ double FindResidency(
 /**
  * The ticks of a servo that may be on a region, and the share of their force that is to be felt.
  *
- * The share follows the residency by 1 in FadeTime at most, up and down. A tick whose data are not there is not
- * computed: the last force goes along with the tip and fades; once it is gone the proxy is on the tip, and
- * stays there. What is felt begins anew from there, without force, when the data have come. For models of whole
- * volumes all this is Tick() with a share of 1.
+ * The share follows the residency by 1 in FadeTime at most, up and down. A tick whose data are not
+ * there is not computed: the last force goes along with the tip and fades; once it is gone the
+ * proxy is on the tip, and stays there. What is felt begins anew from there, without force, when
+ * the data have come. For models of whole volumes all this is Tick() with a share of 1.
  */
 class ResidentServo
 {
@@ -70,8 +71,8 @@ public:
   static constexpr double FadeTime = 0.05; ///< s
 
   /**
-   * One tick of a period (s). Computes the whole force, of which GetShare() is to be felt. The record has to be that of
-   * the tick before.
+   * One tick of a period (s). Computes the whole force, of which GetShare() is to be felt. The
+   * record has to be that of the tick before.
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
     TickRecord& record, const LocalAnswer& answer) noexcept;

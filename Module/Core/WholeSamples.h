@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What has to be known of a whole volume to touch a region of it: samples that any piece of it may give.
+ * What has to be known of a whole volume to touch a region of it: samples that any piece of it may
+ * give.
  *
- * The noise (HapticNoise.h) is estimated from some thousand blocks of 5^3 samples, and the border value is that of a
- * corner. Where a volume is in pieces, each piece gives the samples that it holds; blocks that pieces share come
- * together when they are merged. Plain numbers, which can be sent as they are.
+ * The noise (HapticNoise.h) is estimated from some thousand blocks of 5^3 samples, and the border
+ * value is that of a corner. Where a volume is in pieces, each piece gives the samples that it
+ * holds; blocks that pieces share come together when they are merged. Plain numbers, which can be
+ * sent as they are.
  */
 #ifndef WholeSamples_h
 #define WholeSamples_h
@@ -23,10 +25,16 @@ struct WholeSamples
 {
   /** Of the whole volume. */
   std::int64_t Dimensions[3] = { 0, 0, 0 };
-  /** Numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any order, and their values. */
+  /**
+   * Numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any order,
+   * and their values.
+   */
   std::vector<std::int64_t> Places;
   std::vector<double> Values;
-  /** Smallest and largest value of all samples of the pieces; the first is the larger where there are none. */
+  /**
+   * Smallest and largest value of all samples of the pieces; the first is the larger where there
+   * are none.
+   */
   double Range[2] = { 1.0, 0.0 };
 
   /** Takes what another piece of the same volume gave; what both gave counts once. */

@@ -57,7 +57,10 @@ auto Tie(const HapticSettings& s)
     s.LocalShape);
 }
 
-/** A numeric field array of at least `least` finite numbers; null, with an error, where it is not one. */
+/**
+ * A numeric field array of at least `least` finite numbers; null, with an error, where it is not
+ * one.
+ */
 vtkDataArray* FindNumbers(
   vtkFieldData* fields, const char* name, vtkIdType least, std::string& error)
 {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What an image that is a region of a larger volume carries of the whole, as vtkHapticRegionFilter documents it.
+ * What an image that is a region of a larger volume carries of the whole, as vtkHapticRegionFilter
+ * documents it.
  */
 #ifndef HapticRegion_h
 #define HapticRegion_h
@@ -28,17 +29,25 @@ struct WholeFacts
   double Time = 0.0; ///< another one when the whole has changed
 };
 
-/** Reads the field arrays for a component. False, with the cure in `error`, where they are malformed. */
+/**
+ * Reads the field arrays for a component. False, with the cure in `error`, where they are
+ * malformed.
+ */
 bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::string& error);
 
 /** Lets a view of a region count its indices as the whole does. */
 void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view);
 
-/** Gives models of regions of the same volume, with the same material and settings, the same number. */
+/**
+ * Gives models of regions of the same volume, with the same material and settings, the same number.
+ */
 class RegionSeries
 {
 public:
-  /** The number of one of the last models, if this is another region of what it was made of; 0 if not. */
+  /**
+   * The number of one of the last models, if this is another region of what it was made of; 0 if
+   * not.
+   */
   std::uint64_t Find(const HapticModelDescription& description, const WholeFacts& facts,
     const std::string& array) const;
   void Note(const HapticModelDescription& description, const WholeFacts& facts,

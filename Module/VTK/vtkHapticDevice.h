@@ -35,7 +35,7 @@
  * is unplugged, stops answering, loses its zero, or the computer was asleep, the force is cut off for
  * good: the user brings it back, with Home() or Open(), and Arm().
  *
- * @sa vtkVolumeHapticsFilter, vtkHapticHardware
+ * @sa vtkVolumeHapticsFilter, vtkHapticHardware, vtkHapticRegionFilter, vtkHapticRegionPlanner
  */
 #ifndef vtkHapticDevice_h
 #define vtkHapticDevice_h
@@ -102,9 +102,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Ticks per second, 100 to 10000. Default 1000. Takes effect with Start.
-   */
+  /** Ticks per second, 100 to 10000. Default 1000. Takes effect with Start. */
   void SetServoRate(double rate);
   vtkGetMacro(ServoRate, double);
   ///@}
@@ -123,17 +121,13 @@ public:
   ///@{
   /**
    * Let force through, or not. Arm forgets a fault, and is refused, with an error, while the device is not
-   * ready; Disarm cuts the force at once. Stop disarms.
+   * ready; Disarm cuts the force at once, FadeOut within 50 ms, for data that will not come any more, as of a
+   * server that is gone. Stop disarms.
    */
   void Arm();
   void Disarm();
-  ///@}
-
-  /**
-   * Let the force go to zero within 50 ms, and then disarm: for data that will not come any more, as of a server that is
-   * gone.
-   */
   void FadeOut();
+  ///@}
 
   /** Look for the zero of a real device's encoders anew, with the hand's help; disarms. */
   void Home();
@@ -183,8 +177,7 @@ public:
   void SetVirtualLimits(
     double maximumForce, double maximumStiffness, double maximumDamping, double friction);
 
-  /** Take the latest state from the servo; true if it is a new one. What follows belongs to one
-   * tick. */
+  /** Take the latest state from the servo; true if it is a new one. What follows belongs to one tick. */
   bool UpdateState();
 
   ///@{
@@ -222,9 +215,8 @@ public:
   double* GetMediumPosition() VTK_SIZEHINT(3);
   ///@}
   /**
-   * Of the latest state: the share of the force, 0 to 1, that was let through since the data around the tip are here. 1
-   * where the image is no region of a larger volume (vtkHapticRegionFilter), 0 where they are not here. Changes by 1 in 50 ms
-   * at most.
+   * Of the latest state: the share of the force, 0 to 1, that passed since the data around the tip are here; 1
+   * unless the image is a region (vtkHapticRegionFilter). Changes by 1 in 50 ms at most.
    */
   double GetResidency();
   /** Of the latest state: its number since Start, and its time (s). */
@@ -249,9 +241,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Largest change of force (N/s). Default 500, that is, 0.5 N/ms.
-   */
+  /** Largest change of force (N/s). Default 500, that is, 0.5 N/ms. */
   void SetMaximumForceRate(double rate);
   vtkGetMacro(MaximumForceRate, double);
   ///@}
@@ -261,9 +251,8 @@ public:
    * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
    * writes it to a .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp
    * on port 1 of vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but
-   * the placement of the device changed while it was made. Needs a running servo and a filter. Refused, with an error,
-   * while a region of a larger volume is touched, and so is Publish() of one during a recording: what was felt hangs
-   * on every region that came and when, of which no single image on port 0 could tell again.
+   * the placement of the device changed while it was made. Needs a running servo and a filter. A region
+   * (vtkHapticRegionFilter) is not recorded, nor published during a recording: no one image could replay it.
    */
   bool StartRecording(const char* file);
   bool StopRecording();

@@ -4,25 +4,30 @@
  * @class   vtkHapticRegionFilter
  * @brief   a part of a volume that can be touched as if the whole were there
  *
- * Crops the image on port 0 to Region, with the array that is touched (SetInputArrayToProcess; default the active
- * scalars), and writes down what vtkVolumeHapticsFilter has to know of the whole. Where a volume is too large to be where
- * the hand is (on a server, out of core), a small region around the tip is sent from time to time;
- * vtkHapticRegionPlanner says which and when.
+ * Crops the image on port 0 to Region, with the array that is touched (SetInputArrayToProcess;
+ * default the active scalars), and writes down what vtkVolumeHapticsFilter has to know of the
+ * whole. Where a volume is too large to be where the hand is (on a server, out of core), a small
+ * region around the tip is sent from time to time; vtkHapticRegionPlanner says which and when.
  *
- * The output keeps origin, spacing, direction and the indices that the region has in the whole, and has the field arrays
+ * The output keeps origin, spacing, direction and the indices that the region has in the whole, and
+ * has the field arrays
  *
  *   HapticWholeExtent   6 integers; the extent of the whole volume
- *   HapticNoise         scalar units, one number a component, 0 or more; standard deviation of the noise of the whole,
- *                       which vtkHapticProperty's DistinctnessFromNoise goes by
- *   HapticBorderValue   scalar, one number a component; stands in for samples that are NaN or infinite
- *   HapticWholeTime     optional, a number; another one whenever the whole has changed. Regions of the same whole
- *                       with the same number may take each other's place under a hand that presses, without a trace
+ *   HapticNoise         scalar units, one number a component, 0 or more; standard deviation of the
+ *                       noise of the whole, which DistinctnessFromNoise of vtkHapticProperty goes by
+ *   HapticBorderValue   scalar, one number a component; stands in for samples that are NaN or
+ *                       infinite: the first finite corner of the whole
+ *   HapticWholeTime     optional, a number; another one whenever the whole has changed. Regions of
+ *                       the same whole with the same number take each other's place under a hand
+ *                       that presses, without a trace
  *
- * vtkVolumeHapticsFilter takes an image with the first of these for a region. At borders that are not the whole's own, the
- * force then does not end at a surface but fades (vtkHapticDevice::GetResidency).
+ * vtkVolumeHapticsFilter takes an image with these for a region. At borders that are
+ * not the whole's own, the force then does not end at a surface but fades
+ * (vtkHapticDevice::GetResidency).
  *
- * Collecting the noise needs the whole once; it is kept until the input changes. A subclass for volumes that lie in
- * pieces on several processes overrides the three protected virtual functions (C++ only).
+ * Collecting the noise needs the whole once; it is kept until the input changes. A subclass for
+ * volumes that lie in pieces on several processes overrides the three protected virtual functions
+ * (C++ only).
  *
  * @sa vtkHapticRegionPlanner, vtkVolumeHapticsFilter, vtkHapticDevice
  */
@@ -35,6 +40,7 @@
 #ifndef __VTK_WRAP__
 #include "WholeSamples.h"
 
+#include <string> // for std::string
 #include <vector> // for std::vector
 #endif
 
@@ -49,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Which part (an extent, in the whole's indices), clipped to the whole. Default (0, -1, 0, -1, 0, -1): the whole.
-   * One that has no part of the whole in it is an error.
+   * Which part (an extent, in the whole's indices), clipped to the whole. Default (0, -1, 0, -1, 0,
+   * -1): the whole. One that has no part of the whole in it is an error.
    */
   vtkSetVector6Macro(Region, int);
   vtkGetVector6Macro(Region, int);
@@ -77,27 +83,32 @@ protected:
   using SamplesOfComponents = std::vector<VolumeHaptics::WholeSamples>;
 
   /**
-   * Whether the samples that were gathered last still hold, for an input that is as it was at a time (here). Every
-   * process has to say the same. Default: whether it is the time of the last ones.
+   * Whether the samples that were gathered last still hold, for an input that is as it was at a
+   * time (here). Every process has to say the same. Default: whether it is the time of the last
+   * ones.
    */
   virtual bool IsCurrent(vtkMTimeType time);
 
   /**
-   * Completes what the piece that is here gave (one entry a component; none where it has no array) with what the other
-   * pieces give: see WholeSamples::Merge. Afterwards, the entries of all processes, or at least of those that use the
-   * output, are those of the whole. Default: nothing, since the piece is the whole.
+   * Completes what the piece that is here gave (one entry a component; none where it has no array)
+   * with what the other pieces give: see WholeSamples::Merge. Afterwards, the entries of all
+   * processes, or at least of those that use the output, are those of the whole. Default: nothing,
+   * since the piece is the whole.
    */
   virtual void GatherSamples(SamplesOfComponents& samples);
 
   /**
-   * Writes the array of a region of the whole, of which `piece` holds the part here, into an output that has its
-   * geometry; the array may be null where the piece is empty. Default: a copy, which needs all of it in the piece.
-   * False, with the reason in `error`, where parts are missing.
+   * Writes the array of a region of the whole, of which `piece` holds the part here, into an output
+   * that has its geometry; the array may be null where the piece is empty. Default: a copy, which
+   * needs all of it in the piece. False, with the reason in `error`, where parts are missing.
    */
   virtual bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     vtkImageData* output, std::string& error);
 
-  /** Copies the samples that both extents have from one array to the other; both have a tuple for every sample. */
+  /**
+   * Copies the samples that both extents have from one array to the other; both have a tuple for
+   * every sample.
+   */
   static void CopySamples(
     vtkDataArray* from, const int fromExtent[6], vtkDataArray* to, const int toExtent[6]);
 

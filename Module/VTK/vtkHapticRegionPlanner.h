@@ -4,15 +4,17 @@
  * @class   vtkHapticRegionPlanner
  * @brief   which part of a volume that is somewhere else has to come to the hand next, and when
  *
- * From where the tip is and how fast it goes, Plan says which region is wanted, and whether it is to be fetched now:
- * before the tip can leave the one that is here. With the latency t, the speed v_max that no hand exceeds, the
- * spring's length T_N/k, the reach r and the band b, the half-width of a region is
+ * From where the tip is and how fast it goes, Plan says which region is wanted, and whether it is
+ * to be fetched now: before the tip can leave the one that is here. With the latency t, the speed
+ * v_max that no hand exceeds, the spring's length T_N/k, the reach r and the band b, the half-width
+ * of a region is
  *
  *   h = v_max t + T_N/k + r + b
  *
- * world units round x + t v, the place where the tip will be when it comes; clipped to the whole, and cut to MaximumVoxels.
- * Where the whole has no more voxels than that, it is the whole. It is fetched as soon as the resident one leaves the tip
- * less than half the room that the wanted one would, so that a resting hand fetches nothing.
+ * world units round x + t v, the place where the tip will be when it comes; clipped to the whole,
+ * and cut to MaximumVoxels. Where the whole has no more voxels than that, it is the whole. It is
+ * fetched as soon as the resident one leaves the tip less than half the room that the wanted one
+ * would, so that a resting hand fetches nothing.
  *
  *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);
  *   planner->UseSettingsOf(haptics);                      // T_N/k, r, b, metres a world unit
@@ -45,8 +47,8 @@ public:
 
   ///@{
   /**
-   * The whole volume: its extent (default (0, -1, 0, -1, 0, -1): none), and origin, spacing (world units) and direction
-   * (nine numbers, row by row) as those of vtkImageData.
+   * The whole volume: its extent (default (0, -1, 0, -1, 0, -1): none), and origin, spacing (world
+   * units) and direction (nine numbers, row by row) as those of vtkImageData.
    */
   vtkSetVector6Macro(WholeExtent, int);
   vtkGetVector6Macro(WholeExtent, int);
@@ -59,15 +61,17 @@ public:
   ///@}
 
   /**
-   * Take all of the above from an image: the whole itself, or a region of it that vtkHapticRegionFilter has made.
-   * False, with an error, where it is null or its field arrays are malformed.
+   * Take all of the above from an image: the whole itself, or a region of it that
+   * vtkHapticRegionFilter has made. False, with an error, where it is null or its field arrays are
+   * malformed.
    */
   bool SetWhole(vtkImageData* image);
 
   /**
-   * Take SpringLength, Reach, Band and MetersPerWorldUnit from the settings and the property of a filter, and the Spacing
-   * and Direction that are set here. SpringLength is the largest (T_N sqrt(1 + mu^2) + R) / k of the functions' points, at
-   * most 0.05 m; with the methods of surfaces, which hold without limit, 0.05 m.
+   * Take SpringLength, Reach, Band and MetersPerWorldUnit from the settings and the property of a
+   * filter, and the Spacing and Direction that are set here. SpringLength is the largest (T_N
+   * sqrt(1 + mu^2) + R) / k of the functions' points, at most 0.05 m; with the methods of surfaces,
+   * which hold without limit, 0.05 m.
    */
   void UseSettingsOf(vtkVolumeHapticsFilter* filter);
 
@@ -103,9 +107,10 @@ public:
 
   ///@{
   /**
-   * The latency t (s) that is planned for: the smoothed one of what AddLatency was told, from a plan to the moment at
-   * which the region can be felt. The first counts whole; a longer one counts half, a shorter one a tenth. Numbers that
-   * are negative or not finite are ignored. At most 10. Default 0.2, until there is one. ResetLatency forgets all.
+   * The latency t (s) that is planned for: the smoothed one of what AddLatency was told, from a
+   * plan to the moment at which the region can be felt. The first counts whole; a longer one counts
+   * half, a shorter one a tenth. Numbers that are negative or not finite are ignored. At most 10.
+   * Default 0.2, until there is one. ResetLatency forgets all.
    */
   void AddLatency(double seconds);
   void ResetLatency();
@@ -116,10 +121,10 @@ public:
   double GetHalfWidth();
 
   /**
-   * The region (an extent) that is wanted for a tip (world) with a velocity (world units per second), and whether it is
-   * to be fetched now. `resident` is the extent of the region that is here, or on its way; an empty one, such as
-   * (0, -1, 0, -1, 0, -1), where there is none. Never empty, unless the whole is, and never beyond the whole, for any
-   * numbers.
+   * The region (an extent) that is wanted for a tip (world) with a velocity (world units per
+   * second), and whether it is to be fetched now. `resident` is the extent of the region that is
+   * here, or on its way; an empty one, such as (0, -1, 0, -1, 0, -1), where there is none. Never
+   * empty, unless the whole is, and never beyond the whole, for any numbers.
    */
   bool Plan(const double tip[3], const double velocity[3], const int resident[6], int wanted[6]);
 
