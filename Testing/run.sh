@@ -34,6 +34,26 @@ jobs=$(nproc)
 # Without a display, or with somebody's: tests always render off to the side.
 run_tests() { with_own_screen ctest --test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error "${@:2}"; }
 
+# The plugin in ParaView, whose traces are compared with those of the build in $build_dir.
+test_paraview()
+{
+  local plugin_dir prefix paraview
+  plugin_dir=$(dirname "$build_dir")/paraview
+  prefix=$plugin_dir-prefix
+  echo "== ParaView's plugin in $plugin_dir"
+  if ! require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev ||
+    ! "$root/Plugin/paraview-prefix.sh" "$prefix"; then
+    echo "!!!! SKIPPED: ParaView could not be installed, so its plugin was neither built nor tested !!!!" >&2
+    return 0
+  fi
+  paraview=$(echo "$prefix"/usr/lib/*/cmake/paraview-*)
+  PATH=$prefix/usr/bin:$PATH PYTHONPATH=$prefix/usr/lib/python3/dist-packages \
+    cmake -S "$root" -B "$plugin_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_PARAVIEW_PLUGIN=ON \
+    -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
+  cmake --build "$plugin_dir" -j "$jobs"
+  run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
+}
+
 echo "== Building in $build_dir"
 cmake -S "$root" -B "$build_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
 cmake --build "$build_dir" -j "$jobs"
@@ -79,3 +99,4 @@ fi
 
 echo "== Tests"
 run_tests "$build_dir"
+test_paraview

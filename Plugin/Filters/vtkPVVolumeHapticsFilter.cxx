@@ -167,9 +167,10 @@ void vtkPVVolumeHapticsFilter::FillProperty()
   vtkHapticProperty* const property = this->GetProperty();
   if (this->Preset != "Custom")
   {
-    property->ApplyPreset(this->Preset.c_str());
+    this->IsPresetKnown = property->ApplyPreset(this->Preset.c_str());
     return;
   }
+  this->IsPresetKnown = true;
   this->Stiffness.CopyTo(property->GetStiffness());
   this->Friction.CopyTo(property->GetFriction());
   this->Viscosity.CopyTo(property->GetViscosity());
@@ -192,6 +193,14 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
     this->Filled.Modified();
   }
   return this->Superclass::GetMTime();
+}
+
+//------------------------------------------------------------------------------
+int vtkPVVolumeHapticsFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // The property has said what is wrong with the name.
+  return this->IsPresetKnown ? this->Superclass::RequestData(request, inputs, outputs) : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -29,7 +29,8 @@ public:
 
   /**
    * "Custom" (default): the functions below. Else one of vtkHapticProperty::GetPresetNames(), and
-   * the functions, DistinctnessFromNoise and SurfaceSide wait until it is "Custom" again.
+   * the functions, DistinctnessFromNoise and SurfaceSide wait until it is "Custom" again. Any other
+   * name is an error that lists these, and the output is empty.
    */
   void SetPreset(const char* preset);
 
@@ -76,6 +77,8 @@ protected:
   vtkPVVolumeHapticsFilter();
   ~vtkPVVolumeHapticsFilter() override;
 
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 private:
   /** A function from 0 to 1, and what its 1 stands for. */
   struct Curve
@@ -101,6 +104,7 @@ private:
   int SurfaceSide = 0;
   vtkTimeStamp Chosen; // when a setting of the material was made
   vtkTimeStamp Filled; // when the property got it
+  bool IsPresetKnown = true;
 
   vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;
   void operator=(const vtkPVVolumeHapticsFilter&) = delete;

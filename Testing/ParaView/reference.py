@@ -21,7 +21,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkMetaImageReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLPolyDataWriter
-from volumehaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm, vtkVolumeHapticsFilter
+from volumehaptics import (
+    vtkHapticPathSource, vtkHapticProperty, vtkVolumeHapticsAlgorithm, vtkVolumeHapticsFilter)
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from scenes import METHODS, SCENES  # noqa: E402
@@ -98,7 +99,8 @@ def describe_classes():
             value = getattr(made, "Get" + name)() if hasattr(made, "Get" + name) else None
             if isinstance(value, (bool, int, float)):
                 defaults[name] = value
-    return {"Algorithm": algorithm, "Property": material, "Defaults": defaults, "Presets": presets}
+    path = setters(vtkHapticPathSource, vtkHapticPathSource.__bases__[0])
+    return {"Algorithm": algorithm, "Property": material, "Path": path, "Defaults": defaults, "Presets": presets}
 
 
 def main(folder, phantom, head_ct=None):

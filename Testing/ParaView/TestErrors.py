@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is wrong with the input reaches the user in words with a cure, and nothing else happens."""
+
+import math
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rig  # noqa: E402
+from paraview import simple  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
+
+
+def expect(touch, *words):
+    """An update says all the words, and the output is empty; without words, it says nothing."""
+    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(log)
+    touch.UpdatePipeline()
+    vtkOutputWindow.SetInstance(console)
+    text = log.GetOutput()
+    for word in words:
+        assert word in text, f"{word} is not in: {text}"
+    assert words or "ERROR" not in text, text
+    if words:
+        assert touch.GetDataInformation().GetNumberOfPoints() == 0
+
+
+def path_through(*points):
+    source = simple.PVTrivialProducer()
+    path = vtkPolyData()
+    path.SetPoints(vtkPoints())
+    path.GetPoints().SetDataTypeToDouble()
+    for point in points:
+        path.GetPoints().InsertNextPoint(point)
+    source.GetClientSideObject().SetOutput(path)
+    source.UpdatePipeline()
+    return source
+
+
+def touch(**inputs):
+    simple.SetActiveSource(inputs["Input"])
+    return rig.VolumeHaptics(**inputs)
+
+
+head = rig.read("Head.vti")
+line = rig.HapticPath(Point1=[0, 0, 115], Point2=[0, 0, 98])
+
+# Applied without a path: empty, and no error; with one and without it again.
+haptics = touch(Input=head)
+expect(haptics)
+assert haptics.GetDataInformation().GetNumberOfPoints() == 0
+haptics.Path = line
+expect(haptics)
+assert haptics.GetDataInformation().GetNumberOfPoints() == 171
+haptics.Path = None
+expect(haptics)
+assert haptics.GetDataInformation().GetNumberOfPoints() == 0
+
+# A path that is no polygonal data is not in the list that the panel offers.
+chooser = haptics.SMProxy.GetProperty("Path")
+chooser.SetUncheckedInputConnection(0, line.SMProxy, 0)
+assert chooser.IsInDomains(), "a line is no path"
+chooser.SetUncheckedInputConnection(0, head.SMProxy, 0)
+assert not chooser.IsInDomains(), "an image is a path"
+chooser.ClearUncheckedElements()
+
+wavelet = simple.Wavelet()
+cells = simple.PointDatatoCellData(Input=wavelet)
+cells.UpdatePipeline()
+expect(touch(Input=cells, Path=line), "no point scalars", "active scalars")
+wrong = touch(Input=head, Path=line)
+wrong.Scalars = ["POINTS", "Nothing"]
+expect(wrong, "Nothing", "numeric point array")
+thin = simple.Wavelet(WholeExtent=[-5, 5, 0, 0, -5, 5])
+thin.UpdatePipeline()
+expect(touch(Input=thin, Path=line), "voxel")
+expect(touch(Input=head, Path=path_through((0, 0, 115), (math.nan, 0, 98))), "NaN", "point 1")
+expect(touch(Input=head, Path=line, Component=3), "omponent")
+expect(touch(Input=head, Path=line, Preset="Wood"), "Wood", "CT contrast")
+expect(rig.HapticPath(Point1=[1, 2, 3], Point2=[1, 2, 3]), "Point1 and Point2", "Move")
+expect(rig.HapticPath(Shape="From file", FileName="nowhere.vtp"), "nowhere.vtp", "does not exist")
+expect(rig.HapticPath(Shape="Spiral", Radius=-1.0), "Radius", "more than 0")
+
+# And what is right still works.
+haptics.Path = line
+expect(haptics)
+assert haptics.GetDataInformation().GetNumberOfPoints() == 171

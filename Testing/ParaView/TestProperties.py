@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The presets are those of vtkHapticProperty, feel the same copied into functions, and every setting is a property."""
+
+import os
+import sys
+
+import numpy
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rig  # noqa: E402
+
+# What a property of the filter is instead, and what only C++ asks for.
+ELSEWHERE = {"Property", "MethodByName", "VisibilityFrom"}
+FUNCTIONS = ("Stiffness", "Friction", "Viscosity", "SurfaceStrength", "Distinctness")
+
+classes = rig.classes()
+touch = rig.head()
+
+listed = touch.GetProperty("Preset").GetAvailable()
+assert listed == ["Custom"] + list(classes["Presets"]), f"{listed} is not {list(classes['Presets'])}"
+
+setters = set(classes["Algorithm"]) | set(classes["Property"])
+properties = set(touch.ListProperties())
+assert {"KernelRadius", "SurfaceSide", "Viscosity"} < setters, setters
+missing = setters - ELSEWHERE - properties
+assert not missing, f"the filter in ParaView lacks {missing}"
+for name in sorted(properties):
+    documentation = touch.SMProxy.GetProperty(name).GetDocumentation()
+    assert documentation and len(documentation.GetDescription() or "") > 20, f"{name} is not documented"
+
+fresh = rig.touch("Head")
+for name, value in classes["Defaults"].items():
+    data = fresh.GetProperty(name).GetData()
+    data = fresh.GetProperty(name).SMProperty.GetElement(0) if isinstance(data, str) else data
+    assert data == value, f"{name} is {data} by default, and {value} in VTK"
+
+for name, preset in classes["Presets"].items():
+    touch.Preset = name
+    expected = rig.arrays_of(touch)
+    touch.InvokeCommand("CopyPreset")
+    assert touch.Preset == "Custom", touch.Preset
+    assert touch.GetProperty("SurfaceSide").SMProperty.GetElement(0) == preset["SurfaceSide"], name
+    for function in FUNCTIONS:
+        points = numpy.array(touch.GetProperty(function).GetData().Points).reshape(-1, 4)
+        scale = touch.GetPropertyValue(function + "Scale") if function != "Distinctness" else 1.0
+        wanted = numpy.array(preset[function]).reshape(-1, 4)
+        numpy.testing.assert_allclose(points * [1, scale, 1, 1], wanted, rtol=1e-15, err_msg=f"{name}, {function}")
+        shown = points[points[:, 1] < 1000, 1]  # but for what is impenetrable
+        assert 0.4 <= shown.max() <= 1.0, f"{name}, {function}: {points} do not fill the editor's 0 to 1"
+    copied = rig.arrays_of(touch)
+    for array, wanted in expected.items():
+        numpy.testing.assert_allclose(copied[array], wanted, rtol=1e-9, atol=1e-9, err_msg=f"{name}, {array}")
+    # And they are felt once they are edited.
+    touch.StiffnessScale = 800.0
+    touch.Stiffness.Points = [0, 0.25, 0.5, 0, 100, 0.25, 0.5, 0]
+    assert (rig.arrays_of(touch)["Stiffness"] == 200.0).all(), name

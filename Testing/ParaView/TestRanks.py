@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""On several ranks the trace is the one of a single rank, once, and on the first: mpiexec -np N pvbatch."""
+
+import os
+import sys
+
+import numpy
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rig  # noqa: E402
+from paraview import servermanager, simple  # noqa: E402
+from paraview.modules.vtkRemotingCore import vtkProcessModule  # noqa: E402
+
+ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+assert ranks > 1, "this is the test of several ranks"
+
+
+def compare(haptics, name, method):
+    """All ranks take part in an update; the client's is the first."""
+    haptics.UpdatePipeline()
+    here = haptics.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints()
+    with numpy.load(os.path.join(rig.REFERENCE, f"{name}-{method}.npz")) as expected:
+        ticks = len(expected["Time"])
+        assert here == (ticks if rig.is_first_rank() else 0), f"{name}: {here} points"
+        arrays = rig.arrays_of(haptics)
+        if rig.is_first_rank():
+            rig.assert_same(arrays, dict(expected), f"{name}, {method}, {ranks} ranks")
+            print(f"{name}, {method}: {ticks} ticks on the first of {ranks} ranks")
+
+
+for name, settings in (("Wavelet", {"Scalars": ["POINTS", "RTData"], "IsoValue": 200.0}),
+                       ("Head", {"Scalars": ["POINTS", "HU"], "IsoValue": -300.0, "Preset": "CT contrast"})):
+    haptics = rig.touch(name, **settings)
+    compare(haptics, name, "Precise")
+    haptics.Method = "Surface proxy"
+    haptics.ProxyRadius, haptics.ForceShading = 1.0, 0
+    compare(haptics, name, "SurfaceProxy")
+
+# A source that makes its piece of the image on each rank, and one of the paths.
+wavelet = simple.Wavelet()
+simple.SetActiveSource(wavelet)
+path = rig.HapticPath(Shape="Circle", Radius=8.0)
+haptics = rig.VolumeHaptics(Input=wavelet, Path=path, Scalars=["POINTS", "RTData"])
+ticks = rig.arrays_of(haptics)
+if rig.is_first_rank():
+    assert len(ticks["Force"]) == 1509, len(ticks["Force"])
+    assert numpy.linalg.norm(ticks["Force"], axis=1).max() > 0.1
