@@ -21,6 +21,8 @@ namespace
 constexpr std::array<int, 6> Empty = { 0, -1, 0, -1, 0, -1 };
 /** Over how long (s) the tip's velocity is taken, at least. */
 constexpr double VelocityTime = 0.01;
+/** A user interface that was busy for longer (s) says nothing about the next time. */
+constexpr double LongestInterval = 0.5;
 
 } // namespace
 
@@ -105,7 +107,8 @@ HapticRegionLink::Answer HapticRegionLink::Fetch(
   }
   else
   {
-    this->Planner->AddLatency(vtkTimerLog::GetUniversalTime() - start);
+    // It was wanted since the last look.
+    this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
     this->HasLatency = true;
     image->GetExtent(this->Resident.data());
   }
@@ -138,6 +141,9 @@ void HapticRegionLink::MeasureVelocity(vtkHapticDevice* device)
 HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsigned int port,
   vtkVolumeHapticsFilter* filter, vtkHapticDevice* device)
 {
+  const double now = vtkTimerLog::GetUniversalTime();
+  this->Interval = std::clamp(now - this->PollTime, 0.0, LongestInterval);
+  this->PollTime = now;
   if (!this->Follow(volume, port, filter))
   {
     return volume ? Answer::Refused : Answer::Nothing;

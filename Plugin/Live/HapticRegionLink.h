@@ -43,7 +43,7 @@ public:
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter,
     vtkHapticDevice* device);
 
-  /** How long (s) a fetch takes; 0 before the first. */
+  /** How long (s) it takes from when a region is wanted to when it is here; 0 before the first. */
   double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
   /** Why the last one was refused. */
   const std::string& GetProblem() const { return this->Problem; }
@@ -69,6 +69,8 @@ private:
   std::array<double, 3> Tip = {};
   std::array<double, 3> Velocity = {};
   double Time = 0.0;
+  double PollTime = 0.0; // s, of this computer
+  double Interval = 0.0; // s, from one call of Poll to the next
   vtkMTimeType SettingsTime = 0;
   bool IsSurveyed = false;
   bool HasImage = false;

@@ -5,10 +5,14 @@
 #include "vtkCommand.h"
 #include "vtkPVSession.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
 #include "vtkSMProxy.h"
+#include "vtkSMProxyProperty.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkVolumeHapticsFilter.h"
+
+#include <vector>
 
 namespace VolumeHapticsLive
 {
@@ -51,10 +55,33 @@ void HapticTouchLink::Follow(vtkSMProxy* touch)
   }
   if (this->Twin && this->IsDirty)
   {
-    this->Twin->Copy(touch, "vtkSMInputProperty");
-    this->Twin->UpdateVTKObjects();
+    this->CopySettings();
     this->IsDirty = false;
   }
+}
+
+void HapticTouchLink::CopySettings()
+{
+  this->Twin->Copy(this->Touch, "vtkSMProxyProperty");
+  // Properties copy proxies as their domains have them, and the twin's domains are empty.
+  vtkSmartPointer<vtkSMPropertyIterator> properties;
+  properties.TakeReference(this->Twin->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    auto* const to = vtkSMProxyProperty::SafeDownCast(properties->GetProperty());
+    auto* const from =
+      vtkSMProxyProperty::SafeDownCast(this->Touch->GetProperty(properties->GetKey()));
+    if (to && from && !to->IsA("vtkSMInputProperty"))
+    {
+      std::vector<vtkSMProxy*> proxies;
+      for (unsigned int i = 0; i < from->GetNumberOfProxies(); ++i)
+      {
+        proxies.push_back(from->GetProxy(i));
+      }
+      to->SetProxies(static_cast<unsigned int>(proxies.size()), proxies.data());
+    }
+  }
+  this->Twin->UpdateVTKObjects();
 }
 
 vtkVolumeHapticsFilter* HapticTouchLink::GetFilter() const

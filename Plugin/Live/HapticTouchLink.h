@@ -43,6 +43,7 @@ public:
 private:
   void NoteChange() { this->IsDirty = true; }
   void LetGo();
+  void CopySettings();
 
   vtkWeakPointer<vtkSMProxy> Touch;
   vtkSmartPointer<vtkSMProxy> Twin;

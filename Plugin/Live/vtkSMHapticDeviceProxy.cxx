@@ -6,6 +6,10 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 vtkStandardNewMacro(vtkSMHapticDeviceProxy);
 
 //------------------------------------------------------------------------------
@@ -80,7 +84,7 @@ void vtkSMHapticDeviceProxy::StopHand(const std::string& why)
   auto& d = *this->Internals;
   if (d.Device->IsRunning())
   {
-    d.Device->Disarm();
+    this->EndForce();
     d.Log.Continue(d.Device);
     d.Device->Stop(); // writes a recording, too
     d.Notice = why;
@@ -94,6 +98,25 @@ void vtkSMHapticDeviceProxy::StopHand(const std::string& why)
     {
       this->Reset(name);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMHapticDeviceProxy::EndForce()
+{
+  vtkHapticDevice* const device = this->Internals->Device;
+  device->Disarm();
+  // So that a recording ends with what was sent last.
+  for (int i = 0; i < 50; ++i)
+  {
+    device->UpdateState();
+    const double* const force = device->GetForce();
+    if (device->GetStatus() <= vtkHapticDevice::READY &&
+      std::all_of(force, force + 3, [](double f) { return f == 0.0; }))
+    {
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 

@@ -69,6 +69,13 @@ public:
   void UpdatePipeline(double time) override;
   ///@}
 
+  ///@{
+  /** Without Running, Armed and Recording, which stay as they are. */
+  using Superclass::SaveXMLState;
+  vtkPVXMLElement* SaveXMLState(vtkPVXMLElement* root, vtkSMPropertyIterator* properties) override;
+  int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
+  ///@}
+
 protected:
   vtkSMHapticDeviceProxy();
   ~vtkSMHapticDeviceProxy() override;
@@ -83,6 +90,7 @@ private:
   void Reset(const char* name);
   bool CanReachServer() const;
   void StopHand(const std::string& why);
+  void EndForce();
 
   void TakeLimits();
   void TakeOrders();

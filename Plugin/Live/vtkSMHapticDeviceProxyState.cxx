@@ -4,9 +4,58 @@
 #include "vtkSMHapticDeviceProxyInternals.h"
 
 #include "vtkPVHapticStateSource.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <utility>
+
+namespace
+{
+
+/** A hand is on the other end of these. */
+const char* const Orders[] = { "Armed", "Recording", "Running" };
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkPVXMLElement* vtkSMHapticDeviceProxy::SaveXMLState(
+  vtkPVXMLElement* root, vtkSMPropertyIterator* properties)
+{
+  vtkPVXMLElement* const state = this->Superclass::SaveXMLState(root, properties);
+  for (unsigned int i = state ? state->GetNumberOfNestedElements() : 0; i > 0; --i)
+  {
+    vtkPVXMLElement* const property = state->GetNestedElement(i - 1);
+    const char* const name = property->GetAttribute("name");
+    if (name &&
+      std::any_of(std::begin(Orders), std::end(Orders),
+        [name](const char* order) { return std::strcmp(order, name) == 0; }))
+    {
+      state->RemoveNestedElement(property);
+    }
+  }
+  return state;
+}
+
+//------------------------------------------------------------------------------
+int vtkSMHapticDeviceProxy::LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
+{
+  // Nothing in between may obey what a state says, whoever wrote it.
+  auto& d = *this->Internals;
+  const bool wasBusy = std::exchange(d.IsBusy, true);
+  int orders[3];
+  std::transform(std::begin(Orders), std::end(Orders), orders,
+    [this](const char* order) { return this->GetInt(order); });
+  const int isLoaded = this->Superclass::LoadXMLState(element, locator);
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkSMPropertyHelper(this, Orders[i]).Set(orders[i]);
+  }
+  d.IsBusy = wasBusy;
+  return isLoaded;
+}
 
 //------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::Report()

@@ -27,6 +27,25 @@ void vtkSMHapticRegionProxy::MarkDirty(vtkSMProxy* modified)
 }
 
 //------------------------------------------------------------------------------
+bool vtkSMHapticRegionProxy::HasSender()
+{
+  // Who does not know the question gives no answer, for which the client would wait.
+  if (!this->IsKnown)
+  {
+    vtkClientServerStream stream;
+    stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "GetClassName"
+           << vtkClientServerStream::End;
+    vtkSMSession* const session = this->GetSession();
+    session->ExecuteStream(vtkPVSession::DATA_SERVER_ROOT, stream, true);
+    const vtkClientServerStream& result = session->GetLastResult(vtkPVSession::DATA_SERVER_ROOT);
+    std::string name;
+    this->IsKnown = result.GetNumberOfMessages() == 1 && result.GetArgument(0, 0, &name) &&
+      name == "vtkPVHapticRegionSender";
+  }
+  return this->IsKnown;
+}
+
+//------------------------------------------------------------------------------
 vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(
   const std::string& array, const int region[6], vtkImageData* image, std::string& error)
 {
@@ -36,6 +55,12 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(
   if (!server)
   {
     return LOST;
+  }
+  if (!this->HasSender())
+  {
+    error = "The server can't send what is around the tip. Load the same VolumeHapticsPlugin there "
+            "as here.";
+    return REFUSED;
   }
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "Send" << array.c_str();

@@ -51,7 +51,10 @@ private:
   vtkSMHapticRegionProxy(const vtkSMHapticRegionProxy&) = delete;
   void operator=(const vtkSMHapticRegionProxy&) = delete;
 
+  bool HasSender();
+
   bool Stale = true;
+  bool IsKnown = false; // to have a sender
 };
 
 #endif

@@ -12,65 +12,68 @@ import live
 
 HOW = sys.argv[3]
 FILE = os.path.join(live.FOLDER, HOW + ".vtp")
-if os.path.exists(FILE):
+if HOW == "AfterExit":
+    FILE = os.path.join(sys.argv[4], "Exit.vtp")
+elif os.path.exists(FILE):
     os.remove(FILE)
 
-def last_commands():
+
+def commands_in_file():
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(FILE)
     reader.Update()
     data = reader.GetOutput().GetPointData()
-
     return vtk_to_numpy(data.GetArray("Command"))
 
-if HOW == "Look":
-    # Of a process that ended by exit() while it was armed.
-    FILE = os.path.join(live.FOLDER, "..", "SafetyExit", "Exit.vtp")
-    sys.exit(0)
 
-live.load_plugin()
-wavelet = simple.Wavelet()
-touch = simple.VolumeHaptics(Input=wavelet)
-device = simple.HapticDevice(Touch=touch, RecordingFile=FILE)
-view = None
-if HOW == "View":
-    view = simple.CreateRenderView()
-    shown = simple.Show(wavelet, view, "UniformGridRepresentation")
-    shown.SetRepresentationType("Volume")
-    simple.ColorBy(shown, ("POINTS", "RTData"))
-    simple.Render(view)
-device.VirtualTip = [-9, 0, 0]
-device.Running = 1
-live.check(live.poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
-device.Recording = 1
-device.Armed = 1
-device.VirtualTip = [-4, 0, 0]
-live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a hand is held", device.StatusText)
+def hold_and_delete():
+    live.load_plugin()
+    wavelet = simple.Wavelet()
+    touch = simple.VolumeHaptics(Input=wavelet)
+    device = simple.HapticDevice(Touch=touch, RecordingFile=FILE)
+    view = None
+    if HOW == "View":
+        view = simple.CreateRenderView()
+        shown = simple.Show(wavelet, view, "UniformGridRepresentation")
+        shown.SetRepresentationType("Volume")
+        simple.ColorBy(shown, ("POINTS", "RTData"))
+        simple.Render(view)
+    device.VirtualTip = [-9, 0, 0]
+    device.Running = 1
+    live.check(live.poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
+    device.Recording = 1
+    device.Armed = 1
+    device.VirtualTip = [-4, 0, 0]
+    live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a hand is held", device.StatusText)
 
-if HOW == "Device":
-    simple.Delete(device)
-elif HOW == "DeviceLastReference":
-    simple.Delete(device)
-    del device
-elif HOW == "Touch":
-    simple.Delete(touch)
-elif HOW == "Volume":
-    simple.Delete(wavelet)
-elif HOW == "View":
-    simple.Delete(view)
-elif HOW == "All":
-    for proxy in (wavelet, device, touch):
-        simple.Delete(proxy)
-    del wavelet, touch, device, proxy
-elif HOW == "Session":
-    simple.ResetSession()
-elif HOW == "Disconnect":
-    simple.Disconnect()
-elif HOW == "Exit":
-    sys.exit(0)  # the signal and exit guards of vtkHapticDevice have their own tests
+    if HOW == "Device":
+        simple.Delete(device)
+    elif HOW == "DeviceLastReference":
+        simple.Delete(device)
+        device = None
+    elif HOW == "Touch":
+        simple.Delete(touch)
+    elif HOW == "Volume":
+        simple.Delete(wavelet)
+    elif HOW == "View":
+        simple.Delete(view)
+    elif HOW == "All":
+        for proxy in (wavelet, device, touch):
+            simple.Delete(proxy)
+        del wavelet, touch, device, proxy
+        device = None
+    elif HOW == "Session":
+        simple.ResetSession()
+    elif HOW == "Disconnect":
+        simple.Disconnect()
+    elif HOW == "Exit":
+        sys.exit(0)
+    return device
 
+
+device = hold_and_delete() if HOW != "AfterExit" else None
 live.check(os.path.exists(FILE), "the recording was written")
-commands = last_commands()
+commands = commands_in_file()
 live.check(abs(commands).max() > 0.5, "it has the force")
 live.check((commands[-1] == 0.0).all(), "the last command is zero", commands[-3:])
 if HOW in ("Touch", "Volume", "View"):

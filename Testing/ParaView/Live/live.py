@@ -61,7 +61,7 @@ def press(device, start, end, armed=True):
     device.VirtualTip = start
     device.Running = 1
     check(poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
-    # Not a tick before what is around the tip is here.
+    check(poll(device, lambda: distance(device.TipPosition, start) < 1e-9), "the tip is at its start")
     check(poll(device, lambda: device.Residency == 1.0), "what is around the tip is here", device.StatusText)
     device.Armed = 1 if armed else 0
     device.VirtualTip = end

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the volume rendering hides is not felt, as long as the device follows it."""
+from paraview import simple
+
+import live
+
+live.load_plugin()
+wavelet = simple.Wavelet()
+touch = simple.VolumeHaptics(Input=wavelet)
+view = simple.CreateRenderView()
+shown = simple.Show(wavelet, view, "UniformGridRepresentation")
+shown.SetRepresentationType("Volume")
+simple.ColorBy(shown, ("POINTS", "RTData"))
+opacity = simple.GetOpacityTransferFunction("RTData")
+HIDDEN, SEEN = [0, 0, 0.5, 0, 300, 0, 0.5, 0], [0, 1, 0.5, 0, 300, 1, 0.5, 0]
+device = simple.HapticDevice(Touch=touch)
+
+
+def felt():
+    """Of a hand that presses anew."""
+    live.press(device, [-9, 0, 0], [-4, 0, 0], armed=False)
+    live.poll_for(device, 0.1)
+    return live.norm(device.ComputedForce)
+
+
+opacity.Points = SEEN
+seen = felt()
+live.check(seen > 0.5, "what is seen is felt", seen)
+opacity.Points = HIDDEN
+live.check(felt() == 0.0, "what is hidden is not", list(device.ComputedForce))
+device.FollowOpacity = 0
+live.check(abs(felt() - seen) < 0.01, "unless the device does not follow", list(device.ComputedForce), seen)
+device.FollowOpacity = 1
+shown.SetRepresentationType("Outline")
+live.check(abs(felt() - seen) < 0.01, "nor is what has no opacity hidden", list(device.ComputedForce), seen)
+shown.SetRepresentationType("Volume")
+live.check(felt() == 0.0, "it is looked for at every poll", list(device.ComputedForce))
