@@ -60,8 +60,9 @@ class Session:
         shown.ScalarOpacityUnitDistance = 4
         shown.Shade = 1
         shown.SetScalarBarVisibility(view, False)
-        view.CameraPosition = [-235, -300, 60]
-        view.CameraFocalPoint = [0, 0, -12]
+        simple.Render()  # which places the camera the first time
+        view.CameraPosition = [-270, -345, 60]
+        view.CameraFocalPoint = [0, 0, -22]
         view.CameraViewUp = [0, 0, 1]
         simple.SetActiveSource(head)
         simple.Render()
@@ -100,9 +101,9 @@ class Session:
         assert self.device().Armed == 1, "Arm has not armed the device"
 
     def picture(self):
-        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
         if shutil.which("import"):
             subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
+        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
 
     def recorded(self):
         assert self.device().Recording == 0
