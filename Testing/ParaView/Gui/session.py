@@ -61,7 +61,7 @@ class Session:
         shown.Shade = 1
         shown.SetScalarBarVisibility(view, False)
         simple.Render()  # which places the camera the first time
-        view.CameraPosition = [-270, -345, 60]
+        view.CameraPosition = [-315, -400, 60]
         view.CameraFocalPoint = [0, 0, -22]
         view.CameraViewUp = [0, 0, 1]
         simple.SetActiveSource(head)
@@ -101,6 +101,8 @@ class Session:
         assert self.device().Armed == 1, "Arm has not armed the device"
 
     def picture(self):
+        for _ in range(3):
+            simple.Render()  # the mapper comes back to its full quality step by step
         if shutil.which("import"):
             subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
         simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
