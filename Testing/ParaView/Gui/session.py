@@ -60,7 +60,6 @@ class Session:
         shown.ScalarOpacityUnitDistance = 4
         shown.Shade = 1
         shown.SetScalarBarVisibility(view, False)
-        simple.Render()  # which places the camera the first time
         view.CameraPosition = [-315, -400, 60]
         view.CameraFocalPoint = [0, 0, -22]
         view.CameraViewUp = [0, 0, 1]
@@ -101,11 +100,10 @@ class Session:
         assert self.device().Armed == 1, "Arm has not armed the device"
 
     def picture(self):
-        for _ in range(3):
-            simple.Render()  # the mapper comes back to its full quality step by step
+        # First, since it leaves the mapper at its full quality.
+        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
         if shutil.which("import"):
             subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
-        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
 
     def recorded(self):
         assert self.device().Recording == 0
