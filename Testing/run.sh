@@ -47,7 +47,8 @@ test_paraview()
   plugin_dir=$(dirname "$build_dir")/paraview
   prefix=$plugin_dir-prefix
   echo "== ParaView's plugin in $plugin_dir"
-  if ! require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev ||
+  if ! require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
+    qtbase5-dev qttools5-dev libqt5svg5-dev ||
     ! "$root/Plugin/paraview-prefix.sh" "$prefix"; then
     echo "!!!! SKIPPED: ParaView could not be installed, so its plugin was neither built nor tested !!!!" >&2
     return 0

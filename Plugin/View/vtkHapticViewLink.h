@@ -19,8 +19,8 @@
 #ifndef vtkHapticViewLink_h
 #define vtkHapticViewLink_h
 
+#include "VolumeHapticsViewModule.h" // for export macro
 #include "vtkObject.h"
-#include "vtkVolumeHapticsViewModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
@@ -29,7 +29,7 @@ class vtkInteractorStyleHaptic;
 class vtkSMHapticDeviceProxy;
 class vtkSMRenderViewProxy;
 
-class VTKVOLUMEHAPTICSVIEW_EXPORT vtkHapticViewLink : public vtkObject
+class VOLUMEHAPTICSVIEW_EXPORT vtkHapticViewLink : public vtkObject
 {
 public:
   static vtkHapticViewLink* New();

@@ -15,14 +15,14 @@
 #ifndef vtkHapticViewStyle_h
 #define vtkHapticViewStyle_h
 
+#include "VolumeHapticsViewModule.h" // for export macro
 #include "vtkInteractorStyleHaptic.h"
-#include "vtkVolumeHapticsViewModule.h" // for export macro
-#include "vtkWeakPointer.h"             // for vtkWeakPointer
+#include "vtkWeakPointer.h" // for vtkWeakPointer
 
 class vtkSMHapticDeviceProxy;
 class vtkSMRenderViewProxy;
 
-class VTKVOLUMEHAPTICSVIEW_EXPORT vtkHapticViewStyle : public vtkInteractorStyleHaptic
+class VOLUMEHAPTICSVIEW_EXPORT vtkHapticViewStyle : public vtkInteractorStyleHaptic
 {
 public:
   static vtkHapticViewStyle* New();

@@ -19,13 +19,13 @@
 #ifndef vtkSMHapticViewProxy_h
 #define vtkSMHapticViewProxy_h
 
-#include "vtkNew.h" // for vtkNew
+#include "VolumeHapticsViewModule.h" // for export macro
+#include "vtkNew.h"                  // for vtkNew
 #include "vtkSMProxy.h"
-#include "vtkVolumeHapticsViewModule.h" // for export macro
 
 class vtkHapticViewLink;
 
-class VTKVOLUMEHAPTICSVIEW_EXPORT vtkSMHapticViewProxy : public vtkSMProxy
+class VOLUMEHAPTICSVIEW_EXPORT vtkSMHapticViewProxy : public vtkSMProxy
 {
 public:
   static vtkSMHapticViewProxy* New();

@@ -60,8 +60,8 @@ class Session:
         shown.ScalarOpacityUnitDistance = 4
         shown.Shade = 1
         shown.SetScalarBarVisibility(view, False)
-        view.CameraPosition = [-235, -300, 60]
-        view.CameraFocalPoint = [0, 0, -12]
+        view.CameraPosition = [-315, -400, 60]
+        view.CameraFocalPoint = [0, 0, -22]
         view.CameraViewUp = [0, 0, 1]
         simple.SetActiveSource(head)
         simple.Render()
@@ -100,6 +100,7 @@ class Session:
         assert self.device().Armed == 1, "Arm has not armed the device"
 
     def picture(self):
+        # First, since it leaves the mapper at its full quality.
         simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
         if shutil.which("import"):
             subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
