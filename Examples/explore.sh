@@ -65,63 +65,6 @@ build_all()
   quietly build-examples.log cmake --build "$build/examples"
 }
 
-# Unpacks Debian's example of InVesalius, without installing it. Sets $volume.
-get_head_ct()
-{
-  local data="$build/data"
-  local examples="$data/package/usr/share/doc/invesalius-examples"
-  volume="$data/Cranium.mhd"
-  if [[ ! -f "$volume" ]]
-  then
-    rm -rf "$data"
-    mkdir -p "$data/package"
-    if ! (cd "$data" && apt-get download -qq invesalius-examples 2> download.log)
-    then
-      # A machine that has never seen a package list.
-      if [[ "$(id -u)" -eq 0 ]]
-      then
-        apt-get update -qq
-      elif command -v sudo > /dev/null
-      then
-        sudo apt-get update -qq
-      fi
-      if ! (cd "$data" && apt-get download -qq invesalius-examples)
-      then
-        echo "The Debian package invesalius-examples could not be downloaded." >&2
-        echo "Cure: check the network and /etc/apt/sources.list, or name a VOLUME of yours." >&2
-        return 1
-      fi
-    fi
-    dpkg -x "$data"/invesalius-examples_*.deb "$data/package"
-    tar -xzf "$examples/examples/Cranium.inv3" -C "$data" --strip-components=1 --wildcards \
-      '*/matrix.dat'
-    if [[ "$(stat -c %s "$data/matrix.dat")" -ne $((256 * 256 * 108 * 2)) ]]
-    then
-      echo "invesalius-examples holds another head than the one known here." >&2
-      echo "Cure: name a VOLUME of yours." >&2
-      return 1
-    fi
-    # The rows run from the back to the front, the other way round than DICOM's: hence the -1.
-    cat > "$volume.part" << 'EOF'
-ObjectType = Image
-NDims = 3
-BinaryData = True
-BinaryDataByteOrderMSB = False
-CompressedData = False
-TransformMatrix = 1 0 0 0 -1 0 0 0 1
-Offset = 0 244.042905 0
-ElementSpacing = 0.957031 0.957031 1.5
-DimSize = 256 256 108
-ElementType = MET_SHORT
-ElementDataFile = matrix.dat
-EOF
-    mv "$volume.part" "$volume"
-  fi
-  echo "Cranium from Debian's invesalius-examples: (c) Centro de Tecnologia da Informacao Renato"
-  echo "Archer, licence GPL-2. It stays in build/explore and is not part of this project."
-  echo "Licence text: $examples/copyright"
-}
-
 explore()
 {
   local status=0
@@ -157,6 +100,8 @@ done
 
 # shellcheck source-path=SCRIPTDIR source=../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
+# shellcheck source-path=SCRIPTDIR source=../Data/head-ct.sh
+source "$root/Data/head-ct.sh"
 say "Packages"
 require_packages cmake ninja-build g++ libvtk9-dev xvfb xauth libgl1-mesa-dri pkg-config \
   libusb-1.0-0-dev libhidapi-dev
@@ -197,7 +142,8 @@ done
 if [[ -z "$volume" ]]
 then
   say "Head CT"
-  get_head_ct
+  get_head_ct "$build/data"
+  volume=$build/data/Cranium.mhd
 fi
 
 say "Exploring $volume"
