@@ -74,6 +74,7 @@ test_paraview()
     -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
   cmake --build "$plugin_dir" -j "$jobs"
   run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
+  grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
 }
 
 echo "== Building in $build_dir"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The script in README.md, section "In ParaView", runs, and its hand feels something."""
+"""The scripts in README.md, section "In ParaView", run one after the other, and their hands feel something."""
 
 import os
 import re
@@ -9,12 +9,20 @@ import sys
 PLUGIN, _, SOURCE, _ = sys.argv[1:5]
 with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
     section = file.read().split("\n## In ParaView\n")[1].split("\n## ")[0]
-script = re.search("```python\n(.*?)```", section, re.S).group(1)
-script, replaced = re.subn(r'"build/plugin/[^"]*VolumeHapticsPlugin\.so"', repr(PLUGIN), script)
-assert replaced == 1, script
+scripts = [script for script in re.findall("```python\n(.*?)```", section, re.S) if "Connect(" not in script]
+assert len(scripts) == 3
+scripts[0], replaced = re.subn(r'"build/plugin/[^"]*VolumeHapticsPlugin\.so"', repr(PLUGIN), scripts[0])
+assert replaced == 1, scripts[0]
 
 os.chdir(SOURCE)
-names = {}
-exec(compile(script, "README.md", "exec"), names)
-assert names["touch"].PointData["Force"].GetRange(-1)[1] > 1.0
-assert names["touch"].Preset == "Custom" and names["touch"].StiffnessScale == 800
+names = {"__name__": "__main__"}
+felt = []
+names["print"] = lambda *words: felt.append(words[0])
+for script in scripts:
+    exec(compile(script, "README.md", "exec"), names)
+touch, device, link = names["touch"], names["device"], names["link"]
+assert touch.PointData["Force"].GetRange(-1)[1] > 1.0
+assert touch.Preset == "Custom" and touch.StiffnessScale == 800
+assert max(sum(f * f for f in force) ** 0.5 for force in felt[1:]) > 0.5, felt
+assert link.Attached == 1
+link.Attached = 0
