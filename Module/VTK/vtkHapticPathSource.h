@@ -44,7 +44,7 @@ public:
   ///@{
   /**
    * LINE (default): from Point1 to Point2. CIRCLE: Turns times around Center, Radius away from it, in the plane
-   * across Normal, against the clock for whom Normal points at. SPIRAL: in that plane from Center to
+   * across Normal, counterclockwise seen from where Normal points to. SPIRAL: in that plane from Center to
    * Radius, by the same step outwards with each of its Turns. PRESS_AND_SLIDE: comes down on a face of a box,
    * presses in, slides across and lifts again; see PressDirection. FROM_FILE: see FileName.
    */
@@ -54,7 +54,7 @@ public:
   void SetShapeToCircle() { this->SetShape(CIRCLE); }
   void SetShapeToSpiral() { this->SetShape(SPIRAL); }
   void SetShapeToPressAndSlide() { this->SetShape(PRESS_AND_SLIDE); }
-  void SetShapeToFile() { this->SetShape(FROM_FILE); }
+  void SetShapeToFromFile() { this->SetShape(FROM_FILE); }
   ///@}
 
   ///@{

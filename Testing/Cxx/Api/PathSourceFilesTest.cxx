@@ -31,7 +31,7 @@ protected:
   void WriteCsv(const std::string& text) { std::ofstream("path-source.csv") << text; }
   vtkPolyData* Read(const char* file)
   {
-    this->Source->SetShapeToFile();
+    this->Source->SetShapeToFromFile();
     this->Source->SetFileName(file);
     this->Source->Modified();
     this->Source->Update();
@@ -84,7 +84,7 @@ TEST_F(PathSourceFiles, PolyDataComeAsTheyAre)
 
 TEST_F(PathSourceFiles, FilesThatAreNoPathAreNamed)
 {
-  this->Source->SetShapeToFile();
+  this->Source->SetShapeToFromFile();
   this->ExpectError({ "path file", "no name", "FileName" });
   this->Source->SetFileName("nowhere.csv");
   this->ExpectError({ "nowhere.csv", "does not exist", "FileName" });
