@@ -5,6 +5,7 @@
 #include "HapticMethods.h"
 #include "vtkHapticDeviceInternals.h"
 
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ vtkHapticDevice::vtkHapticDevice()
 //------------------------------------------------------------------------------
 vtkHapticDevice::~vtkHapticDevice()
 {
+  // They would be told of a device that can not be asked any more.
+  this->RemoveAllObservers();
   this->Close();
 }
 
@@ -198,18 +201,21 @@ void vtkHapticDevice::Arm()
 void vtkHapticDevice::Disarm()
 {
   this->Internals->Holder.Arm(false);
+  this->InvokeEvent(vtkCommand::DisableEvent);
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::FadeOut()
 {
   this->Internals->Holder.FadeOut();
+  this->InvokeEvent(vtkCommand::DisableEvent);
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Home()
 {
   this->Internals->Holder.Home();
+  this->InvokeEvent(vtkCommand::DisableEvent);
 }
 
 //------------------------------------------------------------------------------

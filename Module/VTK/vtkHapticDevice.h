@@ -122,7 +122,7 @@ public:
   /**
    * Let force through, or not. Arm forgets a fault, and is refused, with an error, while the device is not
    * ready; Disarm cuts the force at once, FadeOut within 50 ms, for data that will not come any more, as of a
-   * server that is gone. Stop disarms.
+   * server that is gone. Stop disarms. Whatever disarms invokes vtkCommand::DisableEvent, at once.
    */
   void Arm();
   void Disarm();

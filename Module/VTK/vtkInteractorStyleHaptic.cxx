@@ -28,12 +28,19 @@ vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   d.TimerObserver->SetClientData(&d);
   d.TimerObserver->SetCallback([](vtkObject*, unsigned long, void* self, void* id)
     { static_cast<vtkInternals*>(self)->FiredTimer = id ? *static_cast<int*>(id) : 0; });
+  d.DisarmObserver->SetClientData(&d);
+  d.DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<vtkInternals*>(self)->ArmAfterClutch = false; });
 }
 
 //------------------------------------------------------------------------------
 vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
 {
   this->SetInteractor(nullptr);
+  if (this->Internals->Device)
+  {
+    this->Internals->Device->RemoveObserver(this->Internals->DisarmObserver);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -42,7 +49,17 @@ void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
   auto& d = *this->Internals;
   if (d.Device != device)
   {
+    if (d.Device)
+    {
+      d.Device->RemoveObserver(d.DisarmObserver);
+    }
     d.Device = device;
+    if (device)
+    {
+      device->AddObserver(vtkCommand::DisableEvent, d.DisarmObserver);
+    }
+    d.ArmAfterClutch = false;
+    this->Clutch = false;
     d.Watch.Reset();
     d.IsPlaced = false;
     d.Published = 0;
@@ -171,21 +188,28 @@ void vtkInteractorStyleHaptic::SetClutch(bool on)
   this->Clutch = on;
   if (on)
   {
-    const int status = d.Device->GetStatus();
-    d.ArmAfterClutch = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+    const bool wasArmed = d.IsArmed();
     d.ClutchedTip = tip;
     d.Device->Disarm();
+    d.ArmAfterClutch = wasArmed;
   }
   else
   {
     d.Workspace.Shift(renderer->GetActiveCamera(), tip, d.ClutchedTip);
     this->Modified();
     this->UpdateHaptics();
-    if (d.ArmAfterClutch)
+    if (this->ArmsAfterClutch())
     {
       d.Device->Arm();
     }
+    d.ArmAfterClutch = false;
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::ArmsAfterClutch()
+{
+  return this->Internals->ArmAfterClutch;
 }
 
 //------------------------------------------------------------------------------
@@ -215,9 +239,13 @@ void vtkInteractorStyleHaptic::SetTouchMode(bool on)
     d.Device->PlaceVirtualTip(start.X, start.Y, start.Z);
   }
   this->TouchMode = on;
-  if (d.Device)
+  if (d.Device && !on)
   {
-    on ? d.Device->Arm() : d.Device->Disarm();
+    d.Device->Disarm();
+  }
+  else if (d.Device && !this->Clutch)
+  {
+    d.Device->Arm();
   }
   this->Modified();
 }

@@ -26,9 +26,10 @@
  *
  *   t           touch mode on and off; it begins in front of what can be felt under the pointer
  *   a           arm, so that force may flow, and disarm; touch mode on arms, too
- *   Escape      disarm, and leave the touch mode
+ *   Escape      disarm, and leave the touch mode and the clutch
  *   c           put the device's workspace back around the camera's focal point
- *   k           clutch: while held, a real device moves without the tip, and without force
+ *   k           clutch: while held, a real device moves without the tip, and without force, which comes back
+ *               with its release, unless something has disarmed meanwhile
  *   Home        look for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
@@ -171,6 +172,12 @@ protected:
    * calls the interactor's Render(). For subclasses in applications that render in a way of their own.
    */
   virtual void DrawScene(bool quickly);
+
+  /**
+   * Whether force may come back when the clutch is released: it was armed before, and nothing has disarmed it
+   * since. For subclasses in applications that keep their own account of what is armed.
+   */
+  virtual bool ArmsAfterClutch();
 
   bool TouchMode = false;
   double DepthStep = 0.0;

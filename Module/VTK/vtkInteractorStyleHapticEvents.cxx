@@ -186,13 +186,13 @@ void vtkInteractorStyleHaptic::OnKeyPress()
     if (d.Device)
     {
       d.Device->Disarm();
+      // A window that loses the focus never hears that the key was let go of.
+      this->SetClutch(false);
     }
   }
   else if (key == "a" && d.Device)
   {
-    const int status = d.Device->GetStatus();
-    const bool armed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
-    armed ? d.Device->Disarm() : d.Device->Arm();
+    this->Clutch || d.IsArmed() ? d.Device->Disarm() : d.Device->Arm();
   }
   else if (key == "c")
   {

@@ -47,13 +47,21 @@ struct vtkInteractorStyleHaptic::vtkInternals
   std::string FeltInstead;    ///< and the one that stayed
   vtkMTimeType Placed = 0;    ///< the camera's time when the workspace was put there
   bool IsPlaced = false;
-  bool ArmAfterClutch = false;
+  bool ArmAfterClutch = false; ///< was armed before, and nobody has disarmed it since
+  vtkNew<vtkCallbackCommand> DisarmObserver;
   VolumeHaptics::Vector3 ClutchedTip; ///< world
   VolumeHaptics::Vector3 Lead;        ///< world; where the mouse leads the tip
   bool EditorHasMouse = false;
 
   bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
+
+  /** As of the last state. */
+  bool IsArmed() const
+  {
+    const int status = this->Device->GetStatus();
+    return status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+  }
 
   /** When something changed last that a servo is to know: the filter or what it is fed with. */
   vtkMTimeType GetChangeTime() const

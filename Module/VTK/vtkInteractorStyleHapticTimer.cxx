@@ -211,6 +211,13 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   {
     this->TurnVolume(renderer, d.Device->GetTime() - before);
   }
+  if (this->Clutch && d.IsArmed())
+  {
+    // By a button or a script, or not yet seen as disarmed: the hand moves without the tip, and must not be held.
+    const bool arms = d.ArmAfterClutch;
+    d.Device->Disarm();
+    d.ArmAfterClutch = arms;
+  }
   d.Device->DrainStates(d.States);
   if (d.Display)
   {

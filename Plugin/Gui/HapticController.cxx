@@ -89,7 +89,7 @@ void HapticController::attach(const QString& deviceId)
   if (isOther)
   {
     this->change("Running", 0);
-    vtkSMPropertyHelper(this->Device, "Device").Set(deviceId.toUtf8().data());
+    this->set("Device", deviceId);
   }
   this->change("Running", 1);
   if (!this->Device->GetDevice()->IsRunning())
@@ -163,12 +163,19 @@ void HapticController::change(const char* property, int value)
   }
   BEGIN_UNDO_EXCLUDE();
   {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Device.GetPointer());
+    // In no trace: whoever replays one may not have a hand on a device. Nor does what Poll shows belong there.
     vtkSMPropertyHelper(this->Device, property).Set(value);
     this->Device->UpdateVTKObjects();
     this->Device->Poll();
   }
   END_UNDO_EXCLUDE();
+}
+
+//------------------------------------------------------------------------------
+void HapticController::set(const char* property, const QString& value)
+{
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Device.GetPointer());
+  vtkSMPropertyHelper(this->Device, property).Set(value.toUtf8().data());
 }
 
 //------------------------------------------------------------------------------
@@ -202,7 +209,7 @@ void HapticController::record(const QString& file)
 {
   if (!file.isEmpty() && this->Device)
   {
-    vtkSMPropertyHelper(this->Device, "RecordingFile").Set(file.toUtf8().data());
+    this->set("RecordingFile", file);
   }
   this->change("Recording", file.isEmpty() ? 0 : 1);
 }

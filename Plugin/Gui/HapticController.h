@@ -5,7 +5,8 @@
  * @brief   what the buttons of the dock window do
  *
  * Everything acts through the properties of a `HapticDevice` and a `HapticView`, so that scripts can do the
- * same, and the Python trace shows it. Nothing of it can be undone: "undo" must not arm a device.
+ * same. The Python trace shows what is set up, but neither Running, Armed nor Recording: who replays it has not
+ * got a hand on the device. Nothing of it can be undone: "undo" must not arm a device.
  *
  * When ParaView quits, and when the server, the view, the device, its filter or the volume goes, the device is
  * detached first, with zero force.
@@ -86,6 +87,7 @@ private Q_SLOTS:
 
 private:
   void change(const char* property, int value);
+  void set(const char* property, const QString& value);
 
   vtkWeakPointer<vtkSMHapticDeviceProxy> Device;
   vtkSmartPointer<vtkSMHapticViewProxy> View;

@@ -69,6 +69,15 @@ pqPipelineSource* FindDevice(pqPipelineSource* touch)
   return any;
 }
 
+/** A hand is not to feel all of a sudden what it has not been led to. Not to be undone, and not traced. */
+void Disarm(vtkSMProxy* device)
+{
+  BEGIN_UNDO_EXCLUDE();
+  vtkSMPropertyHelper(device, "Armed").Set(0);
+  device->UpdateVTKObjects();
+  END_UNDO_EXCLUDE();
+}
+
 } // namespace
 
 namespace HapticPipeline
@@ -115,6 +124,10 @@ pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source)
   BEGIN_UNDO_SET("Touch");
   pqPipelineSource* const touch = IsTouch(source) ? source : FindOrMakeTouch(source);
   pqPipelineSource* device = FindDevice(touch);
+  if (device && GetTouch(device) != touch)
+  {
+    Disarm(device->getProxy());
+  }
   if (!device)
   {
     device = pqApplicationCore::instance()->getObjectBuilder()->createSource(

@@ -55,7 +55,9 @@ void vtkSMHapticDeviceProxy::TakeOrders()
     this->StopHand("");
     return;
   }
-  if (!arm && d.IsArmed)
+  // Others, too, may have armed it: the property has the last word.
+  const int status = d.Device->GetStatus();
+  if (!arm && (d.IsArmed || status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE))
   {
     d.Device->Disarm();
     d.IsArmed = false;

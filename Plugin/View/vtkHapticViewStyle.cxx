@@ -9,6 +9,8 @@
 #include "vtkSMHapticDeviceProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkVolumeHapticsFilter.h"
 
 vtkStandardNewMacro(vtkHapticViewStyle);
 
@@ -82,15 +84,47 @@ void vtkHapticViewStyle::OnKeyPress()
   const std::string key = symbol ? symbol : "";
   if (key == "a" && this->DeviceProxy)
   {
-    this->SetArmed(vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() == 0);
+    const bool isArmed = vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() != 0;
+    this->SetArmed(!isArmed && !this->Clutch);
     this->DrawScene(true);
     return;
   }
+  if (key == "Escape")
+  {
+    // Before the clutch is let go of, which looks at it.
+    this->SetArmed(false);
+  }
   this->Superclass::OnKeyPress();
-  if (key == "t" || key == "Escape")
+  if (key == "t" && (!this->TouchMode || !this->Clutch))
   {
     this->SetArmed(this->TouchMode);
   }
+  else if (key == "m")
+  {
+    this->TellMethod();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::TellMethod()
+{
+  vtkSMProxy* const touch =
+    this->DeviceProxy ? vtkSMPropertyHelper(this->DeviceProxy, "Touch").GetAsProxy() : nullptr;
+  vtkVolumeHapticsFilter* const filter =
+    this->DeviceProxy ? this->DeviceProxy->GetFilter() : nullptr;
+  if (touch && filter)
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", touch);
+    vtkSMPropertyHelper(touch, "Method").Set(filter->GetMethod());
+    vtkSMPropertyHelper(touch, "Solver").Set(filter->GetSolver());
+    touch->UpdateVTKObjects();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticViewStyle::ArmsAfterClutch()
+{
+  return this->DeviceProxy && vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() != 0;
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,8 @@
  * servers are rendered there, too. Picks in the one renderer that shows the data, whichever of the view's
  * renderers lies under the pointer. Of VTK's keys only "r" is left, which resets the view's camera: the others
  * would change actors that belong to ParaView. What arms and disarms does so through the device's property Armed,
- * lest that says something else than the device does.
+ * lest that says something else than the device does; the key for the next method sets Method and Solver of the
+ * filter that is touched.
  *
  * @sa vtkHapticViewLink
  */
@@ -50,9 +51,14 @@ protected:
 
   void DrawScene(bool quickly) override;
 
+  /** Whether the property Armed is (still) 1. */
+  bool ArmsAfterClutch() override;
+
 private:
   vtkHapticViewStyle(const vtkHapticViewStyle&) = delete;
   void operator=(const vtkHapticViewStyle&) = delete;
+
+  void TellMethod();
 
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;

@@ -7,54 +7,10 @@ without this plugin.
 """
 
 import sys
-import time
 
-from paraview import servermanager, simple
+from paraview import simple
 
-simple.LoadPlugin(sys.argv[1], remote=False, ns=globals())
-
-
-def get(device, name):
-    device.UpdatePropertyInformation()
-    return list(device.GetPropertyValue(name))
-
-
-def force(device):
-    return sum(x * x for x in get(device, "Force")) ** 0.5
-
-
-def make_link(view, device):
-    proxy = servermanager.ProxyManager().NewProxy("misc", "HapticView")
-    link = servermanager._getPyProxy(proxy)
-    link.View = view
-    link.Device = device
-    return link
-
-
-def hands(view):
-    """What of this plugin is in a view."""
-    props = view.SMProxy.GetClientSideObject().GetNonCompositedRenderer().GetViewProps()
-    return sorted(prop.GetClassName() for prop in props if prop.GetClassName().startswith("vtkHaptic"))
-
-
-def wait_until(view, is_so, what):
-    """While the view's own events, its timer above all, move it all."""
-    end = time.monotonic() + 30
-    while not is_so():
-        assert time.monotonic() < end, f"{what} within 30 s"
-        view.GetInteractor().ProcessEvents()
-        time.sleep(0.005)
-
-
-def press(view, device):
-    """Into the forehead from the front."""
-    device.VirtualTip = [-25, -110, 45]
-    device.Running = 1
-    device.UpdatePipeline()
-    wait_until(view, lambda: get(device, "TipPosition") == [-25, -110, 45], "the tip did not get there")
-    device.Armed = 1
-    device.VirtualTip = [-25, -70, 45]
-    wait_until(view, lambda: force(device) > 0.5, "the skin was not felt")
+from view import force, hands, make_link, press, run
 
 
 def detach(view, device, link):
@@ -115,14 +71,4 @@ def end_session(view, device, link):
     simple.Disconnect()
 
 
-def main(case):
-    head = simple.XMLImageDataReader(FileName=[sys.argv[2]])
-    touch = VolumeHaptics(Input=head, Preset="CT contrast")  # noqa: F821, from the plugin
-    device = HapticDevice(Touch=touch)  # noqa: F821
-    view = simple.CreateRenderView(ViewSize=[300, 300])
-    simple.Show(head, view, "UniformGridRepresentation")
-    simple.Render(view)
-    case(view, device, make_link(view, device))
-
-
-main(globals()[sys.argv[3]])
+run(globals()[sys.argv[3]])

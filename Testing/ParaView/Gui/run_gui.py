@@ -25,6 +25,16 @@ def skip(why):
     sys.exit(77)
 
 
+def replay(trace):
+    """The trace of Attach and Touch, in a ParaView of its own: the same pipeline, and nobody holds a device there."""
+    script = os.path.join(OUTPUT, "replay.py")
+    with open(trace, encoding="utf-8") as file, open(script, "w", encoding="utf-8") as out:
+        out.write(f"from paraview import simple\nsimple.LoadPlugin({PLUGIN!r}, remote=False, ns=vars(simple))\n{file.read()}\n"
+                  "device = [proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == 'HapticDevice'][0]\n"
+                  "assert device.Touch.Input.GetXMLName() == 'XMLImageDataReader' and not device.Running and not device.Armed\n")
+    subprocess.run([os.path.join(os.path.dirname(PARAVIEW), "pvpython"), script], check=True, timeout=LIMIT)
+
+
 def main():
     if not os.environ.get("DISPLAY"):
         skip("there is no display for paraview to open a window on. Run ctest under xvfb-run.")
@@ -58,6 +68,7 @@ def main():
     assert "failed " not in steps, "a step has failed: see above"
     assert done == STEPS, f"only these steps were taken: {done}"
     assert code == 0, f"paraview's exit code is {code}"
+    replay(os.path.join(OUTPUT, "trace.py"))
 
 
 main()

@@ -3,11 +3,12 @@
 """What Gui.xml calls, step by step, in the Python of a running paraview."""
 
 import os
+import re
 import shutil
 import subprocess
 import traceback
 
-from paraview import servermanager, simple
+from paraview import simple, smtrace
 
 OUTPUT = os.environ["GUI_OUTPUT"]
 AT_REST = 1e-9  # N
@@ -46,7 +47,15 @@ class Session:
         names = [prop.GetClassName() for prop in renderer.GetViewProps()]
         return sorted(name for name in names if name.startswith("vtkHaptic"))
 
+    def stop_trace(self):
+        """What the tool's Python trace has of the hand: how it is set up, and nothing of what it does and shows."""
+        trace = smtrace.stop_trace()
+        found = re.findall(r"\b(Running|Armed|Recording|State|StatusText|TipPosition)\s*=", trace)
+        assert not found, f"the trace sets {found}:\n{trace}"
+        return trace
+
     def setup(self):
+        smtrace.start_trace()
         head = simple.XMLImageDataReader(registrationName="HeadPhantom.vti", FileName=[os.environ["GUI_VOLUME"]])
         head.UpdatePipeline()
         view = simple.GetActiveViewOrCreate("RenderView")
@@ -81,6 +90,8 @@ class Session:
 
     def touch_mode(self):
         assert self.device().Armed == 1, "the touch mode has not armed the device"
+        with open(os.path.join(OUTPUT, "trace.py"), "w", encoding="utf-8") as file:
+            file.write(self.stop_trace())
         self.start = self.tip()
         assert any(self.start), "the tip is not in front of what is seen"
 
@@ -98,6 +109,7 @@ class Session:
 
     def armed(self):
         assert self.device().Armed == 1, "Arm has not armed the device"
+        self.stop_trace()
 
     def picture(self):
         # First, since it leaves the mapper at its full quality.
@@ -119,6 +131,7 @@ class Session:
         assert self.current_style() is self.style, "the view has not got its own style back"
         assert not self.hands(), "something is left in the view"
         assert device.Armed == 0 and self.force(device) < AT_REST, "a detached device has force"
+        smtrace.start_trace()
 
     def go_2d(self):
         simple.GetActiveView().InteractionMode = "2D"

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of a device in a render view share."""
+
+import sys
+import time
+
+from paraview import servermanager, simple
+
+simple.LoadPlugin(sys.argv[1], remote=False, ns=vars(simple))
+
+
+def get(device, name):
+    device.UpdatePropertyInformation()
+    return list(device.GetPropertyValue(name))
+
+
+def force(device):
+    return sum(x * x for x in get(device, "Force")) ** 0.5
+
+
+def make_link(view, device):
+    proxy = servermanager.ProxyManager().NewProxy("misc", "HapticView")
+    link = servermanager._getPyProxy(proxy)
+    link.View = view
+    link.Device = device
+    return link
+
+
+def hands(view):
+    """What of this plugin is in a view."""
+    props = view.SMProxy.GetClientSideObject().GetNonCompositedRenderer().GetViewProps()
+    return sorted(prop.GetClassName() for prop in props if prop.GetClassName().startswith("vtkHaptic"))
+
+
+def wait_until(view, is_so, what):
+    """While the view's own events, its timer above all, move it all."""
+    end = time.monotonic() + 30
+    while not is_so():
+        assert time.monotonic() < end, f"{what} within 30 s"
+        view.GetInteractor().ProcessEvents()
+        time.sleep(0.005)
+
+
+def press(view, device):
+    """Into the forehead from the front."""
+    device.VirtualTip = [-25, -110, 45]
+    device.Running = 1
+    device.UpdatePipeline()
+    wait_until(view, lambda: get(device, "TipPosition") == [-25, -110, 45], "the tip did not get there")
+    device.Armed = 1
+    device.VirtualTip = [-25, -70, 45]
+    wait_until(view, lambda: force(device) > 0.5, "the skin was not felt")
+
+
+def run(case):
+    """A case of a test, with a view of a head, a device that touches that, and the link between them."""
+    head = simple.XMLImageDataReader(FileName=[sys.argv[2]])
+    touch = simple.VolumeHaptics(Input=head, Preset="CT contrast")
+    device = simple.HapticDevice(Touch=touch)
+    view = simple.CreateRenderView(ViewSize=[300, 300])
+    simple.Show(head, view, "UniformGridRepresentation")
+    simple.Render(view)
+    case(view, device, make_link(view, device))
