@@ -5,8 +5,6 @@
 
 #include "vtkSMPropertyHelper.h"
 
-#include <algorithm>
-
 namespace
 {
 
@@ -20,9 +18,11 @@ void vtkSMHapticDeviceProxy::TakeLimits()
 {
   vtkHapticDevice* const device = this->Internals->Device;
   const double force = vtkSMPropertyHelper(this, "MaximumForce").GetAsDouble();
-  if (force > 0.0 && force != device->GetMaximumForce())
+  double& taken = this->Internals->MaximumForce;
+  if (force != taken)
   {
-    device->SetMaximumForce(force);
+    taken = force;
+    force > 0.0 ? device->SetMaximumForce(force) : device->ResetMaximumForce();
   }
   device->SetMaximumForceRate(vtkSMPropertyHelper(this, "MaximumForceRate").GetAsDouble());
 }
@@ -85,7 +85,7 @@ void vtkSMHapticDeviceProxy::TakeRecording()
   if (!record)
   {
     d.Log.Continue(d.Device);
-    d.Log.IsOpen() ? d.Log.Stop() : void(d.Device->StopRecording());
+    d.Log.IsOpen() ? d.Log.Stop(d.Device, error) : d.Device->StopRecording();
     d.IsRecording = false;
   }
   else if (this->IsLocal())
@@ -157,7 +157,6 @@ void vtkSMHapticDeviceProxy::FollowRunning()
     this->TakeLimits();
     this->TakeTip();
   }
-  d.PublishedTime = 0;
   d.Notice.clear();
   if (!device->IsOpen() || !device->Start())
   {
@@ -188,13 +187,9 @@ void vtkSMHapticDeviceProxy::Publish()
     }
     return;
   }
-  vtkDataObject* const surface = filter->GetInputDataObject(2, 0);
-  const vtkMTimeType time =
-    std::max({ filter->GetMTime(), image->GetMTime(), surface ? surface->GetMTime() : 0 });
-  if (time != d.PublishedTime || d.Device->GetVolumeHaptics() != filter)
+  d.Device->SetVolumeHaptics(filter);
+  if (!d.Device->IsPublished()) // by a view, or by Start
   {
-    d.PublishedTime = time;
-    d.Device->SetVolumeHaptics(filter);
     d.Device->Publish();
   }
 }
