@@ -139,6 +139,15 @@ void vtkSMHapticDeviceProxy::FollowRunning()
   {
     return;
   }
+  d.Notice.clear();
+  vtkVolumeHapticsFilter* const filter = d.Touch.GetFilter();
+  if (filter && !filter->GetInputDataObject(0, 0) && !d.Problem.empty())
+  {
+    // A server that refuses its volume gives nothing to start with, and has said why.
+    this->StopHand("");
+    d.Notice = d.Problem;
+    return;
+  }
   const auto text = [this](const char* name)
   { return std::string(vtkSMPropertyHelper(this, name).GetAsString()); };
   device->SetFirmwareFile(text("FirmwareFile").c_str());
@@ -147,7 +156,7 @@ void vtkSMHapticDeviceProxy::FollowRunning()
   vtkSMPropertyHelper(this, "NewtonsPerFullScale").Get(newtons, 2);
   device->SetNewtonsPerFullScale(newtons);
   device->SetServoRate(vtkSMPropertyHelper(this, "ServoRate").GetAsDouble());
-  device->SetVolumeHaptics(d.Touch.GetFilter());
+  device->SetVolumeHaptics(filter);
   if (!device->IsOpen() && device->Open(id.c_str()))
   {
     d.Tip.fill(VTK_DOUBLE_MAX);
@@ -157,7 +166,6 @@ void vtkSMHapticDeviceProxy::FollowRunning()
     this->TakeLimits();
     this->TakeTip();
   }
-  d.Notice.clear();
   if (!device->IsOpen() || !device->Start())
   {
     this->StopHand("");
