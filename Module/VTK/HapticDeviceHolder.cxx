@@ -173,12 +173,17 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
   return true;
 }
 
-void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* table)
+void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader)
 {
+  if (!table)
+  {
+    this->Session ? this->Session->StopTaking(reader) : void();
+    return;
+  }
   StateTable rows;
   if (this->Session)
   {
-    for (const ServoSnapshot& state : this->Session->TakeStates())
+    for (const ServoSnapshot& state : this->Session->TakeStates(reader))
     {
       const HapticModel* const model = this->Session->FindModel(state.Generation);
       rows.Append(state, model ? model->DeviceToWorld : deviceToWorld);

@@ -67,8 +67,8 @@ public:
   double GetResidency() const { return this->State.Residency; }
   long long GetTick() const { return static_cast<long long>(this->State.Tick); }
 
-  /** Every state since the last call, as rows of a table: see vtkHapticDevice::DrainStates. */
-  void DrainStates(const Affine3& deviceToWorld, vtkTable* table);
+  /** Every state since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates. */
+  void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
 
   /** As vtkHapticDevice::StatusType. */
   int GetStatus() const;

@@ -104,11 +104,12 @@ void HapticSession::Drain()
     {
       this->Recording->Append(snapshot);
     }
-    if (this->KeepsStates)
+    if (!this->Readers.empty())
     {
       if (this->States.size() == MostStates)
       {
         this->States.pop_front();
+        ++this->Forgotten;
       }
       this->States.push_back(snapshot);
     }
@@ -125,35 +126,73 @@ void HapticSession::Publish(std::shared_ptr<const HapticModel> model)
   }
   this->Models[generation] = std::move(model);
   // Where nobody asks for states, models must not pile up either.
+  for (auto& [id, reader] : this->Readers)
+  {
+    if (reader.Next < this->Forgotten && !this->States.empty())
+    {
+      const std::uint64_t first = this->States.front().Generation;
+      reader.TakenGeneration = std::max(reader.TakenGeneration, first);
+      reader.FirstUntaken = std::max(reader.FirstUntaken, first);
+    }
+  }
   this->Forget(this->Loop.GetWrittenGeneration());
 }
 
 void HapticSession::Forget(std::uint64_t generation)
 {
-  const std::uint64_t first =
-    this->KeepsStates ? std::min(generation, this->FirstUntaken) : generation;
+  std::uint64_t first = generation;
+  for (const auto& [id, reader] : this->Readers)
+  {
+    first = std::min(first, reader.FirstUntaken);
+  }
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(first));
 }
 
-std::vector<ServoSnapshot> HapticSession::TakeStates()
+void HapticSession::ForgetStates()
 {
-  if (!this->KeepsStates)
+  std::uint64_t least = this->Forgotten + this->States.size();
+  for (const auto& [id, reader] : this->Readers)
   {
+    least = std::min(least, reader.Next);
+  }
+  for (; this->Forgotten < least; ++this->Forgotten)
+  {
+    this->States.pop_front();
+  }
+}
+
+std::vector<ServoSnapshot> HapticSession::TakeStates(int id)
+{
+  if (this->Readers.count(id) == 0)
+  {
+    const std::uint64_t generation = this->Loop.GetWrittenGeneration();
+    this->Drain(); // what is of other readers alone
     const std::lock_guard<std::mutex> lock(this->RecordingMutex);
-    this->KeepsStates = true;
-    this->TakenGeneration = this->Loop.GetWrittenGeneration();
+    this->Readers[id] = { this->Forgotten + this->States.size(), generation, generation };
     this->Loop.SetRecording(true);
   }
   this->Drain();
   const std::lock_guard<std::mutex> lock(this->RecordingMutex);
-  std::vector<ServoSnapshot> states(this->States.begin(), this->States.end());
-  this->States.clear();
-  this->FirstUntaken = this->TakenGeneration;
+  Reader& reader = this->Readers[id];
+  const std::uint64_t first = std::max(reader.Next, this->Forgotten) - this->Forgotten;
+  std::vector<ServoSnapshot> states(
+    this->States.begin() + static_cast<std::ptrdiff_t>(first), this->States.end());
+  reader.Next = this->Forgotten + this->States.size();
+  reader.FirstUntaken = reader.TakenGeneration;
   if (!states.empty())
   {
-    this->TakenGeneration = states.back().Generation;
+    reader.TakenGeneration = states.back().Generation;
   }
+  this->ForgetStates();
   return states;
+}
+
+void HapticSession::StopTaking(int id)
+{
+  const std::lock_guard<std::mutex> lock(this->RecordingMutex);
+  this->Readers.erase(id);
+  this->ForgetStates();
+  this->Loop.SetRecording(this->Recording || !this->Readers.empty());
 }
 
 const HapticModel* HapticSession::FindModel(std::uint64_t generation)
@@ -178,7 +217,7 @@ void HapticSession::StartRecording(std::unique_ptr<HapticRecording> recording)
 
 std::unique_ptr<HapticRecording> HapticSession::StopRecording()
 {
-  this->Loop.SetRecording(this->KeepsStates);
+  this->Loop.SetRecording(!this->Readers.empty());
   // What the loop is in the middle of belongs to it, too.
   const std::uint64_t last = this->Loop.GetTickCount();
   for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)

@@ -17,8 +17,10 @@
 
 #include <atomic>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -52,11 +54,15 @@ public:
   bool IsRecording() const { return this->Recording != nullptr; }
   ///@}
 
+  ///@{
   /**
-   * Every state since the last call, oldest first, for a display that must not miss one; the first call
-   * begins to keep them. What nobody takes for MostStates ticks is lost, oldest first. The owner's.
+   * Every state since a reader's last call, oldest first, for a display that must not miss one; the first call
+   * begins to keep them, and StopTaking ends it. Readers do not take each other's. What one of them does not
+   * take for MostStates ticks is lost to it, oldest first. The owner's.
    */
-  std::vector<ServoSnapshot> TakeStates();
+  std::vector<ServoSnapshot> TakeStates(int reader);
+  void StopTaking(int reader);
+  ///@}
   static constexpr std::size_t MostStates = 100000;
 
   /** From any thread: no force once this returns, until armed again. Waits for the loop, shortly. */
@@ -68,6 +74,8 @@ private:
   static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
   void Keep();
   void Drain();
+  /** Lets go of the states that all readers have. Under the mutex. */
+  void ForgetStates();
   /** Lets go of the models older than a generation that nobody can ask for any more. */
   void Forget(std::uint64_t generation);
 
@@ -80,10 +88,15 @@ private:
   std::atomic<bool> KeeperStop{ false };
   std::mutex RecordingMutex; // between the owner and the keeper; the loop never takes it
   std::unique_ptr<HapticRecording> Recording;
+  struct Reader
+  {
+    std::uint64_t Next = 0;            // how many states there were before the first to be taken
+    std::uint64_t TakenGeneration = 0; // of the last state that was taken
+    std::uint64_t FirstUntaken = 0;    // no state to be taken is of an older one
+  };
+  std::map<int, Reader> Readers; // written by the owner, under the mutex
   std::deque<ServoSnapshot> States;
-  bool KeepsStates = false;          // written by the owner, under the mutex
-  std::uint64_t TakenGeneration = 0; // the owner's: of the last state that was taken
-  std::uint64_t FirstUntaken = 0;    // the owner's: no state to be taken is of an older one
+  std::uint64_t Forgotten = 0; // how many states there were before those
   /** The owner's: models by generation, from the one of the last state that was asked for. */
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
 };

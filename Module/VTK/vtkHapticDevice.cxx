@@ -52,6 +52,14 @@ void vtkHapticDevice::TakeLimits()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::ResetMaximumForce()
+{
+  this->WantedForce = -1.0;
+  this->TakeLimits();
+  this->SendLimits();
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::Close()
 {
   this->Stop();
@@ -80,6 +88,7 @@ void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
   if (this->Internals->Filter != filter)
   {
     this->Internals->Filter = filter;
+    this->Internals->PublishedTime = 0;
     this->Modified();
   }
 }
@@ -142,6 +151,13 @@ bool vtkHapticDevice::Publish()
     session->Publish(std::move(model));
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::IsPublished()
+{
+  auto& d = *this->Internals;
+  return d.PublishedTime == FindChangeTime(d.Filter);
 }
 
 //------------------------------------------------------------------------------
@@ -268,10 +284,8 @@ vtkHapticDeviceStateMacro(vtkIdType, Tick, GetTick());
 vtkHapticDeviceStateMacro(double, Time, GetState().Time);
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::DrainStates(vtkTable* states)
+void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
 {
-  if (states)
-  {
-    this->Internals->Holder.DrainStates(this->Internals->GetPlacement(), states);
-  }
+  auto& d = *this->Internals;
+  d.Holder.DrainStates(d.GetPlacement(), states, reader);
 }

@@ -90,6 +90,8 @@ public:
    * touched; the servo then goes on with what it has.
    */
   bool Publish();
+  /** Whether it was tried, with Publish or Start, since the filter, its image or its surface changed last. */
+  bool IsPublished();
 
   ///@{
   /**
@@ -227,16 +229,19 @@ public:
    * Every state since the last call, oldest first, as rows of a table that is overwritten: columns Time
    * (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, Residency, and with
    * three components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The
-   * first call begins to keep states. Where nobody calls for 100000 ticks, the oldest are dropped.
+   * first call begins to keep states. Where nobody calls for 100000 ticks, the oldest are dropped. Each reader,
+   * by a number of its own, gets all; nullptr ends it. vtkInteractorStyleHaptic is number 0.
    */
-  void DrainStates(vtkTable* states);
+  void DrainStates(vtkTable* states, int reader = 0);
 
   ///@{
   /**
    * Longest force (N) on the hand. At most the device's own maximum; opening a device sets it to
-   * half of that.
+   * half of that, unless SetMaximumForce was called. ResetMaximumForce goes back to that half, of this
+   * device and of those that are opened later.
    */
   void SetMaximumForce(double force);
+  void ResetMaximumForce();
   vtkGetMacro(MaximumForce, double);
   ///@}
 
@@ -282,7 +287,7 @@ protected:
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
-  double WantedForce = -1.0; // what SetMaximumForce was given; negative: never called
+  double WantedForce = -1.0; // what SetMaximumForce was given; negative: half of the device's
 
 private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;

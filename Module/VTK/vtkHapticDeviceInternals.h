@@ -9,6 +9,7 @@
 
 #include "vtkHapticDevice.h"
 
+#include "HapticChangeTime.h"
 #include "HapticDeviceHolder.h"
 #include "HapticVolumeView.h"
 
@@ -23,6 +24,8 @@ struct vtkHapticDevice::vtkInternals
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   std::string RecordingFile;
 
+  vtkMTimeType PublishedTime = 0; // of the changes that were published last, or could not be
+
   /** A snapshot of the filter for a rate (Hz); null without a filter. False after an error. */
   bool Bake(double rate, std::shared_ptr<const VolumeHaptics::HapticModel>& model)
   {
@@ -30,6 +33,7 @@ struct vtkHapticDevice::vtkInternals
     {
       const auto caps = VolumeHaptics::CapsOf(this->Holder.GetLimits(), 1.0 / rate);
       model = this->Filter->Bake(rate, caps, this->DeviceToWorld);
+      this->PublishedTime = VolumeHaptics::FindChangeTime(this->Filter);
     }
     return !this->Filter || model;
   }

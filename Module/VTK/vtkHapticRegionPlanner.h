@@ -100,8 +100,8 @@ public:
   ///@}
 
   ///@{
-  /** The most voxels of a region, 4096 or more. Default 2097152, that is, 128^3. */
-  vtkSetClampMacro(MaximumVoxels, vtkIdType, 4096, VTK_ID_MAX);
+  /** The most voxels of a region, 4096 to 134217728 (512^3). Default 2097152, that is, 128^3. */
+  vtkSetClampMacro(MaximumVoxels, vtkIdType, 4096, 134217728);
   vtkGetMacro(MaximumVoxels, vtkIdType);
   ///@}
 

@@ -9,12 +9,12 @@
 
 #include "vtkInteractorStyleHaptic.h"
 
+#include "HapticChangeTime.h"
 #include "HapticRenderPace.h"
 #include "HapticStateWatch.h"
 #include "HapticWorkspace.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkDataObject.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
@@ -22,7 +22,6 @@
 #include "vtkTable.h"
 #include "vtkVolumeHapticsFilter.h"
 
-#include <algorithm>
 #include <string>
 
 struct vtkInteractorStyleHaptic::vtkInternals
@@ -66,19 +65,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   /** When something changed last that a servo is to know: the filter or what it is fed with. */
   vtkMTimeType GetChangeTime() const
   {
-    vtkVolumeHapticsFilter* const filter = this->Device->GetVolumeHaptics();
-    if (!filter)
-    {
-      return 0;
-    }
-    vtkMTimeType time = filter->GetMTime();
-    for (const int port : { 0, 2 }) // the image, the surface
-    {
-      vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0);
-      vtkDataObject* const data = filter->GetInputDataObject(port, 0);
-      time = std::max({ time, source ? source->GetMTime() : 0, data ? data->GetMTime() : 0 });
-    }
-    return time;
+    return VolumeHaptics::FindChangeTime(this->Device->GetVolumeHaptics());
   }
 
   void LeadTo(const VolumeHaptics::Vector3& world)

@@ -194,11 +194,12 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   vtkRenderer* const renderer = this->GetHapticRenderer();
   const bool placed = renderer && !this->Clutch && this->PlaceWorkspace(renderer);
   const vtkMTimeType time = d.GetChangeTime();
-  if (placed || time != d.Published)
+  // Somebody else may have published it.
+  const bool hasChanged = time != d.Published && !d.Device->IsPublished();
+  d.Published = time;
+  if (placed || hasChanged)
   {
-    // Also where it fails: it will not succeed before something changes, and one error is enough.
-    const bool hasChanged = time != d.Published;
-    d.Published = time;
+    // Once, also where it fails: it will not succeed before something changes.
     if (d.Device->Publish() && hasChanged && d.Display)
     {
       d.Display->SetNotice("");

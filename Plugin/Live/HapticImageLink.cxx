@@ -8,6 +8,7 @@
 #include "vtkSISourceProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSmartPointer.h"
 
 namespace VolumeHapticsLive
 {

@@ -7,8 +7,8 @@
 #ifndef HapticImageLink_h
 #define HapticImageLink_h
 
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 class vtkAlgorithm;
 class vtkDataObject;
@@ -29,8 +29,9 @@ public:
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
 
 private:
-  vtkDataObject* Seen = nullptr; // only compared
-  vtkAlgorithm* SeenFilter = nullptr;
+  // Weak: what comes after one that is gone may have its address.
+  vtkWeakPointer<vtkDataObject> Seen;
+  vtkWeakPointer<vtkAlgorithm> SeenFilter;
   vtkMTimeType SeenTime = 0;
 };
 

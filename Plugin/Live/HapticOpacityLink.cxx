@@ -3,13 +3,18 @@
 #include "HapticOpacityLink.h"
 
 #include "vtkCollection.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxySelectionModel.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkScalarsToColors.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <string>
@@ -32,6 +37,18 @@ std::string TextOf(vtkSMProxy* proxy, const char* name)
   return text ? text : "";
 }
 
+/** Whether the opacity of an array of several components is that of one of them. */
+bool ShowsComponent(vtkSMProxy* representation, int component)
+{
+  vtkSMProxy* const colors = representation->GetProperty("LookupTable")
+    ? vtkSMPropertyHelper(representation, "LookupTable", true).GetAsProxy()
+    : nullptr;
+  return colors && colors->GetProperty("VectorMode") && colors->GetProperty("VectorComponent") &&
+    IsOn(representation, "MapScalars") && !IsOn(representation, "MultiComponentsMapping") &&
+    vtkSMPropertyHelper(colors, "VectorMode", true).GetAsInt() == vtkScalarsToColors::COMPONENT &&
+    vtkSMPropertyHelper(colors, "VectorComponent", true).GetAsInt() == component;
+}
+
 bool Shows(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter)
 {
   if (!IsOn(representation, "Visibility") || TextOf(representation, "Representation") != "Volume" ||
@@ -42,8 +59,18 @@ bool Shows(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter)
   }
   const vtkSMPropertyHelper color(representation, "ColorArrayName", true);
   const char* const shown = color.GetInputArrayNameToProcess();
-  const char* const touched = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  return shown && *shown && (!touched || !*touched || std::string(shown) == touched);
+  auto* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
+  if (!shown || !*shown || !image ||
+    color.GetInputArrayAssociation() != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    return false;
+  }
+  const char* const name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  vtkPointData* const points = image->GetPointData();
+  vtkDataArray* const touched = name && *name ? points->GetArray(name) : points->GetScalars();
+  return touched && touched->GetName() && std::string(shown) == touched->GetName() &&
+    (touched->GetNumberOfComponents() == 1 ||
+      ShowsComponent(representation, filter->GetProperty()->GetComponent()));
 }
 
 vtkPiecewiseFunction* OpacityIn(
@@ -96,6 +123,8 @@ vtkVolumeProperty* HapticOpacityLink::Find(vtkSMProxy* volume, vtkVolumeHapticsF
     if (opacity)
     {
       this->View = view;
+      // One function for whichever component is touched.
+      this->Property->IndependentComponentsOff();
       this->Property->SetScalarOpacity(opacity);
       return this->Property;
     }

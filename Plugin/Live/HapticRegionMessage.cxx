@@ -10,8 +10,10 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <type_traits>
 
 namespace VolumeHapticsLive
@@ -20,6 +22,10 @@ namespace
 {
 
 constexpr int Tag = 78231;
+/** Sent in parts (bytes), so that one for which there is no memory can be let pass. */
+constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
+/** No region has more bytes: what says so is no message. */
+constexpr vtkIdType MostBytes = vtkIdType{ 1 } << 36;
 /** Reads as another number where the bytes of numbers are in another order. */
 constexpr std::int32_t Mark = 0x01020304;
 enum Contents : std::int32_t
@@ -50,6 +56,12 @@ void PutText(std::vector<char>& message, const char* text)
   const std::int64_t size = text ? static_cast<std::int64_t>(std::strlen(text)) : 0;
   Put(message, size);
   Put(message, text, static_cast<std::size_t>(size));
+}
+
+/** Bits have no size of their own, and no address. */
+bool CanSend(vtkDataArray* array)
+{
+  return array && array->GetDataTypeSize() > 0;
 }
 
 void PutArray(std::vector<char>& message, vtkDataArray* array)
@@ -111,9 +123,11 @@ public:
     const auto tuples = this->Take<std::int64_t>();
     vtkSmartPointer<vtkDataArray> array;
     array.TakeReference(vtkDataArray::CreateDataArray(type));
+    // Bits have no size, by which to divide.
+    const std::int64_t size = array ? array->GetDataTypeSize() : 0;
     const auto rest = static_cast<std::int64_t>(this->Message.size() - this->Next);
-    this->IsGood = this->IsGood && array && components > 0 && tuples >= 0 &&
-      tuples <= rest / components / array->GetDataTypeSize();
+    this->IsGood = this->IsGood && size > 0 && components > 0 && tuples >= 0 &&
+      tuples <= rest / components / size;
     if (!this->IsGood)
     {
       return nullptr;
@@ -121,9 +135,11 @@ public:
     array->SetName(name.c_str());
     array->SetNumberOfComponents(components);
     array->SetNumberOfTuples(tuples);
-    this->Take(array->GetVoidPointer(0), tuples * components * array->GetDataTypeSize());
+    this->Take(array->GetVoidPointer(0), tuples * components * size);
     return array;
   }
+
+  bool IsAtEnd() const { return this->Next == this->Message.size(); }
 
   bool IsGood = true;
 
@@ -146,6 +162,11 @@ std::vector<char> PackError(const std::string& error)
 std::vector<char> PackRegion(vtkImageData* image)
 {
   std::vector<char> message;
+  if (!CanSend(image->GetPointData()->GetScalars()))
+  {
+    return PackError("The server has no point scalars to send whose numbers have a size. Choose a "
+                     "point array of another type than bits in the filter that Touch names.");
+  }
   Put(message, Mark);
   Put(message, Contents::Region);
   Put(message, image->GetExtent(), 6 * sizeof(int));
@@ -157,9 +178,9 @@ std::vector<char> PackRegion(vtkImageData* image)
   std::vector<vtkDataArray*> arrays;
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
   {
-    if (vtkDataArray* const array = fields->GetArray(i))
+    if (CanSend(fields->GetArray(i)))
     {
-      arrays.push_back(array);
+      arrays.push_back(fields->GetArray(i));
     }
   }
   Put(message, static_cast<std::int32_t>(arrays.size()));
@@ -207,7 +228,8 @@ bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::st
       image->GetFieldData()->AddArray(array);
     }
   }
-  if (!reader.IsGood || scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  if (!reader.IsGood || !reader.IsAtEnd() ||
+    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     error = "The server sent something that is no region of a volume. Use a client and a server of "
             "the same version.";
@@ -220,18 +242,49 @@ bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::st
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message)
 {
   const auto size = static_cast<vtkIdType>(message.size());
-  return controller->Send(&size, 1, 1, Tag) && controller->Send(message.data(), size, 1, Tag);
+  if (size > MostBytes)
+  {
+    return SendMessage(controller,
+      PackError("The region around the tip is too large to be sent. Lower MaximumRegionVoxels."));
+  }
+  bool isSent = controller->Send(&size, 1, 1, Tag) != 0;
+  for (vtkIdType start = 0; isSent && start < size; start += PartSize)
+  {
+    isSent =
+      controller->Send(message.data() + start, std::min(PartSize, size - start), 1, Tag) != 0;
+  }
+  return isSent;
 }
 
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message)
 {
   vtkIdType size = 0;
-  if (!controller->Receive(&size, 1, 1, Tag) || size <= 0)
+  if (!controller->Receive(&size, 1, 1, Tag) || size <= 0 || size > MostBytes)
   {
     return false;
   }
-  message.resize(static_cast<std::size_t>(size));
-  return controller->Receive(message.data(), size, 1, Tag) != 0;
+  bool isKept = true;
+  try
+  {
+    message.resize(static_cast<std::size_t>(size));
+  }
+  catch (const std::bad_alloc&)
+  {
+    isKept = false;
+    message.resize(static_cast<std::size_t>(std::min(PartSize, size)));
+  }
+  bool isGood = true;
+  for (vtkIdType start = 0; isGood && start < size; start += PartSize)
+  {
+    char* const to = message.data() + (isKept ? start : 0);
+    isGood = controller->Receive(to, std::min(PartSize, size - start), 1, Tag) != 0;
+  }
+  if (!isKept)
+  {
+    message = PackError("This computer has no memory for the region around the tip. Lower "
+                        "MaximumRegionVoxels, or close what you do not need.");
+  }
+  return isGood;
 }
 
 } // namespace VolumeHapticsLive

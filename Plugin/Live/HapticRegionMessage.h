@@ -27,7 +27,7 @@ std::vector<char> PackError(const std::string& error);
 bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error);
 
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message);
-/** False where the other side is gone. */
+/** False where the other side is gone. What there is no memory for is an error in its place. */
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message);
 
 } // namespace VolumeHapticsLive

@@ -13,6 +13,12 @@
 namespace VolumeHapticsLive
 {
 
+namespace
+{
+/** Of the device's states; a view may read them, too. */
+constexpr int Reader = 1;
+} // namespace
+
 bool HapticStateLog::Start(const std::string& file, vtkHapticDevice* device, std::string& error)
 {
   const auto dot = file.rfind('.');
@@ -24,6 +30,8 @@ bool HapticStateLog::Start(const std::string& file, vtkHapticDevice* device, std
       file + "\", end in .csv.";
     return false;
   }
+  this->Name = file;
+  this->File.clear();
   this->File.open(file);
   if (!this->File)
   {
@@ -34,7 +42,8 @@ bool HapticStateLog::Start(const std::string& file, vtkHapticDevice* device, std
   this->File << std::setprecision(std::numeric_limits<double>::max_digits10);
   this->HasHeader = false;
   vtkNew<vtkTable> before;
-  device->DrainStates(before);
+  device->DrainStates(nullptr, Reader);
+  device->DrainStates(before, Reader);
   return true;
 }
 
@@ -45,7 +54,7 @@ void HapticStateLog::Continue(vtkHapticDevice* device)
     return;
   }
   vtkNew<vtkTable> table;
-  device->DrainStates(table);
+  device->DrainStates(table, Reader);
   const auto write = [this, &table](auto&& value)
   {
     const char* comma = "";
@@ -80,12 +89,23 @@ void HapticStateLog::Continue(vtkHapticDevice* device)
   }
 }
 
-void HapticStateLog::Stop()
+bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
 {
-  if (this->IsOpen())
+  if (!this->IsOpen())
   {
-    this->File.close();
+    return true;
   }
+  device->DrainStates(nullptr, Reader);
+  this->File.close(); // says, too, whether the last of it could be written
+  if (!this->File)
+  {
+    error = "The file \"" + this->Name +
+      "\" lacks what was felt: it could not be written to its end. Make room on its disk, or "
+      "choose "
+      "a RecordingFile on another one.";
+    return false;
+  }
+  return true;
 }
 
 } // namespace VolumeHapticsLive

@@ -26,11 +26,13 @@ public:
   bool Start(const std::string& file, vtkHapticDevice* device, std::string& error);
   /** Write what has come since the last call. */
   void Continue(vtkHapticDevice* device);
-  void Stop();
+  /** Where nothing is written, nothing. False, with an error, where the file is not complete. */
+  bool Stop(vtkHapticDevice* device, std::string& error);
   bool IsOpen() const { return this->File.is_open(); }
 
 private:
   std::ofstream File;
+  std::string Name;
   bool HasHeader = false;
 };
 

@@ -14,6 +14,10 @@
 #include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkHapticRegionFilter.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <string> // for std::string
+#include <vector> // for std::vector
 
 class vtkImageData;
 class vtkMultiProcessController;
@@ -55,10 +59,14 @@ private:
   void operator=(const vtkPVHapticRegionFilter&) = delete;
 
   bool IsAlone() const;
+#ifndef __VTK_WRAP__
+  void ShareName(int from);
+  void ShareParts(const std::vector<int>& part, std::vector<std::vector<int>>& others);
+#endif
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkSmartPointer<vtkTrivialProducer> Producer;
-  vtkImageData* Seen = nullptr; // only compared
+  vtkWeakPointer<vtkImageData> Seen;
   vtkMTimeType SeenTime = 0;
   int ArrayType = 0; // as agreed on
   int Components = 0;

@@ -141,7 +141,7 @@ void vtkPVHapticRegionSender::Send(
   catch (const std::exception& exception)
   {
     message = PackError(std::string("The server could not cut out what is around the tip (") +
-      exception.what() + "). Ask for a smaller region.");
+      exception.what() + "). Lower MaximumRegionVoxels.");
   }
   auto* const session =
     vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetActiveSession());

@@ -89,7 +89,11 @@ void vtkSMHapticDeviceProxy::StopHand(const std::string& why)
     d.Device->Stop(); // writes a recording, too
     d.Notice = why;
   }
-  d.Log.Stop();
+  std::string error;
+  if (!d.Log.Stop(d.Device, error))
+  {
+    vtkErrorMacro(<< error);
+  }
   d.IsArmed = false;
   d.IsRecording = false;
   for (const char* const name : { "Armed", "Recording", "Running" })

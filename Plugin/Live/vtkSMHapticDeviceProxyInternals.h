@@ -44,9 +44,9 @@ struct vtkSMHapticDeviceProxy::vtkInternals
   bool IsLost = false;   // so is the server
   bool IsArmed = false;  // as ordered last
   bool IsRecording = false;
-  double ArmedAt = 0.0; // s, of the device
+  double ArmedAt = 0.0;      // s, of the device
+  double MaximumForce = 0.0; // N, taken over; 0: the device's own choice
   std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX }; // taken over
-  vtkMTimeType PublishedTime = 0;
   double ViewTime = 0.0; // s, of the data
   std::string Notice;    // why it was stopped; until it is started again
   std::string Problem;   // of now; empty where all is well

@@ -5,8 +5,6 @@
 
 #include "vtkSMPropertyHelper.h"
 
-#include <algorithm>
-
 namespace
 {
 
@@ -20,9 +18,11 @@ void vtkSMHapticDeviceProxy::TakeLimits()
 {
   vtkHapticDevice* const device = this->Internals->Device;
   const double force = vtkSMPropertyHelper(this, "MaximumForce").GetAsDouble();
-  if (force > 0.0 && force != device->GetMaximumForce())
+  double& taken = this->Internals->MaximumForce;
+  if (force != taken)
   {
-    device->SetMaximumForce(force);
+    taken = force;
+    force > 0.0 ? device->SetMaximumForce(force) : device->ResetMaximumForce();
   }
   device->SetMaximumForceRate(vtkSMPropertyHelper(this, "MaximumForceRate").GetAsDouble());
 }
@@ -87,7 +87,7 @@ void vtkSMHapticDeviceProxy::TakeRecording()
   if (!record)
   {
     d.Log.Continue(d.Device);
-    d.Log.IsOpen() ? d.Log.Stop() : void(d.Device->StopRecording());
+    d.Log.IsOpen() ? d.Log.Stop(d.Device, error) : d.Device->StopRecording();
     d.IsRecording = false;
   }
   else if (this->IsLocal())
@@ -141,6 +141,15 @@ void vtkSMHapticDeviceProxy::FollowRunning()
   {
     return;
   }
+  d.Notice.clear();
+  vtkVolumeHapticsFilter* const filter = d.Touch.GetFilter();
+  if (filter && !filter->GetInputDataObject(0, 0) && !d.Problem.empty())
+  {
+    // A server that refuses its volume gives nothing to start with, and has said why.
+    this->StopHand("");
+    d.Notice = d.Problem;
+    return;
+  }
   const auto text = [this](const char* name)
   { return std::string(vtkSMPropertyHelper(this, name).GetAsString()); };
   device->SetFirmwareFile(text("FirmwareFile").c_str());
@@ -149,7 +158,7 @@ void vtkSMHapticDeviceProxy::FollowRunning()
   vtkSMPropertyHelper(this, "NewtonsPerFullScale").Get(newtons, 2);
   device->SetNewtonsPerFullScale(newtons);
   device->SetServoRate(vtkSMPropertyHelper(this, "ServoRate").GetAsDouble());
-  device->SetVolumeHaptics(d.Touch.GetFilter());
+  device->SetVolumeHaptics(filter);
   if (!device->IsOpen() && device->Open(id.c_str()))
   {
     d.Tip.fill(VTK_DOUBLE_MAX);
@@ -159,8 +168,6 @@ void vtkSMHapticDeviceProxy::FollowRunning()
     this->TakeLimits();
     this->TakeTip();
   }
-  d.PublishedTime = 0;
-  d.Notice.clear();
   if (!device->IsOpen() || !device->Start())
   {
     this->StopHand("");
@@ -190,13 +197,9 @@ void vtkSMHapticDeviceProxy::Publish()
     }
     return;
   }
-  vtkDataObject* const surface = filter->GetInputDataObject(2, 0);
-  const vtkMTimeType time =
-    std::max({ filter->GetMTime(), image->GetMTime(), surface ? surface->GetMTime() : 0 });
-  if (time != d.PublishedTime || d.Device->GetVolumeHaptics() != filter)
+  d.Device->SetVolumeHaptics(filter);
+  if (!d.Device->IsPublished()) // by a view, or by Start
   {
-    d.PublishedTime = time;
-    d.Device->SetVolumeHaptics(filter);
     d.Device->Publish();
   }
 }

@@ -11,6 +11,8 @@
 #include "vtkPVSession.h"
 #include "vtkSMSession.h"
 
+#include <new>
+
 vtkStandardNewMacro(vtkSMHapticRegionProxy);
 
 //------------------------------------------------------------------------------
@@ -71,11 +73,27 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(
   stream << vtkClientServerStream::End;
   session->ExecuteStream(vtkPVSession::DATA_SERVER, stream);
   std::vector<char> message;
-  if (!VolumeHapticsLive::ReceiveMessage(server, message))
+  try
   {
-    return LOST;
+    if (!VolumeHapticsLive::ReceiveMessage(server, message))
+    {
+      return LOST;
+    }
   }
-  return VolumeHapticsLive::UnpackRegion(message, image, error) ? FETCHED : REFUSED;
+  catch (const std::bad_alloc&)
+  {
+    return LOST; // what has not been taken can't be told from the next answer
+  }
+  try
+  {
+    return VolumeHapticsLive::UnpackRegion(message, image, error) ? FETCHED : REFUSED;
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "This computer has no memory for the region around the tip. Lower MaximumRegionVoxels, "
+            "or close what you do not need.";
+    return REFUSED;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,10 @@ TEST_F(DeviceLimits, TheMaximumForceIsHalfTheDevicesAndAtMostTheDevices)
   EXPECT_EQ(this->Device->GetMaximumForceRate(), 0.0);
   ASSERT_TRUE(this->Device->Open("virtual"));
   EXPECT_EQ(this->Device->GetMaximumForce(), 0.0) << "opening keeps what the user has set";
+  this->Device->ResetMaximumForce();
+  EXPECT_EQ(this->Device->GetMaximumForce(), half);
+  this->Device->Open("virtual");
+  EXPECT_EQ(this->Device->GetMaximumForce(), half) << "unless that was taken back";
 }
 
 TEST_F(DeviceLimits, TheForceIsClampedWhileTheServoRuns)

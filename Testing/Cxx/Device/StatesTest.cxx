@@ -71,6 +71,30 @@ TEST_F(States, ComeOnceAndInOrderAlsoWhileRecording)
   EXPECT_LT(this->Last, 1e5) << "a new count";
 }
 
+TEST_F(States, ComeToEveryReader)
+{
+  this->Begin();
+  vtkNew<vtkTable> others;
+  double last = -1.0;
+  for (int take = 0; take < 3; ++take)
+  {
+    this->Device->DrainStates(others, 1);
+    for (vtkIdType i = 0; i < others->GetNumberOfRows(); ++i, ++last)
+    {
+      const double tick = others->GetValueByName(i, "Tick").ToDouble();
+      last = last < 0.0 ? tick - 1.0 : last;
+      ASSERT_EQ(tick, last + 1.0);
+    }
+    EXPECT_GE(last, this->Last);
+    this->Take(10);
+  }
+  this->Device->DrainStates(nullptr, 1); // what is taken from now on is not kept for it
+  this->Take(10);
+  this->Device->DrainStates(others, 1);
+  EXPECT_TRUE(
+    others->GetNumberOfRows() == 0 || others->GetValueByName(0, "Tick").ToDouble() > this->Last);
+}
+
 TEST_F(States, GoOnAfterARecording)
 {
   this->Begin();

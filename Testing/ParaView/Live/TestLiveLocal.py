@@ -34,6 +34,11 @@ live.check(servermanager.Fetch(device).GetNumberOfPoints() == 12, "the state is 
 bounds = servermanager.Fetch(device).GetBounds()
 live.check(bounds[0] <= INSIDE[0] <= bounds[1], "where the hand is", bounds)
 
+device.MaximumForce = 0.3
+live.check(live.poll(device, lambda: live.norm(device.Force) < 0.31), "the largest force is limited", list(device.Force))
+device.MaximumForce = 0
+live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "0 is the device's own limit again", list(device.Force))
+
 force_follows("a setting", lambda: setattr(touch, "Method", "Force field"), lambda f: live.distance(f, device.ComputedForce) > 1e-6)
 touch.Method = "Proxy"
 live.press(device, OUTSIDE, INSIDE)

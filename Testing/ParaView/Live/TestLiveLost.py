@@ -45,5 +45,16 @@ with live.Server():
     device = simple.HapticDevice(Touch=touch)
     live.press(device, [-9, 0, 0], [-4, 0, 0])
     live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a new server is touched", device.StatusText)
+    # A disk that is full is no secret.
+    full, errors = os.path.join(live.FOLDER, "full.csv"), []
+    if not os.path.islink(full):
+        os.symlink("/dev/full", full)
+    device.SMProxy.AddObserver("ErrorEvent", lambda *_: errors.append("full"))
+    device.RecordingFile = full
+    device.Recording = 1
+    live.poll_for(device, 0.1)
+    live.check(not errors, "a recording begins")
+    device.Recording = 0
+    live.check(errors, "and an error says that it is not complete")
     device.Running = 0
     simple.Disconnect()

@@ -36,3 +36,21 @@ shown.SetRepresentationType("Outline")
 live.check(abs(felt() - seen) < 0.01, "nor is what has no opacity hidden", list(device.ComputedForce), seen)
 shown.SetRepresentationType("Volume")
 live.check(felt() == 0.0, "it is looked for at every poll", list(device.ComputedForce))
+
+# Of several components, the opacity is that of the touched one only where that one is shown.
+vectors = simple.Calculator(Input=wavelet, Function="RTData*iHat + RTData*jHat + 1000*kHat", ResultArrayName="Vectors")
+touch = simple.VolumeHaptics(Input=vectors, Scalars=["POINTS", "Vectors"], Component=1)
+simple.Hide(wavelet, view)
+shown = simple.Show(vectors, view, "UniformGridRepresentation")
+shown.SetRepresentationType("Volume")
+simple.ColorBy(shown, ("POINTS", "Vectors"))
+colors = simple.GetColorTransferFunction("Vectors")
+simple.GetOpacityTransferFunction("Vectors").Points = [0, 0, 0.5, 0, 2000, 0, 0.5, 0]
+colors.VectorMode = "Magnitude"
+device.Touch = touch
+live.check(felt() > 0.5, "the magnitude's opacity says nothing of a component", list(device.ComputedForce))
+colors.VectorMode = "Component"
+colors.VectorComponent = 0
+live.check(felt() > 0.5, "nor does another component's", list(device.ComputedForce))
+colors.VectorComponent = 1
+live.check(felt() == 0.0, "its own hides it", list(device.ComputedForce))

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * When a servo has to be told of something new.
+ */
+#ifndef HapticChangeTime_h
+#define HapticChangeTime_h
+
+#include "vtkDataObject.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+/** When a filter, or the image or the surface that it is fed with, changed last; 0 without a filter. */
+inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter)
+{
+  if (!filter)
+  {
+    return 0;
+  }
+  vtkMTimeType time = filter->GetMTime();
+  for (const int port : { 0, 2 }) // the image, the surface
+  {
+    vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0);
+    vtkDataObject* const data = filter->GetInputDataObject(port, 0);
+    time = std::max({ time, source ? source->GetMTime() : 0, data ? data->GetMTime() : 0 });
+  }
+  return time;
+}
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkPVHapticRegionFilter in which processes send each other what they hold.
+#include "vtkPVHapticRegionFilter.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace
+{
+
+constexpr int Tag = 78232;
+
+/** The part of a box that is in another one; false where there is none. */
+bool Intersect(const int a[6], const int b[6], int both[6])
+{
+  bool isThere = true;
+  for (int i = 0; i < 6; i += 2)
+  {
+    both[i] = std::max(a[i], b[i]);
+    both[i + 1] = std::min(a[i + 1], b[i + 1]);
+    isThere = isThere && both[i] <= both[i + 1];
+  }
+  return isThere;
+}
+
+vtkIdType CountOf(const int extent[6])
+{
+  return (vtkIdType{ extent[1] } - extent[0] + 1) * (vtkIdType{ extent[3] } - extent[2] + 1) *
+    (vtkIdType{ extent[5] } - extent[4] + 1);
+}
+
+template <typename T>
+void SendNumbers(vtkMultiProcessController* controller, const std::vector<T>& numbers, int to)
+{
+  const auto size = static_cast<vtkIdType>(numbers.size());
+  controller->Send(&size, 1, to, Tag);
+  if (size > 0)
+  {
+    controller->Send(reinterpret_cast<const char*>(numbers.data()),
+      size * static_cast<vtkIdType>(sizeof(T)), to, Tag);
+  }
+}
+
+template <typename T>
+std::vector<T> ReceiveNumbers(vtkMultiProcessController* controller, int from)
+{
+  vtkIdType size = 0;
+  controller->Receive(&size, 1, from, Tag);
+  std::vector<T> numbers(static_cast<std::size_t>(size));
+  if (size > 0)
+  {
+    controller->Receive(
+      reinterpret_cast<char*>(numbers.data()), size * static_cast<vtkIdType>(sizeof(T)), from, Tag);
+  }
+  return numbers;
+}
+
+vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdType tuples)
+{
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/** Remembers that a part of a region has come. */
+void Note(const int part[6], const int region[6], std::vector<bool>& isThere)
+{
+  for (int k = part[4]; k <= part[5]; ++k)
+  {
+    for (int j = part[2]; j <= part[3]; ++j)
+    {
+      const int row[6] = { region[0], region[1], region[2], region[3], region[4], k - 1 };
+      const vtkIdType first = CountOf(row) +
+        (vtkIdType{ region[1] } - region[0] + 1) * (j - region[2]) + (part[0] - region[0]);
+      std::fill_n(isThere.begin() + first, part[1] - part[0] + 1, true);
+    }
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkPVHapticRegionFilter::GatherSamples(SamplesOfComponents& samples)
+{
+  if (this->IsAlone())
+  {
+    return;
+  }
+  samples.resize(static_cast<std::size_t>(this->Components));
+  for (VolumeHaptics::WholeSamples& component : samples)
+  {
+    int extent[6];
+    this->Producer->GetOutputInformation(0)->Get(
+      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    for (int a = 0; a < 3; ++a)
+    {
+      component.Dimensions[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
+    }
+    if (this->Controller->GetLocalProcessId() > 0)
+    {
+      SendNumbers(this->Controller, component.Places, 0);
+      SendNumbers(this->Controller, component.Values, 0);
+      SendNumbers(this->Controller, std::vector<double>(component.Range, component.Range + 2), 0);
+      continue;
+    }
+    for (int from = 1; from < this->Controller->GetNumberOfProcesses(); ++from)
+    {
+      VolumeHaptics::WholeSamples other;
+      other.Places = ReceiveNumbers<std::int64_t>(this->Controller, from);
+      other.Values = ReceiveNumbers<double>(this->Controller, from);
+      const std::vector<double> range = ReceiveNumbers<double>(this->Controller, from);
+      std::copy(range.begin(), range.end(), other.Range);
+      component.Merge(other);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVHapticRegionFilter::ShareParts(
+  const std::vector<int>& part, std::vector<std::vector<int>>& others)
+{
+  if (this->Controller->GetLocalProcessId() > 0)
+  {
+    SendNumbers(this->Controller, part, 0);
+    return;
+  }
+  for (int from = 1; from < this->Controller->GetNumberOfProcesses(); ++from)
+  {
+    others.push_back(ReceiveNumbers<int>(this->Controller, from));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* array,
+  const int region[6], vtkImageData* output, std::string& error)
+{
+  if (this->IsAlone())
+  {
+    return this->Superclass::GatherRegion(piece, array, region, output, error);
+  }
+  int both[6] = { 0, -1, 0, -1, 0, -1 };
+  const bool hasPart = array && Intersect(piece->GetExtent(), region, both);
+  const bool isFirst = this->Controller->GetLocalProcessId() == 0;
+  // Who has no memory must say so before anyone waits for what would fill it.
+  std::vector<std::vector<int>> parts;
+  vtkSmartPointer<vtkDataArray> whole;
+  vtkSmartPointer<vtkDataArray> part;
+  std::vector<bool> isThere;
+  int isShort = 0;
+  this->ShareParts(std::vector<int>(both, both + (hasPart ? 6 : 0)), parts);
+  try
+  {
+    vtkIdType largest = hasPart && !isFirst ? CountOf(both) : 0;
+    for (const std::vector<int>& extent : parts)
+    {
+      largest = std::max(largest, extent.empty() ? 0 : CountOf(extent.data()));
+    }
+    part = NewArray(this->ArrayType, this->Components, largest);
+    if (isFirst)
+    {
+      whole = NewArray(this->ArrayType, this->Components, CountOf(region));
+      isThere.resize(static_cast<std::size_t>(CountOf(region)));
+    }
+  }
+  catch (const std::exception&)
+  {
+    isShort = 1;
+  }
+  int isAnyShort = 0;
+  this->Controller->AllReduce(&isShort, &isAnyShort, 1, vtkCommunicator::MAX_OP);
+  if (isAnyShort)
+  {
+    error = "The server has no memory for the region around the tip. Lower MaximumRegionVoxels.";
+    return false;
+  }
+  if (!isFirst)
+  {
+    if (hasPart)
+    {
+      CopySamples(array, piece->GetExtent(), part, both);
+      this->Controller->Send(static_cast<const char*>(part->GetVoidPointer(0)),
+        part->GetDataSize() * part->GetDataTypeSize(), 0, Tag);
+    }
+    output->Initialize();
+    return true;
+  }
+  if (hasPart)
+  {
+    CopySamples(array, piece->GetExtent(), whole, region);
+    Note(both, region, isThere);
+  }
+  for (int from = 1; from < this->Controller->GetNumberOfProcesses(); ++from)
+  {
+    const std::vector<int>& extent = parts[static_cast<std::size_t>(from - 1)];
+    if (!extent.empty())
+    {
+      this->Controller->Receive(static_cast<char*>(part->GetVoidPointer(0)),
+        CountOf(extent.data()) * this->Components * part->GetDataTypeSize(), from, Tag);
+      CopySamples(part, extent.data(), whole, region);
+      Note(extent.data(), region, isThere);
+    }
+  }
+  if (std::find(isThere.begin(), isThere.end(), false) != isThere.end())
+  {
+    error = "The server's processes do not hold all of the volume between them: its source gave "
+            "only a part of what "
+            "was asked for.";
+    return false;
+  }
+  whole->SetName(this->ArrayName.c_str());
+  output->GetPointData()->SetScalars(whole);
+  return true;
+}
