@@ -9,11 +9,6 @@ namespace VolumeHaptics
 namespace
 {
 
-/**
- * Voxels that a kernel reads beyond its radius, that a motion bulges out between tip and proxy, and
- * one to spare.
- */
-constexpr double Spare = 3.0;
 /** The diagonal of a cube. */
 constexpr double Diagonal = 1.7320508075688772;
 
@@ -77,7 +72,7 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
   const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
   const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * perMeter;
   const double radius = model.Kernel.Radius;
-  const Vector3 spare{ Spare, Spare, Spare };
+  const Vector3 spare{ ResidencySpare, ResidencySpare, ResidencySpare };
   const Vector3 kernel = Vector3{ radius, radius, radius } + spare;
   if (settings.Method == HapticMethod::SurfaceProxy)
   {

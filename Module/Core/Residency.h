@@ -32,6 +32,12 @@ struct TickRecord;
 /** Voxels over which the residency falls from 1 to 0. */
 constexpr double ResidencyBand = 4.0;
 
+/**
+ * Voxels that a kernel reads beyond its radius, that a motion bulges out between tip and proxy, and
+ * one to spare.
+ */
+constexpr double ResidencySpare = 3.0;
+
 /** Where the samples of a region end and the volume goes on, in index steps. */
 class ResidentBox
 {
@@ -87,6 +93,7 @@ public:
   /** Lets the share go to zero, data or not, until Recover. */
   void FadeOut() noexcept { this->FadesOut = true; }
   void Recover() noexcept { this->FadesOut = false; }
+  bool IsFadingOut() const noexcept { return this->FadesOut; }
   /** Whether FadeOut has come to its end. */
   bool IsFadedOut() const noexcept { return this->FadesOut && this->Share == 0.0; }
   ///@}

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SafetyStage.h"
 
+#include "Residency.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -90,11 +92,12 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
   }
   const Vector3 wanted = this->Stale
     ? Vector3{}
-    : this->Ramp * ClampNorm(input.Residency * input.Force, limits.MaximumForce);
-  // However slow forces may change, one that nobody controls any more is gone in RetreatTime.
-  const double rate = this->Stale
-    ? std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime)
-    : limits.MaximumForceRate;
+    : input.Residency * this->Ramp * ClampNorm(input.Force, limits.MaximumForce);
+  // However slow forces may change, one that nobody controls any more is gone in time.
+  const double least = this->Stale ? limits.MaximumForce / RetreatTime
+    : input.FadesOut               ? limits.MaximumForce / ResidentServo::FadeTime
+                                   : 0.0;
+  const double rate = std::max(limits.MaximumForceRate, least);
   this->Last += ClampNorm(wanted - this->Last, rate * input.Period);
   // A limit that was lowered holds at once.
   this->Last = ClampNorm(this->Last, limits.MaximumForce);

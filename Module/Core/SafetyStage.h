@@ -6,8 +6,8 @@
  *
  * In the order in which a force passes:
  * 1. A force or a tip that is not finite gives zero and a fault.
- * 2. Where data are not there, only as much of the force is taken as the residency says (Residency.h).
- * 3. The norm is clamped to the smaller of the device's and the user's maximum.
+ * 2. The norm is clamped to the smaller of the device's and the user's maximum.
+ * 3. Where data are not there, only as much of that is taken as the residency says (Residency.h).
  * 4. The change from the last force is limited (the slew limit).
  * 5. Stiffness and damping are capped where the force is computed: see HapticSettings::Caps.
  * 6. Joint commands are scaled down together, by the back end: SaturateTogether.
@@ -17,7 +17,8 @@
  * Residency and ramp are applied before the slew limit, so that nothing that leaves breaks the limit, except
  * on its way to zero: a fault and disarming cut the force at once. Without fresh samples for
  * WatchdogTime the force goes down to zero within the slew limit, in 20 ms at most, and after a pause of
- * the loop that long it starts from zero. A fault holds until Arm.
+ * the loop that long it starts from zero. While a force fades out, the slew limit is at least
+ * MaximumForce / ResidentServo::FadeTime, so that it gets to zero without a step. A fault holds until Arm.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h
@@ -34,7 +35,8 @@ enum class SafetyFault : std::uint8_t
   None,
   NotFinite,
   OverSpeed,
-  DeviceLost
+  DeviceLost,
+  Unattended ///< nobody looked after the loop, see SafetyLimits::AttentionTime
 };
 
 struct SafetyLimits
@@ -44,6 +46,8 @@ struct SafetyLimits
   double MaximumSpeed = 0.0;       ///< m/s; 0 does not limit
   double RampTime = 0.5;           ///< s
   double WatchdogTime = 0.03;      ///< s
+  /** How long (s) the owner may be silent before the loop lets go (ServoLoop::Attend); 0: for ever. */
+  double AttentionTime = 0.0;
 };
 
 /** What the stage needs to know of a tick. */
@@ -56,6 +60,7 @@ struct SafetyInput
   double Elapsed = 0.0;   ///< s since the last tick, measured
   bool Fresh = false;     ///< the tip was measured for this tick
   bool Lost = false;      ///< the device is gone
+  bool FadesOut = false;  ///< the force is on its way to zero for good
 };
 
 class SafetyStage
@@ -68,6 +73,14 @@ public:
   void Arm() noexcept;
   /** No force from the next Apply on. */
   void Disarm() noexcept { this->Armed = false; }
+  /** A fault that is found elsewhere: no force from the next Apply on. Nothing where none could flow. */
+  void Trip(SafetyFault fault) noexcept
+  {
+    if (this->Armed && this->Fault == SafetyFault::None)
+    {
+      this->Fault = fault;
+    }
+  }
 
   bool IsArmed() const noexcept { return this->Armed; }
   SafetyFault GetFault() const noexcept { return this->Fault; }

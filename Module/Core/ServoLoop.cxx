@@ -4,8 +4,6 @@
 
 #include "ServoClock.h"
 
-#include <cstring>
-
 namespace VolumeHaptics
 {
 namespace
@@ -17,47 +15,7 @@ constexpr std::size_t TraceCapacity = 1 << 14;
 /** The rate is averaged over at least this long (ns). */
 constexpr std::int64_t RateWindow = 100000000;
 
-std::uint64_t Mix(std::uint64_t seal, std::uint64_t word) noexcept
-{
-  seal = (seal ^ word) * 0x9E3779B97F4A7C15ULL;
-  return seal ^ (seal >> 29);
-}
-
-std::uint64_t Mix(std::uint64_t seal, double number) noexcept
-{
-  std::uint64_t word;
-  std::memcpy(&word, &number, sizeof(word));
-  return Mix(seal, word);
-}
-
-std::uint64_t Mix(std::uint64_t seal, const Vector3& v) noexcept
-{
-  return Mix(Mix(Mix(seal, v.X), v.Y), v.Z);
-}
-
 } // namespace
-
-std::uint64_t ComputeSeal(const ServoSnapshot& s) noexcept
-{
-  std::uint64_t seal = Mix(Mix(s.Tick, s.Time), s.Generation);
-  seal = Mix(Mix(Mix(seal, s.Record.Tip), s.Record.Proxy), s.Record.Force);
-  seal = Mix(Mix(seal, s.Turn), s.Residency);
-  seal = Mix(Mix(seal, s.Record.Normal), s.Command);
-  seal = Mix(Mix(seal, s.Record.GradientMagnitude), s.Record.SurfaceValue);
-  seal = Mix(Mix(seal, s.Record.Stiffness), s.Record.SurfaceStrength);
-  seal = Mix(Mix(seal, s.Record.NormalForce), s.Record.FrictionForce);
-  seal = Mix(Mix(Mix(seal, s.Before.Proxy), s.Before.PreviousTip), s.Record.MediumValue);
-  seal = Mix(Mix(Mix(seal, s.Before.Local.Place), s.Before.Local.Fading),
-    std::uint64_t{ s.Before.Local.Number });
-  const std::uint64_t flags = static_cast<std::uint64_t>(s.Armed) << 1 |
-    static_cast<std::uint64_t>(s.Stale) << 2 | static_cast<std::uint64_t>(s.Awaiting) << 4 |
-    static_cast<std::uint64_t>(s.Before.Enabled) << 3 | static_cast<std::uint64_t>(s.Fault) << 8 |
-    static_cast<std::uint64_t>(s.Device) << 16 |
-    static_cast<std::uint64_t>(s.Record.Contact) << 24 |
-    static_cast<std::uint64_t>(s.Record.IsRenewed) << 28 |
-    static_cast<std::uint64_t>(s.Buttons) << 32;
-  return Mix(seal, flags);
-}
 
 ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
   : Backend(backend)
@@ -111,6 +69,7 @@ void ServoLoop::FollowCommands() noexcept
     else
     {
       this->Servo.Recover();
+      this->IsUnattended = false;
     }
     if (order == ArmOrder::Arm)
     {
@@ -133,6 +92,24 @@ void ServoLoop::FollowCommands() noexcept
     this->StatisticsStart = 0;
   }
   this->Limits.Update();
+}
+
+void ServoLoop::Attend() noexcept
+{
+  this->AttendedAt.store(ServoClock::Now(), std::memory_order_release);
+}
+
+void ServoLoop::FollowAttention(std::int64_t now) noexcept
+{
+  const double most = this->Limits.Read().AttentionTime;
+  const std::int64_t silence = now - this->AttendedAt.load(std::memory_order_acquire);
+  if (most > 0.0 && static_cast<double>(silence) > most * NanosecondsPerSecond &&
+    this->Safety.IsArmed() && this->Safety.GetFault() == SafetyFault::None)
+  {
+    // Who comes back meanwhile does not stop the fade: a hand has to be told before it is held again.
+    this->IsUnattended = true;
+    this->Servo.FadeOut();
+  }
 }
 
 void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
@@ -195,10 +172,13 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   input.Fresh = sample.Fresh;
   // What Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
+  input.FadesOut = this->Servo.IsFadingOut();
   s.Command = this->Safety.Apply(input, this->Limits.Read());
-  if (this->Servo.IsFadedOut())
+  // Not before the command is there, too: it may follow late.
+  if (this->Servo.IsFadedOut() && Dot(s.Command, s.Command) == 0.0)
   {
-    this->Safety.Disarm();
+    this->IsUnattended ? this->Safety.Trip(SafetyFault::Unattended) : this->Safety.Disarm();
+    this->IsUnattended = false;
     this->Servo.Recover();
   }
   this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
@@ -259,6 +239,7 @@ void ServoLoop::Run() noexcept
     const std::int64_t woken = ServoClock::Now();
     this->FollowModel();
     this->FollowCommands();
+    this->FollowAttention(woken);
     this->TickOnce(woken - begin, static_cast<double>(woken - last) / NanosecondsPerSecond);
     const std::int64_t done = ServoClock::Now();
     this->CountTime(planned, woken, done);

@@ -8,7 +8,7 @@
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
- * - commands (arm, disarm, fade out, stop) and limits are single atomics.
+ * - commands (arm, disarm, fade out, stop), limits and when the owner was last heard of are single atomics.
  *
  * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter to
  * the slow loop; ReadState to one reader; Drain to one recorder; everything else to the owner (the GUI
@@ -96,10 +96,17 @@ public:
   }
 
   /** Force may flow, after a ramp; forgets a fault. */
-  void Arm() noexcept { this->Command(ArmOrder::Arm); }
+  void Arm() noexcept
+  {
+    this->Attend();
+    this->Command(ArmOrder::Arm);
+  }
   /** No force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
-  /** The force goes to zero within ResidentServo::FadeTime; then as Disarm. */
+  /**
+   * The force goes to zero within ResidentServo::FadeTime, or twice that where it turns meanwhile; then as
+   * Disarm.
+   */
   void FadeOut() noexcept
   {
     // What is disarmed, or is about to be, has nothing to fade.
@@ -109,6 +116,12 @@ public:
       this->Command(ArmOrder::FadeOut);
     }
   }
+
+  /**
+   * The owner is there. Where SafetyLimits::AttentionTime is set and neither this nor Arm is called for that long
+   * while armed, the force fades out as with FadeOut, and SafetyFault::Unattended holds until Arm.
+   */
+  void Attend() noexcept;
 
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
 
@@ -175,6 +188,7 @@ private:
   void AskForRealTime() noexcept;
   void FollowModel() noexcept;
   void FollowCommands() noexcept;
+  void FollowAttention(std::int64_t now) noexcept;
   void TickOnce(std::int64_t start, double elapsed) noexcept;
   void CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept;
 
@@ -189,6 +203,7 @@ private:
   std::atomic<bool> Recording{ false };
   std::atomic<bool> ResetRequested{ false };
   std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bits an ArmOrder
+  std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<ServoSnapshot> Latest;
   TraceRing<ServoSnapshot> Trace;
@@ -201,6 +216,7 @@ private:
   SafetyStage Safety;
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
+  bool IsUnattended = false; ///< why it fades out
   bool WriteLost = false;
   std::int64_t StatisticsStart = 0;
   std::uint64_t StatisticsTicks = 0;

@@ -13,19 +13,6 @@ namespace
 /** No hand is farther away (m); squares of what is nearer do not overflow. */
 constexpr double FarthestTip = 1e9;
 
-bool IsSame(const Vector3& a, const Vector3& b) noexcept
-{
-  return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
-}
-
-bool IsSame(const Affine3& a, const Affine3& b) noexcept
-{
-  const Vector3* const r = a.Linear.Row;
-  const Vector3* const s = b.Linear.Row;
-  return IsSame(r[0], s[0]) && IsSame(r[1], s[1]) && IsSame(r[2], s[2]) &&
-    IsSame(a.Offset, b.Offset);
-}
-
 /** SPEC 2: one place, one look at the law. */
 Vector3 StepPaper(const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
 {
@@ -152,7 +139,7 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
 {
   const bool isRegion = !from.Resident.IsWhole() || !to.Resident.IsWhole();
   if (isRegion && from.BakedNumber == to.BakedNumber &&
-    IsSame(from.DeviceToWorld, to.DeviceToWorld))
+    IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
     // Another part of the same: nothing has changed for what is felt.
     return;

@@ -136,6 +136,20 @@ constexpr Affine3 Inverse(const Affine3& a) noexcept
   return { inverse, -(inverse * a.Offset) };
 }
 
+///@{
+/** Whether all numbers are equal, exactly. */
+constexpr bool IsIdentical(const Vector3& a, const Vector3& b) noexcept
+{
+  return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+}
+constexpr bool IsIdentical(const Affine3& a, const Affine3& b) noexcept
+{
+  return IsIdentical(a.Linear.Row[0], b.Linear.Row[0]) &&
+    IsIdentical(a.Linear.Row[1], b.Linear.Row[1]) &&
+    IsIdentical(a.Linear.Row[2], b.Linear.Row[2]) && IsIdentical(a.Offset, b.Offset);
+}
+///@}
+
 } // namespace VolumeHaptics
 
 #endif

@@ -21,19 +21,6 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
                          "field arrays HapticWholeExtent, HapticNoise and HapticBorderValue to "
                          "touch the image as a volume of its own.";
 
-bool IsSamePoint(const Vector3& a, const Vector3& b)
-{
-  return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
-}
-
-bool IsSamePlace(const Affine3& a, const Affine3& b)
-{
-  const Vector3* const r = a.Linear.Row;
-  const Vector3* const s = b.Linear.Row;
-  return IsSamePoint(r[0], s[0]) && IsSamePoint(r[1], s[1]) && IsSamePoint(r[2], s[2]) &&
-    IsSamePoint(a.Offset, b.Offset);
-}
-
 bool IsSameLine(const Polyline& a, const Polyline& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -178,7 +165,7 @@ bool RegionSeries::IsSame(const Entry& a, const Entry& b)
     std::equal(a.Facts.Extent, a.Facts.Extent + 6, b.Facts.Extent) &&
     a.Facts.Noise == b.Facts.Noise && a.Facts.BorderValue == b.Facts.BorderValue &&
     a.Facts.Time == b.Facts.Time && a.Array == b.Array && d.View.Type == e.View.Type &&
-    IsSamePlace(d.IndexToWorld, e.IndexToWorld);
+    IsIdentical(d.IndexToWorld, e.IndexToWorld);
   return isSameWhole && d.Estimator == e.Estimator && d.KernelRadius == e.KernelRadius &&
     IsSameMaterial(d.Material, e.Material) && Tie(d.Settings) == Tie(e.Settings) &&
     (d.Settings.HasIsoSurface || d.Mesh == e.Mesh);

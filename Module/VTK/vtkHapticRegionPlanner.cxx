@@ -6,6 +6,7 @@
 #include "HapticRegion.h"
 #include "LocalSurface.h"
 #include "RegionPlan.h"
+#include "Residency.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -25,8 +26,6 @@ namespace
 {
 /** No hand stretches the spring further (m) where nothing limits the force. */
 constexpr double LongestSpring = 0.05;
-/** What a kernel reads beyond its radius, and a spare (voxels). */
-constexpr double Spare = 3.0;
 
 Matrix3 IndexToWorld(const double direction[9], const double spacing[3])
 {
@@ -119,7 +118,7 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
     method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
   const double spring = isSurface ? LongestSpring : FindSpring(filter->GetProperty());
   this->SetSpringLength(spring / this->MetersPerWorldUnit);
-  double voxels = radius + Spare;
+  double voxels = radius + ResidencySpare;
   if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
   {
     // See Residency.cxx: the corners of the cube in which a surface is looked for, and how it bends there.
