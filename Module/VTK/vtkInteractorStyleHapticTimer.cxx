@@ -214,7 +214,8 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   }
   if (this->Clutch && d.IsArmed())
   {
-    // By a button or a script, or not yet seen as disarmed: the hand moves without the tip, and must not be held.
+    // By a button or a script, or not yet seen as disarmed. The hand moves without the tip, and must not be
+    // held.
     const bool arms = d.ArmAfterClutch;
     d.Device->Disarm();
     d.ArmAfterClutch = arms;

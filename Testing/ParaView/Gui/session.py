@@ -131,6 +131,28 @@ class Session:
         assert self.current_style() is self.style, "the view has not got its own style back"
         assert not self.hands(), "something is left in the view"
         assert device.Armed == 0 and self.force(device) < AT_REST, "a detached device has force"
+
+    def armed_elsewhere(self):
+        """By a script, on another volume: the dock's Attach is about to take the device over."""
+        device = self.device()
+        self.other = simple.Wavelet(registrationName="Other")
+        self.other_touch = simple.VolumeHaptics(Input=self.other)
+        device.Touch = self.other_touch
+        device.Running = 1
+        device.Armed = 1
+        device.UpdatePipeline()
+        simple.SetActiveSource(simple.FindSource("HeadPhantom.vti"))
+        smtrace.start_trace()
+
+    def taken_over(self):
+        device = self.device()
+        assert device.Touch.Input.GetXMLName() == "XMLImageDataReader", "the active volume is not what is touched"
+        assert device.Running == 1 and device.Armed == 0, "what was armed feels another volume all of a sudden"
+        self.stop_trace()
+        for proxy in (self.other_touch, self.other):
+            simple.Delete(proxy)
+        self.other = self.other_touch = None
+        simple.SetActiveSource(simple.FindSource("HeadPhantom.vti"))
         smtrace.start_trace()
 
     def go_2d(self):
