@@ -28,7 +28,6 @@
  * or refilling one that is being touched.
  *
  * Positions are in world units and forces in newtons along the world's axes, except where said.
- *
  * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a recording
  * (.vtp or .csv), tick by tick. Real ones are those of vtkHapticHardware. A real device that is not homed
  * opens at once and waits for the hand, as GetStatusText tells; Arm is refused until it is ready. When it
@@ -65,8 +64,7 @@ public:
   /** Stop, and let go of the device. */
   void Close();
   bool IsOpen();
-  /** The id that was opened; empty while closed. */
-  std::string GetDeviceId();
+  std::string GetDeviceId(); ///< The id that was opened; empty while closed.
 
   ///@{
   /**
@@ -195,8 +193,7 @@ public:
   double* GetForce() VTK_SIZEHINT(3);
   double* GetComputedForce() VTK_SIZEHINT(3);
   ///@}
-  /** Of the latest state: bit 0 is the main button. */
-  int GetButtons();
+  int GetButtons(); ///< Of the latest state: bit 0 is the main button.
   /** Of the latest state (rad/s, the device's axes): how fast a SpaceMouse asks the volume to turn. */
   double* GetTurnRate() VTK_SIZEHINT(3);
   /** Of the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
@@ -236,9 +233,8 @@ public:
 
   ///@{
   /**
-   * Longest force (N) on the hand. At most the device's own maximum; opening a device sets it to
-   * half of that, unless SetMaximumForce was called. ResetMaximumForce goes back to that half, of this
-   * device and of those that are opened later.
+   * Longest force (N) on the hand, at most the device's own maximum. Default, and with ResetMaximumForce again:
+   * half of that, of any device that is opened.
    */
   void SetMaximumForce(double force);
   void ResetMaximumForce();

@@ -47,10 +47,10 @@ struct vtkSMHapticDeviceProxy::vtkInternals
   double ArmedAt = 0.0;      // s, of the device
   double MaximumForce = 0.0; // N, taken over; 0: the device's own choice
   std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX }; // taken over
-  double ViewTime = 0.0; // s, of the data
-  std::string Notice;    // why it was stopped; until it is started again
-  std::string Problem;   // of now; empty where all is well
-  std::string Reported;  // said as an error
+  double ViewTime = 0.0;                                                          // s, of the data
+  std::string Notice;   // why it was stopped; until it is started again
+  std::string Problem;  // of now; empty where all is well
+  std::string Reported; // said as an error
 };
 
 #endif
