@@ -111,6 +111,14 @@ void HapticDeviceHolder::Stop()
   }
 }
 
+void HapticDeviceHolder::Attend()
+{
+  if (this->Session)
+  {
+    this->Session->GetLoop().Attend();
+  }
+}
+
 void HapticDeviceHolder::Arm(bool on)
 {
   this->ArmWanted = on;
@@ -148,6 +156,7 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
   {
     return false;
   }
+  this->Attend();
   ServoLoop& loop = this->Session->GetLoop();
   loop.Collect();
   if (!loop.ReadState())
@@ -176,6 +185,7 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
 void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* table)
 {
   StateTable rows;
+  this->Attend();
   if (this->Session)
   {
     for (const ServoSnapshot& state : this->Session->TakeStates())
