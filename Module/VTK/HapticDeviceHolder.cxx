@@ -111,6 +111,14 @@ void HapticDeviceHolder::Stop()
   }
 }
 
+void HapticDeviceHolder::Attend()
+{
+  if (this->Session)
+  {
+    this->Session->GetLoop().Attend();
+  }
+}
+
 void HapticDeviceHolder::Arm(bool on)
 {
   this->ArmWanted = on;
@@ -148,6 +156,7 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
   {
     return false;
   }
+  this->Attend();
   ServoLoop& loop = this->Session->GetLoop();
   loop.Collect();
   if (!loop.ReadState())
@@ -181,6 +190,7 @@ void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* tab
     return;
   }
   StateTable rows;
+  this->Attend();
   if (this->Session)
   {
     for (const ServoSnapshot& state : this->Session->TakeStates(reader))

@@ -43,6 +43,8 @@ public:
   /** Ticks per second of the session that runs. */
   double GetRate() const { return this->Rate; }
 
+  /** The owner is there: see vtkHapticDevice::SetAttentionTime. */
+  void Attend();
   void Arm(bool on);
   void FadeOut();
   /** Whether it is open and, as far as is known now, can be felt. */

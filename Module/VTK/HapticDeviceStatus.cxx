@@ -24,6 +24,10 @@ const char* Explain(SafetyFault fault)
     case SafetyFault::DeviceLost:
       return "Force cut off: the device was lost. Once it is back, with Home() or with Open() and "
              "Start(), Arm() again.";
+    case SafetyFault::Unattended:
+      return "Force let go of: the program that shows and stops the device stood still for longer "
+             "than "
+             "its AttentionTime. Now that it answers again, Arm() again.";
     case SafetyFault::None:
       break;
   }

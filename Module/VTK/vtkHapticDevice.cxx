@@ -133,6 +133,7 @@ vtkMatrix4x4* vtkHapticDevice::GetDeviceToWorld()
 bool vtkHapticDevice::Publish()
 {
   auto& d = *this->Internals;
+  d.Holder.Attend();
   std::shared_ptr<const HapticModel> model;
   const double rate = d.Holder.GetSession() ? d.Holder.GetRate() : this->ServoRate;
   if (!d.Bake(rate, model))

@@ -121,8 +121,9 @@ public:
   ///@{
   /**
    * Let force through, or not. Arm forgets a fault, and is refused, with an error, while the device is not
-   * ready; Disarm cuts the force at once, FadeOut within 50 ms, for data that will not come any more, as of a
-   * server that is gone. Stop disarms. Whatever disarms invokes vtkCommand::DisableEvent, at once.
+   * ready; Disarm cuts the force at once, FadeOut within 50 ms (100 where the force turns meanwhile), for data that
+   * will not come any more, as of a server that is gone. Stop disarms. Whatever disarms invokes
+   * vtkCommand::DisableEvent, at once.
    */
   void Arm();
   void Disarm();
@@ -181,15 +182,9 @@ public:
   bool UpdateState();
 
   ///@{
-  /** Of the latest state, in world units. */
+  /** Of the latest state: tip and proxy (world); what went to the device, and what was computed (N, world axes). */
   double* GetTipPosition() VTK_SIZEHINT(3);
   double* GetProxyPosition() VTK_SIZEHINT(3);
-  ///@}
-  ///@{
-  /**
-   * Of the latest state (N, world axes): what went to the device, and what the tick computed before
-   * the safety stage.
-   */
   double* GetForce() VTK_SIZEHINT(3);
   double* GetComputedForce() VTK_SIZEHINT(3);
   ///@}
@@ -198,18 +193,16 @@ public:
   double* GetTurnRate() VTK_SIZEHINT(3);
   /** Of the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
   int GetContact();
-  /** Of the latest state: the value in the surface, V(x_s). */
-  double GetSurfaceValue();
   ///@{
-  /** Of the latest state (N): what the surface, friction and the medium take of the force. */
+  /** Of the latest state: V(x_s), the value in the surface; what it, friction and the medium take of the force (N). */
+  double GetSurfaceValue();
   double GetNormalForce();
   double GetFrictionForce();
   double GetDragForce();
   ///@}
-  /** Of the latest state: the unit normal into the structure, world axes. */
-  double* GetNormal() VTK_SIZEHINT(3);
   ///@{
-  /** Of the latest state (world): x_s and x_v, where the materials were read (fig. 4). */
+  /** Of the latest state (world): the unit normal inwards; x_s and x_v, where the materials were read (fig. 4). */
+  double* GetNormal() VTK_SIZEHINT(3);
   double* GetSurfacePosition() VTK_SIZEHINT(3);
   double* GetMediumPosition() VTK_SIZEHINT(3);
   ///@}
@@ -242,9 +235,19 @@ public:
   ///@}
 
   ///@{
-  /** Largest change of force (N/s). Default 500, that is, 0.5 N/ms. */
+  /** Largest change of force (N/s), 1 or more; faster only where it fades out or is stale. Default 500. */
   void SetMaximumForceRate(double rate);
   vtkGetMacro(MaximumForceRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Let go where the program stands still, and with it whatever stops the device: armed, and without UpdateState,
+   * DrainStates, Publish, Arm or a new limit for so long (s), the servo fades the force out, and a fault holds until
+   * Arm. 0.05 or more, or 0 (default) for never, as for programs that seldom look.
+   */
+  void SetAttentionTime(double seconds);
+  vtkGetMacro(AttentionTime, double);
   ///@}
 
   ///@{
@@ -283,6 +286,7 @@ protected:
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
+  double AttentionTime = 0.0;
   double WantedForce = -1.0; // what SetMaximumForce was given; negative: half of the device's
 
 private:

@@ -62,6 +62,7 @@ struct vtkHapticDevice::vtkInternals
     VolumeHaptics::SafetyLimits limits;
     limits.MaximumForce = self->GetMaximumForce();
     limits.MaximumForceRate = self->GetMaximumForceRate();
+    limits.AttentionTime = self->GetAttentionTime();
     limits.MaximumSpeed = this->Holder.GetLimits().MaximumSpeed;
     return limits;
   }

@@ -18,6 +18,7 @@ void vtkHapticDevice::SendLimits()
   auto& d = *this->Internals;
   if (HapticSession* session = d.Holder.GetSession())
   {
+    session->GetLoop().Attend();
     session->GetLoop().SetLimits(d.MakeLimits(this));
   }
   this->Modified();
@@ -53,10 +54,22 @@ void vtkHapticDevice::SetMaximumForce(double force)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumForceRate(double rate)
 {
-  const double clamped = rate > 0.0 ? rate : 0.0;
+  // A rate of 0 would hold the force of now in the hand for ever. False for NaN, too.
+  const double clamped = rate > 1.0 ? rate : 1.0;
   if (clamped != this->MaximumForceRate)
   {
     this->MaximumForceRate = clamped;
+    this->SendLimits();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetAttentionTime(double seconds)
+{
+  const double clamped = seconds > 0.0 ? std::max(seconds, 0.05) : 0.0;
+  if (clamped != this->AttentionTime)
+  {
+    this->AttentionTime = clamped;
     this->SendLimits();
   }
 }
@@ -201,6 +214,7 @@ void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ServoRate: " << this->ServoRate << " Hz\n";
   os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
   os << indent << "MaximumForceRate: " << this->MaximumForceRate << " N/s\n";
+  os << indent << "AttentionTime: " << this->AttentionTime << " s\n";
   os << indent << "Recording: " << (d.RecordingFile.empty() ? "(none)" : d.RecordingFile.c_str())
      << "\n";
 }

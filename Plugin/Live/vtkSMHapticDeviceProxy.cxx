@@ -12,6 +12,17 @@
 
 vtkStandardNewMacro(vtkSMHapticDeviceProxy);
 
+namespace
+{
+
+/**
+ * How long (s) Poll may stay away from an armed device. A user interface that stands still for longer, be it since a
+ * server does not answer, can't be used to stop the hand.
+ */
+constexpr double AttentionTime = 2.0;
+
+} // namespace
+
 //------------------------------------------------------------------------------
 vtkSMHapticDeviceProxy::vtkSMHapticDeviceProxy()
 {
@@ -33,6 +44,7 @@ vtkSMHapticDeviceProxy::vtkSMHapticDeviceProxy()
   };
   calls.Lost = [this] { this->LoseServer(); };
   this->Internals.reset(new vtkInternals(std::move(calls)));
+  this->Internals->Device->SetAttentionTime(AttentionTime);
 }
 
 //------------------------------------------------------------------------------
@@ -153,7 +165,12 @@ void vtkSMHapticDeviceProxy::UpdateVTKObjects()
 {
   auto& d = *this->Internals;
   // First of all what a hand may be waiting for.
-  if (this->ObjectsCreated && !d.IsBusy)
+  if (this->ObjectsCreated && d.IsBusy)
+  {
+    // The rest is for when Poll is through.
+    this->TakeCuts();
+  }
+  else if (this->ObjectsCreated)
   {
     this->TakeOrders();
   }

@@ -20,7 +20,8 @@
  * How a hand is kept safe. Force leaves only while Running and Armed are 1 and through the safety stage of
  * vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go back to 0, with zero
  * force, when this proxy, what it touches or the view in which that is seen is deleted, when the session is closed,
- * and after a fault. When the server is gone, force fades within 50 ms. What is set to 0 has its effect at once, without a Poll.
+ * and after a fault. When the server is gone, force fades within 50 ms; so it does when Poll stays away for 2 s, as in a
+ * client that waits for a server that hangs (vtkHapticDevice::SetAttentionTime). What is set to 0 has its effect at once, without a Poll.
  */
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h
@@ -94,6 +95,7 @@ private:
 
   void TakeLimits();
   void TakeOrders();
+  void TakeCuts();
   void TakeTip();
   void TakeRecording();
   bool IsLocal() const;

@@ -78,6 +78,17 @@ void vtkSMHapticDeviceProxy::TakeOrders()
 }
 
 //------------------------------------------------------------------------------
+void vtkSMHapticDeviceProxy::TakeCuts()
+{
+  auto& d = *this->Internals;
+  if (d.Device->IsRunning() && (!this->GetInt("Armed") || !this->GetInt("Running")))
+  {
+    d.Device->Disarm();
+    d.IsArmed = false;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::TakeRecording()
 {
   auto& d = *this->Internals;
@@ -112,13 +123,14 @@ void vtkSMHapticDeviceProxy::TakeRecording()
 void vtkSMHapticDeviceProxy::FollowFault()
 {
   auto& d = *this->Internals;
-  if (d.IsLost && d.Device->IsRunning() && d.Device->GetStatus() <= vtkHapticDevice::READY)
+  const bool isFault = d.Device->GetStatus() == vtkHapticDevice::FAULT;
+  if (d.IsLost && d.Device->IsRunning() &&
+    (isFault || d.Device->GetStatus() <= vtkHapticDevice::READY))
   {
-    this->StopHand(d.Notice); // it has faded
+    this->StopHand(d.Notice); // it has faded, or was cut off before
     return;
   }
   const bool isReady = d.Device->GetStatus() >= vtkHapticDevice::READY;
-  const bool isFault = d.Device->GetStatus() == vtkHapticDevice::FAULT;
   if (d.IsArmed && (!isReady || (isFault && d.Device->GetTime() > d.ArmedAt + FaultAge)))
   {
     // Arming anew is for the user, who then sees a change of the property.

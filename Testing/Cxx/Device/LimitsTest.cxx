@@ -37,7 +37,9 @@ TEST_F(DeviceLimits, TheMaximumForceIsHalfTheDevicesAndAtMostTheDevices)
   EXPECT_EQ(this->Device->GetMaximumForce(), 0.0);
   EXPECT_EQ(this->Device->GetMaximumForceRate(), 500.0);
   this->Device->SetMaximumForceRate(NaN);
-  EXPECT_EQ(this->Device->GetMaximumForceRate(), 0.0);
+  EXPECT_EQ(this->Device->GetMaximumForceRate(), 1.0);
+  this->Device->SetMaximumForceRate(0.0);
+  EXPECT_EQ(this->Device->GetMaximumForceRate(), 1.0) << "no force may be held for ever";
   ASSERT_TRUE(this->Device->Open("virtual"));
   EXPECT_EQ(this->Device->GetMaximumForce(), 0.0) << "opening keeps what the user has set";
   this->Device->ResetMaximumForce();
