@@ -4,10 +4,10 @@
  * @class   vtkHapticDevice
  * @brief   a stylus in a hand, and the servo loop that makes it feel a volume
  *
- * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with
- * exactly the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither
- * locks, allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands
- * it immutable snapshots of the filter with Publish, and takes the latest state with UpdateState.
+ * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with exactly the code
+ * that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither locks, allocates nor calls a vtkObject.
+ * The thread that owns this object (the GUI thread) hands it immutable snapshots of the filter with Publish, and
+ * takes the latest state with UpdateState.
  *
  *   device->Open("virtual");
  *   device->SetVolumeHaptics(filter);
@@ -16,16 +16,15 @@
  *   ... in the GUI's timer: device->UpdateState(); render with GetProxyPosition() ...
  *   device->Stop();                   // zero force, thread joined
  *
- * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and
- * to the device's own maximum, and changes by at most MaximumForceRate; after Arm and after every
- * gap it rises from zero over half a second. A tip that is not finite, that moves faster than a
- * hand can hold the device, or a device that is lost, cuts the force and latches a fault until Arm
- * is called again. Without fresh samples for 30 ms the force goes to zero. Stop, Close, deletion,
- * exit() and SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) send zero force. Stiffness and
- * ForceFieldDamping are capped at what the device can hold.
+ * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and to the device's
+ * own maximum, and changes by at most MaximumForceRate; after Arm and after every gap it rises from zero over half
+ * a second. A tip that is not finite, that moves faster than a hand can hold the device, or a device that is lost,
+ * cuts the force and latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
+ * zero. Stop, Close, deletion, exit() and SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) send zero force.
+ * Stiffness and ForceFieldDamping are capped at what the device can hold.
  *
- * The servo reads the image's own array, without a copy: give the image a new array instead of resizing
- * or refilling one that is being touched.
+ * The servo reads the image's own array, without a copy: give the image a new array instead of resizing or
+ * refilling one that is being touched.
  *
  * Positions are in world units and forces in newtons along the world's axes, except where said.
  * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a recording
@@ -57,8 +56,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Open a device by its id. False, with an error that says what to do, where that is not possible.
-   * Closes the one that was open.
+   * Open a device by its id. False, with an error that says what to do, where that is not possible. Closes the one
+   * that was open.
    */
   bool Open(const char* id);
   /** Stop, and let go of the device. */
@@ -68,24 +67,22 @@ public:
 
   ///@{
   /**
-   * What is felt. Takes effect with Publish or Start. The filter is kept by reference; the servo
-   * never touches it.
+   * What is felt. Takes effect with Publish or Start. The filter is kept by reference; the servo never touches it.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
   ///@}
 
   /**
-   * Which method is felt, for people: that of the last Publish, such as "Proxy, PRECISE". While the servo
-   * does not run, that of the filter; empty without one.
+   * Which method is felt, for people: that of the last Publish, such as "Proxy, PRECISE". While the servo does not
+   * run, that of the filter; empty without one.
    */
   std::string GetMethodText();
 
   /**
-   * Bring the filter's image up to date and hand the servo a snapshot of everything: image,
-   * materials, settings, DeviceToWorld. Used from the next tick on; a change of force that follows
-   * is slewed. Without a running servo only checks. False, with an error, where the input can't be
-   * touched; the servo then goes on with what it has.
+   * Bring the filter's image up to date and hand the servo a snapshot of everything: image, materials, settings,
+   * DeviceToWorld. Used from the next tick on; a change of force that follows is slewed. Without a running servo
+   * only checks. False, with an error, where the input can't be touched; the servo then goes on with what it has.
    */
   bool Publish();
   /** Whether it was tried, with Publish or Start, since the filter, its image or its surface changed last. */
@@ -93,9 +90,8 @@ public:
 
   ///@{
   /**
-   * From the device's space (m) to the world: a rotation, a translation and one uniform, positive
-   * scale. Takes effect with Publish. nullptr (default): the world scaled by the filter's
-   * MetersPerWorldUnit.
+   * From the device's space (m) to the world: a rotation, a translation and one uniform, positive scale. Takes
+   * effect with Publish. nullptr (default): the world scaled by the filter's MetersPerWorldUnit.
    */
   void SetDeviceToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetDeviceToWorld();
@@ -109,9 +105,8 @@ public:
 
   ///@{
   /**
-   * Start the servo, with the filter as it is now (without one the tip just moves), and stop it
-   * with zero force. Start is false, with an error, where no device is open or the filter can't be
-   * touched.
+   * Start the servo, with the filter as it is now (without one the tip just moves), and stop it with zero force.
+   * Start is false, with an error, where no device is open or the filter can't be touched.
    */
   bool Start();
   void Stop();
@@ -120,9 +115,9 @@ public:
 
   ///@{
   /**
-   * Let force through, or not. Arm forgets a fault, and is refused, with an error, while the device is not
-   * ready; Disarm cuts the force at once, FadeOut within 50 ms (100 where the force turns meanwhile), for data that
-   * will not come any more, as of a server that is gone. Stop disarms. Whatever disarms invokes
+   * Let force through, or not. Arm forgets a fault, and is refused, with an error, while the device is not ready;
+   * Disarm cuts the force at once, FadeOut within 50 ms (100 where the force turns meanwhile), for data that will
+   * not come any more, as of a server that is gone. Stop disarms. Whatever disarms invokes
    * vtkCommand::DisableEvent, at once.
    */
   void Arm();
@@ -140,19 +135,16 @@ public:
   void SetLights(int lights);
 
   ///@{
-  /**
-   * Where the device stands (StatusType), as of the last UpdateState; the text says what is wrong, and the cure.
-   */
+  /** Where the device stands (StatusType), as of the last UpdateState; the text says what is wrong, and the cure. */
   int GetStatus();
   std::string GetStatusText();
   ///@}
 
   ///@{
   /**
-   * Where the hand leads the tip of the virtual device (world). Without simulated dynamics the tip
-   * goes there at 2 m/s or less; the first call puts it there. PlaceVirtualTip does so at any time: the
-   * hand takes the stylus up there anew, and feels nothing of the way. Disarm before; an armed device
-   * takes it for a hand that is too fast.
+   * Where the hand leads the tip of the virtual device (world). Without simulated dynamics the tip goes there at 2
+   * m/s or less; the first call puts it there. PlaceVirtualTip does so at any time: the hand takes the stylus up
+   * there anew, and feels nothing of the way. Disarm before; an armed device takes it for a hand that is too fast.
    */
   void SetVirtualTip(double x, double y, double z);
   void PlaceVirtualTip(double x, double y, double z);
@@ -161,19 +153,18 @@ public:
   ///@}
 
   /**
-   * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -
-   * damping x' with mass in kg (0: none, the default), damping in N s/m and the hand's stiffness in
-   * N/m, positions rounded to an encoder's quantum (m, 0: not) and forces delayed by ticks (0 to
-   * 16). Before Start.
+   * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) - damping x' with
+   * mass in kg (0: none, the default), damping in N s/m and the hand's stiffness in N/m, positions rounded to an
+   * encoder's quantum (m, 0: not) and forces delayed by ticks (0 to 16). Before Start.
    */
   void SetVirtualDynamics(
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
 
   /**
-   * Let the virtual device stand no more than another one: its force (N), stiffness (N/m), damping
-   * (N s/m), and its own friction b (N s/m), above twice which, over the tick's period, a spring is
-   * not stable. 0 does not limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0).
-   * Sets MaximumForce to half of the force, as Open does. Before Start.
+   * Let the virtual device stand no more than another one: its force (N), stiffness (N/m), damping (N s/m), and its
+   * own friction b (N s/m), above twice which, over the tick's period, a spring is not stable. 0 does not limit.
+   * Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to half of the force, as
+   * Open does. Before Start.
    */
   void SetVirtualLimits(
     double maximumForce, double maximumStiffness, double maximumDamping, double friction);
@@ -216,11 +207,11 @@ public:
   double GetTime();
 
   /**
-   * Every state since the last call, oldest first, as rows of a table that is overwritten: columns Time
-   * (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, Residency, and with
-   * three components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The
-   * first call begins to keep states. Where nobody calls for 100000 ticks, the oldest are dropped. Each reader,
-   * by a number of its own, gets all; nullptr ends it. vtkInteractorStyleHaptic is number 0.
+   * Every state since the last call, oldest first, as rows of a table that is overwritten: columns Time (s), Tick,
+   * NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, Residency, and with three
+   * components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The first call begins to
+   * keep states. Where nobody calls for 100000 ticks, the oldest are dropped. Each reader, by a number of its own,
+   * gets all; nullptr ends it. vtkInteractorStyleHaptic is number 0.
    */
   void DrainStates(vtkTable* states, int reader = 0);
 
@@ -243,8 +234,8 @@ public:
   ///@{
   /**
    * Let go where the program stands still, and with it whatever stops the device: armed, and without UpdateState,
-   * DrainStates, Publish, Arm or a new limit for so long (s), the servo fades the force out, and a fault holds until
-   * Arm. 0.05 or more, or 0 (default) for never, as for programs that seldom look.
+   * DrainStates, Publish, Arm or a new limit for so long (s), the servo fades the force out, and a fault holds
+   * until Arm. 0.05 or more, or 0 (default) for never, as for programs that seldom look.
    */
   void SetAttentionTime(double seconds);
   vtkGetMacro(AttentionTime, double);
@@ -252,11 +243,11 @@ public:
 
   ///@{
   /**
-   * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
-   * writes it to a .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp
-   * on port 1 of vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but
-   * the placement of the device changed while it was made. Needs a running servo and a filter. A region
-   * (vtkHapticRegionFilter) is not recorded, nor published during a recording: no one image could replay it.
+   * Record every tick, with settings, units, device and a hash of the volume, until StopRecording writes it to a
+   * .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp on port 1 of
+   * vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but the placement of the device
+   * changed while it was made. Needs a running servo and a filter. A region (vtkHapticRegionFilter) is not
+   * recorded, nor published during a recording: no one image could replay it.
    */
   bool StartRecording(const char* file);
   bool StopRecording();
@@ -264,11 +255,11 @@ public:
 
   ///@{
   /**
-   * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration
-   * (s) that a percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to
-   * 1/8 of it; ticks that were left out because the loop was late; ticks whose force was held back since the data
-   * around the tip were not here (GetResidency); and ticks that solver PRECISE could not
-   * finish (a tip that jumps by tens of voxels), which the next ones did.
+   * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration (s) that a
+   * percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to 1/8 of it; ticks that were
+   * left out because the loop was late; ticks whose force was held back since the data around the tip were not here
+   * (GetResidency); and ticks that solver PRECISE could not finish (a tip that jumps by tens of voxels), which the
+   * next ones did.
    */
   double GetTickRate();
   double GetTickPercentile(double p);

@@ -34,7 +34,9 @@ vtkSMHapticDeviceProxy::vtkSMHapticDeviceProxy()
     if (proxy == this || proxy == d.Touch.GetTouch() || proxy == d.Touch.GetInput("Input", port) ||
       proxy == d.Opacity.GetView())
     {
-      this->StopHand(proxy == this ? "" : "Stopped, since what was touched or seen was deleted.");
+      this->StopHand(proxy == this
+          ? ""
+          : "Stopped, since what was touched or seen was deleted. Set Touch, and Running, again.");
     }
   };
   calls.Closed = [this]

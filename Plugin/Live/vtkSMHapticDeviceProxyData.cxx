@@ -19,10 +19,16 @@ bool vtkSMHapticDeviceProxy::IsLocal() const
 void vtkSMHapticDeviceProxy::FollowData()
 {
   auto& d = *this->Internals;
-  d.Touch.Follow(vtkSMPropertyHelper(this, "Touch").GetAsProxy());
+  vtkSMProxy* const touch = vtkSMPropertyHelper(this, "Touch").GetAsProxy();
+  d.Touch.Follow(touch);
   vtkVolumeHapticsFilter* const filter = d.Touch.GetFilter();
   if (!filter)
   {
+    if (touch && d.Problem.empty())
+    {
+      d.Problem = "Touch names something that is no Volume Haptics filter. Set it to one whose "
+                  "Input is the volume.";
+    }
     return;
   }
   d.Errors.Catch(filter);
@@ -42,8 +48,7 @@ void vtkSMHapticDeviceProxy::FollowData()
     if (surface && d.Problem.empty())
     {
       d.Problem = "A Surface on a server is not touched; the isosurface at IsoValue is. To touch "
-                  "the Surface, open "
-                  "the data without a server.";
+                  "the Surface, open the data without a server.";
     }
   }
   vtkVolumeProperty* const seen =

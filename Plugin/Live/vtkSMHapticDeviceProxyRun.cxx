@@ -33,7 +33,7 @@ void vtkSMHapticDeviceProxy::TakeTip()
   auto& d = *this->Internals;
   std::array<double, 3> tip;
   vtkSMPropertyHelper(this, "VirtualTip").Get(tip.data(), 3);
-  if (tip != d.Tip)
+  if (tip != d.Tip && d.Device->GetDeviceId() == "virtual")
   {
     d.Tip = tip;
     d.Device->SetVirtualTip(tip.data());

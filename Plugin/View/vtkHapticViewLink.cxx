@@ -62,7 +62,9 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   auto& d = *this->Internals;
   if (!view || !device)
   {
-    vtkErrorMacro("Attaching takes a render view and a haptic device: one of them is missing.");
+    vtkErrorMacro(
+      "Attaching takes a render view and a haptic device, and one of them is missing. Set View to "
+      "a render view, such as GetActiveView(), and Device to a Haptic Device.");
     return false;
   }
   if (this->IsAttached() && d.View == view && d.DeviceProxy == device)
