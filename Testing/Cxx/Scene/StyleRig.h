@@ -78,15 +78,21 @@ protected:
   template <typename F>
   void Run(vtkIdType ticks, F&& see)
   {
+    const auto update = [&]
+    {
+      this->Style->UpdateHaptics();
+      for (vtkIdType i = 0; i < this->Style->GetStates()->GetNumberOfRows(); ++i)
+      {
+        see(this->Style->GetStates(), i);
+      }
+    };
+    // From now on, not from when the device was looked at last.
+    update();
     const vtkIdType end = this->Device->GetTick() + ticks;
     ASSERT_TRUE(Eventually(
       [&]
       {
-        this->Style->UpdateHaptics();
-        for (vtkIdType i = 0; i < this->Style->GetStates()->GetNumberOfRows(); ++i)
-        {
-          see(this->Style->GetStates(), i);
-        }
+        update();
         return this->Device->GetTick() >= end;
       }));
   }
