@@ -93,8 +93,7 @@ if [ $full = yes ]; then
   run_tests "$build_dir-sanitize" -LE package
 else
   cmake --build "$build_dir-sanitize" -j "$jobs" --target VolumeHapticsSanitizerTests
-  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Core|Emulated|Hardware|Servo)[.]' \
-    -E 'Emulated[.](Phantom|[A-Za-z]+Tool)'
+  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Core|Hardware|Servo)[.]'
 fi
 
 echo "== Building with the thread sanitizer in $build_dir-thread"

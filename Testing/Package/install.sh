@@ -55,8 +55,8 @@ if [ -n "${DISPLAY:-}" ]; then
   stays_open "$work/examples/drop-in" "$head"
 fi
 
-# The headers that are installed are those of the public classes and of the seams for vendors' libraries and for volumes in pieces, and
-# nothing internal.
+# The headers that are installed are those of the public classes and of the seams for vendors' libraries and for
+# volumes in pieces, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
 expected=$({ cd "$source_dir/Module/VTK" && ls vtk*.h | grep -vE 'Compat|Internals'
   printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h WholeSamples.h; } | sort)
