@@ -5,6 +5,7 @@
  * A loop that hangs in its device is cut off from outside.
  */
 
+#include "Eventually.h"
 #include "HapticSession.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <thread>
 
 using namespace VolumeHaptics;
+using devicetest::Eventually;
 
 namespace
 {
@@ -42,20 +44,6 @@ public:
   std::atomic<int> Quenches{ 0 };
 };
 
-template <typename F>
-bool Eventually(F&& holds)
-{
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!holds())
-  {
-    if (std::chrono::steady_clock::now() > end)
-    {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
-}
 } // namespace
 
 TEST(HapticSession, QuenchesALoopThatIsSilentAndGoesOnAfterIt)

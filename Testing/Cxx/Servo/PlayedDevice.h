@@ -8,32 +8,17 @@
 #define PlayedDevice_h
 
 #include "../Core/CoreScene.h"
+#include "../Device/Eventually.h"
 #include "ServoLoop.h"
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <thread>
 
 namespace servotest
 {
 using namespace coretest;
-
-/// Polls until something holds; false after a generous time.
-template <typename F>
-bool Eventually(F&& holds)
-{
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!holds())
-  {
-    if (std::chrono::steady_clock::now() > end)
-    {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  return true;
-}
+using devicetest::Eventually;
 
 class PlayedDevice : public DeviceBackend
 {
