@@ -34,7 +34,11 @@ BEFORE = (
     "from volumehaptics import *\nvtkVolumeHapticsFilter, vtkHapticProperty\n",
     "import volumehaptics.vtkVolumeHaptics\n",
 )
-AFTER = "import vtk\nassert isinstance(touch, vtk.vtkAlgorithm)\nassert isinstance(touch.GetOutput(), vtk.vtkPolyData)\n"
+AFTER = """
+import vtk
+assert isinstance(touch, vtk.vtkAlgorithm)
+assert isinstance(touch.GetOutput(), vtk.vtkPolyData)
+"""
 
 
 def run(code):
@@ -55,8 +59,44 @@ def test_order_does_not_matter(first, last, build, version):
     assert said == version
 
 
-def test_what_is_there():
+NAMES = """
+import builtins, sys
+before = set(globals())
+from volumehaptics import *
+import volumehaptics
+for name in set(globals()) - before - {"before", "volumehaptics"}:
+    assert name == "touch" or name.startswith("vtk"), name
+    assert not hasattr(builtins, name)
+assert touch is volumehaptics.touch
+assert "numpy" not in sys.modules
+assert {"arrays", "examples", "image", "path", "touch", "vtkHapticDevice"} <= set(dir(volumehaptics))
+"""
+# As where there is none: importing a module that is None in there fails.
+NO_NUMPY = """
+import sys
+sys.modules["numpy"] = None
+import volumehaptics
+trace = volumehaptics.touch(volumehaptics.examples.phantom(), volumehaptics.examples.stroke())
+assert trace.GetNumberOfPoints() > 0
+try:
+    volumehaptics.image
+except ImportError as error:
+    assert "python3-numpy" in str(error)
+    print("told")
+"""
+
+
+def test_names_are_clean():
+    run(NAMES)
+
+
+def test_numpy_is_needed_for_its_arrays_only():
+    assert run(NO_NUMPY) == "told\n"
+
+
+def test_there_is_no_other_name():
     import volumehaptics
 
-    assert "haptics" in volumehaptics.__doc__
-    assert volumehaptics.vtkVolumeHapticsFilter().GetClassName() == "vtkVolumeHapticsFilter"
+    assert "touch" in volumehaptics.__doc__
+    with pytest.raises(AttributeError, match="volumehaptics.*vtkNothing"):
+        volumehaptics.vtkNothing
