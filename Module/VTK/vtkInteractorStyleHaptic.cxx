@@ -116,20 +116,35 @@ vtkTable* vtkInteractorStyleHaptic::GetStates()
 void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interactor)
 {
   auto& d = *this->Internals;
-  if (this->Interactor && d.Timer != 0 && interactor != this->Interactor)
+  if (interactor == this->Interactor)
   {
-    this->Interactor->DestroyTimer(d.Timer);
+    return;
+  }
+  if (this->Interactor)
+  {
+    // Nobody leads the tip any more, or sees what it does.
+    this->SetTouchMode(false);
+    if (d.Device)
+    {
+      d.Device->Disarm();
+    }
+    // There is no timer (0) where the application brings its own.
+    if (d.Timer != 0)
+    {
+      this->Interactor->DestroyTimer(d.Timer);
+    }
     this->Interactor->RemoveObserver(d.TimerObserver);
     d.Timer = 0;
   }
   this->Superclass::SetInteractor(interactor);
-  if (this->Interactor && d.Timer == 0)
+  if (this->Interactor)
   {
     const double period = 1000.0 / this->DisplayRate;
     d.Timer = this->Interactor->CreateRepeatingTimer(static_cast<unsigned long>(period));
     // Before the style itself hears of the event.
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------

@@ -149,6 +149,10 @@ public:
   /** The states that the last update took from the device: see vtkHapticDevice::DrainStates. */
   vtkTable* GetStates();
 
+  /**
+   * Interactors call this. A style that leaves its interactor, as for another style or since the window closes,
+   * leaves the touch mode and disarms. Either way it is Modified().
+   */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
   void OnMouseMove() override;

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A style that leaves its interactor: no force without somebody who leads the tip, and nothing left behind.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+
+using namespace scenetest;
+
+using StyleLeaves = StyleTest;
+
+TEST_F(StyleLeaves, DisarmsForAnotherStyle)
+{
+  this->PushIn();
+  this->Run(5);
+  ASSERT_GE(this->Device->GetStatus(), vtkHapticDevice::ARMED);
+  vtkNew<vtkCallbackCommand> count;
+  int changes = 0;
+  count->SetClientData(&changes);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* changes, void*) { ++*static_cast<int*>(changes); });
+  this->Style->AddObserver(vtkCommand::ModifiedEvent, count);
+
+  vtkNew<vtkInteractorStyleTrackballCamera> other;
+  this->Interactor->SetInteractorStyle(other);
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  EXPECT_GT(changes, 0);
+  this->Run(5);
+  EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
+  EXPECT_TRUE(this->Device->IsRunning());
+
+  this->Interactor->SetInteractorStyle(this->Style);
+  this->Run(5);
+  EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "by the user, and nobody else";
+}
+
+TEST_F(StyleLeaves, LeavesNoObserverWithoutTimers)
+{
+  vtkNew<vtkGenericRenderWindowInteractor> generic; // whose timers are the application's
+  generic->SetRenderWindow(this->Window);
+  {
+    vtkNew<vtkInteractorStyleHaptic> style;
+    generic->SetInteractorStyle(style);
+    generic->SetInteractorStyle(nullptr);
+  }
+  EXPECT_FALSE(generic->HasObserver(vtkCommand::TimerEvent));
+  generic->InvokeEvent(vtkCommand::TimerEvent);
+}
