@@ -17,7 +17,10 @@ install(
   COMPONENT   development)
 
 # Where udev looks: not beside the libraries, whose folder may be named after the architecture.
+if (NOT DEFINED VolumeHaptics_UDEV_DESTINATION)
+  set(VolumeHaptics_UDEV_DESTINATION lib/udev/rules.d)
+endif ()
 install(
   FILES       "${CMAKE_CURRENT_LIST_DIR}/../Data/udev/70-volume-haptics.rules"
-  DESTINATION "lib/udev/rules.d"
+  DESTINATION "${VolumeHaptics_UDEV_DESTINATION}"
   COMPONENT   runtime)

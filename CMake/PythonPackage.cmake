@@ -3,8 +3,12 @@
 
 # The Python package volumehaptics, usable from the build tree and from the install tree. Whoever wants it elsewhere
 # sets VolumeHaptics_PYTHON_SITE, relative to both, before.
-if (NOT VolumeHaptics_PYTHON_SITE)
+if (NOT DEFINED VolumeHaptics_PYTHON_SITE)
   vtk_module_python_default_destination(VolumeHaptics_PYTHON_SITE MAJOR_VERSION 3)
+endif ()
+set(python_options)
+if (SKBUILD)
+  set(python_options SOABI "${Python3_SOABI}") # the name says which Python it is for
 endif ()
 vtk_module_wrap_python(
   MODULES             ${modules}
@@ -15,7 +19,8 @@ vtk_module_wrap_python(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   CMAKE_DESTINATION   "${VolumeHaptics_CMAKE_DESTINATION}"
   BUILD_STATIC        OFF
-  INSTALL_HEADERS     ON)
+  INSTALL_HEADERS     ON
+  ${python_options})
 
 # Beside the wrapped classes: what is written in Python, the head that its examples touch, and type hints.
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticOverlayPicture.h"
 
+#include "vtkVolumeHapticsCompat.h"
+
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -9,7 +11,7 @@
 #include "vtkTextureObject.h"
 #include "vtkViewport.h"
 
-#include "vtk_glew.h"
+#include VOLUME_HAPTICS_OPENGL_HEADER
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 
 #include "HapticPart.h"
 #include "vtkHapticStateSource.h"
+#include "vtkVolumeHapticsCompat.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
@@ -21,7 +22,8 @@
 #include "vtkScalarsToColors.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
-#include "vtk_glew.h"
+
+#include VOLUME_HAPTICS_OPENGL_HEADER
 
 #include <sstream>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticStateSource.h"
 
+#include "vtkVolumeHapticsCompat.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -12,7 +14,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkVectorOperators.h"
+
+#include VOLUME_HAPTICS_VECTOR_HEADER
 
 #include <algorithm>
 

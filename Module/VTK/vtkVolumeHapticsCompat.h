@@ -10,6 +10,15 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
+// For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector has its operators with it.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define VOLUME_HAPTICS_OPENGL_HEADER "vtk_glad.h"
+#define VOLUME_HAPTICS_VECTOR_HEADER "vtkVector.h"
+#else
+#define VOLUME_HAPTICS_OPENGL_HEADER "vtk_glew.h"
+#define VOLUME_HAPTICS_VECTOR_HEADER "vtkVectorOperators.h"
+#endif
+
 namespace VolumeHaptics
 {
 

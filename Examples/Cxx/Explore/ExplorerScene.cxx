@@ -157,7 +157,7 @@ void AddCaption(vtkRenderer* renderer, const std::string& caption, int height)
   text->GetTextProperty()->SetVerticalJustificationToTop();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->GetPositionCoordinate()->SetValue(0.02, 0.975);
-  renderer->AddActor2D(text);
+  renderer->AddViewProp(text);
 }
 } // namespace
 

@@ -113,7 +113,7 @@ void AddScalarBar(
     text->BoldOff();
     text->ShadowOff();
   }
-  renderer->AddActor2D(bar);
+  renderer->AddViewProp(bar);
 }
 } // namespace
 

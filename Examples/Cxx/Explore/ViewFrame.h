@@ -3,7 +3,12 @@
 #ifndef Explore_ViewFrame_h
 #define Explore_ViewFrame_h
 
+#include "vtkVersionMacros.h"
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#include "vtkVector.h"
+#else // where it comes without operators
 #include "vtkVectorOperators.h"
+#endif
 
 #include <string>
 

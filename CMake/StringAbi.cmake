@@ -1,0 +1,22 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Which std::string VTK was compiled with. VTK's own wheels for Linux on x86-64 have the one from before C++11, which
+# nothing in VTK's CMake package says; it shows when a program that hands a string over is linked.
+include(CheckCXXSourceCompiles)
+set(CMAKE_REQUIRED_LIBRARIES VTK::vtksys)
+set(hands_a_string_over "
+  #include <vtksys/SystemTools.hxx>
+  int main(int, char* argv[]) { return vtksys::SystemTools::FileExists(std::string(argv[0])); }")
+check_cxx_source_compiles("${hands_a_string_over}" VolumeHaptics_STRINGS_ARE_VTKS)
+if (NOT VolumeHaptics_STRINGS_ARE_VTKS)
+  set(CMAKE_REQUIRED_DEFINITIONS -D_GLIBCXX_USE_CXX11_ABI=0)
+  check_cxx_source_compiles("${hands_a_string_over}" VolumeHaptics_OLD_STRINGS_ARE_VTKS)
+  if (NOT VolumeHaptics_OLD_STRINGS_ARE_VTKS)
+    message(FATAL_ERROR "A program with VTK ${VTK_VERSION} can't be linked: see CMakeFiles/CMakeError.log or "
+      "CMakeFiles/CMakeConfigureLog.yaml. Is ${VTK_DIR} for this compiler?")
+  endif ()
+  add_compile_definitions(_GLIBCXX_USE_CXX11_ABI=0)
+endif ()
+unset(CMAKE_REQUIRED_LIBRARIES)
+unset(CMAKE_REQUIRED_DEFINITIONS)

@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What differs in a wheel: everything lies in the one folder volumehaptics, beside the folder vtkmodules of VTK's wheel.
+set(BUILD_TESTING OFF) # what is tested is the installed wheel
+set(VolumeHaptics_BUILD_EXPLORER ON CACHE BOOL "Build and install the explorer, volumehaptics-explore")
+set(VolumeHaptics_PYTHON_SITE ".")
+set(VolumeHaptics_PROGRAM_RPATH "$ORIGIN/..:$ORIGIN/../../vtkmodules")
+set(CMAKE_INSTALL_BINDIR volumehaptics/bin)
+set(CMAKE_INSTALL_LIBDIR volumehaptics)
+set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../vtkmodules")
+set(VolumeHaptics_UDEV_DESTINATION volumehaptics/udev)

@@ -1,0 +1,257 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes a wheel `vtk-sdk` where the registry has none: python3 assemble_vtk_sdk.py VERSION FOLDER
+
+The wheel has what VTK's own `vtk-sdk` has: headers, the CMake package, the wrapping tools and the module hierarchy. They come
+from a newer Debian's VTK of the same VERSION, taken with apt-get into FOLDER and nowhere else; what is linked is the wheel
+`vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with the Python that the
+wheel is for, and what it makes stays on that machine.
+
+Where Debian's VTK was configured in another way than the wheel, the headers are corrected: no TBB, VTK's own jsoncpp.
+Exits with 3 where Debian has VERSION no longer.
+"""
+import pathlib
+import re
+import shutil
+import stat
+import subprocess
+import sys
+import zipfile
+
+ARCHITECTURE = "x86_64-linux-gnu"
+SUITES = ("forky", "sid", "trixie")
+# Its headers are those of the jsoncpp in VTK 9.6, whose namespace VTK renames.
+JSONCPP = ("libjsoncpp-dev", "1.9.6")
+TOOLS = ("vtkWrapHierarchy", "vtkWrapPython", "vtkWrapPythonInit")
+
+APT_OPTIONS = """\
+Dir::Etc::sourcelist "{apt}/sources.list";
+Dir::Etc::sourceparts "-";
+Dir::State::lists "{apt}/lists";
+Dir::Cache "{apt}/cache";
+APT::Sandbox::User "root";
+"""
+
+# What Debian's configuration finds on the system, and the libraries of the wheel bring along.
+FIND_PACKAGES = """\
+find_package(Threads REQUIRED)
+if (NOT TARGET Python3::Module)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+endif ()
+foreach (external IN ITEMS {externals})
+  if (NOT TARGET "${{external}}")
+    add_library("${{external}}" INTERFACE IMPORTED)
+  endif ()
+endforeach ()
+"""
+
+# The tools want a newer C library than Debian 12's, so they bring their own, with its loader.
+TOOL = """\
+#!/bin/sh
+here=$(dirname "$(readlink -f "$0")")
+exec "$here/newer/ld-linux-x86-64.so.2" --library-path "$here/newer" "$here/newer/{tool}" "$@"
+"""
+
+METADATA = """\
+Metadata-Version: 2.1
+Name: vtk-sdk
+Version: {version}
+Summary: What VTK {version}'s own vtk-sdk has, assembled from Debian's packages for this machine
+Requires-Dist: vtk=={version}
+"""
+
+
+def run(*command, **options):
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, **options).stdout
+
+
+class Debian:
+    """Packages of newer suites, beside the system's own."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        apt = folder / "apt"
+        for name in ("lists/partial", "cache/archives/partial"):
+            (apt / name).mkdir(parents=True, exist_ok=True)
+        key = "/usr/share/keyrings/debian-archive-keyring.gpg"
+        (apt / "sources.list").write_text("".join(
+            f"deb [signed-by={key}] http://MIRROR/debian {suite} main\n" for suite in SUITES))
+        (apt / "apt.conf").write_text(APT_OPTIONS.format(apt=apt))
+        self.options = ("-c", str(apt / "apt.conf"))
+        run("apt-get", *self.options, "-qq", "update")
+
+    def find(self, package, version):
+        """The package's full version, or None."""
+        for line in run("apt-cache", *self.options, "madison", package).splitlines():
+            found = line.split("|")[1].strip()
+            if re.split(r"[+-]", found)[0] == version:
+                return found
+        return None
+
+    def unpack(self, package, version, into):
+        """A version of None is the newest."""
+        archive = f"{package}={version}" if version else package
+        run("apt-get", *self.options, "-qq", "download", archive, cwd=self.folder)
+        archive = next(self.folder.glob(f"{package}_*.deb"))
+        run("dpkg-deb", "-x", str(archive), str(into))
+        archive.unlink()
+
+
+def replace(path, *pairs):
+    """Each of the pairs (pattern, replacement) has to occur."""
+    text = path.read_text()
+    for pattern, replacement in pairs:
+        text, count = re.subn(pattern, replacement, text, flags=re.MULTILINE)
+        if count == 0:
+            sys.exit(f"{path.name} is not what was expected: it lacks {pattern}")
+    path.write_text(text)
+
+
+def correct_headers(include, json):
+    replace(include / "vtkSMP.h",
+            (r"^#define VTK_SMP_TBB$", "#define VTK_SMP_Sequential"),
+            (r'VTK_SMP_BACKEND "TBB"', 'VTK_SMP_BACKEND "Sequential"'),
+            (r"(VTK_SMP_(ENABLE|DEFAULT_IMPLEMENTATION)_TBB) 1", r"\1 0"),
+            (r"(VTK_SMP_DEFAULT_IMPLEMENTATION_SEQUENTIAL) 0", r"\1 1"))
+    for name in ("vtk_jsoncpp.h", "vtk_jsoncpp_fwd.h"):
+        replace(include / name,
+                (r"^(#define VTK_MODULE_USE_EXTERNAL_vtkjsoncpp) 1", r"\1 0\n#define Json vtkJson"))
+    shutil.copytree(json, include / "vtkjsoncpp" / "json")
+    shutil.copy(json / "forwards.h", include / "vtkjsoncpp" / "json" / "json-forwards.h")
+
+
+def place_targets(cmake, version, libraries):
+    """The targets are the wheel's libraries and the tools. Returns their names."""
+    short = ".".join(version.split(".")[:2])
+    wheel = "${_IMPORT_PREFIX}/../../vtkmodules"
+    python = f"{sys.version_info.major}.{sys.version_info.minor}"
+    places = cmake / "VTK-targets-none.cmake"
+    first, *blocks = re.split(r"^# Import target ", places.read_text(), flags=re.MULTILINE)
+    kept = {}
+    for block in blocks:
+        library = re.search(rf"/lib(\w+?)(?:3\.\d+)?-{short}\.so\.{short}\"", block)
+        name = library.group(1) if library else ""
+        name += python if name == "vtkWrappingPythonCore" else ""
+        if name in libraries:
+            block = re.sub(r'"\$\{_IMPORT_PREFIX\}/lib/[^"]*"', f'"{wheel}/lib{name}.so"', block)
+            block = re.sub(r'(IMPORTED_SONAME_NONE) "[^"]*"', rf'\1 "lib{name}.so"', block)
+        elif re.search(rf"/bin/({'|'.join(TOOLS)})-", block):
+            block = block.replace(f'-{short}"', '"')
+        else:
+            continue
+        kept[block.split('"')[1]] = block
+    kept["VTK::jsoncpp"] = f'''"VTK::jsoncpp"
+set_property(TARGET VTK::jsoncpp APPEND PROPERTY IMPORTED_CONFIGURATIONS NONE)
+set_target_properties(VTK::jsoncpp PROPERTIES
+  IMPORTED_LOCATION_NONE "{wheel}/libvtkjsoncpp.so" IMPORTED_SONAME_NONE "libvtkjsoncpp.so")
+
+'''
+    last = "\n# Commands beyond this point"
+    end = blocks[-1].partition(last)
+    places.write_text("# Import target ".join([first, *(block.partition(last)[0] for block in kept.values())])
+                      + end[1] + end[2])
+    return set(kept)
+
+
+def correct_targets(cmake, version, libraries):
+    """No target that the wheel lacks, and of the system only threads and Python."""
+    kept = place_targets(cmake, version, libraries)
+    declared = cmake / "VTK-targets.cmake"
+    replace(declared,
+            (r"add_library\(VTK::jsoncpp INTERFACE IMPORTED\)", "add_library(VTK::jsoncpp SHARED IMPORTED)"),
+            (r'"JsonCpp::JsonCpp"', '""'))
+    first, *blocks = re.split(r"^# Create imported target ", declared.read_text(), flags=re.MULTILINE)
+    lacking = {name for name, block in ((block.split()[0], block) for block in blocks[:-1])
+               if name not in kept and "INTERFACE IMPORTED)" not in block}
+    blocks = [block for block in blocks if block.split()[0] not in lacking]
+    expected = re.compile(rf" ({'|'.join(sorted(lacking))})(?=[ )])")
+    declared.write_text("# Create imported target ".join([expected.sub("", first), *blocks]))
+    for properties in cmake.glob("*-properties.cmake"):
+        lines = properties.read_text().splitlines(keepends=True)
+        properties.write_text("".join(
+            line for line in lines if not any(f'(TARGET "{name}"' in line for name in lacking)))
+
+    externals = set(re.findall(r"\b(?!VTK::)[A-Za-z]\w*::\w+", declared.read_text()))
+    (cmake / "VTK-vtk-module-find-packages.cmake").write_text(
+        FIND_PACKAGES.format(externals=" ".join(sorted(externals - {"Threads::Threads", "Python3::Module"}))))
+    backports = r'^include\("\$\{CMAKE_CURRENT_LIST_DIR\}/vtkCMakeBackports\.cmake"\)$'
+    packages = 'include("${CMAKE_CURRENT_LIST_DIR}/VTK-vtk-module-find-packages.cmake")'
+    replace(cmake / "vtk-config.cmake",
+            (r'(_HAS_(?:VISKORES|VTKm)" )"ON"', r'\1"OFF"'), (backports, packages + r"\n\g<0>"))
+    # The wheel's Python modules are imported, never linked, and it has no interpreter of its own.
+    (cmake / "VTKPython-targets.cmake").write_text("")
+    (cmake / "VTKPython-targets-none.cmake").unlink()
+
+
+def write_tools(usr, content, version):
+    short = ".".join(version.split(".")[:2])
+    newer = content / "bin" / "newer"
+    newer.mkdir(parents=True)
+    libraries = usr / "lib" / ARCHITECTURE
+    for name in ("ld-linux-x86-64.so.2", "libc.so.6", f"libvtkWrappingTools-{short}.so.1"):
+        shutil.copy(libraries / name, newer / name)
+    for tool in TOOLS:
+        shutil.copy(usr / "bin" / f"{tool}-{short}", newer / tool)
+        script = content / "bin" / tool
+        script.write_text(TOOL.format(tool=tool))
+        script.chmod(0o755)
+
+
+def pack(tree, version, folder):
+    """The tree as a wheel; the list of its files is left to whoever repacks it."""
+    tag = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    info = tree / f"vtk_sdk-{version}.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(METADATA.format(version=version))
+    (info / "WHEEL").write_text(
+        f"Wheel-Version: 1.0\nGenerator: assemble_vtk_sdk\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-linux_x86_64\n")
+    (info / "entry_points.txt").write_text("[cmake.prefix]\nany = vtk_sdk.content\n")
+    files = sorted(path for path in tree.rglob("*") if path.is_file())
+    record = info / "RECORD"
+    record.write_text("".join(f"{path.relative_to(tree)},,\n" for path in [*files, record]))
+    wheel = folder / f"vtk_sdk-{version}-{tag}-{tag}-linux_x86_64.whl"
+    with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in [*files, record]:
+            entry = zipfile.ZipInfo(str(path.relative_to(tree)))
+            entry.external_attr = (stat.S_IFREG | stat.S_IMODE(path.stat().st_mode)) << 16
+            archive.writestr(entry, path.read_bytes(), zipfile.ZIP_DEFLATED, 1)
+    return wheel
+
+
+def main(version, folder):
+    folder = pathlib.Path(folder).absolute()
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    debian = Debian(folder)
+    found = debian.find("libvtk9-dev", version)
+    if found is None or debian.find(*JSONCPP) is None:
+        print(f"Debian ({', '.join(SUITES)}) has no VTK {version}", file=sys.stderr)
+        sys.exit(3)
+    usr = folder / "debian" / "usr"
+    for package in ("libvtk9-dev", "vtk9", "python3-vtk9", f"libvtk{'.'.join(version.split('.')[:2])}"):
+        debian.unpack(package, found, usr.parent)
+    debian.unpack("libc6", None, usr.parent)
+    debian.unpack(JSONCPP[0], debian.find(*JSONCPP), folder / "json")
+
+    run(sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", str(folder), f"vtk=={version}")
+    vtk = next(folder.glob("vtk-*.whl"))
+    with zipfile.ZipFile(vtk) as archive:
+        libraries = set(re.findall(r"vtkmodules/lib([\w.]+)\.so\b", "\n".join(archive.namelist())))
+
+    short = f"vtk-{'.'.join(version.split('.')[:2])}"
+    content = folder / "tree" / "vtk_sdk" / "content"
+    for part in (f"include/{short}", f"lib/{ARCHITECTURE}/cmake/{short}", f"lib/{ARCHITECTURE}/{short}/hierarchy"):
+        shutil.copytree(usr / part, content / part)
+    correct_headers(content / "include" / short, folder / "json/usr/include/jsoncpp/json")
+    correct_targets(content / "lib" / ARCHITECTURE / "cmake" / short, version, libraries)
+    write_tools(usr, content, version)
+    (content.parent / "__init__.py").touch()
+    (content / "__init__.py").touch()
+    wheel = pack(folder / "tree", version, folder)
+    for rest in ("apt", "debian", "json", "tree"):
+        shutil.rmtree(folder / rest)
+    print(wheel)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:]) if len(sys.argv) == 3 else sys.exit(__doc__)
