@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The Python package volumehaptics, usable from the build tree and from the install tree.
+# The Python package volumehaptics, usable from the build tree and from the install tree. Whoever wants it elsewhere
+# sets VolumeHaptics_PYTHON_SITE, relative to both, before.
 if (NOT DEFINED VolumeHaptics_PYTHON_SITE)
   vtk_module_python_default_destination(VolumeHaptics_PYTHON_SITE MAJOR_VERSION 3)
 endif ()
@@ -20,10 +21,58 @@ vtk_module_wrap_python(
   BUILD_STATIC        OFF
   INSTALL_HEADERS     ON
   ${python_options})
-configure_file(
-  "${CMAKE_CURRENT_LIST_DIR}/__init__.py.in"
-  "${CMAKE_BINARY_DIR}/${VolumeHaptics_PYTHON_SITE}/volumehaptics/__init__.py" @ONLY)
-install(
-  FILES       "${CMAKE_BINARY_DIR}/${VolumeHaptics_PYTHON_SITE}/volumehaptics/__init__.py"
-  DESTINATION "${VolumeHaptics_PYTHON_SITE}/volumehaptics"
-  COMPONENT   python)
+
+# Beside the wrapped classes: what is written in Python, the head that its examples touch, and type hints.
+get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
+set(package_source "${root}/Module/Python/volumehaptics")
+set(package "${CMAKE_BINARY_DIR}/${VolumeHaptics_PYTHON_SITE}/volumehaptics")
+set(python_destination "${VolumeHaptics_PYTHON_SITE}/volumehaptics")
+configure_file("${package_source}/_version.py.in" "${package}/_version.py" @ONLY)
+install(FILES "${package}/_version.py" DESTINATION "${python_destination}" COMPONENT python)
+
+set(package_files)
+foreach (file IN ITEMS
+    __init__.py
+    __main__.py
+    _touch.py
+    arrays.py
+    data/HeadPhantom.vti
+    data/README.txt
+    examples.py
+    py.typed)
+  set(source "${package_source}/${file}")
+  if (file MATCHES "vti$") # which stands with the repository's other data
+    set(source "${root}/Data/HeadPhantom.vti")
+  endif ()
+  add_custom_command(
+    OUTPUT  "${package}/${file}"
+    COMMAND "${CMAKE_COMMAND}" -E copy "${source}" "${package}/${file}"
+    DEPENDS "${source}"
+    COMMENT "Copying ${file} into the Python package")
+  list(APPEND package_files "${package}/${file}")
+  get_filename_component(folder "${python_destination}/${file}" DIRECTORY)
+  install(FILES "${source}" DESTINATION "${folder}" COMPONENT python)
+endforeach ()
+
+# VTK's generator of hints imports the classes, which a Python that is not instrumented can't with sanitizers.
+execute_process(
+  COMMAND         "${Python3_EXECUTABLE}" -c "import vtkmodules.generate_pyi"
+  RESULT_VARIABLE no_generator
+  OUTPUT_QUIET ERROR_QUIET)
+if (no_generator OR VolumeHaptics_SANITIZE)
+  message(STATUS "No type hints of the classes: they need vtkmodules.generate_pyi, and a build without sanitizers")
+else ()
+  string(CONCAT generate
+    "import sys; sys.path.insert(0, sys.argv[1]); from vtkmodules import generate_pyi; "
+    "sys.exit(generate_pyi.main(['', '-p', 'volumehaptics', '-o', sys.argv[2], 'vtkVolumeHaptics']))")
+  add_custom_command(
+    OUTPUT  "${package}/vtkVolumeHaptics.pyi"
+    COMMAND "${Python3_EXECUTABLE}" -B -c "${generate}"
+            "${CMAKE_BINARY_DIR}/${VolumeHaptics_PYTHON_SITE}" "${package}"
+    DEPENDS vtkVolumeHapticsPython ${package_files}
+    COMMENT "Generating type hints of the Python package"
+    VERBATIM)
+  list(APPEND package_files "${package}/vtkVolumeHaptics.pyi")
+  install(FILES "${package}/vtkVolumeHaptics.pyi" DESTINATION "${python_destination}" COMPONENT python)
+endif ()
+add_custom_target(VolumeHapticsPythonPackage ALL DEPENDS ${package_files})

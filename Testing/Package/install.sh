@@ -68,6 +68,15 @@ fi
 if [ "$python" = ON ]; then
   package=$(find "$prefix" -path '*/volumehaptics/__init__.py')
   site=$(dirname "$(dirname "$package")")
+  installed=$(cd "$site/volumehaptics" && find . -type f -not -name 'vtkVolumeHaptics*' | sort)
+  expected=$(printf './%s\n' __init__.py __main__.py _touch.py _version.py arrays.py data/HeadPhantom.vti \
+    data/README.txt examples.py py.typed | sort)
+  if [ "$installed" != "$expected" ]; then
+    printf 'installed Python package:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
+    exit 1
+  fi
+  PYTHONPATH=$site PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c \
+    'from volumehaptics import examples; examples.first_touch()'
   from_python=$(PYTHONPATH=$site /usr/bin/python3 "$source_dir/Examples/Python/first_touch.py" "$head")
   echo "Python: $from_python"
   if [ -n "${DISPLAY:-}" ]; then

@@ -1,26 +1,21 @@
-#!/usr/bin/python3
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """What every method gives a hand that strokes the head phantom is what it was.
 
-    TestBaselineTraces.py PHANTOM BASELINE_FOLDER [--write]
+    python3 -m pytest TestBaselineTraces.py --write-baselines    # makes the baselines anew
 
 The stroke comes from above, presses 3 mm into the crown and slides 24 mm towards the right ear. The baselines hold the
 proxy, the force and the contact. That they are right is the matter of other tests.
 """
 
 import math
-import os
-import sys
-import tempfile
 
+import compare_traces
+import pytest
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataWriter
 from volumehaptics import vtkVolumeHapticsFilter
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-import compare_traces  # noqa: E402
 
 SKIN = -300.0  # HU, where the phantom's skin is seen
 ARRAYS = ("Force", "Contact")
@@ -98,25 +93,22 @@ def write(trace, name):
     assert writer.Write(), name
 
 
-def main(phantom, folder, writing):
+@pytest.fixture(scope="module")
+def image(data):
     reader = vtkXMLImageDataReader()
-    reader.SetFileName(phantom)
+    reader.SetFileName(str(data / "HeadPhantom.vti"))
     reader.Update()
-    image = reader.GetOutput()
-    path = make_stroke(find_crown(image))
-    different = []
-    for name, choose in METHODS.items():
-        trace = touch(image, path, choose)
-        contact = trace.GetPointData().GetArray("Contact")
-        touched = sum(contact.GetTuple1(i) > 0.0 for i in range(trace.GetNumberOfPoints()))
-        assert name == "ForceField" or touched > 200, f"{name} touched {touched} ticks long"
-        baseline = os.path.join(folder, f"Trace{name}.vtp")
-        target = baseline if writing else os.path.join(tempfile.mkdtemp(), f"Trace{name}.vtp")
-        write(trace, target)
-        if compare_traces.main([target, baseline, "--tolerance", str(TOLERANCE)]) != 0:
-            different.append(f"{name}: {target}")
-    assert not different, "not as the baseline says: " + ", ".join(different)
+    return reader.GetOutput()
 
 
-if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2], "--write" in sys.argv)
+@pytest.mark.parametrize("name", METHODS)
+def test_trace_is_that_of_the_baseline(name, image, baselines, tmp_path, pytestconfig):
+    trace = touch(image, make_stroke(find_crown(image)), METHODS[name])
+    contact = trace.GetPointData().GetArray("Contact")
+    touched = sum(contact.GetTuple1(i) > 0.0 for i in range(trace.GetNumberOfPoints()))
+    assert name == "ForceField" or touched > 200, f"{name} touched {touched} ticks long"
+    baseline = baselines / f"Trace{name}.vtp"
+    target = baseline if pytestconfig.getoption("--write-baselines") else tmp_path / baseline.name
+    write(trace, str(target))
+    result = compare_traces.main([str(target), str(baseline), "--tolerance", str(TOLERANCE)])
+    assert result == 0, f"{target} is not as {baseline} says"

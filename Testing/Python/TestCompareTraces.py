@@ -5,19 +5,14 @@
 import contextlib
 import io
 import math
-import os
-import sys
-import tempfile
 
+import compare_traces
+import pytest
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-import compare_traces  # noqa: E402
-
 TICKS = 50
-FOLDER = tempfile.mkdtemp()
 
 
 def make_trace(change=None, ticks=TICKS, extra=None, name="Force"):
@@ -46,13 +41,24 @@ def make_trace(change=None, ticks=TICKS, extra=None, name="Force"):
     return trace
 
 
-def write(name, trace):
-    path = os.path.join(FOLDER, name)
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(path)
-    writer.SetInputData(trace)
-    assert writer.Write()
-    return path
+@pytest.fixture
+def write(tmp_path):
+    """Writes a trace by its name; the file's name comes back."""
+
+    def write_trace(name, trace):
+        path = str(tmp_path / name)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(path)
+        writer.SetInputData(trace)
+        assert writer.Write()
+        return path
+
+    return write_trace
+
+
+@pytest.fixture
+def baseline(write):
+    return write("baseline.vtp", make_trace())
 
 
 def run(*arguments):
@@ -70,35 +76,37 @@ def expect(code, words, *arguments):
         assert word in text, (word, text)
 
 
-baseline = write("baseline.vtp", make_trace())
-expect(0, ["the same", "50 ticks"], baseline, baseline)
-expect(0, ["the same"], write("more.vtp", make_trace(extra="Command")), baseline)
-expect(2, ["no array Command"], baseline, os.path.join(FOLDER, "more.vtp"))
+def test_arrays_that_only_one_has(write, baseline):
+    more = write("more.vtp", make_trace(extra="Command"))
+    expect(0, ["the same", "50 ticks"], baseline, baseline)
+    expect(0, ["the same"], more, baseline)
+    expect(2, ["no array Command"], baseline, more)
+    expect(2, ["no array Force"], write("other.vtp", make_trace(name="Kraft")), baseline)
 
-# The last bit of one number, then a larger difference later.
-bit = write("bit.vtp", make_trace([(17, 2, 4.5e-16), (30, 0, -0.25)]))
-expect(1, ["first difference in tick 17: Force[2]", "instead of 2.0", "0.25"], bit, baseline)
-expect(1, ["tick 30: Force[0]", "1 value(s)"], bit, baseline, "--tolerance", "1e-9")
-expect(0, ["the same"], bit, baseline, "--tolerance", "0.2")
-expect(0, ["the same"], bit, baseline, "--arrays", "Proxy")
 
-expect(1, ["Force[1]", "nan"], write("nan.vtp", make_trace([(3, 1, math.nan)])), baseline)
-expect(1, ["40 ticks", "the baseline 50"], write("short.vtp", make_trace(ticks=40)), baseline)
-expect(2, ["no array Force"], write("other.vtp", make_trace(name="Kraft")), baseline)
+def test_first_difference(write, baseline):
+    # The last bit of one number, then a larger difference later.
+    bit = write("bit.vtp", make_trace([(17, 2, 4.5e-16), (30, 0, -0.25)]))
+    expect(1, ["first difference in tick 17: Force[2]", "instead of 2.0", "0.25"], bit, baseline)
+    expect(1, ["tick 30: Force[0]", "1 value(s)"], bit, baseline, "--tolerance", "1e-9")
+    expect(0, ["the same"], bit, baseline, "--tolerance", "0.2")
+    expect(0, ["the same"], bit, baseline, "--arrays", "Proxy")
+    expect(1, ["Force[1]", "nan"], write("nan.vtp", make_trace([(3, 1, math.nan)])), baseline)
+    expect(1, ["40 ticks", "the baseline 50"], write("short.vtp", make_trace(ticks=40)), baseline)
 
-# The module gives the differences in the order of their ticks.
-found = compare_traces.compare(make_trace([(5, 0, 1.0), (9, 1, 3.0)]), make_trace())
-assert [(d.tick, d.array, d.component, d.count, d.largest) for d in found] == [
-    (5, "Force", 0, 2, 3.0)
-], [str(d) for d in found]
 
-# Files that can't be compared.
-broken = os.path.join(FOLDER, "broken.vtp")
-with open(baseline, "rb") as whole, open(broken, "wb") as part:
-    part.write(whole.read()[:400])
-empty = os.path.join(FOLDER, "empty.vtp")
-with open(empty, "wb"):
-    pass
-for bad in (broken, empty, os.path.join(FOLDER, "missing.vtp"), __file__):
-    expect(2, [bad], bad, baseline)
-    expect(2, [bad], baseline, bad)
+def test_differences_are_in_the_order_of_their_ticks():
+    found = compare_traces.compare(make_trace([(5, 0, 1.0), (9, 1, 3.0)]), make_trace())
+    assert [(d.tick, d.array, d.component, d.count, d.largest) for d in found] == [
+        (5, "Force", 0, 2, 3.0)
+    ], [str(d) for d in found]
+
+
+def test_files_that_cannot_be_compared(baseline, tmp_path):
+    broken, empty = tmp_path / "broken.vtp", tmp_path / "empty.vtp"
+    with open(baseline, "rb") as whole:
+        broken.write_bytes(whole.read()[:400])
+    empty.touch()
+    for bad in (str(broken), str(empty), str(tmp_path / "missing.vtp"), __file__):
+        expect(2, [bad], bad, baseline)
+        expect(2, [bad], baseline, bad)

@@ -102,7 +102,7 @@ def check(cls, documented, plain):
         assert callable(getattr(cls, name)), name
 
 
-def check_array_table():
+def test_array_table():
     """Every point array has a line of its own in the class documentation, with its unit."""
     lines = vtkVolumeHapticsFilter.__doc__.splitlines()
     for array, unit in ARRAYS.items():
@@ -113,16 +113,14 @@ def check_array_table():
         assert any(unit in " ".join(lines[i : i + 2]) for i in heads), f"no {unit} with {array}"
 
 
-def main():
+def test_property():
     check(vtkHapticProperty, PROPERTY, PROPERTY_PLAIN)
+    assert vtkHapticProperty.BOTH == 2
+    assert "N/m" in vtkHapticProperty.__doc__
+
+
+def test_filter():
     check(vtkVolumeHapticsFilter, FILTER, FILTER_PLAIN)
     for constant, value in (("PROXY", 0), ("FORCE_FIELD", 1), ("PAPER", 0), ("PRECISE", 1), ("GAUSSIAN", 1)):
         assert getattr(vtkVolumeHapticsFilter, constant) == value
-    assert vtkHapticProperty.BOTH == 2
     assert "volume" in vtkVolumeHapticsFilter.__doc__ and "2002" in vtkVolumeHapticsFilter.__doc__
-    assert "N/m" in vtkHapticProperty.__doc__
-    check_array_table()
-
-
-if __name__ == "__main__":
-    main()

@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""python3 TestData.py DATA_DIR: the committed data are what README.md there says they are."""
+"""The committed data are what README.md there says they are."""
 
 import math
-import os
 import random
 import subprocess
 import sys
-import tempfile
 
+import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
 
@@ -19,28 +18,22 @@ PATHS = ("SlabPress", "SlabSlide", "BallCircle", "CavityCircle")
 def load(folder):
     data = {}
     for name in [f"{volume}.vti" for volume in VOLUMES] + [f"{path}.vtp" for path in PATHS]:
-        assert os.path.exists(os.path.join(folder, name)), f"{name} is missing"
         reader = vtkXMLGenericDataObjectReader()
-        reader.SetFileName(os.path.join(folder, name))
+        reader.SetFileName(str(folder / name))
         reader.Update()
         data[name[:-4]] = reader.GetOutput()
+        assert data[name[:-4]], f"{name} can't be read"
     return data
+
+
+@pytest.fixture(scope="module")
+def committed(data):
+    return load(data)
 
 
 def array_of(data):
     """The scalars of a volume, the positions of a path."""
     return vtk_to_numpy(data.GetPointData().GetScalars() or data.GetPoints().GetData())
-
-
-def compare(old, new):
-    for name in VOLUMES + PATHS:
-        a, b = array_of(old[name]), array_of(new[name])
-        assert a.dtype == b.dtype and a.tobytes() == b.tobytes(), f"{name} is out of date"
-    for a, b in ((old[name], new[name]) for name in VOLUMES):
-        assert a.GetExtent() == b.GetExtent() and a.GetBounds() == b.GetBounds()
-        assert a.GetOrigin() == b.GetOrigin() and a.GetSpacing() == b.GetSpacing()
-    for path in (old[name] for name in PATHS):
-        assert path.GetCell(0).GetNumberOfPoints() == path.GetNumberOfPoints()
 
 
 def value(image, position):
@@ -85,7 +78,8 @@ def check_path(points, corners, radius=0.0, ticks=0, turns=0):
     assert len(points) == len(expected) and abs(points - expected).max() < 1e-8
 
 
-def check_head(image):
+def test_head(committed):
+    image = committed["HeadPhantom"]
     assert image.GetDimensions() == (64, 64, 64) and image.GetSpacing() == (3.75, 3.75, 3.75)
     values = array_of(image).reshape(64, 64, 64)
     assert values.min() == -1000 and 1500 < values.max() < 2300
@@ -101,29 +95,35 @@ def check_head(image):
         assert sum(-500 < hu < 300 for hu in ray[:bone]) >= 3, a
 
 
-def main(folder):
-    random.seed(1)
-    committed = load(folder)
-    with tempfile.TemporaryDirectory() as fresh:
-        command = [sys.executable, os.path.join(folder, "generate.py"), fresh]
-        subprocess.run(command, check=True)
-        compare(committed, load(fresh))
-        subprocess.run([*command, "--noise", "20"], check=True)
-        noisy, clean = (array_of(d["HeadPhantom"]) for d in (load(fresh), committed))
+def test_generator_makes_the_same(data, committed, tmp_path):
+    command = [sys.executable, str(data / "generate.py"), str(tmp_path)]
+    subprocess.run(command, check=True)
+    again = load(tmp_path)
+    for name in VOLUMES + PATHS:
+        a, b = array_of(committed[name]), array_of(again[name])
+        assert a.dtype == b.dtype and a.tobytes() == b.tobytes(), f"{name} is out of date"
+    for a, b in ((committed[name], again[name]) for name in VOLUMES):
+        for get in ("GetExtent", "GetBounds", "GetOrigin", "GetSpacing"):
+            assert getattr(a, get)() == getattr(b, get)()
+    subprocess.run([*command, "--noise", "20"], check=True)
+    noisy, clean = (array_of(d["HeadPhantom"]) for d in (load(tmp_path), committed))
     assert 19.5 < (noisy - clean)[clean > -500].std() < 20.5
+
+
+def test_fields(committed):
+    random.seed(1)
     check_field(committed["Slab"], "f8", lambda x, y, z: 100.0 * z, 0.0, 1e-9)
     # Interpolation errs by at most an eighth of the second derivatives' sum, here 200 / |p|.
     inside = lambda *p: 14 < math.hypot(*p) < 26
     check_field(committed["Ball"], "f4", lambda *p: -cavity(*p), 1e-4, 1.8, inside)
     check_field(committed["Cavity"], "f4", cavity, 1e-4, 1.8, inside)
     check_field(committed["ThinWall"], "i2", wall, 0.5, 89.0)
-    check_head(committed["HeadPhantom"])
+
+
+def test_paths(committed):
+    assert all(committed[p].GetCell(0).GetNumberOfPoints() == committed[p].GetNumberOfPoints() for p in PATHS)
     press, slide, ball_circle, cavity_circle = (array_of(committed[name]) for name in PATHS)
     check_path(press, [(0, 0, 0), (0, 0, 10), (0, 0, 0)])
     check_path(slide, [(0, 0, 0), (0, 0, 3), (10, 0, 3), (0, 0, 3)])
     check_path(ball_circle, [(20, 0, 0), (18, 0, 0)], 18.0, 1000, 1)
     check_path(cavity_circle, [(20, 0, 0), (22, 0, 0)], 22.0, 1257, 7)
-
-
-if __name__ == "__main__":
-    main(sys.argv[1]) if len(sys.argv) == 2 else sys.exit(__doc__)

@@ -3,18 +3,13 @@
 """vtkHapticDevice from Python: a push on a ramp, recorded, replayed and compared."""
 
 import math
-import os
-import sys
-import tempfile
 import time
 
+import compare_traces
 from vtkmodules.vtkCommonCore import VTK_DOUBLE
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from volumehaptics import vtkHapticDevice, vtkVolumeHapticsFilter
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-import compare_traces  # noqa: E402
 
 
 def make_ramp():
@@ -47,73 +42,82 @@ class Errors:
         self.count += 1
 
 
-folder = tempfile.mkdtemp()
-haptics = vtkVolumeHapticsFilter()
-haptics.SetInputData(0, make_ramp())
-device = vtkHapticDevice()
-errors = Errors(device)
+def test_devices_are_listed():
+    ids = vtkHapticDevice.EnumerateDevices()
+    assert "virtual" in [ids.GetValue(i) for i in range(ids.GetNumberOfValues())]
+    table = vtkTable()
+    vtkHapticDevice.ListDevices(table)
+    assert [table.GetColumnName(c) for c in range(3)] == ["Id", "Name", "State"]
+    assert table.GetValueByName(0, "Id").ToString() == "virtual" and table.GetNumberOfRows() >= 1
 
-ids = vtkHapticDevice.EnumerateDevices()
-assert "virtual" in [ids.GetValue(i) for i in range(ids.GetNumberOfValues())]
-table = vtkTable()
-vtkHapticDevice.ListDevices(table)
-assert [table.GetColumnName(c) for c in range(3)] == ["Id", "Name", "State"]
-assert table.GetValueByName(0, "Id").ToString() == "virtual" and table.GetNumberOfRows() >= 1
-device.SetFirmwareFile("image.bin")
-device.SetNewtonsPerFullScale(2.0, -3.0)
-device.SetHomingTime(0.0)
-assert device.GetFirmwareFile() == "image.bin" and device.GetHomingTime() == 1.0
-assert device.GetNewtonsPerFullScale() == (2.0, -3.0) and device.GetTurnRate() == (0.0, 0.0, 0.0)
-assert device.GetStatus() == vtkHapticDevice.CLOSED and "Open" in device.GetStatusText()
-for bad in ("", "nothing", "replay:" + os.path.join(folder, "missing.vtp"), None):
-    assert not device.Open(bad), bad
-assert errors.count == 4 and not device.Start() and errors.count == 5
 
-assert device.Open("virtual") and device.GetStatus() == vtkHapticDevice.READY
-assert device.GetMaximumForce() > 0.0 and device.GetMaximumForceRate() == 500.0
-device.SetVolumeHaptics(haptics)
-device.SetVirtualTip(7.0, 7.0, 5.0)
-assert device.Start() and device.IsRunning()
-wait(device, lambda: device.GetTick() > 1)  # the first lead is where the tip begins
-recording = os.path.join(folder, "push.vtp")
-assert device.StartRecording(recording)
-device.Arm()
-device.SetVirtualTip((7.0, 7.0, 8.0))
-wait(device, lambda: device.GetForce()[2] < -1.49)
-assert device.GetStatus() == vtkHapticDevice.ACTIVE
-assert abs(device.GetComputedForce()[2] + 1.5) < 1e-6
-assert math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-9
-assert math.dist(device.GetProxyPosition(), (7.0, 7.0, 5.0)) < 1e-6
-assert device.GetContact() == 1 and device.GetButtons() == 0 and device.GetTick() > 0
+def test_settings_come_back():
+    device = vtkHapticDevice()
+    device.SetFirmwareFile("image.bin")
+    device.SetNewtonsPerFullScale(2.0, -3.0)
+    device.SetHomingTime(0.0)
+    assert device.GetFirmwareFile() == "image.bin" and device.GetHomingTime() == 1.0
+    assert device.GetNewtonsPerFullScale() == (2.0, -3.0) and device.GetTurnRate() == (0.0, 0.0, 0.0)
 
-# Turned by a quarter and published while it records.
-matrix = vtkMatrix4x4()
-matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
-device.SetDeviceToWorld(matrix)
-assert device.Publish()
-for z in (9.0, 6.0, 8.0):
-    device.SetVirtualTip(7.0, 7.0, z)
-    wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, z)) < 1e-6)
-assert device.GetTickRate() >= 0.0 and device.GetMissedTicks() >= 0
-assert device.GetTickPercentile(50) <= device.GetTickPercentile(99)
-assert device.GetWakePercentile(50) <= device.GetWakePercentile(99)
-device.ResetStatistics()
-assert device.StopRecording()
-device.Stop()
-assert device.GetForce() == (0.0, 0.0, 0.0) and not device.IsRunning()
 
-# Offline, the recording gives the same trace.
-haptics.SetInputData(1, compare_traces.read_trace(recording))
-haptics.Update()
-recorded = compare_traces.read_trace(recording)
-differences = compare_traces.compare(recorded, haptics.GetOutput())
-assert not differences, [str(d) for d in differences]
+def test_what_cannot_be_opened(tmp_path):
+    device = vtkHapticDevice()
+    errors = Errors(device)
+    assert device.GetStatus() == vtkHapticDevice.CLOSED and "Open" in device.GetStatusText()
+    for bad in ("", "nothing", f"replay:{tmp_path / 'missing.vtp'}", None):
+        assert not device.Open(bad), bad
+    assert errors.count == 4 and not device.Start() and errors.count == 5
 
-# Played back by the servo, the tip ends where it ended.
-assert device.Open("replay:" + recording)
-assert device.Start()
-wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-6)
-assert device.GetDeviceToWorld() is matrix
-device.Arm()
-del device  # armed: it stops by itself
-assert errors.count == 5
+
+def test_push_is_recorded_and_replayed(tmp_path):
+    haptics, device = vtkVolumeHapticsFilter(), vtkHapticDevice()
+    haptics.SetInputData(0, make_ramp())
+    errors = Errors(device)
+    assert device.Open("virtual") and device.GetStatus() == vtkHapticDevice.READY
+    assert device.GetMaximumForce() > 0.0 and device.GetMaximumForceRate() == 500.0
+    device.SetVolumeHaptics(haptics)
+    device.SetVirtualTip(7.0, 7.0, 5.0)
+    assert device.Start() and device.IsRunning()
+    wait(device, lambda: device.GetTick() > 1)  # the first lead is where the tip begins
+    recording = str(tmp_path / "push.vtp")
+    assert device.StartRecording(recording)
+    device.Arm()
+    device.SetVirtualTip((7.0, 7.0, 8.0))
+    wait(device, lambda: device.GetForce()[2] < -1.49)
+    assert device.GetStatus() == vtkHapticDevice.ACTIVE
+    assert abs(device.GetComputedForce()[2] + 1.5) < 1e-6
+    assert math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-9
+    assert math.dist(device.GetProxyPosition(), (7.0, 7.0, 5.0)) < 1e-6
+    assert device.GetContact() == 1 and device.GetButtons() == 0 and device.GetTick() > 0
+
+    # Turned by a quarter and published while it records.
+    matrix = vtkMatrix4x4()
+    matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
+    device.SetDeviceToWorld(matrix)
+    assert device.Publish()
+    for z in (9.0, 6.0, 8.0):
+        device.SetVirtualTip(7.0, 7.0, z)
+        wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, z)) < 1e-6)
+    assert device.GetTickRate() >= 0.0 and device.GetMissedTicks() >= 0
+    assert device.GetTickPercentile(50) <= device.GetTickPercentile(99)
+    assert device.GetWakePercentile(50) <= device.GetWakePercentile(99)
+    device.ResetStatistics()
+    assert device.StopRecording()
+    device.Stop()
+    assert device.GetForce() == (0.0, 0.0, 0.0) and not device.IsRunning()
+
+    # Offline, the recording gives the same trace.
+    haptics.SetInputData(1, compare_traces.read_trace(recording))
+    haptics.Update()
+    recorded = compare_traces.read_trace(recording)
+    differences = compare_traces.compare(recorded, haptics.GetOutput())
+    assert not differences, [str(d) for d in differences]
+
+    # Played back by the servo, the tip ends where it ended.
+    assert device.Open("replay:" + recording)
+    assert device.Start()
+    wait(device, lambda: math.dist(device.GetTipPosition(), (7.0, 7.0, 8.0)) < 1e-6)
+    assert device.GetDeviceToWorld() is matrix
+    device.Arm()
+    del device  # armed: it stops by itself
+    assert errors.count == 0

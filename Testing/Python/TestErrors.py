@@ -4,6 +4,7 @@
 
 import math
 
+import pytest
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
 from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
@@ -38,7 +39,7 @@ def make_path(*points):
     return path
 
 
-def check_bad_data():
+def test_bad_data():
     haptics = vtkVolumeHapticsFilter()
     log = Log(haptics)
     quiet = Log(haptics.GetExecutive())
@@ -67,22 +68,20 @@ def check_bad_data():
         assert not log and haptics.GetOutput().GetNumberOfPoints() == 2, word
 
 
-def expect(error, call, *arguments):
-    try:
-        call(*arguments)
-    except error:
-        return
-    raise AssertionError(f"no {error.__name__} from {call.__name__}{arguments}")
-
-
-def check_bad_calls():
+def test_bad_calls():
     haptics, prop = vtkVolumeHapticsFilter(), vtkHapticProperty()
-    expect(TypeError, haptics.SetKernelRadius, "two")
-    expect(TypeError, haptics.SetKernelRadius)
-    expect(TypeError, haptics.SetProperty, vtkPiecewiseFunction())
-    expect(TypeError, prop.SetStiffness, 500.0)
-    expect(TypeError, prop.SetVisibilityFrom, prop)
-    expect(TypeError, haptics.SetPathData, make_image())
+    with pytest.raises(TypeError):
+        haptics.SetKernelRadius("two")
+    with pytest.raises(TypeError):
+        haptics.SetKernelRadius()
+    with pytest.raises(TypeError):
+        haptics.SetProperty(vtkPiecewiseFunction())
+    with pytest.raises(TypeError):
+        prop.SetStiffness(500.0)
+    with pytest.raises(TypeError):
+        prop.SetVisibilityFrom(prop)
+    with pytest.raises(TypeError):
+        haptics.SetPathData(make_image())
     # None is the C++ nullptr: the defaults come back.
     prop.GetStiffness().AddPoint(0.0, 5.0)
     prop.SetStiffness(None)
@@ -92,15 +91,9 @@ def check_bad_calls():
     assert haptics.GetProperty() is not None and haptics.GetProperty() is not prop
 
 
-def check_unknown_preset():
+def test_unknown_preset():
     prop = vtkHapticProperty()
     log = Log(prop)
     for name in ("bones", None):
         assert prop.ApplyPreset(name) is False
     assert len(log) == 2 and '"bones"' in log[0] and '"MRI"' in log[0], log
-
-
-if __name__ == "__main__":
-    check_bad_data()
-    check_bad_calls()
-    check_unknown_preset()

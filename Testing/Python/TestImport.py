@@ -1,10 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""python3 TestImport.py BUILD_DIR VERSION: this build's package can be imported, in any order."""
+"""The package that is meant can be imported, in any order, each time in an interpreter of its own."""
 
 import os
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
 
 CHECK = """
 import volumehaptics
@@ -21,31 +24,76 @@ assert touch.GetProperty().GetStiffness().GetValue(7.0) == 250.0
 touch.Update()
 print(volumehaptics.__file__, volumehaptics.__version__, sep="\\n")
 """
+NOTHING = ""
 BEFORE = (
-    "",
-    "import vtkmodules.all",
-    "from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction",
-    "from volumehaptics import *\nvtkVolumeHapticsFilter, vtkHapticProperty",
-    "import volumehaptics.vtkVolumeHaptics",
+    NOTHING,
+    "import vtk\n",
+    "import vtkmodules.all\n",
+    "from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction\n",
+    "from volumehaptics import *\nvtkVolumeHapticsFilter, vtkHapticProperty\n",
+    "import volumehaptics.vtkVolumeHaptics\n",
 )
+AFTER = """import vtk
+assert isinstance(touch, vtk.vtkAlgorithm)
+assert isinstance(touch.GetOutput(), vtk.vtkPolyData)
+"""
 
 
-def main(build, version):
-    for first in BEFORE:
-        # Without an image the executive complains; the filter must survive that.
-        command = [sys.executable, "-W", "error", "-c", first + CHECK]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert run.returncode == 0, f"{first!r}: {run.stderr}"
-        file, said = run.stdout.split("\n")[:2]
-        inside = os.path.commonpath([os.path.realpath(file), os.path.realpath(build)])
-        assert inside == os.path.realpath(build), f"{file} is not of this build"
-        assert said == version, (said, version)
+def run(code):
+    """What a fresh interpreter prints, for which warnings are errors."""
+    command = [sys.executable, "-W", "error", "-c", code]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, f"{code}\n{result.stderr}"
+    return result.stdout
 
+
+# Without an image the executive complains; the filter must survive that.
+@pytest.mark.parametrize("first", BEFORE, ids=lambda code: code.split("\n")[0])
+@pytest.mark.parametrize("last", (NOTHING, AFTER), ids=("", "then vtk"))
+def test_order_does_not_matter(first, last, build, version):
+    file, said = run(first + CHECK + last).split("\n")[:2]
+    inside = os.path.commonpath([os.path.realpath(file), build])
+    assert Path(inside) == build, f"{file} is not in {build}"
+    assert said == version
+
+
+NAMES = """
+import builtins
+before = set(globals())
+from volumehaptics import *
+import volumehaptics
+for name in set(globals()) - before - {"before", "volumehaptics"}:
+    assert name == "touch" or name.startswith("vtk"), name
+    assert not hasattr(builtins, name)
+assert touch is volumehaptics.touch
+assert {"arrays", "examples", "image", "path", "touch", "vtkHapticDevice"} <= set(dir(volumehaptics))
+"""
+# As where there is none: importing a module that is None in there fails.
+NO_NUMPY = """
+import sys
+sys.modules["numpy"] = None
+import volumehaptics
+trace = volumehaptics.touch(volumehaptics.examples.phantom(), volumehaptics.examples.stroke())
+assert trace.GetNumberOfPoints() > 0
+try:
+    volumehaptics.image
+except ImportError as error:
+    assert "python3-numpy" in str(error)
+    print("told")
+"""
+
+
+def test_names_are_clean():
+    run(NAMES)
+
+
+def test_numpy_is_needed_for_its_arrays_only():
+    assert run(NO_NUMPY) == "told\n"
+
+
+def test_there_is_no_other_name():
     import volumehaptics
 
-    assert "haptics" in volumehaptics.__doc__
-    assert volumehaptics.vtkVolumeHapticsFilter().GetClassName() == "vtkVolumeHapticsFilter"
-
-
-if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2]) if len(sys.argv) == 3 else sys.exit(__doc__)
+    assert "touch" in volumehaptics.__doc__
+    with pytest.raises(AttributeError, match="volumehaptics.*vtkNothing"):
+        volumehaptics.vtkNothing

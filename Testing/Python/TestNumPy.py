@@ -52,7 +52,7 @@ def slab(dtype=float):
     return np.broadcast_to(100.0 * z, (32, 17, 17)).astype(dtype)
 
 
-def check_press_to_10_mm():
+def test_press_to_10_mm():
     """T1: 1 N at 2 mm, 2 N at 4 mm and on to 10 mm, where the proxy is at 6 mm."""
     for dtype in (float, np.float32, np.int16, np.uint16, np.int32):
         haptics = touch(make_image(slab(dtype)), press(101))
@@ -72,7 +72,7 @@ def check_press_to_10_mm():
         assert np.abs(array(haptics, "Time") - 1e-3 * np.arange(101)).max() < 1e-12
 
 
-def check_geometry():
+def test_geometry():
     """The same slab in other voxels at another place, pressed from the other side."""
     z = 3.0 * np.arange(20).reshape(-1, 1, 1) - 7.0
     volume = np.broadcast_to(-40.0 * z, (20, 9, 11)).copy()
@@ -84,7 +84,7 @@ def check_geometry():
     assert abs(array(haptics, "Force")[30, 2] - 1.5) < 1e-9
 
 
-def check_in_place():
+def test_in_place():
     """The image shares the array's memory, and the filter shares the image's."""
     volume = slab()
     image = make_image(volume)
@@ -96,15 +96,8 @@ def check_in_place():
     assert array(haptics, "Value")[0] == 2000.0
 
 
-def check_settings():
+def test_settings():
     limited = touch(make_image(slab()), press(61), SetMaximumForce=0.5)
     assert np.abs(array(limited, "Force")).max() <= 0.5
     field = touch(make_image(slab()), press(11), SetMethod=1, SetForceFieldGain=0.01)
     assert np.abs(array(field, "Force")[1:] - [0, 0, -1.0]).max() < 1e-9
-
-
-if __name__ == "__main__":
-    check_press_to_10_mm()
-    check_geometry()
-    check_in_place()
-    check_settings()

@@ -13,72 +13,82 @@ from volumehaptics import (
     vtkVolumeHapticsFilter,
 )
 
-image = vtkImageData()
-image.SetDimensions(40, 40, 40)
-image.AllocateScalars(VTK_DOUBLE, 1)
-scalars = image.GetPointData().GetScalars()
-for i in range(image.GetNumberOfPoints()):
-    scalars.SetTuple1(i, 100.0 * image.GetPoint(i)[2])
 
-# Every setting comes back, with its documentation.
-planner = vtkHapticRegionPlanner()
-for name, value in {
-    "MaximumSpeed": 0.25,
-    "MetersPerWorldUnit": 0.002,
-    "SpringLength": 3.0,
-    "Reach": 7.0,
-    "Band": 2.0,
-    "MaximumVoxels": 50000,
-    "WholeExtent": (0, 39, 0, 39, 0, 39),
-    "Origin": (1.0, 2.0, 3.0),
-    "Spacing": (1.0, 1.5, 2.0),
-    "Direction": (0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0),
-}.items():
-    getattr(planner, "Set" + name)(value)
-    assert getattr(planner, "Get" + name)() == value, name
-assert planner.GetLatency() == 0.2
-planner.AddLatency(0.01)
-assert planner.GetLatency() == 0.01
-text = pydoc.render_doc(vtkHapticRegionPlanner, renderer=pydoc.plaintext)
-assert "v_max t + T_N/k + r + b" in text and "128^3" in text and "(m/s)" in text
-assert "MaximumVoxels: 50000" in str(planner)
+def make_ramp():
+    """V = 100 z on 40^3 voxels of 1 world unit."""
+    image = vtkImageData()
+    image.SetDimensions(40, 40, 40)
+    image.AllocateScalars(VTK_DOUBLE, 1)
+    scalars = image.GetPointData().GetScalars()
+    for i in range(image.GetNumberOfPoints()):
+        scalars.SetTuple1(i, 100.0 * image.GetPoint(i)[2])
+    return image
 
-assert planner.SetWhole(image)
-assert planner.GetSpacing() == (1.0, 1.0, 1.0)
-crop = vtkHapticRegionFilter()
-crop.SetInputData(image)
-assert crop.GetRegion() == (0, -1, 0, -1, 0, -1)
-haptics = vtkVolumeHapticsFilter()
-planner.UseSettingsOf(haptics)
-assert (planner.GetMetersPerWorldUnit(), planner.GetSpringLength()) == (0.001, 4.0)
-planner.SetMaximumVoxels(42000)
-resident, wanted = (0, -1, 0, -1, 0, -1), [0] * 6
-assert planner.Plan((20, 20, 15), (0, 0, 0), resident, wanted)
-assert not planner.Plan((20, 20, 15), (0, 0, 0), wanted, [0] * 6)
 
-crop.SetRegion(wanted)
-assert list(crop.GetRegion()) == wanted
-crop.Update()
-part = crop.GetOutput()
-assert 0 < part.GetNumberOfPoints() < image.GetNumberOfPoints()
-names = [crop.GetWholeExtentName(), crop.GetNoiseName(), crop.GetBorderValueName(), crop.GetWholeTimeName()]
-assert names == ["HapticWholeExtent", "HapticNoise", "HapticBorderValue", "HapticWholeTime"]
-assert [part.GetFieldData().GetArray(names[0]).GetTuple1(i) for i in range(6)] == [0, 39] * 3
+def test_settings_come_back_with_their_documentation():
+    planner = vtkHapticRegionPlanner()
+    for name, value in {
+        "MaximumSpeed": 0.25,
+        "MetersPerWorldUnit": 0.002,
+        "SpringLength": 3.0,
+        "Reach": 7.0,
+        "Band": 2.0,
+        "MaximumVoxels": 50000,
+        "WholeExtent": (0, 39, 0, 39, 0, 39),
+        "Origin": (1.0, 2.0, 3.0),
+        "Spacing": (1.0, 1.5, 2.0),
+        "Direction": (0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0),
+    }.items():
+        getattr(planner, "Set" + name)(value)
+        assert getattr(planner, "Get" + name)() == value, name
+    assert planner.GetLatency() == 0.2
+    planner.AddLatency(0.01)
+    assert planner.GetLatency() == 0.01
+    text = pydoc.render_doc(vtkHapticRegionPlanner, renderer=pydoc.plaintext)
+    assert "v_max t + T_N/k + r + b" in text and "128^3" in text and "(m/s)" in text
+    assert "MaximumVoxels: 50000" in str(planner)
 
-path, points = vtkPolyData(), vtkPoints()
-for i in range(60):
-    points.InsertNextPoint(20.0, 20.0, 13.0 + 0.05 * i)
-path.SetPoints(points)
-haptics.SetPathData(path)
-forces = []
-for data in (image, part):
-    haptics.SetInputData(0, data)
-    haptics.Update()
-    array = haptics.GetOutput().GetPointData().GetArray("Force")
-    forces.append([array.GetTuple3(i) for i in range(array.GetNumberOfTuples())])
-assert forces[0] == forces[1] and max(abs(f[2]) for f in forces[0]) > 0.5
 
-device = vtkHapticDevice()
-assert device.GetResidency() == 1.0 and device.GetAbsentTicks() == 0
-device.FadeOut()
-assert "50 ms" in vtkHapticDevice.GetResidency.__doc__ and "50 ms" in vtkHapticDevice.Arm.__doc__
+def test_region_is_felt_as_the_whole():
+    image, planner = make_ramp(), vtkHapticRegionPlanner()
+    assert planner.SetWhole(image)
+    assert planner.GetSpacing() == (1.0, 1.0, 1.0)
+    crop = vtkHapticRegionFilter()
+    crop.SetInputData(image)
+    assert crop.GetRegion() == (0, -1, 0, -1, 0, -1)
+    haptics = vtkVolumeHapticsFilter()
+    planner.UseSettingsOf(haptics)
+    assert (planner.GetMetersPerWorldUnit(), planner.GetSpringLength()) == (0.001, 4.0)
+    planner.SetMaximumVoxels(42000)
+    resident, wanted = (0, -1, 0, -1, 0, -1), [0] * 6
+    assert planner.Plan((20, 20, 15), (0, 0, 0), resident, wanted)
+    assert not planner.Plan((20, 20, 15), (0, 0, 0), wanted, [0] * 6)
+
+    crop.SetRegion(wanted)
+    assert list(crop.GetRegion()) == wanted
+    crop.Update()
+    part = crop.GetOutput()
+    assert 0 < part.GetNumberOfPoints() < image.GetNumberOfPoints()
+    names = [crop.GetWholeExtentName(), crop.GetNoiseName(), crop.GetBorderValueName(), crop.GetWholeTimeName()]
+    assert names == ["HapticWholeExtent", "HapticNoise", "HapticBorderValue", "HapticWholeTime"]
+    assert [part.GetFieldData().GetArray(names[0]).GetTuple1(i) for i in range(6)] == [0, 39] * 3
+
+    path, points = vtkPolyData(), vtkPoints()
+    for i in range(60):
+        points.InsertNextPoint(20.0, 20.0, 13.0 + 0.05 * i)
+    path.SetPoints(points)
+    haptics.SetPathData(path)
+    forces = []
+    for data in (image, part):
+        haptics.SetInputData(0, data)
+        haptics.Update()
+        array = haptics.GetOutput().GetPointData().GetArray("Force")
+        forces.append([array.GetTuple3(i) for i in range(array.GetNumberOfTuples())])
+    assert forces[0] == forces[1] and max(abs(f[2]) for f in forces[0]) > 0.5
+
+
+def test_device_says_how_much_of_the_data_is_there():
+    device = vtkHapticDevice()
+    assert device.GetResidency() == 1.0 and device.GetAbsentTicks() == 0
+    device.FadeOut()
+    assert "50 ms" in vtkHapticDevice.GetResidency.__doc__ and "50 ms" in vtkHapticDevice.Arm.__doc__

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Touch volume data: proxy-based volume haptics for VTK.
+
+vtkVolumeHapticsFilter turns a vtkImageData and the path of a stylus into what a hand feels;
+vtkHapticProperty says what the tissues feel like; vtkHapticDevice does it live, with a device in a hand.
+In one call, of images and polydata or of NumPy arrays:
+
+    import volumehaptics
+    trace = volumehaptics.touch(volume, tip, preset="CT contrast", kernel_radius=3)
+
+touch() is what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
+volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. volumehaptics.examples has a head to
+try them on, and
+
+    python -m volumehaptics --demo
+
+explores it in a window. Lengths are in world units, which are millimetres unless MetersPerWorldUnit says
+otherwise; forces are in newtons (N), times in seconds.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
+# What the classes below take and give: objects of a class whose module was never imported come back as objects
+# of a superclass.
+import vtkmodules.vtkCommonCore
+import vtkmodules.vtkCommonDataModel
+import vtkmodules.vtkCommonExecutionModel
+import vtkmodules.vtkCommonMath
+import vtkmodules.vtkInteractionStyle
+import vtkmodules.vtkRenderingCore
+
+from . import vtkVolumeHaptics
+from ._touch import touch
+from ._version import __version__
+from .vtkVolumeHaptics import *
+
+if TYPE_CHECKING:
+    from . import arrays, examples
+    from .arrays import image, path
+
+__all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
+
+# On demand: what needs NumPy, which the classes and touch() do not.
+_MODULES = ("arrays", "examples")
+_FUNCTIONS = ("image", "path")
+
+
+def __getattr__(name: str):
+    if name in _MODULES:
+        return importlib.import_module(f".{name}", __name__)
+    if name in _FUNCTIONS:
+        return getattr(importlib.import_module(".arrays", __name__), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, *_MODULES, *_FUNCTIONS, *(name for name in globals() if name.startswith("__"))])

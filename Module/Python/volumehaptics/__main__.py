@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Usage: python -m volumehaptics VOLUME [options]
+
+Opens a window in which VOLUME can be touched with the mouse or a device: point at it and press t. Where there is no
+display, or with --pictures DIR, feels its way over it and writes pictures, the trace and a summary.
+
+VOLUME     .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
+  --demo   instead of VOLUME: the head phantom that comes with the package
+  --help   this text, and all options of the explorer, volumehaptics-explore, to which they go
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+PROGRAM = "volumehaptics-explore" + (".exe" if os.name == "nt" else "")
+CURE = f"""python -m volumehaptics: there is no {PROGRAM}, neither in the package nor on PATH.
+  Cure: pip install volumehaptics brings it along; in the sources, Examples/explore.sh builds it.
+"""
+
+
+def find_explorer() -> str | None:
+    """The package's own program, as wheels have it, else that beside the package's prefix, else that on PATH."""
+    package = Path(__file__).resolve().parent
+    for program in (package / "bin" / PROGRAM, (package / "../../../../bin").resolve() / PROGRAM):
+        if os.access(program, os.X_OK) and program.is_file():
+            return str(program)
+    return shutil.which(PROGRAM)
+
+
+def without_display(command: list[str]) -> list[str]:
+    """The command for where no window can be opened: it writes pictures, on a screen of its own if possible."""
+    if not any(word == "--pictures" or word.startswith("--pictures=") for word in command):
+        command = [*command, "--pictures", "explore-pictures"]
+    own_screen = shutil.which("xvfb-run")
+    return [own_screen, "-a", "-s", "-screen 0 1280x1024x24 -noreset", *command] if own_screen else command
+
+
+def replace_process(command: list[str]) -> int:
+    """Runs the command instead of this process, where the system can do that."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    if os.name == "posix":
+        os.execv(command[0], command)
+    return subprocess.run(command, check=False).returncode
+
+
+def main(arguments: list[str]) -> int:
+    if not arguments:
+        sys.stderr.write(__doc__)
+        return 2
+    explorer = find_explorer()
+    if "--help" in arguments or "-h" in arguments:
+        print(__doc__)
+        return replace_process([explorer, "--help"]) if explorer else 0
+    if explorer is None:
+        sys.stderr.write(CURE)
+        return 2
+    if "--demo" in arguments:
+        from .examples import phantom_file
+
+        arguments = [phantom_file() if word == "--demo" else word for word in arguments]
+    command = [explorer, *arguments]
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        command = without_display(command)
+    return replace_process(command)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

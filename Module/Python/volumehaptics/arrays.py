@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""NumPy arrays as volumes and paths of the tip, and traces as NumPy arrays, without copies.
+
+    volume = np.load("head.npy")                         # [z, y, x], Hounsfield units
+    head = image(volume, spacing=(0.5, 0.5, 1.0))        # mm; shares the array's memory
+    tip = path(np.linspace((64, -10, 40), (64, 40, 40), 1000))
+    force = arrays(touch(head, tip, "CT contrast"))["Force"]    # N, of shape (1000, 3)
+
+Whoever changes an array that an image or a path shares calls Modified() of the image or the path, so that VTK
+knows. The array stays alive as long as VTK's data do, and VTK's data as long as the arrays that are made of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+try:
+    import numpy as np
+except ImportError as error:
+    raise ImportError("volumehaptics.arrays needs NumPy. Cure: pip install numpy, or apt-get install python3-numpy.") \
+        from error
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_SIGNED_CHAR, vtkDataArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+
+from ._touch import touch
+
+__all__ = ["arrays", "image", "path", "touch"]
+
+_REAL = ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64")
+
+
+def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
+    """A contiguous array of one or two dimensions for VTK, which keeps it alive."""
+    # VTK's plain char, which NumPy's bytes become of themselves, has no sign on some machines.
+    shared = numpy_to_vtk(array, array_type=VTK_SIGNED_CHAR if array.dtype == np.int8 else None)
+    if name is not None:
+        shared.SetName(name)
+    return shared
+
+
+def image(
+    array: np.ndarray,
+    spacing: Sequence[float] = (1.0, 1.0, 1.0),
+    origin: Sequence[float] = (0.0, 0.0, 0.0),
+    name: str = "Scalars",
+) -> vtkImageData:
+    """A volume that shares the memory of a NumPy array [z, y, x].
+
+    array: real numbers of 8 to 64 bits, in C's order.
+    spacing: the size of a voxel along x, y and z (world units, mm), each above 0.
+    origin: where the first voxel is (world units, mm): x, y and z.
+    name: of the point scalars.
+
+    TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, or not
+    contiguous.
+
+    >>> import numpy as np
+    >>> from volumehaptics import image
+    >>> image(np.zeros((30, 20, 10), np.int16), spacing=(0.5, 0.5, 2.0)).GetDimensions()
+    (10, 20, 30)
+    """
+    if not isinstance(array, np.ndarray):
+        raise TypeError(f"a volume is a vtkImageData or a NumPy array [z, y, x], not {type(array).__name__}")
+    if array.dtype.name not in _REAL or not array.dtype.isnative:
+        raise TypeError(f"a volume can't have numbers of type {array.dtype}. Cure: array.astype(np.float32)")
+    if array.ndim != 3 or array.size == 0:
+        raise ValueError(f"a volume has three dimensions [z, y, x], and voxels; this array's shape is {array.shape}")
+    if not array.flags.c_contiguous:
+        raise ValueError("the array is not contiguous, so that it can't be shared. Cure: np.ascontiguousarray(array)")
+    volume = vtkImageData()
+    volume.SetDimensions(array.shape[::-1])
+    volume.SetSpacing(spacing)
+    volume.SetOrigin(origin)
+    volume.GetPointData().SetScalars(_shared(array.reshape(-1), name))
+    return volume
+
+
+def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
+    """The array itself where VTK can share it, else one that it can."""
+    array = np.asarray(array)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{what} are real numbers, not {array.dtype}")
+    keep = array.dtype in (np.float32, np.float64) and array.dtype.isnative
+    return np.ascontiguousarray(array, None if keep else np.float64)
+
+
+def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = None) -> vtkPolyData:
+    """The way of the stylus' tip, a polyline.
+
+    points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared where they are contiguous
+        and float64 or float32, else copied.
+    time: when the tip is there (s), N numbers that do not fall. Default: one tick each, 1 ms at 1000 Hz.
+
+    TypeError: no real numbers. ValueError: another shape.
+
+    >>> import numpy as np
+    >>> from volumehaptics import path
+    >>> path(np.linspace((0, 0, 90), (0, 0, 80), 101)).GetNumberOfPoints()
+    101
+    """
+    points = _floats(points, "points of a path")
+    if points.ndim != 2 or points.shape[1] != 3 or len(points) == 0:
+        raise ValueError(f"points of a path have the shape (N, 3), N at least 1, not {points.shape}")
+    tip = vtkPolyData()
+    tip.SetPoints(vtkPoints())
+    tip.GetPoints().SetData(_shared(points))
+    # Copies: vtkCellArray may take the memory and leave the object behind that keeps NumPy's alive.
+    ends = numpy_to_vtkIdTypeArray(np.array([0, len(points)], np.int64), deep=True)
+    indices = numpy_to_vtkIdTypeArray(np.arange(len(points), dtype=np.int64), deep=True)
+    line = vtkCellArray()
+    line.SetData(ends, indices)
+    tip.SetLines(line)
+    if time is not None:
+        time = _floats(time, "times of a path")
+        if time.shape != (len(points),):
+            raise ValueError(f"times of this path have the shape ({len(points)},), not {time.shape}")
+        tip.GetPointData().AddArray(_shared(time, "Time"))
+    return tip
+
+
+def arrays(trace: vtkPolyData) -> dict[str, np.ndarray]:
+    """The point arrays of a trace as NumPy arrays by name, and its points, the proxy (world units), as "Proxy".
+
+    They share the trace's memory: numbers for each tick, in the units of vtkVolumeHapticsFilter's output.
+
+    >>> from volumehaptics import examples, touch
+    >>> from volumehaptics.arrays import arrays
+    >>> trace = touch(examples.phantom(), examples.stroke())
+    >>> arrays(trace)["Force"].shape == (trace.GetNumberOfPoints(), 3)
+    True
+    """
+    found = {}
+    if trace.GetPoints() is not None:
+        found["Proxy"] = vtk_to_numpy(trace.GetPoints().GetData())
+    data = trace.GetPointData()
+    for i in range(data.GetNumberOfArrays()):
+        one = data.GetArray(i)
+        if one is not None and one.GetName():
+            found[one.GetName()] = vtk_to_numpy(one)
+    return found

@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A head to touch, a stroke over it, and what that feels like.
+
+The head is the project's own phantom, drawn and not scanned: see data/README.txt beside this file.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+from ._touch import Errors, touch
+from .vtkVolumeHaptics import vtkHapticPathSource
+
+__all__ = ["first_touch", "phantom", "phantom_file", "stroke"]
+
+SKIN = -300.0  # HU, where the phantom's skin is seen
+
+
+def phantom_file() -> str:
+    """Where the head phantom is, a .vti file.
+
+    >>> from volumehaptics import examples
+    >>> examples.phantom_file().endswith("HeadPhantom.vti")
+    True
+    """
+    return str(Path(__file__).parent / "data" / "HeadPhantom.vti")
+
+
+def phantom() -> vtkImageData:
+    """The head phantom: 64 x 64 x 64 voxels of 3.75 mm in Hounsfield units (HU), the origin in its middle.
+
+    +x is to the patient's left, +y to the back, +z to the top. RuntimeError: its file can't be read.
+
+    >>> from volumehaptics import examples
+    >>> examples.phantom().GetSpacing()
+    (3.75, 3.75, 3.75)
+    """
+    reader = vtkXMLImageDataReader()
+    if not reader.CanReadFile(phantom_file()):
+        raise RuntimeError(f"{phantom_file()} can't be read. Cure: install the package anew.")
+    reader.SetFileName(phantom_file())
+    reader.Update()
+    return reader.GetOutput()
+
+
+def _crown() -> float:
+    """The height of the skin above the origin (mm)."""
+    head = phantom()
+    values = head.GetPointData().GetScalars()
+    for k in reversed(range(head.GetDimensions()[2])):
+        point = head.FindPoint(0.0, 0.0, head.GetOrigin()[2] + k * head.GetSpacing()[2])
+        if values.GetTuple1(point) > SKIN:
+            return head.GetPoint(point)[2]
+    raise RuntimeError("the phantom has no crown")
+
+
+def stroke(depth: float = 3.0, length: float = 24.0, speed: float = 80.0, clearance: float = 5.0) -> vtkPolyData:
+    """The way of a tip that comes down on the phantom's crown, presses, slides from right to left and lifts.
+
+    depth: how far it presses below the skin (mm), 0 or more. Default 3.
+    length: how far it slides (mm), 0 or more. Default 24.
+    speed: of the hand (mm/s), above 0. Default 80.
+    clearance: how far above the skin it begins and ends (mm), 0 or more. Default 5.
+
+    One point a tick of 1 ms, with the point array "Time" (s). ValueError: settings that make no path.
+
+    >>> from volumehaptics import examples
+    >>> low, high = examples.stroke(depth=3.0, clearance=5.0).GetBounds()[4:]
+    >>> round(high - low, 6)
+    8.0
+    """
+    crown = _crown()
+    source = vtkHapticPathSource()
+    errors = Errors(source)
+    quiet = Errors(source.GetExecutive())
+    source.SetShapeToPressAndSlide()
+    source.SetBoxBounds(-length / 2, length / 2, 0.0, 0.0, crown - depth, crown)
+    source.SetDepth(depth)
+    source.SetClearance(clearance)
+    source.SetSpeed(speed)
+    source.Update()
+    if errors or quiet:
+        raise ValueError("; ".join(errors or quiet))
+    return source.GetOutput()
+
+
+def first_touch() -> None:
+    """Prints the largest force on a hand that strokes the phantom's crown.
+
+    >>> from volumehaptics import examples
+    >>> examples.first_touch()
+    2.125 N
+    """
+    trace = touch(phantom(), stroke(), preset="CT contrast")
+    print(f"{trace.GetPointData().GetArray('Force').GetMaxNorm():.3f} N")

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package's examples, those of its documentation and those of the README."""
+
+import doctest
+import math
+import re
+
+import pytest
+import volumehaptics
+from volumehaptics import _touch, arrays, examples
+
+MODULES = (_touch, arrays, examples)
+
+
+@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)
+def test_documentation(module):
+    tried = doctest.testmod(module)
+    assert tried.attempted > 0 and tried.failed == 0
+    for name in getattr(module, "__all__", ("touch",)):
+        assert ">>>" in getattr(module, name).__doc__, name
+
+
+def test_first_touch_is_the_force_of_the_stroke(capsys):
+    examples.first_touch()
+    newtons = float(re.fullmatch(r"(\d\.\d+) N\n", capsys.readouterr().out)[1])
+    trace = volumehaptics.touch(examples.phantom(), examples.stroke(), "CT contrast")
+    assert abs(newtons - max(math.hypot(*force) for force in arrays.arrays(trace)["Force"])) < 1e-3
+    # It begins and ends in the air.
+    contact = arrays.arrays(trace)["Contact"]
+    assert contact[0] == contact[-1] == 0 and contact.any()
+
+
+def test_stroke_is_where_it_says():
+    tip = examples.stroke(depth=2.0, length=30.0, speed=50.0, clearance=4.0)
+    way = arrays.arrays(tip)
+    points, time = way["Proxy"], way["Time"]
+    assert abs(points[:, 0].min() + 15.0) < 1e-9 and abs(points[:, 0].max() - 15.0) < 1e-9
+    assert not points[:, 1].any() and abs(points[:, 2].max() - points[:, 2].min() - 6.0) < 1e-9
+    assert abs(time[-1] - (30.0 + 2 * 6.0) / 50.0) < 2e-3
+    deeper = examples.stroke(depth=3.0)
+    assert abs(tip.GetBounds()[4] - deeper.GetBounds()[4] - 1.0) < 1e-9
+
+
+@pytest.mark.parametrize("setting, value", (("speed", 0.0), ("depth", math.nan)))
+def test_stroke_that_is_none(setting, value):
+    with pytest.raises(ValueError):
+        examples.stroke(**{setting: value})
+
+
+def test_phantom_is_the_repositorys(data):
+    with open(examples.phantom_file(), "rb") as ours:
+        assert ours.read() == (data / "HeadPhantom.vti").read_bytes()
+
+
+def test_readme(readme, capsys):
+    section = readme.split("\n## In Python\n")[1].split("\n## ")[0]
+    code = "\n".join(re.findall(r"```python\n(.*?)```", section, re.DOTALL))
+    exec(compile(code, "README.md", "exec"), {})
+    assert re.fullmatch(r"\d+\.\d+ N\n", capsys.readouterr().out)

@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Editors and type checkers are told what there is."""
+
+import ast
+import importlib.util
+import inspect
+from pathlib import Path
+
+import pytest
+import volumehaptics
+from vtkmodules.vtkCommonCore import vtkVersion
+from volumehaptics import arrays, examples, vtkVolumeHaptics
+
+PACKAGE = Path(volumehaptics.__file__).parent
+METHODS = {
+    "vtkVolumeHapticsFilter": ("SetPathData", "HashScalars"),
+    "vtkVolumeHapticsAlgorithm": ("SetKernelRadius", "GetKernelRadius", "SetSolverToPaper", "GetProperty"),
+    "vtkHapticProperty": ("ApplyPreset", "GetStiffness", "SetVisibilityFrom"),
+    "vtkHapticHardware": ("EnumerateDevices",),
+    "vtkHapticDevice": ("Open", "Arm", "GetForce", "StartRecording"),
+}
+
+
+def test_package_is_marked():
+    assert (PACKAGE / "py.typed").exists()
+
+
+@pytest.fixture(scope="module")
+def hints():
+    """The classes of the hints, with the names of their methods."""
+    if importlib.util.find_spec("vtkmodules.generate_pyi") is None:
+        pytest.skip(f"VTK {vtkVersion.GetVTKVersion()} of this Python has no vtkmodules.generate_pyi")
+    tree = ast.parse((PACKAGE / "vtkVolumeHaptics.pyi").read_text(encoding="utf-8"))
+    classes = (node for node in tree.body if isinstance(node, ast.ClassDef))
+    return {
+        one.name: {node.name: node for node in one.body if isinstance(node, ast.FunctionDef)} for one in classes
+    }
+
+
+def test_every_class_has_hints(hints):
+    assert set(hints) == {name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")}
+    for name, methods in METHODS.items():
+        assert set(methods) <= set(hints[name]), name
+
+
+def test_hints_say_types(hints):
+    radius = hints["vtkVolumeHapticsAlgorithm"]["SetKernelRadius"]
+    assert ast.unparse(radius.args.args[1].annotation) == "int" and ast.unparse(radius.returns) == "None"
+    assert ast.unparse(hints["vtkHapticProperty"]["ApplyPreset"].returns) == "bool"
+
+
+@pytest.mark.parametrize("module", (arrays, examples), ids=lambda module: module.__name__)
+def test_functions_have_hints(module):
+    for name in module.__all__:
+        signature = inspect.signature(getattr(module, name))
+        assert signature.return_annotation is not inspect.Signature.empty, name
+        for parameter in signature.parameters.values():
+            assert parameter.annotation is not inspect.Parameter.empty, (name, parameter)

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""touch() is what the filter gives, with its settings by name and its errors as exceptions."""
+
+import compare_traces
+import numpy as np
+import pytest
+from volumehaptics import examples, path, touch, vtkHapticProperty, vtkVolumeHapticsFilter
+from volumehaptics.arrays import arrays
+
+
+@pytest.fixture(scope="module")
+def head():
+    return examples.phantom()
+
+
+@pytest.fixture(scope="module")
+def tip():
+    return examples.stroke()
+
+
+def test_is_the_filter_to_the_bit(head, tip):
+    haptics = vtkVolumeHapticsFilter()
+    haptics.SetInputData(head)
+    haptics.SetPathData(tip)
+    haptics.GetProperty().ApplyPreset("CT contrast")
+    haptics.SetKernelRadius(3)
+    haptics.SetSolverToPaper()
+    haptics.SetMetersPerWorldUnit(0.002)
+    haptics.Update()
+    trace = touch(
+        head, tip, "CT contrast", kernel_radius=3, solver=vtkVolumeHapticsFilter.PAPER, meters_per_world_unit=0.002)
+    assert arrays(trace)["Force"].any()
+    assert not compare_traces.compare(trace, haptics.GetOutput())
+    assert compare_traces.compare(trace, touch(head, tip, "CT contrast"))
+
+
+def test_takes_arrays():
+    """V = 100 z, 500 N/m: 1 N at 2 mm."""
+    volume = np.broadcast_to(100.0 * np.arange(32).reshape(-1, 1, 1), (32, 17, 17)).copy()
+    points = np.linspace((8, 8, 10), (8, 8, 12), 21)
+    for given in (points, points.tolist(), path(points)):
+        assert abs(arrays(touch(volume, given))["Force"][-1] - [0, 0, -1]).max() < 1e-9
+
+
+def test_a_tuple_is_several_arguments(head, tip):
+    name = head.GetPointData().GetScalars().GetName()
+    trace = touch(head, tip, input_array_to_process=(0, 0, 0, 0, name))
+    assert trace.GetNumberOfPoints() == touch(head, tip).GetNumberOfPoints()
+    with pytest.raises(ValueError, match="nothing"):
+        touch(head, tip, input_array_to_process=(0, 0, 0, 0, "nothing"))
+
+
+def test_method_and_property(head, tip):
+    soft = vtkHapticProperty()
+    soft.GetStiffness().AddPoint(0.0, 50.0)
+    trace = touch(head, tip, property=soft, method_by_name="paper")
+    assert (arrays(trace)["Stiffness"] == 50.0).all()
+    with pytest.raises(TypeError, match="ApplyPreset"):
+        touch(head, tip, "MRI", property=soft)
+
+
+@pytest.mark.parametrize("name, close", (
+    ("kernel_radus", "kernel_radius"),
+    ("KernelRadius", "kernel_radius"),
+    ("maximumforce", "maximum_force"),
+    ("isovalue", "iso_value"),
+))
+def test_unknown_setting(head, tip, name, close):
+    with pytest.raises(TypeError, match=f"'{name}'.*'{close}'"):
+        touch(head, tip, **{name: 1})
+
+
+def test_setting_of_the_wrong_type(head, tip):
+    with pytest.raises(TypeError):
+        touch(head, tip, kernel_radius="three")
+
+
+@pytest.mark.parametrize("word, arguments, settings", (
+    ('"bones"', {"preset": "bones"}, {}),
+    ('"touching"', {}, {"method_by_name": "touching"}),
+    ("NaN", {"tip": [(0.0, 0.0, np.nan)]}, {}),
+    ("scalars", {"volume": type(examples.phantom())()}, {}),
+))
+def test_errors_of_the_filter(head, tip, capfd, word, arguments, settings):
+    with pytest.raises(ValueError) as caught:
+        touch(**{"volume": head, "tip": tip, **arguments}, **settings)
+    assert word in str(caught.value) and ".cxx" not in str(caught.value)
+    assert capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize("volume", (None, "head.vti", [[[1.0]]], vtkVolumeHapticsFilter()))
+def test_what_is_no_volume(tip, volume):
+    with pytest.raises(TypeError, match=type(volume).__name__):
+        touch(volume, tip)
