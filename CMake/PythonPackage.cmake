@@ -3,7 +3,7 @@
 
 # The Python package volumehaptics, usable from the build tree and from the install tree. Whoever wants it elsewhere
 # sets VolumeHaptics_PYTHON_SITE, relative to both, before.
-if (NOT VolumeHaptics_PYTHON_SITE)
+if (NOT DEFINED VolumeHaptics_PYTHON_SITE)
   vtk_module_python_default_destination(VolumeHaptics_PYTHON_SITE MAJOR_VERSION 3)
 endif ()
 set(python_options)
@@ -34,12 +34,14 @@ set(package_files)
 foreach (file IN ITEMS
     __init__.py
     __main__.py
+    _plotting.py
     _touch.py
     arrays.py
     data/HeadPhantom.vti
     data/README.txt
     examples.py
-    py.typed)
+    py.typed
+    pyvista.py)
   set(source "${package_source}/${file}")
   if (file MATCHES "vti$") # which stands with the repository's other data
     set(source "${root}/Data/HeadPhantom.vti")

@@ -29,7 +29,7 @@ def test_properties():
     assert haptics.GetSolver() == vtkVolumeHapticsFilter.PAPER
     assert haptics.property is haptics.GetProperty()
     assert vtkHapticDevice(servo_rate=2000.0).GetServoRate() == 2000.0
-    with pytest.raises(AttributeError):
+    with pytest.raises(TypeError, match="kernel_radus"):
         vtkVolumeHapticsFilter(kernel_radus=3)
 
 
@@ -37,13 +37,13 @@ def test_pipeline():
     from vtkmodules.util.execution_model import select_ports
 
     reader = vtkXMLImageDataReader(file_name=examples.phantom_file())
-    haptics = vtkVolumeHapticsFilter()
-    make_source() >> select_ports(1, haptics)
+    source, haptics = make_source(), vtkVolumeHapticsFilter()
+    source >> select_ports(1, haptics)
     trace = (reader >> haptics).update().output
     reader.Update()
     again = vtkVolumeHapticsFilter()
     again.SetInputData(reader.GetOutput())
-    again.SetPathConnection(make_source().GetOutputPort())
+    again.SetPathConnection(source.GetOutputPort())
     again.Update()
     forces = [np.asarray(one.point_data["Force"]) for one in (trace, again.GetOutput())]
     assert forces[0].any() and (forces[0] == forces[1]).all()

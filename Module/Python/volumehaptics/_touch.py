@@ -26,8 +26,12 @@ class Errors(list):
             self.append(re.sub(r"^ERROR: In .*, line \d+\n.*?\(\w+\): ", "", text).strip())
 
         note.CallDataType = VTK_STRING
-        for one in watched:
-            one.AddObserver("ErrorEvent", note)
+        self._watched = [(one, one.AddObserver("ErrorEvent", note)) for one in watched]
+
+    def end(self) -> None:
+        """From here on, errors are for the console again."""
+        for one, tag in self._watched:
+            one.RemoveObserver(tag)
 
 
 def _settings() -> list[str]:

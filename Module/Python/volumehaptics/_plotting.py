@@ -1,0 +1,240 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What makes a pyvista.Plotter touchable. It asks PyVista for nothing but its plotter's public attributes."""
+
+from __future__ import annotations
+
+import atexit
+import weakref
+from typing import TYPE_CHECKING, Any
+
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkVolume
+
+from ._touch import Errors, _set
+from .vtkVolumeHaptics import (
+    vtkHapticDevice,
+    vtkHapticHeadUpDisplay,
+    vtkHapticRepresentation,
+    vtkInteractorStyleHaptic,
+    vtkVolumeHapticsFilter,
+)
+
+if TYPE_CHECKING:
+    import pyvista as pv
+
+# Each touchable plotter keeps its parts; they do not keep the plotter.
+_touchable: weakref.WeakKeyDictionary[pv.Plotter, Haptics] = weakref.WeakKeyDictionary()
+
+SIZE = 0.007  # of the proxy, as a share of the volume's diagonal
+ARROW = 0.05  # of a newton, likewise
+ATTENTION = 2.0  # s without the plotter's timer, after which force fades out
+
+
+class Haptics:
+    """What add_haptics() has added to a plotter, until the plotter is closed, or close() is called.
+
+    device: the vtkHapticDevice in the hand, whose servo runs.
+    filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
+    style: the vtkInteractorStyleHaptic that has the plotter's mouse and keys.
+    representation: the vtkHapticRepresentation, the hand in the scene.
+    head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
+
+    PyVista's enable_*_style() and a chart that takes the mouse put another style in the place of this one: that
+    ends the touch mode and all force. plotter.iren.style = haptics.style brings it back.
+    """
+
+    def __init__(self, plotter: pv.Plotter) -> None:
+        self.device = vtkHapticDevice()
+        self.filter = vtkVolumeHapticsFilter()
+        self.style = vtkInteractorStyleHaptic()
+        self.representation = vtkHapticRepresentation()
+        self.head_up_display = vtkHapticHeadUpDisplay()
+        self.closed = False
+        self._owns_device = True
+        self._plotter = weakref.ref(plotter)
+        self._renderer = weakref.ref(plotter.renderer)
+        self._style_before = None
+
+    def update(self) -> bool:
+        """What the plotter's timer does, once, for programs without an event loop. True: there is something new."""
+        return not self.closed and self.style.UpdateHaptics()
+
+    def close(self) -> None:
+        """Stops the servo, closes the device, and gives the plotter back as it was. May be called twice."""
+        if self.closed:
+            return
+        self.closed = True
+        self.device.Stop()
+        if self._owns_device:
+            self.device.Close()
+        plotter, renderer = self._plotter(), self._renderer()
+        if renderer is not None:
+            renderer.RemoveViewProp(self.representation)
+            renderer.RemoveViewProp(self.head_up_display)
+        if plotter is not None:
+            _touchable.pop(plotter, None)
+            if plotter.iren is not None and plotter.iren.style is self.style:
+                plotter.iren.style = self._style_before
+
+    def __enter__(self) -> Haptics:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _attach(self, plotter: pv.Plotter) -> None:
+        renderer = plotter.renderer
+        for prop in (self.representation, self.head_up_display):
+            prop.SetDevice(self.device)
+            prop.UseBoundsOff()  # cameras and axes frame the volume, wherever the hand is
+            renderer.AddViewProp(prop)
+        self.style.SetDevice(self.device)
+        self.style.SetHeadUpDisplay(self.head_up_display)
+        self.style.SetDefaultRenderer(renderer)
+        self._style_before = plotter.iren.style
+        plotter.iren.style = self.style
+        self._watch(plotter)
+        _touchable[plotter] = self
+
+    def _watch(self, plotter: pv.Plotter) -> None:
+        """Closes with the plotter. Its own hooks are taken by show(), so that the objects below it are watched."""
+        itself = weakref.ref(self)
+
+        def close(*_: object) -> None:
+            haptics = itself()
+            if haptics is not None:
+                haptics.close()
+
+        def look(style: vtkInteractorStyleHaptic, _event: str) -> None:
+            haptics = itself()
+            if haptics is None or style is None or style.GetInteractor() is not None:
+                return
+            plotter = haptics._plotter()
+            # Another style in its place has ended the touch mode; none is what a plotter has that closes.
+            if plotter is None or plotter.iren is None or plotter.iren.style is None:
+                haptics.close()
+
+        self.style.AddObserver("ModifiedEvent", look)
+        plotter.iren.interactor.AddObserver("DeleteEvent", close)
+        weakref.finalize(plotter, close)
+
+
+@atexit.register
+def _close_all() -> None:
+    for haptics in list(_touchable.values()):
+        haptics.close()
+
+
+def _find_volume(plotter: pv.Plotter) -> vtkVolume:
+    volumes = {name: actor for name, actor in plotter.actors.items() if isinstance(actor, vtkVolume)}
+    if not volumes:
+        raise ValueError("the plotter has no volume. Cure: add_haptics(plotter, plotter.add_volume(image))")
+    if len(volumes) > 1:
+        raise ValueError(f"the plotter has {len(volumes)} volumes: {', '.join(volumes)}. Cure: give the one to be "
+                         "touched, as plotter.add_volume() returned it")
+    return next(iter(volumes.values()))
+
+
+def _image_of(volume: Any) -> vtkImageData:
+    """The image to be touched, of an actor or as it is."""
+    image = volume
+    if isinstance(volume, vtkVolume):
+        image = volume.GetMapper().GetInputDataObject(0, 0) if volume.GetMapper() else None
+        matrix = volume.GetMatrix()
+        if any(matrix.GetElement(i, j) != (i == j) for i in range(4) for j in range(4)):
+            raise ValueError("the volume is moved, turned or scaled in the scene, which is not felt. Cure: set the "
+                             "image's origin, spacing and direction_matrix instead of the actor's")
+    if not isinstance(image, vtkImageData):
+        raise TypeError(f"what is touched is a pyvista.ImageData or what plotter.add_volume() returned for one, not "
+                        f"{type(image).__name__}. Cure for other grids: image.sample(grid)")
+    return image
+
+
+def add_haptics(
+    plotter: pv.Plotter,
+    volume: vtkVolume | vtkImageData | None = None,
+    preset: str | None = None,
+    *,
+    device: str | vtkHapticDevice = "virtual",
+    visibility: bool | vtkVolume = True,
+    **settings: Any,
+) -> Haptics:
+    """Makes a volume in a plotter one to be touched: press t with the pointer on it.
+
+    plotter: a pyvista.Plotter with a window of its own, not shown yet or already. Its active subplot is used.
+    volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
+        show it, such as an isosurface. Default: the plotter's only volume.
+    preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
+    device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
+        open and stays so.
+    visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one
+        (True, default). False: what is hidden is felt, too.
+    settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
+
+    The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
+    vtkInteractorStyleHaptic for all keys. It fades out where the plotter's timer stands still for 2 s. Closing the
+    plotter stops everything. The plotter's camera keys and mouse remain, except for those that the style lists.
+
+    TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
+    can't be touched; the text says why, and what helps. RuntimeError: the device does not open.
+    """
+    if getattr(plotter, "iren", None) is None:
+        if not hasattr(plotter, "iren"):
+            raise TypeError(f"haptics are added to a pyvista.Plotter, not to {type(plotter).__name__}")
+        raise ValueError("the plotter is closed. Cure: make a new one")
+    if plotter in _touchable:
+        raise ValueError("the plotter is touchable already. Cure: close() what add_haptics() has returned before")
+    if preset is not None and "property" in settings:
+        raise TypeError("add_haptics() takes a preset or a property, not both: call the property's ApplyPreset()")
+    volume = _find_volume(plotter) if volume is None else volume
+    image = _image_of(volume)
+    scalars = image.GetPointData().GetScalars()
+    if scalars is None:
+        raise ValueError("the volume has no active point scalars. Cure: image.set_active_scalars(NAME), or "
+                         "image.cells_to_points() where it has cell data")
+    if scalars.GetNumberOfComponents() > 1 and "property" not in settings:
+        raise ValueError(f"the volume has {scalars.GetNumberOfComponents()} components, such as colours, and a hand "
+                         "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
+    haptics = Haptics(plotter)
+    if isinstance(device, vtkHapticDevice):
+        haptics.device, haptics._owns_device = device, False
+    look = volume if visibility is True else visibility
+    _prepare(haptics, image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None, settings)
+    _start(haptics, device)
+    length = image.GetLength()
+    haptics.representation.SetRadius(SIZE * length)
+    haptics.representation.SetForceScale(1.0 / (ARROW * length))
+    haptics._attach(plotter)
+    return haptics
+
+
+def _prepare(haptics: Haptics, image: vtkImageData, preset: str | None, look: Any, settings: dict[str, Any]) -> None:
+    touch = haptics.filter
+    errors = Errors(touch, touch.GetProperty())
+    for name, value in settings.items():
+        if not _set(touch, name, value):
+            raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
+    if preset is not None and not touch.GetProperty().ApplyPreset(preset):
+        raise ValueError("; ".join(errors))
+    if look is not None:
+        touch.GetProperty().SetVisibilityFrom(look)
+    touch.SetInputData(image)
+    touch.Update()  # without a path, only checks
+    if errors:
+        raise ValueError("; ".join(errors))
+    errors.end()
+
+
+def _start(haptics: Haptics, wanted: str | vtkHapticDevice) -> None:
+    device = haptics.device
+    errors = Errors(device, haptics.filter)
+    device.SetVolumeHaptics(haptics.filter)
+    if haptics._owns_device and not device.Open(wanted):
+        raise RuntimeError("; ".join(errors))
+    if device.GetAttentionTime() == 0.0:
+        device.SetAttentionTime(ATTENTION)
+    if not device.Start():
+        device.Close() if haptics._owns_device else device.Stop()
+        raise ValueError("; ".join(errors))
+    errors.end()

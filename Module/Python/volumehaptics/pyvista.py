@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Volume haptics for PyVista: PyVista's data in, PyVista's data out, and plotters whose volume can be touched.
+
+    import pyvista as pv
+    from volumehaptics.pyvista import add_haptics, touch
+
+    trace = touch(head, pv.Line((0, -120, 60), (0, -40, 60), 1000), "CT contrast")
+    trace.plot(scalars="Force", line_width=5)        # N
+
+    plotter = pv.Plotter()
+    add_haptics(plotter, plotter.add_volume(head), "CT contrast")
+    plotter.show()                                   # press t with the pointer on the volume
+
+Needs PyVista 0.44 or later, which `import volumehaptics` alone does not: pip install pyvista.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+try:
+    import pyvista as pv
+except ImportError as error:
+    raise ImportError("volumehaptics.pyvista needs PyVista. Cure: pip install pyvista") from error
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+
+from ._plotting import Haptics, add_haptics
+from ._touch import touch as _touch
+
+if TYPE_CHECKING:
+    import numpy as np
+
+__all__ = ["Haptics", "add_haptics", "touch"]
+
+
+def touch(
+    volume: vtkImageData | np.ndarray,
+    tip: vtkPolyData | np.ndarray,
+    preset: str | None = None,
+    *,
+    scalars: str | None = None,
+    **settings: Any,
+) -> pv.PolyData:
+    """What a hand feels whose stylus goes through a volume, as pyvista.PolyData: volumehaptics.touch().
+
+    volume: a pyvista.ImageData with point data, or a NumPy array [z, y, x]. It is not copied.
+    tip: where the stylus is in world units (mm), one point a tick, 1 ms: a pyvista.PolyData, such as of
+        pyvista.Line or pyvista.Spline, or an array of shape (N, 3). With a point array "Time" (s), ticks are
+        made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s.
+    preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere.
+    scalars: the name of the point array that is felt. Default: the active scalars.
+    settings: of vtkVolumeHapticsFilter, in snake_case, as for volumehaptics.touch().
+
+    The trace's points are the proxy (world units), a tick each, in one polyline; trace["Force"] is the force on
+    the hand (N), and vtkVolumeHapticsFilter lists the other arrays. Errors are those of volumehaptics.touch(),
+    and KeyError where there are no such scalars.
+
+    >>> from volumehaptics import examples
+    >>> from volumehaptics.pyvista import touch
+    >>> touch(examples.phantom(), examples.stroke(), "CT contrast")["Force"].shape[1]
+    3
+    """
+    if scalars is not None:
+        volume = pv.wrap(volume)
+        if scalars not in volume.point_data:
+            there = ", ".join(map(repr, volume.point_data.keys())) or "none"
+            raise KeyError(f"the volume has no point array {scalars!r}. There are: {there}")
+        settings["input_array_to_process"] = (0, 0, 0, 0, scalars)
+    if isinstance(volume, vtkImageData) and not volume.GetPointData().GetNumberOfArrays() and \
+            volume.GetCellData().GetNumberOfArrays():
+        raise ValueError("the volume has cell data only. Cure: volume.cell_data_to_point_data(), or "
+                         "volume.cells_to_points(), which copies nothing")
+    return pv.wrap(_touch(volume, tip, preset, **settings))
