@@ -1,15 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Touch a head with the mouse: press t with the pointer on it. touch_live.py [VOLUME] [--picture FILE]"""
-import sys
-
+"""A head to touch with the mouse."""
 import pyvista as pv
 from volumehaptics import examples
 from volumehaptics.pyvista import add_haptics
 
-head = pv.wrap(examples.phantom())
+head = pv.wrap(examples.phantom())  # or pv.read("head.nii.gz")
 plotter = pv.Plotter()
-skin = plotter.add_volume(head, clim=(-500, 1000), opacity=[0, 0.3, 0.6], cmap="copper", shade=True)
-add_haptics(plotter, skin, "CT contrast")
-plotter.camera_position = "xz"
-plotter.show()
+plotter.set_background("black", top="slategray")
+skin = plotter.add_volume(
+    head, clim=(-600, 1000), opacity=[0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1], cmap="copper",
+    shade=True, opacity_unit_distance=4, show_scalar_bar=False)
+skin.prop.interpolation_type = "linear"
+add_haptics(plotter, skin, "CT contrast", iso_value=-300)
+plotter.view_vector((1, -0.8, 0.35), (0, 0, 1))
+plotter.show()  # press t with the pointer on the head; the wheel presses, the mouse strokes

@@ -28,7 +28,7 @@ _touchable: weakref.WeakKeyDictionary[pv.Plotter, Haptics] = weakref.WeakKeyDict
 
 SIZE = 0.007  # of the proxy, as a share of the volume's diagonal
 ARROW = 0.05  # of a newton, likewise
-ATTENTION = 2.0  # s without the plotter's timer, after which force fades out
+ATTENTION = 10.0  # s without the plotter's timer, after which force fades out: no frame takes as long
 
 
 class Haptics:
@@ -76,6 +76,9 @@ class Haptics:
             _touchable.pop(plotter, None)
             if plotter.iren is not None and plotter.iren.style is self.style:
                 plotter.iren.style = self._style_before
+
+    def __del__(self) -> None:
+        self.close()
 
     def __enter__(self) -> Haptics:
         return self
@@ -173,7 +176,7 @@ def add_haptics(
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
-    vtkInteractorStyleHaptic for all keys. It fades out where the plotter's timer stands still for 2 s. Closing the
+    vtkInteractorStyleHaptic for all keys. It fades out where the plotter's timer stands still for 10 s. Closing the
     plotter stops everything. The plotter's camera keys and mouse remain, except for those that the style lists.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
@@ -204,7 +207,7 @@ def add_haptics(
     _start(haptics, device)
     length = image.GetLength()
     haptics.representation.SetRadius(SIZE * length)
-    haptics.representation.SetForceScale(1.0 / (ARROW * length))
+    haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
     haptics._attach(plotter)
     return haptics
 
@@ -235,6 +238,5 @@ def _start(haptics: Haptics, wanted: str | vtkHapticDevice) -> None:
     if device.GetAttentionTime() == 0.0:
         device.SetAttentionTime(ATTENTION)
     if not device.Start():
-        device.Close() if haptics._owns_device else device.Stop()
         raise ValueError("; ".join(errors))
     errors.end()

@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the scripts of the gallery share: options, ways over a head, the look of a picture, and showing it."""
+import argparse
+
+import numpy as np
+import pyvista as pv
+from matplotlib.colors import LinearSegmentedColormap
+from volumehaptics import examples
+
+# Of -600 to 1000 HU: skin, then what is soft, then bone.
+SKIN = LinearSegmentedColormap.from_list(
+    "skin", ["#d8997a", "#edb08f", "#e5a083", "#e0977d", "#e6b9a0", "#f5ebd8", "#faf2e4", "#ffffff"])
+OPACITY = [0.0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 0.98]
+COLOURS = ["#1f6fb4", "#e0701a", "#2a9d4f", "#b13a7c", "#6b57b8"]
+
+
+def options(about, volume=True):
+    """The head, where a script takes one, and where the picture goes: None shows it in a window."""
+    parser = argparse.ArgumentParser(description=about)
+    if volume:
+        parser.add_argument(
+            "volume", nargs="?", help="a CT in Hounsfield units that PyVista reads (default: the package's phantom)")
+    parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
+    chosen = parser.parse_args()
+    if not volume:
+        return chosen.picture
+    return pv.read(chosen.volume) if chosen.volume else pv.wrap(examples.phantom()), chosen.picture
+
+
+def over_skin(head, directions, depth, speed=80.0):
+    """The way of a tip (mm) below the skin, where rays from the middle of the head leave it, at a speed (mm/s).
+
+    depth: below the skin (mm), for each direction; negative is in the air.
+    """
+    skin = head.contour([-300.0])
+    middle = np.asarray(head.center)
+    ways = np.asarray(directions, float)
+    ways /= np.linalg.norm(ways, axis=1)[:, None]
+    ends = [skin.ray_trace(middle + head.length * way, middle, first_point=True)[0] for way in ways]
+    return at_speed(np.array(ends) - np.broadcast_to(depth, len(ways))[:, None] * ways, speed)
+
+
+def at_speed(points, speed):
+    """A smooth way through points (mm) with the array Time (s), at a speed (mm/s)."""
+    way = pv.Spline(np.asarray(points, float), 20 * len(points))
+    way["Time"] = way["arc_length"].astype(float) / speed
+    return way
+
+
+def strength(trace):
+    """How long the force is in each tick (N)."""
+    return np.linalg.norm(trace["Force"], axis=1)
+
+
+def make_plotter(picture, size=(1000, 750), shape=(1, 1)):
+    plotter = pv.Plotter(off_screen=picture is not None, shape=shape, window_size=size, border=False)
+    plotter.set_background("#12151b", top="#3c4758")
+    return plotter
+
+
+def add_head(plotter, head, opacity=OPACITY):
+    """Shows the head. This is what plotter.add_volume() returns."""
+    skin = plotter.add_volume(
+        head, clim=(-600, 1000), opacity=opacity, cmap=SKIN, shade=True, ambient=0.2, diffuse=0.85, specular=0.2,
+        opacity_unit_distance=4, show_scalar_bar=False)
+    skin.prop.interpolation_type = "linear"
+    return skin
+
+
+def add_trail(plotter, trace, largest=None, bar=True, width=9):
+    """The way of the proxy, coloured by the force on the hand, up to the largest (N)."""
+    trail = trace.copy()
+    trail["newtons"] = strength(trace)
+    where = {"title": "Force (N)", "vertical": True, "color": "white", "position_x": 0.87, "position_y": 0.22,
+             "height": 0.56, "width": 0.06, "n_labels": 6, "fmt": "%.1f", "title_font_size": 20,
+             "label_font_size": 17}
+    plotter.add_mesh(
+        trail, scalars="newtons", cmap="turbo", clim=(0, largest or trail["newtons"].max()), line_width=width,
+        render_lines_as_tubes=True, show_scalar_bar=bar, scalar_bar_args=where if bar else None)
+
+
+def add_title(plotter, text, colour="white"):
+    plotter.add_text(text, position=(0.018, 0.945), viewport=True, font_size=11, color=colour)
+
+
+def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
+    """A chart of curves, {label: (x, y)} or {label: (x, y, colour)}, that fills the active subplot."""
+    plotter.set_background("white", all_renderers=False)
+    chart = pv.Chart2D(size=(0.97, 0.95), loc=(0.0, 0.02), x_label=x_label, y_label=y_label)
+    chart.title = title
+    chart.border_color = "white"
+    for colour, (label, curve) in zip(COLOURS, curves.items()):
+        chart.line(curve[0], curve[1], color=curve[2] if len(curve) > 2 else colour, width=2.5, label=label)
+    lowest, highest = (limit([limit(curve[1]) for curve in curves.values()]) for limit in (np.nanmin, np.nanmax))
+    chart.y_range = (min(0.0, 1.3 * lowest), 1.3 * highest)  # room for the legend
+    for axis in (chart.x_axis, chart.y_axis):
+        axis.label_size, axis.tick_label_size = 17, 14
+    chart.GetTitleProperties().SetFontSize(19)
+    chart.legend_visible = len(curves) > 1
+    chart.GetLegend().SetLabelSize(15)
+    chart.GetLegend().SetHorizontalAlignment(("left", "center", "right").index(legend[0]))
+    chart.GetLegend().SetVerticalAlignment({"top": 3, "bottom": 4}[legend[1]])
+    plotter.add_chart(chart)
+    return chart
+
+
+def show(plotter, picture, direction=None, zoom=1.4):
+    """Looks from a direction, and shows the plotter, or writes the picture."""
+    if direction is not None:
+        plotter.view_vector(direction, (0, 0, 1))
+        plotter.camera.zoom(zoom)
+    plotter.show(screenshot=picture or False)

@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A live servo in a plotter, whose hand a program leads: tip, proxy, forces, and figures over the scene."""
+import time
+
+import gallery
+import numpy as np
+from volumehaptics.pyvista import add_haptics
+
+head, picture = gallery.options(__doc__)
+turn = np.linspace(0.4, 1.1, 60)
+way = gallery.over_skin(
+    head, np.column_stack([np.sin(turn), -np.cos(turn), 0.5 + 0 * turn]), 3.5 - 12.0 * ((1.1 - turn) / 0.7) ** 6, 25.0)
+
+plotter = gallery.make_plotter(picture)
+haptics = add_haptics(plotter, gallery.add_head(plotter, head), "CT contrast")
+for tissue, low, high in (("fat", -150, -20), ("muscle", -20, 90), ("bone", 300, 3000)):  # HU
+    haptics.head_up_display.AddTissue(tissue, low, high)
+plotter.view_vector((1, -0.8, 0.35), (0, 0, 1))
+plotter.camera.focal_point = way.points[-1] - (0, 0, 30)  # above the figures
+plotter.camera.zoom(1.6)
+plotter.show(interactive_update=True)
+
+haptics.device.PlaceVirtualTip(*way.points[0])
+haptics.device.Arm()
+start, strongest = time.monotonic(), 0.0
+while (now := time.monotonic() - start) < way["Time"][-1] and not haptics.closed:
+    haptics.device.SetVirtualTip([np.interp(now, way["Time"], way.points[:, axis]) for axis in range(3)])
+    haptics.update()
+    strongest = max(strongest, np.linalg.norm(haptics.device.GetForce()))
+    if picture:
+        time.sleep(0.01)
+    else:
+        plotter.update()
+print(f"strongest {strongest:.3f} N, {haptics.device.GetStatusText()}")
+plotter.render()
+if picture:
+    plotter.screenshot(picture)
+plotter.close()

@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One stroke, felt with each method: the paper's, the precise one, a force field, and two surfaces."""
+import gallery
+import numpy as np
+from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
+from volumehaptics.pyvista import touch
+
+head, picture = gallery.options(__doc__)
+turn = np.linspace(-0.9, 0.9, 60)
+tip = gallery.over_skin(
+    head, np.column_stack([np.sin(turn), -0.35 + 0 * turn, np.cos(turn)]), 3.0 - 15.0 * np.abs(turn / 0.9) ** 5)
+
+solid = vtkHapticProperty()  # what is solid begins at the skin, as for the methods that touch a surface
+for value, newtons in ((-350, 0.0), (-250, 50.0)):
+    solid.GetSurfaceStrength().AddPoint(value, newtons)
+names = vtkVolumeHapticsFilter.GetMethodNames()
+curves = {}
+for name in [names.GetValue(i) for i in range(names.GetNumberOfValues())]:
+    trace = touch(head, tip, property=solid, method_by_name=name, iso_value=-300.0, force_field_gain=1 / 450)
+    curves[name] = (trace["Time"], gallery.strength(trace))
+    print(f"{name}: strongest {gallery.strength(trace).max():.3f} N")
+    shown = trace if name == "proxy" else shown
+
+plotter = gallery.make_plotter(picture, size=(1300, 650), shape=(1, 2))
+gallery.add_head(plotter, head)
+gallery.add_trail(plotter, shown)
+gallery.add_title(plotter, "The stroke, as the proxy method feels it")
+plotter.view_vector((0.35, -1, 0.8), (0, 0, 1))
+plotter.camera.zoom(1.3)
+plotter.subplot(0, 1)
+gallery.add_chart(plotter, "The same stroke with each method", "Time (s)", "Force on the hand (N)", curves)
+gallery.show(plotter, picture)

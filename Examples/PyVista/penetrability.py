@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A needle is pressed into a cheek, to the bone: fat and muscle give way, each at a force of its own, and bone does not."""
+import gallery
+import numpy as np
+from volumehaptics.pyvista import touch
+
+STRENGTH = {"fat": 0.7, "muscle": 1.5}  # N, of the preset
+
+head, picture = gallery.options(__doc__)
+outwards = np.array([0.62, -0.62, -0.48])
+middle = np.asarray(head.center)
+skin = head.contour([-300.0]).ray_trace(middle + head.length * outwards, middle, first_point=True)[0]
+depth = np.linspace(-14, 26, 2001)  # mm
+trace = touch(head, skin - depth[:, None] * outwards, "CT contrast")
+force = gallery.strength(trace)
+print(f"strongest {force.max():.3f} N, at {depth[force.argmax()]:.2f} mm")
+
+plotter = gallery.make_plotter(picture, size=(1300, 650), shape=(1, 2))
+plotter.set_background("black", all_renderers=False)
+aside = np.cross((0, 0, 1), outwards)
+plotter.add_mesh(head.slice(aside, origin=skin), cmap="gray", clim=(-1000, 1500), show_scalar_bar=False, lighting=False)
+needle = trace.copy()
+needle.points = trace["Tip"] + 2.0 * aside  # before the slice
+gallery.add_trail(plotter, needle)
+gallery.add_title(plotter, "The way of the needle's tip, coloured by the force")
+plotter.view_vector(aside, (0, 0, 1))
+plotter.camera.focal_point = skin - 15 * outwards
+plotter.camera.zoom(2.0)
+plotter.subplot(0, 1)
+chart = gallery.add_chart(
+    plotter, "Tissues that give way, and their surface strengths", "Depth below the skin (mm)", "Force on the hand (N)",
+    {"force": (depth, force)})
+for (tissue, newtons), colour in zip(STRENGTH.items(), ("#c9a227", "#b1342b")):
+    chart.line([depth[0], depth[-1]], [newtons, newtons], color=colour, width=2, style="--", label=f"{tissue}, {newtons} N")
+chart.legend_visible = True
+gallery.show(plotter, picture)
