@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""add_haptics() of volumehaptics.pyvista: what is felt in a plotter, and what is stopped with it, off screen."""
+
+import gc
+
+import numpy as np
+import pytest
+import pyvista as pv
+from volumehaptics import vtkHapticDevice, vtkInteractorStyleHaptic
+from volumehaptics.pyvista import add_haptics
+
+
+def test_nothing_is_felt_before_the_user_touches(window, hands):
+    hand = hands()
+    device = hand.device
+    assert device.IsRunning() and device.GetDeviceId() == "virtual"
+    device.SetVirtualTip(0, 0, 15)  # in the ball
+    hand.wait(lambda: device.GetTick() > 100)
+    assert device.GetStatus() == vtkHapticDevice.READY and device.GetForce() == (0, 0, 0)
+
+
+def test_mouse_touches(window, hands):
+    hand = hands()
+    hand.push()
+    # Against the line of sight, from the ball to the camera.
+    sight = np.array(hand.plotter.camera.direction)
+    assert np.dot(hand.device.GetForce(), sight) < -0.1
+    assert 19 < np.linalg.norm(hand.device.GetProxyPosition()) < 25
+    hand.press("Escape")
+    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    assert not hand.haptics.style.GetTouchMode()
+
+
+@pytest.mark.parametrize("visibility, felt", ((True, False), (False, True)))
+def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
+    hand = hands(visibility=visibility)
+    hand.volume.prop.apply_lookup_table(pv.LookupTable(scalar_range=(-1, 1)))
+    hand.volume.prop.GetScalarOpacity().RemoveAllPoints()
+    hand.volume.prop.GetScalarOpacity().AddPoint(0, 0.0)
+    device, sight = hand.device, hand.plotter.camera.direction
+    for distance in (24, 15):
+        device.SetVirtualTip(*(-distance * x for x in sight))
+        hand.wait(lambda: np.linalg.norm(np.add(device.GetTipPosition(), distance * np.array(sight))) < 1e-6)
+        device.Arm()
+    tick = device.GetTick()
+    hand.wait(lambda: device.GetTick() > tick + 700)
+    assert (np.linalg.norm(device.GetForce()) > 0.5) == felt
+
+
+def test_closing_the_plotter_stops_everything(window, hands):
+    hand = hands()
+    hand.push()
+    hand.plotter.close()
+    assert hand.haptics.closed and not hand.device.IsRunning() and not hand.device.IsOpen()
+    hand.haptics.close()  # again
+
+
+def test_another_style_ends_the_touch(window, hands):
+    hand = hands()
+    hand.push()
+    hand.plotter.enable_trackball_style()
+    assert not hand.haptics.style.GetTouchMode() and not hand.haptics.closed
+    hand.wait(lambda: hand.device.GetStatus() == vtkHapticDevice.READY)
+    hand.plotter.iren.style = hand.haptics.style
+    hand.push()
+    hand.plotter.enable_trackball_style()
+    hand.plotter.close()
+    assert hand.haptics.closed and not hand.device.IsOpen()
+
+
+def test_close_gives_the_plotter_back(window, hands):
+    hand = hands()
+    assert isinstance(hand.plotter.iren.style, vtkInteractorStyleHaptic)
+    with hand.haptics as haptics:
+        assert hand.plotter.renderer.HasViewProp(haptics.representation)
+    assert not isinstance(hand.plotter.iren.style, vtkInteractorStyleHaptic) and hand.plotter.iren.style is not None
+    for prop in (haptics.representation, haptics.head_up_display):
+        assert not hand.plotter.renderer.HasViewProp(prop)
+    with add_haptics(hand.plotter) as again:  # finds the only volume
+        assert again.device.IsRunning()
+    assert not again.device.IsRunning()
+
+
+def test_garbage_stops_the_device(window):
+    plotter = pv.Plotter(off_screen=True)
+    grid = pv.ImageData(dimensions=(9, 9, 9))
+    grid["value"] = 100.0 * grid.points[:, 2]
+    device = add_haptics(plotter, plotter.add_volume(grid)).device
+    gc.collect()
+    assert device.IsRunning()  # the plotter keeps it
+    pv.plotting.plotter._ALL_PLOTTERS.clear()  # PyVista's own list of what is open
+    del plotter
+    gc.collect()
+    assert not device.IsRunning() and not device.IsOpen()
+
+
+def test_device_of_ones_own_stays_open(window, hands):
+    device = vtkHapticDevice()
+    assert device.Open("virtual")
+    device.SetAttentionTime(3.0)
+    hand = hands(device=device)
+    assert hand.device is device and device.GetAttentionTime() == 3.0
+    hand.plotter.close()
+    assert device.IsOpen() and not device.IsRunning()
+
+
+def test_screenshot_shows_the_hand(window, hands):
+    hand = hands()
+    hand.plotter.show(auto_close=False)
+    before = hand.plotter.screenshot()
+    hand.push()
+    hand.plotter.render()
+    after = hand.plotter.screenshot()
+    assert (before != after).any() and not hand.haptics.closed

@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests of what the package does with PyVista, in an environment that has both:
+
+    xvfb-run -a python -m pytest Testing/PyVista
+"""
+
+import os
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+pv = pytest.importorskip("pyvista", reason="needs PyVista: pip install pyvista")
+
+from volumehaptics import examples  # noqa: E402
+from volumehaptics.pyvista import add_haptics  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def pytest_collection_modifyitems(items):
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        for item in items:
+            if "window" in item.fixturenames:
+                item.add_marker(pytest.mark.skip(reason="needs a display, such as of xvfb-run -a"))
+
+
+class Hand:
+    """A window with a ball that can be touched, and a mouse and keys that are sent to it."""
+
+    def __init__(self, off_screen=True, **settings):
+        self.plotter = pv.Plotter(off_screen=off_screen, window_size=(200, 200))
+        grid = pv.ImageData(dimensions=(33, 33, 33), spacing=(2, 2, 2), origin=(-32, -32, -32))
+        distance = (grid.points.astype(float) ** 2).sum(axis=1) ** 0.5
+        grid["inside"] = 100.0 * (20.0 - distance)  # a ball of 20 mm
+        self.volume = self.plotter.add_volume(grid, clim=(-1, 1), opacity=[0, 0, 1, 1], show_scalar_bar=False)
+        self.haptics = add_haptics(self.plotter, self.volume, **settings)
+
+    @property
+    def device(self):
+        return self.haptics.device
+
+    def press(self, key):
+        interactor = self.plotter.iren.interactor
+        interactor.SetKeySym(key)
+        interactor.SetKeyCode(key if len(key) == 1 else "\0")
+        interactor.KeyPressEvent()
+        interactor.CharEvent()
+
+    def push(self, steps=4):
+        """Touches in the middle of the window, and presses."""
+        if not self.plotter.iren.initialized:
+            self.plotter.show(auto_close=False)  # from now on there are events
+        interactor = self.plotter.iren.interactor
+        interactor.SetEventInformation(100, 100, 0, 0)
+        self.press("t")
+        for _ in range(steps):
+            interactor.MouseWheelForwardEvent()
+        self.wait(lambda: sum(x * x for x in self.device.GetForce()) > 0.01)
+
+    def wait(self, holds):
+        """No test depends on how long it takes."""
+        end = time.monotonic() + 30.0
+        while not holds():
+            assert time.monotonic() < end, self.device.GetStatusText()
+            self.haptics.update()
+            time.sleep(0.002)
+
+
+@pytest.fixture
+def hands():
+    made = []
+
+    def make(**settings):
+        made.append(Hand(**settings))
+        return made[-1]
+
+    yield make
+    for hand in made:
+        hand.plotter.close()
+
+
+@pytest.fixture
+def window():
+    """For tests that render."""
+
+
+@pytest.fixture(scope="session")
+def head():
+    return pv.wrap(examples.phantom())
+
+
+@pytest.fixture(scope="session")
+def root():
+    return ROOT
