@@ -76,8 +76,10 @@ def add_trail(plotter, trace, largest=None, bar=True, width=9):
              "height": 0.56, "width": 0.06, "n_labels": 6, "fmt": "%.1f", "title_font_size": 20,
              "label_font_size": 17}
     plotter.add_mesh(
-        trail, scalars="newtons", cmap="turbo", clim=(0, largest or trail["newtons"].max()), line_width=width,
+        trail, scalars="newtons", cmap="turbo", clim=(0, largest or np.ceil(trail["newtons"].max())), line_width=width,
         render_lines_as_tubes=True, show_scalar_bar=bar, scalar_bar_args=where if bar else None)
+    if bar:
+        plotter.scalar_bars["Force (N)"].SetVerticalTitleSeparation(12)
 
 
 def add_title(plotter, text, colour="white"):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One stroke, felt with each method: the paper's, the precise one, a force field, and two surfaces."""
+"""One stroke, felt with each method. Those with a proxy look KernelRadius ahead, and so hold it that much earlier; the
+surface proxy is a sphere, and the local surface has no size."""
 import gallery
 import numpy as np
 from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A needle is pressed into a cheek, to the bone: fat and muscle give way, each at a force of its own, and bone does not."""
+"""A needle is pressed into a cheek: fat and muscle give way, each at a force of its own, and bone does not."""
 import gallery
 import numpy as np
 from volumehaptics.pyvista import touch
@@ -14,6 +14,7 @@ skin = head.contour([-300.0]).ray_trace(middle + head.length * outwards, middle,
 depth = np.linspace(-14, 26, 2001)  # mm
 trace = touch(head, skin - depth[:, None] * outwards, "CT contrast")
 force = gallery.strength(trace)
+print(f"fat holds {np.median(force[(depth > 1) & (depth < 7)]):.3f} N")
 print(f"strongest {force.max():.3f} N, at {depth[force.argmax()]:.2f} mm")
 
 plotter = gallery.make_plotter(picture, size=(1300, 650), shape=(1, 2))
@@ -32,6 +33,7 @@ chart = gallery.add_chart(
     plotter, "Tissues that give way, and their surface strengths", "Depth below the skin (mm)", "Force on the hand (N)",
     {"force": (depth, force)})
 for (tissue, newtons), colour in zip(STRENGTH.items(), ("#c9a227", "#b1342b")):
-    chart.line([depth[0], depth[-1]], [newtons, newtons], color=colour, width=2, style="--", label=f"{tissue}, {newtons} N")
+    ends, label = [depth[0], depth[-1]], f"{tissue}, {newtons} N"
+    chart.line(ends, [newtons, newtons], color=colour, width=2, style="--", label=label)
 chart.legend_visible = True
 gallery.show(plotter, picture)

@@ -9,7 +9,8 @@ from volumehaptics.pyvista import touch
 
 head, picture = gallery.options(__doc__)
 turn = np.linspace(0.2, 2.2, 90)
-tip = gallery.over_skin(head, np.column_stack([np.sin(turn), -np.cos(turn), 0.6 + 0 * turn]), 4.0 - 14.0 * np.abs((turn - 1.2)) ** 8)
+depth = 4.0 - 14.0 * (turn - 1.2) ** 8
+tip = gallery.over_skin(head, np.column_stack([np.sin(turn), -np.cos(turn), 0.6 + 0 * turn]), depth)
 
 crop = vtkHapticRegionFilter()
 crop.SetInputData(head)
@@ -20,8 +21,8 @@ region = pv.wrap(crop.GetOutput())
 
 whole, part = touch(head, tip, "CT contrast"), touch(region, tip, "CT contrast")
 same = (whole["Force"] == part["Force"]).all(axis=1)
-print(f"the same to the bit in {same.sum()} of {len(same)} ticks, with {100 * region.n_points / head.n_points:.0f} % of "
-      "the volume")
+share = 100 * region.n_points / head.n_points
+print(f"the same to the bit in {same.sum()} of {len(same)} ticks, with {share:.0f} % of the volume")
 
 plotter = gallery.make_plotter(picture, size=(1300, 650), shape=(1, 2))
 gallery.add_head(plotter, head)

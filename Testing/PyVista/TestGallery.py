@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The gallery's scripts: each writes a picture with something on it, and what it prints is right."""
+
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import pyvista as pv
+from matplotlib import image
+
+# Not what was printed once: friction and drag by their definition, the materials' own limits, and the springs' lengths.
+# A way that is 3 mm inside stretches a spring of 0.5 N/mm by 3 mm (local surface), by half a voxel of 3.75 mm more (the
+# sphere of the surface proxy), or by the 2 voxels more that the proxy looks ahead.
+SPRING = r"strongest (\S+) N"
+EXPECTED = {
+    "force_along_a_path": ([SPRING], lambda n: 1.0 < n[0] < 8.0),
+    "force_over_time": ([SPRING + r" after (\S+) s"], lambda n: 2.5 < n[0] < 10.0 and 0.2 < n[1] < 1.4),
+    "friction_and_viscosity": (
+        [r"friction \S+: (\S+) of (\S+) N"] * 3 + [r"viscosity \S+ N: (\S+) N"] * 3,
+        lambda n: np.allclose(n, (0.1, 3, 0.3, 3, 0.6, 3, 0.2, 0.5, 1.0), rtol=0.01)),
+    "live_stroke": ([SPRING + ", Active"], lambda n: 0.3 < n[0] <= 10.0),
+    "methods": (
+        [f"{name}: {SPRING}" for name in ("proxy", "paper", "force-field", "surface-proxy", "local-surface")],
+        lambda n: n[2] > 0 and np.allclose(np.delete(n, 2), np.multiply(0.5, (10.5, 10.5, 4.875, 3.0)), rtol=0.08)),
+    "numpy_gyroid": ([SPRING], lambda n: abs(n[0] - 0.5 * (3.5 + 4 / 3)) < 0.15),
+    "penetrability": (
+        [r"fat holds (\S+) N", SPRING + r", at (\S+) mm"],
+        lambda n: abs(n[0] - 0.7) < 0.02 and n[1] > 2.5 and n[2] == 26),
+    "presets": (
+        [rf"{name}: {SPRING}" for name in ("CT contrast", "CT physical", "own functions")],
+        lambda n: n[1] < 1.0 and n[0] > 4.0 and abs(n[2] - 0.3 * 12.5) < 0.2),
+    "record_and_replay": ([r"(\d+) ticks, largest difference (\S+) N"], lambda n: n[0] > 500 and n[1] == 0.0),
+    "region": (
+        [r"the same to the bit in (\d+) of (\d+) ticks, with (\d+) % of the volume"],
+        lambda n: 0.5 * n[1] < n[0] < n[1] and n[2] < 25),
+    "visibility": (
+        [rf"{what} is seen, and felt: from (\S+) s on, values from (\S+) HU" for what in ("Skin", "Bone alone")],
+        # Opacity begins 4/7 of the way from -600 to 1000 HU.
+        lambda n: n[0] < n[2] and n[1] < 0 and 314 <= n[3] < 330),
+}
+
+
+def test_gallery_is_complete(root):
+    folder = root / "Examples" / "PyVista"
+    scripts = {script.stem for script in folder.glob("*.py")} - {"gallery", "touch_live"}
+    assert scripts == set(EXPECTED)
+    listed = re.findall(r"^\| \[(\w+)\.py\]\(\1\.py\) \|", (folder / "README.md").read_text(encoding="utf-8"), re.M)
+    assert set(listed) == scripts | {"touch_live"}
+
+
+@pytest.mark.parametrize("name", EXPECTED)
+def test_script(window, root, tmp_path, name):
+    picture = tmp_path / "picture.png"
+    done = subprocess.run(
+        [sys.executable, "-B", "-W", "error::pyvista.PyVistaDeprecationWarning",
+         str(root / "Examples" / "PyVista" / f"{name}.py"), "--picture", str(picture)],
+        capture_output=True, text=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    patterns, are_right = EXPECTED[name]
+    found = [re.search(pattern, line) for pattern, line in zip(patterns, done.stdout.splitlines())]
+    assert len(found) == len(patterns) and all(found), done.stdout
+    numbers = [float(number) for match in found for number in match.groups()]
+    assert are_right(numbers), numbers
+
+    pixels = image.imread(picture)[..., :3]
+    height, width = pixels.shape[:2]
+    assert height >= 600 and width >= 900
+    # Something with colours, on a background.
+    colourful = np.ptp(pixels, axis=2) > 0.25
+    assert 0.001 < colourful.mean() < 0.9 and np.unique((pixels * 15).astype(int).reshape(-1, 3), axis=0).shape[0] > 30
+
+
+def test_own_volume_is_touched(window, root, tmp_path, head):
+    # A smaller head: the script's way is over whatever skin there is.
+    smaller = head.copy()
+    smaller.spacing = [0.8 * size for size in head.spacing]
+    smaller.origin = [0.8 * start for start in head.origin]
+    smaller.save(tmp_path / "head.vti")
+    done = subprocess.run(
+        [sys.executable, "-B", str(root / "Examples" / "PyVista" / "force_along_a_path.py"), str(tmp_path / "head.vti"),
+         "--picture", str(tmp_path / "picture.png")], capture_output=True, text=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    assert 0.5 < float(re.fullmatch(SPRING + "\n", done.stdout)[1]) < 10.0
+    assert isinstance(pv.read(tmp_path / "picture.png"), pv.ImageData)
