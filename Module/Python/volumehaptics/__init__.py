@@ -10,8 +10,8 @@ In one call, of images and polydata or of NumPy arrays:
     trace = volumehaptics.touch(volume, tip, preset="CT contrast", kernel_radius=3)
 
 touch() is what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
-volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. volumehaptics.examples has a head to
-try them on, and
+volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. volumehaptics.pyvista does the same with
+PyVista's data, and makes its plotters touchable. volumehaptics.examples has a head to try them on, and
 
     python -m volumehaptics --demo
 
