@@ -30,7 +30,7 @@ source "$root/CMake/install-packages.sh"
 source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev \
-  libumockdev-dev umockdev
+  libumockdev-dev umockdev python3-pytest
 
 jobs=$(nproc)
 # Without a display, or with somebody's: tests always render off to the side. A live servo cuts the force off, as it
@@ -75,6 +75,21 @@ test_paraview()
   cmake --build "$plugin_dir" -j "$jobs"
   run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
+}
+
+# The wheel beside VTK's own, whose traces are compared with those of the build in $build_dir.
+test_wheel()
+{
+  local folder status=0
+  folder=$(dirname "$build_dir")/wheel
+  echo "== The wheel in $folder"
+  CXXFLAGS="-Wall -Wextra -Werror" "$root/CMake/wheel/build.sh" "$folder" /usr/bin/python3 || status=$?
+  if [ $status -eq 3 ]; then
+    echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it was not tested !!!!" >&2
+    return 0
+  fi
+  [ $status -eq 0 ] || return $status
+  with_own_screen "$root/Testing/Wheel/test.sh" "$folder" "$build_dir" /usr/bin/python3
 }
 
 echo "== Building in $build_dir"
@@ -122,6 +137,7 @@ if [ $full = yes ]; then
 fi
 
 test_paraview
+test_wheel
 
 echo "== Tests"
 run_tests "$build_dir"
