@@ -71,7 +71,7 @@ test_paraview()
   paraview=$(echo "$prefix"/usr/lib/*/cmake/paraview-*)
   PATH=$prefix/usr/bin:$PATH PYTHONPATH=$prefix/usr/lib/python3/dist-packages \
     cmake -S "$root" -B "$plugin_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_PARAVIEW_PLUGIN=ON \
-    -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
+    "${at_once[@]}" -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
   cmake --build "$plugin_dir" -j "$jobs"
   run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
@@ -96,9 +96,12 @@ echo "== Building in $build_dir"
 cmake -S "$root" -B "$build_dir" -G Ninja "${linker[@]}" -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
 cmake --build "$build_dir" -j "$jobs"
 
+# The module's own sources compile in half the time as a few large ones. That each stands alone shows in $build_dir.
+at_once=(-DCMAKE_UNITY_BUILD=ON)
+
 # Line numbers are all that the sanitizers' reports need of the debug information, and optimising most of the compiler's
 # time; what is tested stays fast enough with some.
-sanitizer_options=("${linker[@]}" -DBUILD_TESTING=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+sanitizer_options=("${linker[@]}" "${at_once[@]}" -DBUILD_TESTING=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1 -DNDEBUG" -DVolumeHaptics_WRAP_PYTHON=OFF)
 echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
 cmake -S "$root" -B "$build_dir-sanitize" -G Ninja "${sanitizer_options[@]}" \
