@@ -52,6 +52,8 @@ def test_carries_the_libraries_of_devices():
 
     carried = {path.name.split("-")[0] for path in SITE.glob("volumehaptics.libs/*")}
     assert {"libusb", "libhidapi"} <= carried, carried
+    notices = " ".join(path.name for path in PACKAGE.glob("licenses/*.txt"))
+    assert all(library in notices for library in carried), (carried, notices)
     device = vtkHapticDevice()
     device.AddObserver("ErrorEvent", lambda *_: None)
     for name in ("falcon", "wooden"):
