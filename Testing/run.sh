@@ -61,7 +61,8 @@ test_paraview()
   prefix=$plugin_dir-prefix
   echo "== ParaView's plugin in $plugin_dir"
   if ! require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
-    qtbase5-dev qttools5-dev libqt5svg5-dev ||
+    libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev \
+    qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev ||
     ! "$root/Plugin/paraview-prefix.sh" "$prefix"; then
     echo "!!!! SKIPPED: ParaView could not be installed, so its plugin was neither built nor tested !!!!" >&2
     return 0
