@@ -30,7 +30,7 @@ source "$root/CMake/install-packages.sh"
 source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev \
-  libumockdev-dev umockdev
+  libumockdev-dev umockdev python3-pytest
 
 jobs=$(nproc)
 # Without a display, or with somebody's: tests always render off to the side. A live servo cuts the force off, as it
@@ -61,7 +61,8 @@ test_paraview()
   prefix=$plugin_dir-prefix
   echo "== ParaView's plugin in $plugin_dir"
   if ! require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
-    qtbase5-dev qttools5-dev libqt5svg5-dev ||
+    libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev \
+    qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev ||
     ! "$root/Plugin/paraview-prefix.sh" "$prefix"; then
     echo "!!!! SKIPPED: ParaView could not be installed, so its plugin was neither built nor tested !!!!" >&2
     return 0
@@ -71,19 +72,39 @@ test_paraview()
   paraview=$(echo "$prefix"/usr/lib/*/cmake/paraview-*)
   PATH=$prefix/usr/bin:$PATH PYTHONPATH=$prefix/usr/lib/python3/dist-packages \
     cmake -S "$root" -B "$plugin_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_PARAVIEW_PLUGIN=ON \
-    -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
+    "${at_once[@]}" -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
   cmake --build "$plugin_dir" -j "$jobs"
   run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
+}
+
+# The wheel beside VTK's own, whose traces are compared with those of the build in $build_dir.
+test_wheel()
+{
+  local folder status=0
+  folder=$(dirname "$build_dir")/wheel
+  echo "== The wheel in $folder"
+  # What is unnamed in one file looks like a header's where several are compiled at once.
+  CXXFLAGS="-Wall -Wextra -Werror -Wno-subobject-linkage" \
+    "$root/CMake/wheel/build.sh" "$folder" /usr/bin/python3 || status=$?
+  if [ $status -eq 3 ]; then
+    echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it was not tested !!!!" >&2
+    return 0
+  fi
+  [ $status -eq 0 ] || return $status
+  with_own_screen "$root/Testing/Wheel/test.sh" "$folder" "$build_dir" /usr/bin/python3
 }
 
 echo "== Building in $build_dir"
 cmake -S "$root" -B "$build_dir" -G Ninja "${linker[@]}" -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
 cmake --build "$build_dir" -j "$jobs"
 
+# The module's own sources compile in half the time as a few large ones. That each stands alone shows in $build_dir.
+at_once=(-DCMAKE_UNITY_BUILD=ON)
+
 # Line numbers are all that the sanitizers' reports need of the debug information, and optimising most of the compiler's
 # time; what is tested stays fast enough with some.
-sanitizer_options=("${linker[@]}" -DBUILD_TESTING=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
+sanitizer_options=("${linker[@]}" "${at_once[@]}" -DBUILD_TESTING=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1 -DNDEBUG" -DVolumeHaptics_WRAP_PYTHON=OFF)
 echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
 cmake -S "$root" -B "$build_dir-sanitize" -G Ninja "${sanitizer_options[@]}" \
@@ -122,6 +143,7 @@ if [ $full = yes ]; then
 fi
 
 test_paraview
+test_wheel
 
 echo "== Tests"
 run_tests "$build_dir"

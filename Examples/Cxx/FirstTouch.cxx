@@ -10,6 +10,8 @@
 #include <vtkVolumeHapticsFilter.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <iostream>
+
 int main(int, char* argv[])
 {
   vtkNew<vtkXMLImageDataReader> head;
@@ -23,5 +25,5 @@ int main(int, char* argv[])
   touch->SetPathConnection(path->GetOutputPort());
   touch->GetProperty()->ApplyPreset("CT contrast");
   touch->Update();
-  cout << touch->GetOutput()->GetPointData()->GetArray("Force")->GetMaxNorm() << " N\n";
+  std::cout << touch->GetOutput()->GetPointData()->GetArray("Force")->GetMaxNorm() << " N\n";
 }

@@ -14,6 +14,9 @@ namespace VolumeHaptics
 namespace ServoClock
 {
 
+constexpr double SecondsPerNanosecond = 1e-9;
+constexpr std::int64_t Millisecond = 1000000; ///< ns
+
 /** Monotonic time in ns. */
 std::int64_t Now() noexcept;
 /** Sleeps until a time of Now(); returns at once where that has passed. */

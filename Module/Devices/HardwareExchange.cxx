@@ -18,7 +18,6 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double SecondsPerNanosecond = 1e-9;
 /** ns; the clocks themselves differ by less. */
 constexpr std::int64_t ShortestSleep = 50000000;
 
@@ -222,7 +221,8 @@ Vector3 HardwareExchange::GetForce() noexcept
   this->Forces.Update();
   const TimedForce& latest = this->Forces.Read();
   const double age =
-    static_cast<double>(ServoClock::Now() - latest.Time) * SecondsPerNanosecond - WatchdogTime;
+    static_cast<double>(ServoClock::Now() - latest.Time) * ServoClock::SecondsPerNanosecond -
+    WatchdogTime;
   const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;
   const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
   // A force from before it was homed was meant for another place.

@@ -35,7 +35,7 @@ const Curve Curves[] = { { "normal", { 80, 165, 255 }, 1.8f },
   { "whole", { 165, 170, 178 }, 3.5f } };
 const int DrawingOrder[] = { 3, 0, 1, 2 };
 
-void SetFont(vtkTextProperty* text, int size)
+void SetLightFont(vtkTextProperty* text, int size)
 {
   text->SetFontSize(size);
   text->SetColor(0.90, 0.92, 0.95);
@@ -48,8 +48,8 @@ void SetAxis(vtkAxis* axis, const char* title)
   axis->SetTitle(title);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetNotation(vtkAxis::STANDARD_NOTATION);
-  SetFont(axis->GetTitleProperties(), 11);
-  SetFont(axis->GetLabelProperties(), 10);
+  SetLightFont(axis->GetTitleProperties(), 11);
+  SetLightFont(axis->GetLabelProperties(), 10);
   axis->GetPen()->SetColor(170, 176, 186);
   axis->GetGridPen()->SetColor(70, 76, 86);
 }
@@ -118,12 +118,12 @@ void HapticForceChart::Build()
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Chart->SetAutoSize(false);
   this->Chart->SetShowLegend(true);
-  SetFont(this->Chart->GetTitleProperties(), 12);
+  SetLightFont(this->Chart->GetTitleProperties(), 12);
   SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)");
   SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)");
   this->Chart->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(false);
   vtkChartLegend* const legend = this->Chart->GetLegend();
-  SetFont(legend->GetLabelProperties(), 10);
+  SetLightFont(legend->GetLabelProperties(), 10);
   legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
   legend->SetVerticalAlignment(vtkChartLegend::TOP);
   legend->GetPen()->SetOpacity(0);

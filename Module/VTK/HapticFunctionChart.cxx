@@ -27,7 +27,7 @@ namespace
 
 constexpr int RightBottom = 1; // vtkChartXY's number for the axes of a plot
 
-void SetFont(vtkTextProperty* text, int size)
+void SetDarkFont(vtkTextProperty* text, int size)
 {
   text->SetFontSize(size);
   text->SetColor(0.12, 0.13, 0.15);
@@ -116,11 +116,11 @@ void HapticFunctionChart::Place(const int rectangle[4])
   this->Panel->SetDimensions(area[0], area[1], area[2], area[3]);
   this->Chart->SetSize(area);
   const int font = std::clamp(rectangle[3] / 18, 8, 16);
-  SetFont(this->Chart->GetTitleProperties(), font + 2);
+  SetDarkFont(this->Chart->GetTitleProperties(), font + 2);
   for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM })
   {
-    SetFont(this->Chart->GetAxis(side)->GetTitleProperties(), font);
-    SetFont(this->Chart->GetAxis(side)->GetLabelProperties(), font);
+    SetDarkFont(this->Chart->GetAxis(side)->GetTitleProperties(), font);
+    SetDarkFont(this->Chart->GetAxis(side)->GetLabelProperties(), font);
   }
 }
 

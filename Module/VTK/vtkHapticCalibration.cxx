@@ -18,13 +18,13 @@ vtkStandardNewMacro(vtkHapticCalibration);
 namespace
 {
 
-using Place = double[3];
+using Coordinates = double[3];
 
 /** What is wrong with the points of one space: nothing, where they span a triangle. */
 std::string FindFlaw(vtkPoints* points, const std::string& space)
 {
-  Place a, b, c;
-  Place ends[2] = {};
+  Coordinates a, b, c;
+  Coordinates ends[2] = {};
   double longest2 = 0.0;
   double size2 = 0.0;
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
@@ -130,7 +130,7 @@ bool vtkHapticCalibration::Compute()
   const double scale = fixed ? this->FixedScale : 1.0;
   vtkNew<vtkPoints> source;
   source->SetDataTypeToDouble();
-  Place x;
+  Coordinates x;
   for (int i = 0; i < count; ++i)
   {
     this->DevicePoints->GetPoint(i, x);

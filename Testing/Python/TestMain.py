@@ -49,7 +49,7 @@ def test_without_arguments_it_says_how(fake):
 def test_without_explorer_it_says_what_helps():
     result = run("-c", WITH_FAKE, "", "head.vti")
     assert result.returncode == 2 and result.stdout == ""
-    assert "Examples/explore.sh" in result.stderr and "pip install" in result.stderr
+    assert "Examples/explore.sh" in result.stderr and "CMake/wheel/build.sh" in result.stderr
     assert run("-c", WITH_FAKE, "", "--help").returncode == 0
 
 

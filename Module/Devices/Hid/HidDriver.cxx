@@ -15,8 +15,6 @@ namespace
 
 constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
 constexpr int LostPause = 10; // ms
-/** What the kernel keeps for a reader. */
-constexpr int LongestQueue = 64;
 
 } // namespace
 

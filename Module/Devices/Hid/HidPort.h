@@ -22,6 +22,9 @@
 namespace VolumeHaptics
 {
 
+/** The packets that the kernel keeps for a reader. */
+constexpr int LongestQueue = 64;
+
 /** An interface of a HID device that is plugged in. */
 struct HidPlace
 {

@@ -16,8 +16,6 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double SecondsPerNanosecond = 1e-9;
-constexpr int LongestQueue = 64;
 /** That many repeated packets are no chance: the stick reports at its own rate. */
 constexpr int RepeatsOfStream = 20;
 
@@ -244,7 +242,7 @@ void PidDriver::TellPlace(HardwareExchange& exchange)
 void PidDriver::SendForces(HardwareExchange& exchange)
 {
   const std::int64_t now = ServoClock::Now();
-  double elapsed = static_cast<double>(now - this->LastRound) * SecondsPerNanosecond;
+  double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
   this->LastRound = now;
   const Vector3 force = exchange.GetForce();
   const std::array<double, 2> alongAxes{ force.X, -force.Y };

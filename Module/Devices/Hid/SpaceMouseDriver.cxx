@@ -11,10 +11,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double SecondsPerNanosecond = 1e-9;
 /** s: the tip does not leap where the thread was held up. */
 constexpr double LongestRound = 0.02;
-constexpr int LongestQueue = 64;
 constexpr std::uint8_t LightReport = 4;
 constexpr std::uint8_t ButtonReport = 3;
 /** Multi-axis controller and joystick, both of which these devices call themselves; not their keyboards. */
@@ -132,10 +130,10 @@ void SpaceMouseDriver::Listen(HardwareExchange& exchange)
 void SpaceMouseDriver::Move(HardwareExchange& exchange)
 {
   const std::int64_t now = ServoClock::Now();
-  const double elapsed =
-    std::min(static_cast<double>(now - this->LastRound) * SecondsPerNanosecond, LongestRound);
+  const double elapsed = std::min(
+    static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond, LongestRound);
   this->LastRound = now;
-  if (static_cast<double>(now - this->LastMotion) * SecondsPerNanosecond > HoldTime)
+  if (static_cast<double>(now - this->LastMotion) * ServoClock::SecondsPerNanosecond > HoldTime)
   {
     this->State.Axes = {};
   }

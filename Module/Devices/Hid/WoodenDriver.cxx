@@ -20,12 +20,10 @@ constexpr std::uint16_t TeensyProduct = 0x0486;
 /** The board's second interface carries its log, under the same name. */
 constexpr std::uint16_t LogPage = 0xFFC9;
 
-constexpr double SecondsPerNanosecond = 1e-9;
 /** ns, between currents where no packet comes. */
 constexpr std::int64_t SendPeriod = 2000000;
 /** s, after which nobody has watched the hand: what the kernel kept may not be all that was sent. */
 constexpr double LateRound = 0.03;
-constexpr int LongestQueue = 64;
 
 constexpr const char* AskForRest =
   "has to be told where its arm is: put the arm into its rest pose, hold it still, and press "
@@ -46,7 +44,7 @@ Vector3 ToArm(const Vector3& device)
 
 double Since(std::int64_t time)
 {
-  return static_cast<double>(ServoClock::Now() - time) * SecondsPerNanosecond;
+  return static_cast<double>(ServoClock::Now() - time) * ServoClock::SecondsPerNanosecond;
 }
 
 } // namespace

@@ -18,7 +18,6 @@ namespace
 /** Packets, 50 ms each, after which a device that says nothing has no firmware. */
 constexpr int ProbePackets = 5;
 constexpr std::int64_t QuietTime = 20000000; // ns
-constexpr double SecondsPerNanosecond = 1e-9;
 
 const char* const GoneText =
   "The device was unplugged. Plug it in, then Close(), Open(), Start() and Arm() it again.";
@@ -146,7 +145,7 @@ FalconDriver::End FalconDriver::Talk(HardwareExchange& exchange)
     if (rounds.HasReport() || rounds.HasMissed())
     {
       const std::int64_t now = ServoClock::Now();
-      const double elapsed = static_cast<double>(now - last) * SecondsPerNanosecond;
+      const double elapsed = static_cast<double>(now - last) * ServoClock::SecondsPerNanosecond;
       last = now;
       rounds.HasReport() ? pilot.Take(rounds.GetReport(), elapsed)
                          : pilot.Miss(elapsed, rounds.GetGarbage());

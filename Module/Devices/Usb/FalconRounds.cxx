@@ -13,9 +13,8 @@ namespace
 {
 
 // ns
-constexpr std::int64_t Millisecond = 1000000;
-constexpr std::int64_t LastPacketTime = 100 * Millisecond;
-constexpr std::int64_t CancelTime = 500 * Millisecond;
+constexpr std::int64_t LastPacketTime = 100 * ServoClock::Millisecond;
+constexpr std::int64_t CancelTime = 500 * ServoClock::Millisecond;
 
 } // namespace
 
@@ -158,7 +157,7 @@ void FalconRounds::WaitWhile(F&& holds, std::int64_t time) noexcept
   const std::int64_t end = ServoClock::Now() + time;
   while (holds() && this->TroubleSoFar != UsbOutcome::Gone && ServoClock::Now() < end)
   {
-    this->Events.WaitForTransfers(Millisecond);
+    this->Events.WaitForTransfers(ServoClock::Millisecond);
   }
 }
 
@@ -183,7 +182,7 @@ void FalconRounds::Finish() noexcept
   const std::int64_t end = ServoClock::Now() + CancelTime;
   while (this->Flight->AreFlying() && ServoClock::Now() < end)
   {
-    this->Events.WaitForTransfers(Millisecond);
+    this->Events.WaitForTransfers(ServoClock::Millisecond);
   }
 }
 

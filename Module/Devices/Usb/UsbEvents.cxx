@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UsbEvents.h"
 
+#include "ServoClock.h"
+
 #include <algorithm>
 
 namespace VolumeHaptics
 {
 namespace
 {
-constexpr std::int64_t Microsecond = 1000;    // ns
-constexpr std::int64_t Millisecond = 1000000; // ns
+constexpr std::int64_t Microsecond = 1000; // ns
 } // namespace
 
 UsbEvents::UsbEvents(UsbInterface& usb, HardwareExchange& exchange)
@@ -45,7 +46,8 @@ bool UsbEvents::Wait(std::int64_t time) noexcept
 #if defined(__linux__)
   if (!this->Watched.empty())
   {
-    const auto milliseconds = static_cast<int>((time + Millisecond - 1) / Millisecond);
+    const auto milliseconds =
+      static_cast<int>((time + ServoClock::Millisecond - 1) / ServoClock::Millisecond);
     const auto isReady = [](const pollfd& watched) { return watched.revents != 0; };
     if (poll(this->Watched.data(), this->Watched.size(), milliseconds) <= 0)
     {
@@ -63,7 +65,7 @@ bool UsbEvents::Wait(std::int64_t time) noexcept
     return true;
   }
 #endif
-  this->WaitForTransfers(std::min(time, Millisecond));
+  this->WaitForTransfers(std::min(time, ServoClock::Millisecond));
   return true;
 }
 

@@ -20,7 +20,7 @@ from pathlib import Path
 
 PROGRAM = "volumehaptics-explore" + (".exe" if os.name == "nt" else "")
 CURE = f"""python -m volumehaptics: there is no {PROGRAM}, neither in the package nor on PATH.
-  Cure: pip install volumehaptics brings it along; in the sources, Examples/explore.sh builds it.
+  Cure: the wheel brings it along (CMake/wheel/build.sh); in the sources, Examples/explore.sh builds it, too.
 """
 
 

@@ -76,8 +76,8 @@ def touch(
         vtkHapticProperty of one's own. A tuple is several arguments.
 
     The trace has a point for each tick, at the proxy (world units), and point arrays such as "Force" (N, on the
-    hand): see vtkVolumeHapticsFilter. arrays.arrays(trace) has them as NumPy arrays, and with VTK 9.4 or later
-    trace.point_data["Force"] is one, too.
+    hand): see vtkVolumeHapticsFilter. arrays.arrays(trace) has them as NumPy arrays; so have trace.point_data["Force"]
+    with VTK 9.4 or later, and, where PyVista is imported, which does without that, pyvista.wrap(trace)["Force"].
 
     TypeError: a setting that there is not, or data of another kind. ValueError: data, a preset or a value that
     can't be touched; the text says why, and what helps. RuntimeError: the pipeline failed.

@@ -78,7 +78,7 @@ def stroke(depth: float = 3.0, length: float = 24.0, speed: float = 80.0, cleara
     errors = Errors(source)
     quiet = Errors(source.GetExecutive())
     source.SetShapeToPressAndSlide()
-    source.SetBoxBounds(-length / 2, length / 2, 0.0, 0.0, crown - depth, crown)
+    source.SetBoxBounds(-length / 2, length / 2, 0.0, 0.0, crown, crown)  # the face that it presses on
     source.SetDepth(depth)
     source.SetClearance(clearance)
     source.SetSpeed(speed)

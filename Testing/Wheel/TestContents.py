@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the installed wheel holds: everything it needs besides VTK's wheel, and no place of the machine that built it."""
+
+import importlib.metadata
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SITE = Path(os.environ["VOLUMEHAPTICS_BUILD"])
+PACKAGE = SITE / "volumehaptics"
+# What every Linux with Python and OpenGL has.
+SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libdl|libgcc_s|libm|libpthread|librt|libstdc\+\+)\.so\.\d+")
+
+
+def binaries():
+    return [path for path in [*SITE.glob("volumehaptics*/*.so*"), *PACKAGE.glob("bin/*")] if path.is_file()]
+
+
+def dynamic(path):
+    """(needed libraries, where they are looked for) of a program or library."""
+    text = subprocess.run(["readelf", "-d", path], check=True, capture_output=True, text=True).stdout
+    needed = re.findall(r"\(NEEDED\).*\[(.*)\]", text)
+    places = re.findall(r"\((?:RUNPATH|RPATH)\).*\[(.*)\]", text)
+    return needed, places[0].split(":") if places else []
+
+
+def test_has_what_is_promised():
+    names = {path.name for path in binaries()}
+    assert {"libvtkVolumeHaptics.so", "volumehaptics-device", "volumehaptics-explore"} <= names
+    for name in ("__main__.py", "data/HeadPhantom.vti", "py.typed", "udev/70-volume-haptics.rules", "vtkVolumeHaptics.pyi"):
+        assert (PACKAGE / name).is_file(), name
+    assert any("license" in str(file).lower() for file in importlib.metadata.files("volumehaptics"))
+
+
+@pytest.mark.parametrize("path", binaries(), ids=lambda path: path.name)
+def test_finds_all_libraries_beside_it(path):
+    needed, places = dynamic(path)
+    assert all(place.startswith("$ORIGIN") for place in places), places
+    for library in needed:
+        found = any((Path(place.replace("$ORIGIN", str(path.parent))) / library).exists() for place in places)
+        assert found or SYSTEM.fullmatch(library), f"{path.name} needs {library}"
+
+
+def test_carries_the_libraries_of_devices():
+    """The kinds of devices that need libusb and hidapi are there, and say what is wrong where none is plugged in."""
+    from volumehaptics import vtkHapticDevice
+
+    carried = {path.name.split("-")[0] for path in SITE.glob("volumehaptics.libs/*")}
+    assert {"libusb", "libhidapi"} <= carried, carried
+    notices = " ".join(path.name for path in PACKAGE.glob("licenses/*.txt"))
+    assert all(library in notices for library in carried), (carried, notices)
+    device = vtkHapticDevice()
+    device.AddObserver("ErrorEvent", lambda *_: None)
+    for name in ("falcon", "wooden"):
+        assert not device.Open(name)
+        assert "built without" not in device.GetStatusText(), device.GetStatusText()
+
+
+def test_names_no_place_of_the_machine_that_built_it():
+    for path in binaries():
+        assert b"pip-build-env" not in path.read_bytes(), path
+
+
+def test_requires_its_own_vtk():
+    from vtkmodules.vtkCommonCore import vtkVersion
+
+    requirements = importlib.metadata.requires("volumehaptics")
+    assert f"vtk=={vtkVersion.GetVTKVersion()}" in [text.replace(" ", "") for text in requirements]
+
+
+def test_programs_run():
+    for program, word in (("volumehaptics-explore", "--preset"), ("volumehaptics-device", "monitor")):
+        run = subprocess.run([PACKAGE / "bin" / program, "--help"], capture_output=True, text=True, check=False, cwd="/")
+        assert word in run.stdout + run.stderr, (program, run)
+    run = subprocess.run([sys.executable, "-m", "volumehaptics"], capture_output=True, text=True, check=False, cwd="/")
+    assert run.returncode == 2 and "Usage" in run.stderr
