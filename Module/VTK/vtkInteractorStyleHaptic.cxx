@@ -150,9 +150,11 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
 //------------------------------------------------------------------------------
 vtkRenderer* vtkInteractorStyleHaptic::GetHapticRenderer()
 {
-  if (this->CurrentRenderer || !this->Interactor || !this->Interactor->GetRenderWindow())
+  // There is no current one before the first button.
+  vtkRenderer* const chosen = this->CurrentRenderer ? this->CurrentRenderer : this->DefaultRenderer;
+  if (chosen || !this->Interactor || !this->Interactor->GetRenderWindow())
   {
-    return this->CurrentRenderer;
+    return chosen;
   }
   return this->Interactor->GetRenderWindow()->GetRenderers()->GetFirstRenderer();
 }

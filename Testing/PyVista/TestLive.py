@@ -62,7 +62,7 @@ def end_with(hand, key):
 
     def states(*_):
         if not felt and not style.GetTouchMode():
-            interactor.SetEventInformation(100, 100, 0, 0)
+            interactor.SetEventInformation(*hand.pointer, 0, 0)
             hand.press("t")
             for _ in range(4):
                 interactor.MouseWheelForwardEvent()

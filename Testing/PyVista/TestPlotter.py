@@ -20,10 +20,11 @@ def test_nothing_is_felt_before_the_user_touches(window, hands):
     assert device.GetStatus() == vtkHapticDevice.READY and device.GetForce() == (0, 0, 0)
 
 
-def test_mouse_touches(window, hands):
-    hand = hands()
+@pytest.mark.parametrize("columns", (1, 2))
+def test_mouse_touches(window, hands, columns):
+    hand = hands(columns=columns)
     hand.push()
-    # Against the line of sight, from the ball to the camera.
+    # The hand is pushed back, against the line of sight.
     sight = np.array(hand.plotter.camera.direction)
     assert np.dot(hand.device.GetForce(), sight) < -0.1
     assert 19 < np.linalg.norm(hand.device.GetProxyPosition()) < 25

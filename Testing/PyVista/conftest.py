@@ -30,8 +30,10 @@ def pytest_collection_modifyitems(items):
 class Hand:
     """A window with a ball that can be touched, and a mouse and keys that are sent to it."""
 
-    def __init__(self, off_screen=True, **settings):
-        self.plotter = pv.Plotter(off_screen=off_screen, window_size=(200, 200))
+    def __init__(self, off_screen=True, columns=1, **settings):
+        self.plotter = pv.Plotter(off_screen=off_screen, shape=(1, columns), window_size=(200, 200))
+        self.plotter.subplot(0, columns - 1)
+        self.pointer = (200 - 100 // columns, 100)  # the middle of the last column
         grid = pv.ImageData(dimensions=(33, 33, 33), spacing=(2, 2, 2), origin=(-32, -32, -32))
         distance = (grid.points.astype(float) ** 2).sum(axis=1) ** 0.5
         grid["inside"] = 100.0 * (20.0 - distance)  # a ball of 20 mm
@@ -50,11 +52,11 @@ class Hand:
         interactor.CharEvent()
 
     def push(self, steps=4):
-        """Touches in the middle of the window, and presses."""
+        """Touches in the middle of the ball, and presses."""
         if not self.plotter.iren.initialized:
             self.plotter.show(auto_close=False)  # from now on there are events
         interactor = self.plotter.iren.interactor
-        interactor.SetEventInformation(100, 100, 0, 0)
+        interactor.SetEventInformation(*self.pointer, 0, 0)
         self.press("t")
         for _ in range(steps):
             interactor.MouseWheelForwardEvent()

@@ -165,7 +165,8 @@ def add_haptics(
 ) -> Haptics:
     """Makes a volume in a plotter one to be touched: press t with the pointer on it.
 
-    plotter: a pyvista.Plotter with a window of its own, not shown yet or already. Its active subplot is used.
+    plotter: a pyvista.Plotter with a window of its own, not shown yet or already. Its active subplot is the one
+        that is touched, and that has the mouse.
     volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
         show it, such as an isosurface. Default: the plotter's only volume.
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.

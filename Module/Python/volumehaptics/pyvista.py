@@ -12,7 +12,7 @@
     add_haptics(plotter, plotter.add_volume(head), "CT contrast")
     plotter.show()                                   # press t with the pointer on the volume
 
-Needs PyVista 0.44 or later, which `import volumehaptics` alone does not: pip install pyvista.
+Needs PyVista 0.47 or later, which `import volumehaptics` alone does not: pip install pyvista.
 """
 
 from __future__ import annotations

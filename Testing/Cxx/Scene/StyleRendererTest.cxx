@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Where a window has several renderers, the one that the application chose is touched, from the first key on.
+ */
+
+#include "StyleRig.h"
+
+using namespace scenetest;
+
+using StyleRenderer = StyleTest;
+
+TEST_F(StyleRenderer, DefaultOneIsTouchedBeforeAnyButton)
+{
+  vtkNew<vtkRenderer> beside;
+  beside->SetViewport(0.5, 0.0, 1.0, 1.0);
+  beside->SetActiveCamera(this->Renderer->GetActiveCamera());
+  this->Window->AddRenderer(beside);
+  this->Style->SetDefaultRenderer(beside);
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Pointer(225, 150); // its middle; 15 mm beside that of the first renderer
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_NEAR(this->Device->GetTipPosition()[0], 0.0, 0.3);
+  EXPECT_NEAR(this->Device->GetTipPosition()[1], 0.0, 0.3);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.0, 5.0);
+}
