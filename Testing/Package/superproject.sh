@@ -13,7 +13,7 @@ mkdir -p "$work"
 # A remote module is a folder in the other project's source tree.
 cp -r "$1/Testing/Package/Superproject" "$work/source"
 ln -s "$1" "$work/source/Remote"
-cmake -S "$work/source" -B "$work/build" -G Ninja \
+cmake -S "$work/source" -B "$work/build" -G Ninja -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_CXX_FLAGS_DEBUG= -DVolumeHaptics_USE_LIBUSB=OFF -DVolumeHaptics_USE_HIDAPI=OFF >"$work/configure.log"
 cmake --build "$work/build" >"$work/build.log"
 "$work/build/bin/superproject-check"
