@@ -38,6 +38,7 @@ def test_script_is_felt(window, root, monkeypatch):
             interactor.MouseMoveEvent()
             tick = haptics.device.GetTick()
             while haptics.device.GetTick() < tick + 30:
+                assert haptics.device.IsRunning()
                 haptics.update()
             forces.append(sum(f * f for f in haptics.device.GetForce()) ** 0.5)
         plotter.close()
