@@ -44,13 +44,13 @@ if TYPE_CHECKING:
 
 __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
 
-# On demand: what needs NumPy, which the classes and touch() do not.
+# On demand: what needs NumPy, which the classes and touch() do not; and PyVista, if asked for by name alone.
 _MODULES = ("arrays", "examples")
 _FUNCTIONS = ("image", "path")
 
 
 def __getattr__(name: str):
-    if name in _MODULES:
+    if name in _MODULES or name == "pyvista":
         return importlib.import_module(f".{name}", __name__)
     if name in _FUNCTIONS:
         return getattr(importlib.import_module(".arrays", __name__), name)
