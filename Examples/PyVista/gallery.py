@@ -70,8 +70,11 @@ def add_head(plotter, head, opacity=OPACITY):
 
 def add_trail(plotter, trace, largest=None, bar=True, width=9):
     """The way of the proxy, coloured by the force on the hand, up to the largest (N)."""
-    trail = trace.copy()
-    trail["newtons"] = strength(trace)
+    # Where the hand is held, the proxy stands still for many ticks, of which a tube has no use.
+    steps = np.floor(np.append(0, np.cumsum(np.linalg.norm(np.diff(trace.points, axis=0), axis=1))) / 0.3)
+    kept = np.append(True, np.diff(steps) > 0)
+    trail = pv.MultipleLines(points=trace.points[kept])
+    trail["newtons"] = strength(trace)[kept]
     where = {"title": "Force (N)", "vertical": True, "color": "white", "position_x": 0.87, "position_y": 0.22,
              "height": 0.56, "width": 0.06, "n_labels": 6, "fmt": "%.1f", "title_font_size": 20,
              "label_font_size": 17}
@@ -83,7 +86,7 @@ def add_trail(plotter, trace, largest=None, bar=True, width=9):
 
 
 def add_title(plotter, text, colour="white"):
-    plotter.add_text(text, position=(0.018, 0.945), viewport=True, font_size=11, color=colour)
+    plotter.add_text(text, position=(0.018, 0.945), viewport=True, font_size=11, color=colour, shadow=True)
 
 
 def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):

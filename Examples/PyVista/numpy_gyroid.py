@@ -43,4 +43,4 @@ before = trace.points.mean(axis=0) + 3.0 * view  # what is nearer would hide the
 plotter.add_mesh(volume.contour([0.0]).clip(view, origin=before), color="#c9d3e0", smooth_shading=True)
 gallery.add_trail(plotter, trace)
 gallery.add_title(plotter, "A gyroid made with NumPy, and the way of the proxy along its wall")
-gallery.show(plotter, picture, direction=view, zoom=1.05)
+gallery.show(plotter, picture, direction=view, zoom=0.95)

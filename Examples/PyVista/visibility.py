@@ -22,7 +22,7 @@ for column, (title, opacity) in enumerate(looks.items()):
     trace = touch(head, tip, property=material)
     felt = trace["Contact"] > 0
     print(f"{title}: from {trace['Time'][felt].min():.3f} s on, values from {trace['SurfaceValue'][felt].min():.0f} HU")
-    gallery.add_trail(plotter, trace, largest=6.0)
+    gallery.add_trail(plotter, trace, largest=15.0)
     gallery.add_title(plotter, title)
     plotter.view_vector((0.5, -1, 0.45), (0, 0, 1))
     plotter.camera.zoom(1.35)

@@ -12,6 +12,7 @@ import volumehaptics.pyvista
 from volumehaptics.pyvista import touch
 
 LINE = np.linspace((0, -120, 60), (0, -70, 60), 501)
+PRESS = np.linspace((7, 7, 5), (7, 7, 8), 301)  # into the ramp
 
 
 def ramp():
@@ -37,7 +38,7 @@ def test_trace_is_that_of_the_package(head, tip):
 
 def test_force_is_that_of_the_spring():
     # Default: 500 N/m, held by 2 N; 3 mm of stretch are 1.5 N against the hand.
-    trace = touch(ramp(), np.linspace((7, 7, 5), (7, 7, 8), 301))
+    trace = touch(ramp(), PRESS)
     assert abs(trace["Force"][-1] - (0, 0, -1.5)).max() < 1e-3
 
 
@@ -51,7 +52,7 @@ def test_spline_with_time_has_a_point_a_tick():
 def test_volume_is_not_copied_nor_changed():
     grid = ramp()
     before = grid["value"].copy()
-    touch(grid, LINE)
+    touch(grid, PRESS)
     assert (grid["value"] == before).all() and grid.array_names == ["value"]
 
 
@@ -59,19 +60,18 @@ def test_array_is_chosen():
     grid = ramp()
     grid["nothing"] = np.zeros(grid.n_points)
     grid.set_active_scalars("nothing")
-    tip = np.linspace((7, 7, 5), (7, 7, 8), 301)
-    assert not touch(grid, tip)["Force"].any()
-    assert touch(grid, tip, scalars="value")["Force"][-1][2] < -1.0
+    assert not touch(grid, PRESS)["Force"].any()
+    assert touch(grid, PRESS, scalars="value")["Force"][-1][2] < -1.0
     with pytest.raises(KeyError, match="'none'.*'value'.*'nothing'"):
-        touch(grid, tip, scalars="none")
+        touch(grid, PRESS, scalars="none")
 
 
 def test_cell_data_are_refused_with_the_cure():
     cells = pv.ImageData(dimensions=(16, 16, 16))
     cells.cell_data["value"] = np.zeros(cells.n_cells)
     with pytest.raises(ValueError, match="cell_data_to_point_data"):
-        touch(cells, LINE)
-    assert touch(cells.cell_data_to_point_data(), LINE).n_points == len(LINE)
+        touch(cells, PRESS)
+    assert touch(cells.cell_data_to_point_data(), PRESS).n_points == len(PRESS)
 
 
 def test_other_errors_are_those_of_the_package(head):

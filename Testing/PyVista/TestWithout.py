@@ -29,3 +29,9 @@ def test_package_does_not_import_it():
     code = "import sys\nfrom volumehaptics import arrays, examples, touch\nprint('pyvista' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
     assert done.stdout == "False\n", done.stderr
+
+
+def test_module_is_there_by_name():
+    code = "import sys, volumehaptics\nvolumehaptics.pyvista.touch\nprint('pyvista' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
+    assert done.stdout == "True\n", done.stderr

@@ -4,10 +4,11 @@
 
 import math
 
+import numpy as np
 import pytest
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
-from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
+from volumehaptics import image, vtkHapticProperty, vtkVolumeHapticsFilter
 
 
 class Log(list):
@@ -97,3 +98,9 @@ def test_unknown_preset():
     for name in ("bones", None):
         assert prop.ApplyPreset(name) is False
     assert len(log) == 2 and '"bones"' in log[0] and '"MRI"' in log[0], log
+
+
+@pytest.mark.parametrize("settings", ({"spacing": 2.0}, {"origin": (1.0, 2.0)}))
+def test_image_is_laid_out_in_three_dimensions(settings):
+    with pytest.raises(ValueError, match=f"{next(iter(settings))} is three numbers"):
+        image(np.zeros((4, 4, 4)), **settings)

@@ -57,3 +57,11 @@ def test_functions_have_hints(module):
         assert signature.return_annotation is not inspect.Signature.empty, name
         for parameter in signature.parameters.values():
             assert parameter.annotation is not inspect.Parameter.empty, (name, parameter)
+
+
+def test_misspelt_names_are_seen_by_type_checkers():
+    """To them, a module with __getattr__() has every name."""
+    tree = ast.parse((PACKAGE / "__init__.py").read_text(encoding="utf-8"))
+    functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    assert "__dir__" in functions and "__getattr__" not in functions
+    assert hasattr(volumehaptics, "__getattr__")

@@ -5,6 +5,7 @@
 import compare_traces
 import numpy as np
 import pytest
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from volumehaptics import examples, path, touch, vtkHapticProperty, vtkVolumeHapticsFilter
 from volumehaptics.arrays import arrays
 
@@ -65,15 +66,39 @@ def test_method_and_property(head, tip):
     ("KernelRadius", "kernel_radius"),
     ("maximumforce", "maximum_force"),
     ("isovalue", "iso_value"),
+    ("stiffness", "p.GetStiffness()"),
 ))
 def test_unknown_setting(head, tip, name, close):
-    with pytest.raises(TypeError, match=f"'{name}'.*'{close}'"):
+    with pytest.raises(TypeError, match=f"'{name}'") as caught:
         touch(head, tip, **{name: 1})
+    assert close in str(caught.value)
 
 
-def test_setting_of_the_wrong_type(head, tip):
-    with pytest.raises(TypeError):
-        touch(head, tip, kernel_radius="three")
+@pytest.mark.parametrize("setting, said", (
+    ({"kernel_radius": "three"}, r"kernel_radius='three' .*SetKernelRadius\("),
+    ({"kernel_radius": 2.5}, r"kernel_radius=2.5 .*SetKernelRadius\("),
+    ({"method": "paper"}, "method_by_name='paper'"),
+    ({"solver": "paper"}, "solver=vtkVolumeHapticsFilter.PAPER"),
+))
+def test_setting_of_the_wrong_type(head, tip, setting, said):
+    with pytest.raises(TypeError, match=said):
+        touch(head, tip, **setting)
+
+
+@pytest.mark.parametrize("name, value, nearest", (("kernel_radius", 50, 16), ("maximum_force", -1.0, 0.0)))
+def test_number_out_of_range(head, tip, name, value, nearest):
+    """The filter itself takes the nearest, without a word."""
+    with pytest.raises(ValueError, match=f"{name}={value} is out of range.* {nearest}$"):
+        touch(head, tip, **{name: value})
+
+
+def test_way_outside_of_the_volume(head, tip, recwarn):
+    touch(head, tip)
+    assert not [warning for warning in recwarn if warning.category is UserWarning]
+    with pytest.warns(UserWarning, match="5000 to 5000.* outside .*-118.125 to 118.125") as warned:
+        trace = touch(head, [(0.0, 0.0, 5000.0)])
+    assert not arrays(trace)["Force"].any()
+    assert [warning.filename for warning in warned if warning.category is UserWarning] == [__file__]
 
 
 @pytest.mark.parametrize("word, arguments, settings", (
@@ -89,7 +114,13 @@ def test_errors_of_the_filter(head, tip, capfd, word, arguments, settings):
     assert capfd.readouterr().err == ""
 
 
-@pytest.mark.parametrize("volume", (None, "head.vti", [[[1.0]]], vtkVolumeHapticsFilter()))
-def test_what_is_no_volume(tip, volume):
-    with pytest.raises(TypeError, match=type(volume).__name__):
+@pytest.mark.parametrize("volume, cure", (
+    (None, "$"),
+    ("head.vti", "read the file"),
+    ([[[1.0]]], "$"),
+    (vtkVolumeHapticsFilter(), r"GetOutput\(\)"),
+    (vtkUnstructuredGrid(), "vtkResampleToImage"),
+))
+def test_what_is_no_volume(tip, volume, cure):
+    with pytest.raises(TypeError, match=f"{type(volume).__name__}.*{cure}"):
         touch(volume, tip)

@@ -77,5 +77,8 @@ def test_programs_run():
     for program, word in (("volumehaptics-explore", "--preset"), ("volumehaptics-device", "monitor")):
         run = subprocess.run([PACKAGE / "bin" / program, "--help"], capture_output=True, text=True, check=False, cwd="/")
         assert word in run.stdout + run.stderr, (program, run)
+        beside_python = Path(sys.executable).parent / program
+        again = subprocess.run([beside_python, "--help"], capture_output=True, text=True, check=False, cwd="/")
+        assert run.stdout + run.stderr in again.stdout + again.stderr and again.returncode == run.returncode, again
     run = subprocess.run([sys.executable, "-m", "volumehaptics"], capture_output=True, text=True, check=False, cwd="/")
     assert run.returncode == 2 and "Usage" in run.stderr

@@ -39,22 +39,23 @@ from ._version import __version__
 from .vtkVolumeHaptics import *
 
 if TYPE_CHECKING:
-    from . import arrays, examples
+    from . import arrays, examples, pyvista
     from .arrays import image, path
 
 __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
 
-# On demand: what needs NumPy, which the classes and touch() do not.
+# On demand: what needs NumPy, which the classes and touch() do not; and PyVista, if asked for by name alone.
 _MODULES = ("arrays", "examples")
 _FUNCTIONS = ("image", "path")
 
+if not TYPE_CHECKING:  # a type checker would take every misspelt name for one of these
 
-def __getattr__(name: str):
-    if name in _MODULES:
-        return importlib.import_module(f".{name}", __name__)
-    if name in _FUNCTIONS:
-        return getattr(importlib.import_module(".arrays", __name__), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    def __getattr__(name: str):
+        if name in _MODULES or name == "pyvista":
+            return importlib.import_module(f".{name}", __name__)
+        if name in _FUNCTIONS:
+            return getattr(importlib.import_module(".arrays", __name__), name)
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

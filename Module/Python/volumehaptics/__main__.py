@@ -71,5 +71,15 @@ def main(arguments: list[str]) -> int:
     return replace_process(command)
 
 
+def device() -> int:
+    """The program volumehaptics-device of a wheel, which brings it along."""
+    return replace_process([str(Path(__file__).resolve().parent / "bin" / "volumehaptics-device"), *sys.argv[1:]])
+
+
+def explore() -> int:
+    """The program volumehaptics-explore of a wheel, likewise."""
+    return main(sys.argv[1:])
+
+
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))

@@ -217,7 +217,7 @@ def _prepare(haptics: Haptics, image: vtkImageData, preset: str | None, look: An
     touch = haptics.filter
     errors = Errors(touch, touch.GetProperty())
     for name, value in settings.items():
-        if not _set(touch, name, value):
+        if not _set(touch, name, value, "add_haptics"):
             raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
     if preset is not None and not touch.GetProperty().ApplyPreset(preset):
         raise ValueError("; ".join(errors))

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import difflib
+import numbers
 import re
+import sys
+import warnings
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
-from .vtkVolumeHaptics import vtkVolumeHapticsFilter
+from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
     import numpy as np
@@ -44,17 +47,63 @@ def _settings() -> list[str]:
     ]
 
 
-def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any) -> bool:
-    method = "Set" + "".join(word.capitalize() for word in name.split("_"))
-    setter = getattr(haptics, method, None)
+def _unknown(name: str) -> str:
+    """What helps who gives a setting that there is not."""
+    plain = name.replace("_", "").lower()
+    known = _settings()
+    close = [one for one in known if one.replace("_", "") == plain]
+    if not close and hasattr(vtkHapticProperty, f"Get{_in_camel_case(name)}"):
+        return f"the material has it: property=p, with p = vtkHapticProperty(), and p.Get{_in_camel_case(name)}()"
+    close = close or difflib.get_close_matches(name.lower(), known, cutoff=0.4)
+    return (f"is it {' or '.join(map(repr, close))}? " if close else "") + (
+        "help(volumehaptics.vtkVolumeHapticsFilter) explains all of them")
+
+
+def _in_camel_case(name: str) -> str:
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+def _by_name(name: str, value: Any) -> str:
+    """What is meant, perhaps, where a word was given for a number."""
+    if not isinstance(value, str):
+        return ""
+    if hasattr(vtkVolumeHapticsFilter, f"Set{_in_camel_case(name)}ByName"):
+        return f"; is it {name}_by_name={value!r}?"
+    meant = re.sub(r"[^a-z0-9]", "", f"set{name}to{value}".lower())
+    known = any(method.lower() == meant for method in dir(vtkVolumeHapticsFilter))
+    constant = re.sub(r"\W", "_", value).upper()
+    return f"; is it {name}=vtkVolumeHapticsFilter.{constant}?" if known else ""
+
+
+def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str = "touch") -> bool:
+    """False: the filter knows no such value, and may have said why. Numbers out of range, of which it would take the
+    nearest, are a ValueError."""
+    setter = getattr(haptics, f"Set{_in_camel_case(name)}", None)
     if setter is None or name != name.lower():
-        close = difflib.get_close_matches(name.lower(), _settings(), cutoff=0.4)
-        raise TypeError(
-            f"touch() has no setting {name!r}; "
-            + (f"is it {' or '.join(map(repr, close))}? " if close else "")
-            + "help(volumehaptics.vtkVolumeHapticsFilter) explains all of them"
-        )
-    return (setter(*value) if isinstance(value, tuple) else setter(value)) is not False
+        raise TypeError(f"{caller}() has no setting {name!r}; {_unknown(name)}")
+    try:
+        known = setter(*value) if isinstance(value, tuple) else setter(value)
+    except TypeError:
+        takes = setter.__doc__.splitlines()[0]
+        raise TypeError(f"{name}={value!r} is of a type that can't be set: {takes}{_by_name(name, value)}") from None
+    if isinstance(value, numbers.Real) and (getter := getattr(haptics, f"Get{_in_camel_case(name)}", None)):
+        if getter() != value:
+            raise ValueError(f"{name}={value!r} is out of range; the nearest that there is is {getter()!r}")
+    return known is not False
+
+
+def _warn_outside(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> None:
+    """A way that misses the volume is felt as nothing, which is right, and seldom what was meant."""
+    if not trace.GetNumberOfPoints() or trace.GetPointData().GetArray("Force").GetMaxNorm() > 0:
+        return
+    box, way = volume.GetBounds(), tip.GetBounds()
+    if any(way[i + 1] < box[i] or way[i] > box[i + 1] for i in (0, 2, 4)):
+        show = ["{:g} to {:g}, {:g} to {:g}, {:g} to {:g}".format(*bounds) for bounds in (way, box)]
+        level, frame = 1, sys._getframe()
+        while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+            level, frame = level + 1, frame.f_back  # the line that is shown is the caller's
+        text = f"the way of the tip (x, y, z: {show[0]}) is outside of the volume ({show[1]}), and feels nothing"
+        warnings.warn(text, stacklevel=level)
 
 
 def touch(
@@ -80,7 +129,8 @@ def touch(
     with VTK 9.4 or later, and, where PyVista is imported, which does without that, pyvista.wrap(trace)["Force"].
 
     TypeError: a setting that there is not, or data of another kind. ValueError: data, a preset or a value that
-    can't be touched; the text says why, and what helps. RuntimeError: the pipeline failed.
+    can't be touched; the text says why, and what helps. RuntimeError: the pipeline failed. UserWarning: the way of
+    the tip is outside of the volume.
 
     >>> from volumehaptics import examples, touch
     >>> trace = touch(examples.phantom(), examples.stroke(), preset="CT contrast", kernel_radius=3)
@@ -117,4 +167,5 @@ def touch(
         raise ValueError("; ".join(errors))
     if failures:
         raise RuntimeError("; ".join(failures))
+    _warn_outside(image, path, haptics.GetOutput())
     return haptics.GetOutput()

@@ -13,6 +13,7 @@ knows. The array stays alive as long as VTK's data do, and VTK's data as long as
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 
 try:
@@ -22,7 +23,15 @@ except ImportError as error:
         from error
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_SIGNED_CHAR, vtkDataArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkPolyData,
+    vtkRectilinearGrid,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from ._touch import touch
 
@@ -40,6 +49,17 @@ def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
     return shared
 
 
+def _cure(wrong: object) -> str:
+    """How a volume is made of what is none, where there is a way."""
+    if isinstance(wrong, (str, os.PathLike)):
+        return ". Cure: read the file, such as with pyvista.read() or a reader of VTK's"
+    if isinstance(wrong, vtkAlgorithm):
+        return ". Cure: Update() it, and take its GetOutput()"
+    if isinstance(wrong, (vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)):
+        return ". Cure: sample it on an image, such as with vtkResampleToImage or pyvista's image.sample(grid)"
+    return ""
+
+
 def image(
     array: np.ndarray,
     spacing: Sequence[float] = (1.0, 1.0, 1.0),
@@ -53,8 +73,8 @@ def image(
     origin: where the first voxel is (world units, mm): x, y and z.
     name: of the point scalars.
 
-    TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, or not
-    contiguous.
+    TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, not
+    contiguous, or a spacing or an origin that is not three numbers.
 
     >>> import numpy as np
     >>> from volumehaptics import image
@@ -62,13 +82,17 @@ def image(
     (10, 20, 30)
     """
     if not isinstance(array, np.ndarray):
-        raise TypeError(f"a volume is a vtkImageData or a NumPy array [z, y, x], not {type(array).__name__}")
+        wrong = f"{type(array).__name__}{_cure(array)}"
+        raise TypeError(f"a volume is a vtkImageData or a NumPy array [z, y, x], not {wrong}")
     if array.dtype.name not in _REAL or not array.dtype.isnative:
         raise TypeError(f"a volume can't have numbers of type {array.dtype}. Cure: array.astype(np.float32)")
     if array.ndim != 3 or array.size == 0:
         raise ValueError(f"a volume has three dimensions [z, y, x], and voxels; this array's shape is {array.shape}")
     if not array.flags.c_contiguous:
         raise ValueError("the array is not contiguous, so that it can't be shared. Cure: np.ascontiguousarray(array)")
+    for what, three in (("spacing", spacing), ("origin", origin)):
+        if np.shape(three) != (3,):
+            raise ValueError(f"{what} is three numbers, along x, y and z, not {three!r}")
     volume = vtkImageData()
     volume.SetDimensions(array.shape[::-1])
     volume.SetSpacing(spacing)

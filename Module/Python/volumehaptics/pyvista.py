@@ -5,7 +5,8 @@
     import pyvista as pv
     from volumehaptics.pyvista import add_haptics, touch
 
-    trace = touch(head, pv.Line((0, -120, 60), (0, -40, 60), 1000), "CT contrast")
+    path = pv.Line(pointa=(0, -120, 60), pointb=(0, -75, 60), resolution=1000)
+    trace = touch(head, path, "CT contrast")
     trace.plot(scalars="Force", line_width=5)        # N
 
     plotter = pv.Plotter()
