@@ -256,10 +256,12 @@ def _start(haptics: Haptics, wanted: str | vtkHapticDevice) -> None:
     errors = Errors(device, haptics.filter)
     device.Stop()  # one of the user's own may be armed, on another volume
     device.SetVolumeHaptics(haptics.filter)
-    if haptics._owns_device and not device.Open(wanted):
-        raise RuntimeError("; ".join(errors))
-    if device.GetAttentionTime() == 0.0:
-        device.SetAttentionTime(ATTENTION)
-    if not device.Start():
-        raise ValueError("; ".join(errors))
-    errors.end()
+    try:
+        if haptics._owns_device and not device.Open(wanted):
+            raise RuntimeError("; ".join(errors))
+        if device.GetAttentionTime() == 0.0:
+            device.SetAttentionTime(ATTENTION)
+        if not device.Start():
+            raise ValueError("; ".join(errors))
+    finally:
+        errors.end()  # a device of the user's own goes on complaining on the console
