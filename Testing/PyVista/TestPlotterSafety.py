@@ -3,6 +3,7 @@
 """No force stays on that nobody has asked for, or sees the reason of: add_haptics() where something goes wrong."""
 
 import os
+import signal
 import sys
 
 import pytest
@@ -71,6 +72,7 @@ def test_child_closes_its_copy(window, hands):
     hand.push()
     child = os.fork()
     if child == 0:
+        signal.alarm(30)  # where it waits for threads that there are not
         _plotting._close_all()  # as when the child exits
         os._exit(7)
     assert os.waitpid(child, 0) == (child, 7 << 8)
