@@ -9,6 +9,7 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <time.h>
+#include <unistd.h>
 #else
 #include <chrono>
 #include <thread>
@@ -64,6 +65,11 @@ bool LockMemory() noexcept
   return mlockall(MCL_CURRENT) == 0;
 }
 
+std::int64_t GetProcess() noexcept
+{
+  return getpid();
+}
+
 #else
 
 std::int64_t Now() noexcept
@@ -88,6 +94,11 @@ bool RaisePriority() noexcept
 bool LockMemory() noexcept
 {
   return false;
+}
+
+std::int64_t GetProcess() noexcept
+{
+  return 0; // nothing is forked
 }
 
 #endif

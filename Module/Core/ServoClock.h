@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The clock of the servo loop, and the privileges that keep it on time.
+ * The clock of the servo loop, the privileges that keep it on time, and the process that it is in.
  */
 #ifndef ServoClock_h
 #define ServoClock_h
@@ -27,6 +27,11 @@ void BlockSignals() noexcept;
 bool RaisePriority() noexcept;
 /** Asks that the pages which the process has now stay in memory. */
 bool LockMemory() noexcept;
+/**
+ * The number of this process. A forked child has copies of all objects, but none of the threads, which are not to be
+ * waited for, and the devices are the parent's.
+ */
+std::int64_t GetProcess() noexcept;
 
 } // namespace ServoClock
 } // namespace VolumeHaptics

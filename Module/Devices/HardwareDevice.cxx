@@ -18,11 +18,21 @@ HardwareDevice::HardwareDevice(std::unique_ptr<HardwareDriver> driver)
 HardwareDevice::~HardwareDevice()
 {
   this->Close();
+  if (this->IsAbandoned)
+  {
+    static_cast<void>(this->Driver.release()); // what it would end is the parent's connection
+  }
 }
 
 bool HardwareDevice::Open(std::string& error)
 {
   this->Close();
+  if (this->IsAbandoned)
+  {
+    error = "The device is in use by the process that this one was forked from. Open() it before "
+            "or after, not in both.";
+    return false;
+  }
   if (!this->Driver->Connect(error))
   {
     return false;
@@ -30,6 +40,7 @@ bool HardwareDevice::Open(std::string& error)
   this->Exchange.Begin();
   try
   {
+    this->Process = ServoClock::GetProcess();
     this->Thread = std::thread([this] { this->Run(); });
   }
   catch (const std::system_error& e)
@@ -58,6 +69,12 @@ void HardwareDevice::Run()
 
 void HardwareDevice::Close()
 {
+  if (this->Thread.joinable() && this->Process != ServoClock::GetProcess())
+  {
+    // Neither joined nor detached: it is not here.
+    static_cast<void>(new std::thread(std::move(this->Thread)));
+    this->IsAbandoned = true;
+  }
   if (this->Thread.joinable())
   {
     this->Exchange.Quench();

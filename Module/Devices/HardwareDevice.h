@@ -64,9 +64,11 @@ public:
 private:
   void Run();
 
-  const std::unique_ptr<HardwareDriver> Driver;
+  std::unique_ptr<HardwareDriver> Driver;
   HardwareExchange Exchange;
   std::thread Thread;
+  std::int64_t Process = 0; // whose thread it is
+  bool IsAbandoned = false; // in a forked child
 };
 
 } // namespace VolumeHaptics

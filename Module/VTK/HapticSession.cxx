@@ -45,6 +45,10 @@ HapticSession::HapticSession(DeviceBackend& backend, double rate, const SafetyLi
 
 HapticSession::~HapticSession()
 {
+  if (this->Process != ServoClock::GetProcess())
+  {
+    return; // the threads are those of the process that this one was forked from
+  }
   // Our own flags stop the threads; TerminateThread only joins them.
   this->Loop.RequestStop();
   this->Threader->TerminateThread(this->LoopThread);

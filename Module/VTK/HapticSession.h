@@ -11,6 +11,7 @@
 #define HapticSession_h
 
 #include "HapticRecording.h"
+#include "ServoClock.h"
 
 #include "vtkMultiThreader.h"
 #include "vtkNew.h"
@@ -82,6 +83,7 @@ private:
   DeviceBackend& Backend;
   ServoLoop Loop;
   vtkNew<vtkMultiThreader> Threader;
+  const std::int64_t Process = ServoClock::GetProcess(); // whose threads they are
   int LoopThread = -1;
   int FitterThread = -1;
   int KeeperThread = -1;

@@ -71,6 +71,8 @@ def test_memory_lives_as_long_as_the_image():
     (lambda a: a.astype(np.float16), TypeError, "float16"),
     (lambda a: a.astype(np.dtype("f8").newbyteorder()), TypeError, "astype"),
     (lambda a: a.tolist(), TypeError, "list"),
+    (lambda a: np.ma.masked_less(a, 20.0), ValueError, "masked"),
+    (lambda a: np.ndarray(a.shape, a.dtype, bytearray(a.nbytes + 1), 1), ValueError, "aligned"),
 ))
 def test_what_is_no_volume(spoil, error, word):
     with pytest.raises(error) as caught:
@@ -94,10 +96,12 @@ def test_path_shares_memory(dtype):
     assert memory() is not None and (vtk_to_numpy(tip.GetPoints().GetData()) == expected).all()
 
 
-@pytest.mark.parametrize("points", ([(1, 2, 3), (4, 5, 6)], np.arange(12.0).reshape(4, 3)[::2]))
+@pytest.mark.parametrize("points", (
+    [(1, 2, 3), (4, 5, 6)], np.arange(12.0).reshape(4, 3)[::2], np.ndarray((4, 3), float, bytearray(97), 1)))
 def test_path_copies_what_can_not_be_shared(points):
     tip = path(points)
-    assert (vtk_to_numpy(tip.GetPoints().GetData()) == np.array(points)).all()
+    copied = vtk_to_numpy(tip.GetPoints().GetData())
+    assert (copied == np.array(points)).all() and copied.flags.aligned
 
 
 @pytest.mark.parametrize("points, time, error", (
@@ -106,6 +110,7 @@ def test_path_copies_what_can_not_be_shared(points):
     (np.zeros((0, 3)), None, ValueError),
     (np.zeros((4, 3)), np.zeros(3), ValueError),
     (np.zeros((4, 3), complex), None, TypeError),
+    (np.ma.masked_equal(np.eye(3), 0.0), None, ValueError),
     ([("a", "b", "c")], None, TypeError),
 ))
 def test_what_is_no_path(points, time, error):

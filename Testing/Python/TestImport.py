@@ -83,6 +83,28 @@ except ImportError as error:
 """
 
 
+# As where another VTK is installed over the one that it was compiled with.
+OTHER_VTK = """
+from vtkmodules import vtkCommonCore
+class Other(vtkCommonCore.vtkVersion):
+    GetVTKBuildVersion = staticmethod(lambda: 99)
+vtkCommonCore.vtkVersion = Other
+try:
+    import volumehaptics
+except ImportError as error:
+    print(error)
+"""
+
+
+def test_another_vtk_is_refused_by_name():
+    from vtkmodules.vtkCommonCore import vtkVersion
+
+    here = f"{vtkVersion.GetVTKMajorVersion()}.{vtkVersion.GetVTKMinorVersion()}"
+    said = run(OTHER_VTK)
+    assert f"VTK {here}.99 is what there is" in said
+    assert f"pip install vtk=={here}.{vtkVersion.GetVTKBuildVersion()}," in said
+
+
 def test_names_are_clean():
     run(NAMES)
 

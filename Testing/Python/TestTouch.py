@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """touch() is what the filter gives, with its settings by name and its errors as exceptions."""
 
+import contextlib
+import gc
+import weakref
+
 import compare_traces
 import numpy as np
 import pytest
@@ -34,6 +38,22 @@ def test_is_the_filter_to_the_bit(head, tip):
     assert arrays(trace)["Force"].any()
     assert not compare_traces.compare(trace, haptics.GetOutput())
     assert compare_traces.compare(trace, touch(head, tip, "CT contrast"))
+
+
+@pytest.mark.parametrize("last", (7.0, np.nan))
+def test_the_volume_goes_with_the_trace(last):
+    """Without Python having to look for garbage: a few volumes in a row would fill the memory."""
+    gc.disable()
+    try:
+        volume = np.zeros((9, 9, 9))
+        memory = weakref.ref(volume)
+        with contextlib.suppress(ValueError):
+            touch(volume, [(5.0, 5.0, last)])
+        del volume
+        touch(np.zeros((9, 9, 9)), [(5.0, 5.0, 5.0)])  # VTK looks for what is left behind when the next object goes
+        assert memory() is None
+    finally:
+        gc.enable()
 
 
 def test_takes_arrays():

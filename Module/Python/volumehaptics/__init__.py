@@ -33,9 +33,18 @@ import vtkmodules.vtkCommonMath
 import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingCore
 
+from ._version import VTK_VERSION as _COMPILED_WITH
+from ._version import __version__
+
+_vtk = vtkmodules.vtkCommonCore.vtkVersion
+_FOUND = f"{_vtk.GetVTKMajorVersion()}.{_vtk.GetVTKMinorVersion()}.{_vtk.GetVTKBuildVersion()}"
+if _FOUND != _COMPILED_WITH:
+    # Else the loader names a library that it misses, or objects of another layout crash later, with force on.
+    raise ImportError(f"this volumehaptics is for VTK {_COMPILED_WITH}, and VTK {_FOUND} is what there is. "
+                      f"Cure: pip install vtk=={_COMPILED_WITH}, or a volumehaptics that was built for VTK {_FOUND}")
+
 from . import vtkVolumeHaptics
 from ._touch import touch
-from ._version import __version__
 from .vtkVolumeHaptics import *
 
 if TYPE_CHECKING:

@@ -55,6 +55,7 @@ class Haptics:
         self._plotter = weakref.ref(plotter)
         self._renderer = weakref.ref(plotter.renderer)
         self._style_before = None
+        self._in_scene: list[Any] = []
 
     def update(self) -> bool:
         """What the plotter's timer does, once, for programs without an event loop. True: there is something new."""
@@ -86,7 +87,7 @@ class Haptics:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _attach(self, plotter: pv.Plotter) -> None:
+    def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
         renderer = plotter.renderer
         for prop in (self.representation, self.head_up_display):
             prop.SetDevice(self.device)
@@ -97,8 +98,18 @@ class Haptics:
         self.style.SetDefaultRenderer(renderer)
         self._style_before = plotter.iren.style
         plotter.iren.style = self.style
+        self._in_scene = [prop for prop in (self.representation, *touched) if renderer.HasViewProp(prop)]
         self._watch(plotter)
         _touchable[plotter] = self
+
+    def _check_scene(self) -> None:
+        """Nobody presses on what was taken out of the scene, or with a hand that was."""
+        renderer = self._renderer()
+        remaining = [prop for prop in self._in_scene if renderer is not None and renderer.HasViewProp(prop)]
+        if len(remaining) < len(self._in_scene):
+            self._in_scene = remaining
+            self.style.SetTouchMode(False)
+            self.device.Disarm()
 
     def _watch(self, plotter: pv.Plotter) -> None:
         """Closes with the plotter. Its own hooks are taken by show(), so that the objects below it are watched."""
@@ -118,6 +129,12 @@ class Haptics:
             if plotter is None or plotter.iren is None or plotter.iren.style is None:
                 haptics.close()
 
+        def check(*_: object) -> None:
+            haptics = itself()
+            if haptics is not None and not haptics.closed:
+                haptics._check_scene()
+
+        plotter.renderer.GetViewProps().AddObserver("ModifiedEvent", check)
         self.style.AddObserver("ModifiedEvent", look)
         plotter.iren.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
@@ -177,8 +194,9 @@ def add_haptics(
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
-    vtkInteractorStyleHaptic for all keys. It fades out where the plotter's timer stands still for 10 s. Closing the
-    plotter stops everything. The plotter's camera keys and mouse remain, except for those that the style lists.
+    vtkInteractorStyleHaptic for all keys. It fades out where the plotter's timer stands still for 10 s, and ends
+    when the volume's actor is removed. Closing the plotter stops everything. The plotter's camera keys and mouse
+    remain, except for those that the style lists.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
     can't be touched; the text says why, and what helps. RuntimeError: the device does not open.
@@ -204,12 +222,16 @@ def add_haptics(
     if isinstance(device, vtkHapticDevice):
         haptics.device, haptics._owns_device = device, False
     look = volume if visibility is True else visibility
-    _prepare(haptics, image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None, settings)
-    _start(haptics, device)
-    length = image.GetLength()
-    haptics.representation.SetRadius(SIZE * length)
-    haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
-    haptics._attach(plotter)
+    try:
+        _prepare(haptics, image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None, settings)
+        _start(haptics, device)
+        length = image.GetLength()
+        haptics.representation.SetRadius(SIZE * length)
+        haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
+        haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
+    except BaseException:
+        haptics.close()  # now: the exception keeps it, in an interactive session until the next one
+        raise
     return haptics
 
 
@@ -233,11 +255,14 @@ def _prepare(haptics: Haptics, image: vtkImageData, preset: str | None, look: An
 def _start(haptics: Haptics, wanted: str | vtkHapticDevice) -> None:
     device = haptics.device
     errors = Errors(device, haptics.filter)
+    device.Stop()  # one of the user's own may be armed, on another volume
     device.SetVolumeHaptics(haptics.filter)
-    if haptics._owns_device and not device.Open(wanted):
-        raise RuntimeError("; ".join(errors))
-    if device.GetAttentionTime() == 0.0:
-        device.SetAttentionTime(ATTENTION)
-    if not device.Start():
-        raise ValueError("; ".join(errors))
-    errors.end()
+    try:
+        if haptics._owns_device and not device.Open(wanted):
+            raise RuntimeError("; ".join(errors))
+        if device.GetAttentionTime() == 0.0:
+            device.SetAttentionTime(ATTENTION)
+        if not device.Start():
+            raise ValueError("; ".join(errors))
+    finally:
+        errors.end()  # a device of the user's own goes on complaining on the console

@@ -33,7 +33,8 @@ class Errors(list):
 
     def end(self) -> None:
         """From here on, errors are for the console again."""
-        for one, tag in self._watched:
+        while self._watched:
+            one, tag = self._watched.pop()
             one.RemoveObserver(tag)
 
 
@@ -154,14 +155,19 @@ def touch(
 
     haptics = vtkVolumeHapticsFilter()
     errors, failures = Errors(haptics, haptics.GetProperty()), Errors(haptics.GetExecutive())
-    for name, value in settings.items():
-        if not _set(haptics, name, value):
-            raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
-    if preset is not None and not haptics.GetProperty().ApplyPreset(preset):
-        raise ValueError("; ".join(errors))
-    haptics.SetInputData(image)
-    haptics.SetPathData(path)
-    haptics.Update()
+    try:
+        for name, value in settings.items():
+            if not _set(haptics, name, value):
+                raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
+        if preset is not None and not haptics.GetProperty().ApplyPreset(preset):
+            raise ValueError("; ".join(errors))
+        haptics.SetInputData(image)
+        haptics.SetPathData(path)
+        haptics.Update()
+    finally:
+        # Who is watched and who watches keep each other, and the volume with them, until Python looks for garbage.
+        errors.end()
+        failures.end()
     # The executive only repeats that the filter failed.
     if errors:
         raise ValueError("; ".join(errors))

@@ -73,8 +73,8 @@ def image(
     origin: where the first voxel is (world units, mm): x, y and z.
     name: of the point scalars.
 
-    TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, not
-    contiguous, or a spacing or an origin that is not three numbers.
+    TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, masked ones,
+    not contiguous and aligned, or a spacing or an origin that is not three numbers.
 
     >>> import numpy as np
     >>> from volumehaptics import image
@@ -88,8 +88,13 @@ def image(
         raise TypeError(f"a volume can't have numbers of type {array.dtype}. Cure: array.astype(np.float32)")
     if array.ndim != 3 or array.size == 0:
         raise ValueError(f"a volume has three dimensions [z, y, x], and voxels; this array's shape is {array.shape}")
+    if np.ma.is_masked(array):
+        raise ValueError("the array has masked voxels, which would be felt. Cure: array.filled(VALUE)")
     if not array.flags.c_contiguous:
         raise ValueError("the array is not contiguous, so that it can't be shared. Cure: np.ascontiguousarray(array)")
+    if not array.flags.aligned:
+        raise ValueError("the array's numbers are not aligned in memory, so that it can't be shared. Cure: "
+                         "array.copy()")
     for what, three in (("spacing", spacing), ("origin", origin)):
         if np.shape(three) != (3,):
             raise ValueError(f"{what} is three numbers, along x, y and z, not {three!r}")
@@ -103,21 +108,23 @@ def image(
 
 def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
     """The array itself where VTK can share it, else one that it can."""
+    if np.ma.is_masked(array):
+        raise ValueError(f"{what} are masked. Cure: leave those out, or array.filled(VALUE)")
     array = np.asarray(array)
     if array.dtype.kind not in "iuf":
         raise TypeError(f"{what} are real numbers, not {array.dtype}")
     keep = array.dtype in (np.float32, np.float64) and array.dtype.isnative
-    return np.ascontiguousarray(array, None if keep else np.float64)
+    return np.require(array, None if keep else np.float64, ("C", "ALIGNED"))
 
 
 def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = None) -> vtkPolyData:
     """The way of the stylus' tip, a polyline.
 
-    points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared where they are contiguous
-        and float64 or float32, else copied.
+    points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared where they are contiguous,
+        aligned and float64 or float32, else copied.
     time: when the tip is there (s), N numbers that do not fall. Default: one tick each, 1 ms at 1000 Hz.
 
-    TypeError: no real numbers. ValueError: another shape.
+    TypeError: no real numbers. ValueError: another shape, or masked.
 
     >>> import numpy as np
     >>> from volumehaptics import path

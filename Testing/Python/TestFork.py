@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A forked child has a copy of the device, but none of its threads: the hand is the parent's, and keeps its force."""
+
+import os
+import signal
+import sys
+import time
+
+import numpy as np
+import pytest
+from volumehaptics import image, vtkHapticDevice, vtkVolumeHapticsFilter
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="nothing is forked elsewhere")
+
+
+@pytest.fixture
+def device():
+    """One that is armed and presses: V = 100 z, 500 N/m."""
+    haptics, made = vtkVolumeHapticsFilter(), vtkHapticDevice()
+    haptics.SetInputData(image(np.broadcast_to(100.0 * np.arange(32).reshape(-1, 1, 1), (32, 17, 17)).copy()))
+    made.SetVolumeHaptics(haptics)
+    assert made.Open("virtual")
+    made.SetVirtualTip(8, 8, 10)
+    assert made.Start()
+    press(made, 10, lambda: made.GetTick() > 1)
+    made.Arm()
+    press(made, 11.5, lambda: made.GetForce()[2] < -0.7)
+    yield made
+    made.Close()
+
+
+def press(device, z, holds):
+    device.SetVirtualTip(8, 8, z)
+    end = time.monotonic() + 30.0
+    while not holds():
+        assert time.monotonic() < end, device.GetStatusText()
+        device.UpdateState()
+        time.sleep(0.002)
+
+
+@pytest.mark.parametrize("way", ("Stop", "Close", "Disarm"))
+def test_child_lets_go_of_its_copy(device, way):
+    child = os.fork()
+    if child == 0:
+        signal.alarm(30)  # where it waits for threads that there are not
+        getattr(device, way)()
+        device.Close()
+        del device
+        os._exit(7)
+    assert os.waitpid(child, 0) == (child, 7 << 8)
+    tick = device.GetTick()
+    press(device, 11.5, lambda: device.GetTick() > tick + 100)
+    assert device.GetStatus() == vtkHapticDevice.ACTIVE and device.GetForce()[2] < -0.7
