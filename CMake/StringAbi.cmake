@@ -4,6 +4,13 @@
 # Which std::string VTK was compiled with. VTK's own wheels for Linux on x86-64 have the one from before C++11, which
 # nothing in VTK's CMake package says; it shows when a program that hands a string over is linked.
 include(CheckCXXSourceCompiles)
+include(CMakePushCheckState)
+if (NOT VolumeHaptics_STRINGS_OF STREQUAL VTK_DIR)
+  unset(VolumeHaptics_STRINGS_ARE_VTKS CACHE)
+  unset(VolumeHaptics_OLD_STRINGS_ARE_VTKS CACHE)
+  set(VolumeHaptics_STRINGS_OF "${VTK_DIR}" CACHE INTERNAL "The VTK whose strings were looked at")
+endif ()
+cmake_push_check_state(RESET)
 set(CMAKE_REQUIRED_LIBRARIES VTK::vtksys)
 set(hands_a_string_over "
   #include <vtksys/SystemTools.hxx>
@@ -18,5 +25,4 @@ if (NOT VolumeHaptics_STRINGS_ARE_VTKS)
   endif ()
   add_compile_definitions(_GLIBCXX_USE_CXX11_ABI=0)
 endif ()
-unset(CMAKE_REQUIRED_LIBRARIES)
-unset(CMAKE_REQUIRED_DEFINITIONS)
+cmake_pop_check_state()
