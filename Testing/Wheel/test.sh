@@ -48,7 +48,7 @@ run_pytest()
 echo "== $(basename "$wheel") beside VTK alone"
 make_environment with-vtk pytest
 run_pytest with-vtk "$root/Testing/Python" -ra
-run_pytest with-vtk "$root/Testing/Wheel"
+run_pytest with-vtk "$root/Testing/Wheel" -s
 
 echo "== Uninstalled, it leaves nothing"
 list_packages "$folder/with-vtk" > "$folder/installed.txt"
@@ -63,4 +63,5 @@ fi
 
 echo "== $(basename "$wheel") beside PyVista"
 make_environment with-pyvista pytest pyvista
+run_pytest with-pyvista "$root/Testing/Python"
 run_pytest with-pyvista "$root/Testing/PyVista"
