@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes a wheel `vtk-sdk` where the registry has none: python3 assemble_vtk_sdk.py VERSION FOLDER
 
-The wheel has what VTK's own `vtk-sdk` has: headers, the CMake package, the wrapping tools and the module hierarchy. They come
-from a newer Debian's VTK of the same VERSION, taken with apt-get into FOLDER and nowhere else; what is linked is the wheel
-`vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with the Python that the
-wheel is for, and what it makes stays on that machine.
+The wheel has what VTK's own `vtk-sdk` has: headers, the CMake package, the wrapping tools and the module hierarchy.
+They come from a newer Debian's VTK of the same VERSION, taken with apt-get into FOLDER and nowhere else; what is linked
+is the wheel `vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with the
+Python that the wheel is for, and what it makes stays on that machine.
 
 Where Debian's VTK was configured in another way than the wheel, the headers are corrected: no TBB, VTK's own jsoncpp.
-Exits with 3 where Debian has VERSION no longer.
+Exits with 3 where that is not to be had, as when Debian has VERSION no longer.
 """
 import pathlib
 import re
@@ -61,21 +61,32 @@ Requires-Dist: vtk=={version}
 """
 
 
+class NotToBeHad(Exception):
+    """Why there is no SDK."""
+
+
 def run(*command, **options):
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, **options).stdout
+    ended = subprocess.run(command, check=False, stdout=subprocess.PIPE, text=True, **options)
+    if ended.returncode != 0:
+        raise NotToBeHad(f"this failed: {' '.join(command)}")
+    return ended.stdout
 
 
 class Debian:
-    """Packages of newer suites, beside the system's own."""
+    """Packages of newer suites, beside the system's own and from where those come from."""
 
     def __init__(self, folder):
         self.folder = folder
         apt = folder / "apt"
         for name in ("lists/partial", "cache/archives/partial"):
             (apt / name).mkdir(parents=True, exist_ok=True)
+        only = ("Label: Debian", "Identifier: Packages")
+        known = run("apt-get", "indextargets", "--format", "$(REPO_URI)", *only).split()
+        if not known:
+            raise NotToBeHad("apt-get knows no mirror of Debian")
         key = "/usr/share/keyrings/debian-archive-keyring.gpg"
         (apt / "sources.list").write_text("".join(
-            f"deb [signed-by={key}] http://MIRROR/debian {suite} main\n" for suite in SUITES))
+            f"deb [signed-by={key}] {known[0]} {suite} main\n" for suite in SUITES))
         (apt / "apt.conf").write_text(APT_OPTIONS.format(apt=apt))
         self.options = ("-c", str(apt / "apt.conf"))
         run("apt-get", *self.options, "-qq", "update")
@@ -103,7 +114,7 @@ def replace(path, *pairs):
     for pattern, replacement in pairs:
         text, count = re.subn(pattern, replacement, text, flags=re.MULTILINE)
         if count == 0:
-            sys.exit(f"{path.name} is not what was expected: it lacks {pattern}")
+            raise NotToBeHad(f"{path.name} is not what was expected: it lacks {pattern}")
     path.write_text(text)
 
 
@@ -225,8 +236,7 @@ def main(version, folder):
     debian = Debian(folder)
     found = debian.find("libvtk9-dev", version)
     if found is None or debian.find(*JSONCPP) is None:
-        print(f"Debian ({', '.join(SUITES)}) has no VTK {version}", file=sys.stderr)
-        sys.exit(3)
+        raise NotToBeHad(f"Debian ({', '.join(SUITES)}) has no VTK {version}")
     usr = folder / "debian" / "usr"
     for package in ("libvtk9-dev", "vtk9", "python3-vtk9", f"libvtk{'.'.join(version.split('.')[:2])}"):
         debian.unpack(package, found, usr.parent)
@@ -254,4 +264,10 @@ def main(version, folder):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:]) if len(sys.argv) == 3 else sys.exit(__doc__)
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    try:
+        main(*sys.argv[1:])
+    except NotToBeHad as why:
+        print(f"no vtk-sdk could be assembled: {why}", file=sys.stderr)
+        sys.exit(3)
