@@ -4,8 +4,8 @@
 
 The wheel has what VTK's own `vtk-sdk` has: headers, the CMake package, the wrapping tools and the module hierarchy.
 They come from a newer Debian's VTK of the same VERSION, taken with apt-get into FOLDER and nowhere else; what is linked
-is the wheel `vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with the
-Python that the wheel is for, and what it makes stays on that machine.
+is the wheel `vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with
+the Python that the wheel is for, and what it makes stays on that machine.
 
 Where Debian's VTK was configured in another way than the wheel, the headers are corrected: no TBB, VTK's own jsoncpp.
 Exits with 3 where that is not to be had, as when Debian has VERSION no longer.
