@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the installed wheel holds: everything it needs besides VTK's wheel, and no place of the machine that built it."""
+"""What the installed wheel holds: all that it needs besides VTK's wheel, and no place of the machine that built it."""
 
 import importlib.metadata
 import os
@@ -32,7 +32,9 @@ def dynamic(path):
 def test_has_what_is_promised():
     names = {path.name for path in binaries()}
     assert {"libvtkVolumeHaptics.so", "volumehaptics-device", "volumehaptics-explore"} <= names
-    for name in ("__main__.py", "data/HeadPhantom.vti", "py.typed", "udev/70-volume-haptics.rules", "vtkVolumeHaptics.pyi"):
+    for name in (
+        "__main__.py", "data/HeadPhantom.vti", "py.typed", "udev/70-volume-haptics.rules", "vtkVolumeHaptics.pyi",
+    ):
         assert (PACKAGE / name).is_file(), name
     assert any("license" in str(file).lower() for file in importlib.metadata.files("volumehaptics"))
 
@@ -75,7 +77,8 @@ def test_requires_its_own_vtk():
 
 def test_programs_run():
     for program, word in (("volumehaptics-explore", "--preset"), ("volumehaptics-device", "monitor")):
-        run = subprocess.run([PACKAGE / "bin" / program, "--help"], capture_output=True, text=True, check=False, cwd="/")
+        command = [PACKAGE / "bin" / program, "--help"]
+        run = subprocess.run(command, capture_output=True, text=True, check=False, cwd="/")
         assert word in run.stdout + run.stderr, (program, run)
         beside_python = Path(sys.executable).parent / program
         again = subprocess.run([beside_python, "--help"], capture_output=True, text=True, check=False, cwd="/")

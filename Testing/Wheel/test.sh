@@ -6,8 +6,8 @@
 #
 # usage: Testing/Wheel/test.sh FOLDER REFERENCE_BUILD PYTHON
 #
-# FOLDER is what CMake/wheel/build.sh made, and new virtual environments are put there: one with VTK alone, one with PyVista.
-# REFERENCE_BUILD is a build with the system's VTK, whose traces the wheel's have to equal.
+# FOLDER is what CMake/wheel/build.sh made, and new virtual environments are put there: one with VTK alone, one with
+# PyVista. REFERENCE_BUILD is a build with the system's VTK, whose traces the wheel's have to equal.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
