@@ -28,11 +28,11 @@ NOISE_SEED = 20021127
 
 
 def write(writer, data, path):
-    """Text only (base64) and compressed, so that the files survive every tool."""
+    """Text only (base64) and compressed, so that the files survive every tool; and in place, as ParaView 5.11 with a
+    newer expat (Debian's since 2.5.0-1+deb12u2) can't read data that are appended."""
     writer.SetInputData(data)
     writer.SetFileName(path)
-    writer.SetDataModeToAppended()
-    writer.EncodeAppendedDataOn()
+    writer.SetDataModeToBinary()
     writer.SetHeaderTypeToUInt32()
     writer.SetByteOrderToLittleEndian()
     writer.SetCompressorTypeToZLib()

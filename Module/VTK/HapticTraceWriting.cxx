@@ -149,6 +149,7 @@ bool WriteTraceFile(vtkPolyData* trace, const std::string& file, std::string& er
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetFileName(file.c_str());
     writer->SetInputData(trace);
+    writer->SetDataModeToBinary(); // newer expats leave ParaView 5.11 unable to read data that are appended
     written = writer->Write() != 0;
   }
   if (!written)

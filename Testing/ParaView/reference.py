@@ -34,6 +34,7 @@ def write_volume(source, file):
     writer = vtkXMLImageDataWriter()
     writer.SetInputConnection(source.GetOutputPort())
     writer.SetFileName(file)
+    writer.SetDataModeToBinary()
     assert writer.Write(), file
 
 
@@ -46,6 +47,7 @@ def write_path(points, file):
     writer = vtkXMLPolyDataWriter()
     writer.SetInputData(path)
     writer.SetFileName(file)
+    writer.SetDataModeToBinary()
     assert writer.Write(), file
     return path
 

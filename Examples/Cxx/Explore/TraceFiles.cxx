@@ -78,6 +78,7 @@ void WriteTrace(vtkPolyData* trace, const std::string& file)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(trace);
+  writer->SetDataModeToBinary(); // for ParaView: see Data/generate.py
   Check(writer->Write() != 0, file);
 }
 

@@ -41,6 +41,7 @@ def clutch(view, device, link):
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(file)
         writer.SetInputData(path)
+        writer.SetDataModeToBinary()
         writer.Write()
         device.Device = "replay:" + file
         device.Running = 1
