@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticForceChart.h"
 
+#include "HapticChartText.h"
+
 #include "vtkAxis.h"
 #include "vtkBlockItem.h"
 #include "vtkBrush.h"
@@ -13,7 +15,6 @@
 #include "vtkPen.h"
 #include "vtkPlot.h"
 #include "vtkTable.h"
-#include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,21 +36,15 @@ const Curve Curves[] = { { "normal", { 80, 165, 255 }, 1.8f },
   { "whole", { 165, 170, 178 }, 3.5f } };
 const int DrawingOrder[] = { 3, 0, 1, 2 };
 
-void SetLightFont(vtkTextProperty* text, int size)
-{
-  text->SetFontSize(size);
-  text->SetColor(0.90, 0.92, 0.95);
-  text->BoldOff();
-  text->ItalicOff();
-}
+constexpr double LightText[3] = { 0.90, 0.92, 0.95 };
 
 void SetAxis(vtkAxis* axis, const char* title)
 {
   axis->SetTitle(title);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetNotation(vtkAxis::STANDARD_NOTATION);
-  SetLightFont(axis->GetTitleProperties(), 11);
-  SetLightFont(axis->GetLabelProperties(), 10);
+  SetChartText(axis->GetTitleProperties(), 11, LightText);
+  SetChartText(axis->GetLabelProperties(), 10, LightText);
   axis->GetPen()->SetColor(170, 176, 186);
   axis->GetGridPen()->SetColor(70, 76, 86);
 }
@@ -118,12 +113,12 @@ void HapticForceChart::Build()
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Chart->SetAutoSize(false);
   this->Chart->SetShowLegend(true);
-  SetLightFont(this->Chart->GetTitleProperties(), 12);
+  SetChartText(this->Chart->GetTitleProperties(), 12, LightText);
   SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)");
   SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)");
   this->Chart->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(false);
   vtkChartLegend* const legend = this->Chart->GetLegend();
-  SetLightFont(legend->GetLabelProperties(), 10);
+  SetChartText(legend->GetLabelProperties(), 10, LightText);
   legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
   legend->SetVerticalAlignment(vtkChartLegend::TOP);
   legend->GetPen()->SetOpacity(0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticFunctionChart.h"
 
+#include "HapticChartText.h"
 #include "HapticHistogram.h"
 
 #include "vtkAxis.h"
@@ -15,7 +16,6 @@
 #include "vtkPen.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
-#include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,13 +27,7 @@ namespace
 
 constexpr int RightBottom = 1; // vtkChartXY's number for the axes of a plot
 
-void SetDarkFont(vtkTextProperty* text, int size)
-{
-  text->SetFontSize(size);
-  text->SetColor(0.12, 0.13, 0.15);
-  text->BoldOff();
-  text->ItalicOff();
-}
+constexpr double DarkText[3] = { 0.12, 0.13, 0.15 };
 
 /** The next round number. */
 double RoundUp(double value)
@@ -116,11 +110,11 @@ void HapticFunctionChart::Place(const int rectangle[4])
   this->Panel->SetDimensions(area[0], area[1], area[2], area[3]);
   this->Chart->SetSize(area);
   const int font = std::clamp(rectangle[3] / 18, 8, 16);
-  SetDarkFont(this->Chart->GetTitleProperties(), font + 2);
+  SetChartText(this->Chart->GetTitleProperties(), font + 2, DarkText);
   for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM })
   {
-    SetDarkFont(this->Chart->GetAxis(side)->GetTitleProperties(), font);
-    SetDarkFont(this->Chart->GetAxis(side)->GetLabelProperties(), font);
+    SetChartText(this->Chart->GetAxis(side)->GetTitleProperties(), font, DarkText);
+    SetChartText(this->Chart->GetAxis(side)->GetLabelProperties(), font, DarkText);
   }
 }
 
