@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkVolume
 
-from ._touch import Errors, _set
+from ._touch import Errors, configure
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
     vtkHapticHeadUpDisplay,
@@ -237,32 +237,24 @@ def add_haptics(
 
 def _prepare(haptics: Haptics, image: vtkImageData, preset: str | None, look: Any, settings: dict[str, Any]) -> None:
     touch = haptics.filter
-    errors = Errors(touch, touch.GetProperty())
-    for name, value in settings.items():
-        if not _set(touch, name, value, "add_haptics"):
-            raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
-    if preset is not None and not touch.GetProperty().ApplyPreset(preset):
-        raise ValueError("; ".join(errors))
-    if look is not None:
-        touch.GetProperty().SetVisibilityFrom(look)
-    touch.SetInputData(image)
-    touch.Update()  # without a path, only checks
+    with Errors(touch, touch.GetProperty()) as errors:
+        configure(touch, preset, settings, errors, "add_haptics")
+        if look is not None:
+            touch.GetProperty().SetVisibilityFrom(look)
+        touch.SetInputData(image)
+        touch.Update()  # without a path, only checks
     if errors:
         raise ValueError("; ".join(errors))
-    errors.end()
 
 
 def _start(haptics: Haptics, wanted: str | vtkHapticDevice) -> None:
     device = haptics.device
-    errors = Errors(device, haptics.filter)
-    device.Stop()  # one of the user's own may be armed, on another volume
-    device.SetVolumeHaptics(haptics.filter)
-    try:
+    with Errors(device, haptics.filter) as errors:  # of a device of the user's own no longer than this
+        device.Stop()  # one of the user's own may be armed, on another volume
+        device.SetVolumeHaptics(haptics.filter)
         if haptics._owns_device and not device.Open(wanted):
             raise RuntimeError("; ".join(errors))
         if device.GetAttentionTime() == 0.0:
             device.SetAttentionTime(ATTENTION)
         if not device.Start():
             raise ValueError("; ".join(errors))
-    finally:
-        errors.end()  # a device of the user's own goes on complaining on the console

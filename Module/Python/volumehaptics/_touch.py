@@ -19,7 +19,11 @@ if TYPE_CHECKING:
 
 
 class Errors(list):
-    """What objects complain of, instead of on the console."""
+    """What objects complain of in a with statement, instead of on the console.
+
+    Who is watched and who watches keep each other, and a volume with them, until Python looks for garbage: not longer
+    than the statement.
+    """
 
     def __init__(self, *watched: Any) -> None:
         super().__init__()
@@ -31,11 +35,13 @@ class Errors(list):
         note.CallDataType = VTK_STRING
         self._watched = [(one, one.AddObserver("ErrorEvent", note)) for one in watched]
 
-    def end(self) -> None:
-        """From here on, errors are for the console again."""
-        while self._watched:
-            one, tag = self._watched.pop()
+    def __enter__(self) -> Errors:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for one, tag in self._watched:
             one.RemoveObserver(tag)
+        self._watched.clear()
 
 
 def _settings() -> list[str]:
@@ -76,7 +82,7 @@ def _by_name(name: str, value: Any) -> str:
     return f"; is it {name}=vtkVolumeHapticsFilter.{constant}?" if known else ""
 
 
-def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str = "touch") -> bool:
+def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) -> bool:
     """False: the filter knows no such value, and may have said why. Numbers out of range, of which it would take the
     nearest, are a ValueError."""
     setter = getattr(haptics, f"Set{_in_camel_case(name)}", None)
@@ -91,6 +97,17 @@ def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str = "
         if getter() != value:
             raise ValueError(f"{name}={value!r} is out of range; the nearest that there is is {getter()!r}")
     return known is not False
+
+
+def configure(
+    haptics: vtkVolumeHapticsFilter, preset: str | None, settings: dict[str, Any], errors: Errors, caller: str
+) -> None:
+    """The settings, then the preset; what of them is not known is an error, which errors may explain."""
+    for name, value in settings.items():
+        if not _set(haptics, name, value, caller):
+            raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
+    if preset is not None and not haptics.GetProperty().ApplyPreset(preset):
+        raise ValueError("; ".join(errors))
 
 
 def _warn_outside(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> None:
@@ -154,20 +171,11 @@ def touch(
         raise TypeError("touch() takes a preset or a property, not both: call the property's ApplyPreset()")
 
     haptics = vtkVolumeHapticsFilter()
-    errors, failures = Errors(haptics, haptics.GetProperty()), Errors(haptics.GetExecutive())
-    try:
-        for name, value in settings.items():
-            if not _set(haptics, name, value):
-                raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
-        if preset is not None and not haptics.GetProperty().ApplyPreset(preset):
-            raise ValueError("; ".join(errors))
+    with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures:
+        configure(haptics, preset, settings, errors, "touch")
         haptics.SetInputData(image)
         haptics.SetPathData(path)
         haptics.Update()
-    finally:
-        # Who is watched and who watches keep each other, and the volume with them, until Python looks for garbage.
-        errors.end()
-        failures.end()
     # The executive only repeats that the filter failed.
     if errors:
         raise ValueError("; ".join(errors))

@@ -75,14 +75,13 @@ def stroke(depth: float = 3.0, length: float = 24.0, speed: float = 80.0, cleara
     """
     crown = _crown()
     source = vtkHapticPathSource()
-    errors = Errors(source)
-    quiet = Errors(source.GetExecutive())
-    source.SetShapeToPressAndSlide()
-    source.SetBoxBounds(-length / 2, length / 2, 0.0, 0.0, crown, crown)  # the face that it presses on
-    source.SetDepth(depth)
-    source.SetClearance(clearance)
-    source.SetSpeed(speed)
-    source.Update()
+    with Errors(source) as errors, Errors(source.GetExecutive()) as quiet:
+        source.SetShapeToPressAndSlide()
+        source.SetBoxBounds(-length / 2, length / 2, 0.0, 0.0, crown, crown)  # the face that it presses on
+        source.SetDepth(depth)
+        source.SetClearance(clearance)
+        source.SetSpeed(speed)
+        source.Update()
     if errors or quiet:
         raise ValueError("; ".join(errors or quiet))
     return source.GetOutput()
