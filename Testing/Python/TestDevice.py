@@ -6,21 +6,10 @@ import math
 import time
 
 import compare_traces
-from vtkmodules.vtkCommonCore import VTK_DOUBLE
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
+from ramp import make_ramp
+from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from volumehaptics import vtkHapticDevice, vtkVolumeHapticsFilter
-
-
-def make_ramp():
-    """V = 100 z on 16^3 voxels of 1 world unit."""
-    image = vtkImageData()
-    image.SetDimensions(16, 16, 16)
-    image.AllocateScalars(VTK_DOUBLE, 1)
-    scalars = image.GetPointData().GetScalars()
-    for i in range(image.GetNumberOfPoints()):
-        scalars.SetTuple1(i, 100.0 * image.GetPoint(i)[2])
-    return image
 
 
 def wait(device, holds):
@@ -71,7 +60,7 @@ def test_what_cannot_be_opened(tmp_path):
 
 def test_push_is_recorded_and_replayed(tmp_path):
     haptics, device = vtkVolumeHapticsFilter(), vtkHapticDevice()
-    haptics.SetInputData(0, make_ramp())
+    haptics.SetInputData(0, make_ramp(16))
     errors = Errors(device)
     assert device.Open("virtual") and device.GetStatus() == vtkHapticDevice.READY
     assert device.GetMaximumForce() > 0.0 and device.GetMaximumForceRate() == 500.0

@@ -4,25 +4,15 @@
 
 import pydoc
 
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from ramp import make_ramp
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from volumehaptics import (
     vtkHapticDevice,
     vtkHapticRegionFilter,
     vtkHapticRegionPlanner,
     vtkVolumeHapticsFilter,
 )
-
-
-def make_ramp():
-    """V = 100 z on 40^3 voxels of 1 world unit."""
-    image = vtkImageData()
-    image.SetDimensions(40, 40, 40)
-    image.AllocateScalars(VTK_DOUBLE, 1)
-    scalars = image.GetPointData().GetScalars()
-    for i in range(image.GetNumberOfPoints()):
-        scalars.SetTuple1(i, 100.0 * image.GetPoint(i)[2])
-    return image
 
 
 def test_settings_come_back_with_their_documentation():
@@ -50,7 +40,7 @@ def test_settings_come_back_with_their_documentation():
 
 
 def test_region_is_felt_as_the_whole():
-    image, planner = make_ramp(), vtkHapticRegionPlanner()
+    image, planner = make_ramp(40), vtkHapticRegionPlanner()
     assert planner.SetWhole(image)
     assert planner.GetSpacing() == (1.0, 1.0, 1.0)
     crop = vtkHapticRegionFilter()
