@@ -58,3 +58,15 @@ def test_readme(readme, capsys):
     code = "\n".join(re.findall(r"```python\n(.*?)```", section, re.DOTALL))
     exec(compile(code, "README.md", "exec"), {})
     assert re.fullmatch(r"\d+\.\d+ N\n", capsys.readouterr().out)
+
+
+def test_readme_live_device(readme):
+    """The script of "A live device", alone and as printed, feels the head and lets go of it."""
+    (code,) = re.findall(r"```python\n(.*?)```", readme.split("\n## A live device\n")[1].split("\n## ")[0], re.DOTALL)
+    printed = []
+    names = {"print": lambda *words: printed.append(words)}
+    exec(compile(code, "README.md", "exec"), names)
+    assert len(printed) == 101 and printed[-1][0].startswith(("Active", "Armed"))
+    assert max(math.hypot(*force) for _, force, _ in printed[:-1]) > 0.5
+    assert any(contact for _, _, contact in printed[:-1])
+    assert not names["device"].IsRunning()
