@@ -236,7 +236,7 @@ public:
 
   /**
    * Method and Solver as one choice, for menus and command lines, in the order of NextMethod(): "proxy" (PROXY with
-   * PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy".
+   * PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy", "local-surface".
    */
   static vtkStringArray* GetMethodNames();
 
