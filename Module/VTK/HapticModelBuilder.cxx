@@ -89,14 +89,15 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 }
 
 /** Keeps noise from being felt where nobody has said from which gradient on there is a surface. */
-void BakeNoiseRamp(vtkHapticProperty* property, vtkDataArray* scalars, const WholeFacts& whole,
-  HapticModelDescription& d)
+void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  const WholeFacts& whole, NoiseOfScalars& estimate, HapticModelDescription& d)
 {
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
   {
-    const double noise =
-      whole.IsThere ? whole.Noise : EstimateNoise(scalars, d.View, property->GetComponent());
+    const double noise = whole.IsThere
+      ? whole.Noise
+      : estimate.Get(image, scalars, d.View, property->GetComponent());
     ramp = MakeNoiseRamp(noise, HapticModel::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())
@@ -197,7 +198,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   {
     return nullptr;
   }
-  BakeNoiseRamp(property, scalars, whole, d);
+  BakeNoiseRamp(property, image, scalars, whole, *options.Noise, d);
   const std::string array =
     std::to_string(property->GetComponent()) + (scalars->GetName() ? scalars->GetName() : "");
   d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;

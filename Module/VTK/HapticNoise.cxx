@@ -3,7 +3,9 @@
 #include "HapticNoise.h"
 
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -144,6 +146,21 @@ double EstimateNoise(vtkDataArray* scalars, const VolumeView& view, int componen
   WholeSamples samples;
   CollectSamples(scalars, component, extent, extent, samples);
   return EstimateNoise(samples);
+}
+
+double NoiseOfScalars::Get(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  const std::int64_t* const n = view.Dimensions;
+  // Programs that write into an array often announce it by the image alone.
+  const Key key{ scalars, view.Data, { n[0], n[1], n[2] }, component,
+    std::max(image->GetMTime(), scalars->GetMTime()) };
+  if (key != this->EstimatedFrom)
+  {
+    this->Noise = EstimateNoise(scalars, view, component);
+    this->EstimatedFrom = key;
+  }
+  return this->Noise;
 }
 
 void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], const int whole[6],

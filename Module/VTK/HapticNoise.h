@@ -10,7 +10,13 @@
 #include "HapticModel.h"
 #include "WholeSamples.h"
 
+#include "vtkType.h"
+
+#include <array>
+#include <tuple>
+
 class vtkDataArray;
+class vtkImageData;
 
 namespace VolumeHaptics
 {
@@ -22,6 +28,22 @@ namespace VolumeHaptics
  * and for images of less than 5 samples along an axis.
  */
 double EstimateNoise(vtkDataArray* scalars, const VolumeView& view, int component);
+
+/** The noise of the scalars that were looked at last, estimated once as long as none of what it comes from changes. */
+class NoiseOfScalars
+{
+public:
+  double Get(
+    vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
+
+private:
+  /** The array, where its values are, how many along each axis, the component, and the last change. */
+  using Key =
+    std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;
+
+  double Noise = 0.0;
+  Key EstimatedFrom{};
+};
 
 /** The same from what all pieces of a volume gave; blocks that are not whole do not count. */
 double EstimateNoise(const WholeSamples& samples);

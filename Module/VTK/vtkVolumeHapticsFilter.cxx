@@ -4,6 +4,7 @@
 
 #include "HapticHash.h"
 #include "HapticModelBuilder.h"
+#include "HapticNoise.h"
 #include "HapticRegion.h"
 #include "HapticSurface.h"
 #include "HapticTipPath.h"
@@ -40,6 +41,7 @@ vtkStandardNewMacro(vtkVolumeHapticsFilter);
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   : Surfaces(new VolumeHaptics::HapticSurface)
+  , Noise(new VolumeHaptics::NoiseOfScalars)
   , Regions(new VolumeHaptics::RegionSeries)
 {
   this->SetNumberOfInputPorts(3);
@@ -138,6 +140,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Settings.LocalSurfaceRate = this->LocalSurfaceRate;
   options.Settings.RecoveryTime = this->RecoveryTime;
   options.Surfaces = this->Surfaces.get();
+  options.Noise = this->Noise.get();
   options.Regions = this->Regions.get();
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);

@@ -105,6 +105,7 @@ namespace VolumeHaptics
 {
 class HapticModel;
 class HapticSurface;
+class NoiseOfScalars;
 class RegionSeries;
 struct Affine3;
 struct ForceCaps;
@@ -167,6 +168,7 @@ private:
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
   vtkMTimeType LastBakedTime = 0;
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
+  std::unique_ptr<VolumeHaptics::NoiseOfScalars> Noise;
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
 #endif
 

@@ -8,6 +8,8 @@
 #include "ApiRig.h"
 
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
 #include <cmath>
@@ -47,6 +49,75 @@ double Edge(double z)
 {
   return 500.0 * (1.0 + std::erf((z - 24.0) / 1.5));
 }
+
+/// Counts the values that are read one by one, as the estimate does. A bake reads the eight corners at most.
+class CountingArray : public vtkFloatArray
+{
+public:
+  static CountingArray* New();
+  vtkTypeMacro(CountingArray, vtkFloatArray);
+  double GetComponent(vtkIdType tuple, int component) override
+  {
+    ++this->Reads;
+    return this->Superclass::GetComponent(tuple, component);
+  }
+  /// Whether the estimate was made since the last call.
+  bool WasRead()
+  {
+    const bool was = this->Reads > 8;
+    this->Reads = 0;
+    return was;
+  }
+
+private:
+  int Reads = 0;
+};
+vtkStandardNewMacro(CountingArray);
+
+/// An image whose scalars count, and have noise of another standard deviation in each component.
+class NoiseOnce : public Noise
+{
+protected:
+  NoiseOnce()
+  {
+    this->Fill(this->Counting, { 20.0, 40.0 }, 5);
+    this->Image->SetDimensions(Size, Size, Size);
+    this->Image->GetPointData()->SetScalars(this->Counting);
+    EXPECT_GT(this->FindStart(this->Image), 0.0);
+    EXPECT_TRUE(this->Counting->WasRead());
+  }
+  static void Fill(vtkFloatArray* array, const std::vector<double>& sigmas, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    array->SetNumberOfComponents(static_cast<int>(sigmas.size()));
+    array->SetNumberOfTuples(Size * Size * Size);
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (std::size_t c = 0; c < sigmas.size(); ++c)
+      {
+        array->SetTypedComponent(i, static_cast<int>(c), sigmas[c] * normal(random));
+      }
+    }
+  }
+  /// What a filter of the same settings finds that has seen nothing before.
+  double FindAnew()
+  {
+    vtkNew<vtkVolumeHapticsFilter> fresh;
+    fresh->SetGradientEstimator(this->Filter->GetGradientEstimator());
+    fresh->SetKernelRadius(this->Filter->GetKernelRadius());
+    fresh->GetProperty()->SetComponent(this->Filter->GetProperty()->GetComponent());
+    fresh->SetInputData(0, this->Image);
+    fresh->SetInputArrayToProcess(0, this->Filter->GetInputArrayInformation(0));
+    fresh->Update();
+    this->Counting->WasRead();
+    return fresh->GetProperty()->GetNoiseRamp()[0];
+  }
+
+  static constexpr int Size = 32;
+  vtkNew<CountingArray> Counting;
+  vtkNew<vtkImageData> Image;
+};
 } // namespace
 
 TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
@@ -110,4 +181,52 @@ TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
     EXPECT_GT(above, 0.002 * 4000) << "estimator " << estimator;
     EXPECT_LT(above, 0.03 * 4000) << "estimator " << estimator;
   }
+}
+
+TEST_F(NoiseOnce, IsNotEstimatedAgainForTheSameImage)
+{
+  const double start = this->FindStart(this->Image);
+  EXPECT_FALSE(this->Counting->WasRead()) << "another path";
+  this->Filter->GetProperty()->GetStiffness()->AddPoint(0.0, 800.0);
+  EXPECT_EQ(this->FindStart(this->Image), start);
+  EXPECT_FALSE(this->Counting->WasRead()) << "another material";
+  this->Filter->SetKernelRadius(3);
+  this->Filter->SetGradientEstimatorToCubicBSpline();
+  const double smoother = this->FindStart(this->Image);
+  EXPECT_FALSE(this->Counting->WasRead()) << "another kernel makes another ramp of the same noise";
+  EXPECT_EQ(smoother, this->FindAnew());
+  EXPECT_NE(smoother, start);
+}
+
+TEST_F(NoiseOnce, IsEstimatedAgainWhenTheScalarsHaveChanged)
+{
+  const double before = this->FindStart(this->Image);
+  this->Fill(this->Counting, { 60.0, 40.0 }, 6);
+  this->Counting->Modified();
+  EXPECT_NEAR(this->FindStart(this->Image), 3.0 * before, 0.3 * before);
+  this->Fill(this->Counting, { 100.0, 40.0 }, 7);
+  this->Image->Modified(); // as some programs announce new scalars
+  EXPECT_NEAR(this->FindStart(this->Image), 5.0 * before, 0.5 * before);
+  EXPECT_TRUE(this->Counting->WasRead());
+  this->Image->SetDimensions(Size, Size / 2, 2 * Size);
+  this->FindStart(this->Image);
+  EXPECT_TRUE(this->Counting->WasRead()) << "other neighbours";
+}
+
+TEST_F(NoiseOnce, IsThatOfTheComponentAndOfTheArray)
+{
+  const double first = this->FindStart(this->Image);
+  this->Filter->GetProperty()->SetComponent(1);
+  EXPECT_NEAR(this->FindStart(this->Image), 2.0 * first, 0.2 * first);
+  EXPECT_TRUE(this->Counting->WasRead());
+  this->Filter->GetProperty()->SetComponent(0);
+  EXPECT_EQ(this->FindStart(this->Image), first);
+
+  vtkNew<vtkFloatArray> other;
+  other->SetName("other");
+  this->Fill(other, { 80.0 }, 7);
+  this->Image->GetPointData()->AddArray(other);
+  this->FindStart(this->Image);
+  this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "other");
+  EXPECT_NEAR(this->FindStart(this->Image), 4.0 * first, 0.4 * first);
 }
