@@ -188,6 +188,14 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
   {
     return true;
   }
+  if (const std::size_t lines = CountLines(path); lines > 1)
+  {
+    error = "The tip path, on input port 1, is of " + std::to_string(lines) +
+      " lines, which do not continue one another: the stylus would leap from each to the next. "
+      "Feel one line at a time, for example with a path for each. Or remove the line cells, if "
+      "the leaps are wanted: the points are then felt one after the other.";
+    return false;
+  }
   if (path->GetPointData()->HasArray(RecordingNames::DeviceTip))
   {
     result = {};

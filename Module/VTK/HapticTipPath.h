@@ -51,10 +51,17 @@ struct TipPath
  * the path is resampled linearly to one tick every `period` seconds from its first time on (of
  * points with the same time, the last counts; a point whose time is a tick's is taken as it is, to
  * the bit). A recording of vtkHapticDevice is taken tick by tick, in device space. False, with an
- * error, for numbers that are not finite, time that runs backwards, and recordings that are not
- * whole.
+ * error, for numbers that are not finite, time that runs backwards, recordings that are not whole,
+ * and several lines.
  */
 bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string& error);
+
+/**
+ * How many strokes of a pen draw the line cells of a path: 1 for a polyline and for segments that
+ * continue one another, in whatever order and direction they are stored; 0 without line cells.
+ * Points have to be finite.
+ */
+std::size_t CountLines(vtkPolyData* path);
 
 /** Walks a path tick by tick. */
 class TipPathWalk

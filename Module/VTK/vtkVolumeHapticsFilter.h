@@ -48,7 +48,8 @@
  * proxy is on the tip, and force comes back in the same way.
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
- * order; with a point array "Time" (s) the path is resampled to ServoRate. A recording of
+ * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be a polyline,
+ * segments that continue one another, or points alone; several lines are refused. A recording of
  * vtkHapticDevice is replayed tick by tick, to the bit.
  *
  * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of

@@ -7,6 +7,7 @@
 
 #include "ApiRig.h"
 
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkPointData.h>
 
@@ -37,6 +38,20 @@ vtkSmartPointer<vtkPolyData> WithTimeArray(int components, int tuples)
   times->SetNumberOfTuples(tuples);
   times->Fill(0.0);
   path->GetPointData()->AddArray(times);
+  return path;
+}
+
+/// Eight points, and polylines of some of them.
+vtkSmartPointer<vtkPolyData> WithLines(const std::vector<std::vector<vtkIdType>>& lines)
+{
+  auto path = MakePath({ { 7, 7, 5 }, { 7, 7, 6 }, { 7, 7, 7 }, { 7, 7, 8 }, { 4, 4, 5 },
+    { 4, 4, 6 }, { 4, 4, 7 }, { 4, 4, 8 } });
+  vtkNew<vtkCellArray> cells;
+  for (const auto& line : lines)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(line.size()), line.data());
+  }
+  path->SetLines(cells);
   return path;
 }
 
@@ -75,6 +90,37 @@ const BadPath BadPaths[] = {
       return MakePath(Three, { 0.0, 1e6, 1e9 });
     },
     { "tip path", "\"Time\"", "ticks", "seconds" } },
+  { "TwoLines",
+    [] {
+      return WithLines({ { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
+    },
+    { "tip path", "port 1", "2 lines", "one line at a time" } },
+  { "TwoChains",
+    [] {
+      return WithLines({ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 4, 5 }, { 5, 6 }, { 6, 7 } });
+    },
+    { "tip path", "2 lines", "one line at a time" } },
+  { "FourSegments",
+    [] {
+      return WithLines({ { 0, 1 }, { 2, 3 }, { 4, 5 }, { 6, 7 } });
+    },
+    { "tip path", "4 lines" } },
+  { "Fork",
+    [] {
+      return WithLines({ { 0, 1, 2 }, { 2, 3 }, { 2, 4, 5 } });
+    },
+    { "2 lines" } },
+  { "Junction",
+    [] {
+      return WithLines({ { 0, 1, 2, 3 }, { 1, 4, 5 } });
+    },
+    { "2 lines" } },
+  // A star of six rays: every stroke takes two.
+  { "Star",
+    [] {
+      return WithLines({ { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 4 }, { 0, 5 }, { 0, 6 } });
+    },
+    { "3 lines" } },
 };
 
 class BadPathTest

@@ -74,6 +74,60 @@ TEST_F(FilterPath, PointsAreTheTicksWhateverTheCells)
   EXPECT_TRUE(IsSame(this->RunOn(this->Path, 51), kept));
 }
 
+TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
+{
+  const auto kept = (this->Run(51), Keep(this->Filter));
+  vtkNew<vtkCellArray> segments;
+  for (vtkIdType i = 0; i < 50; ++i)
+  {
+    segments->InsertNextCell({ i, i + 1 });
+  }
+  this->Path->SetLines(segments);
+  EXPECT_TRUE(IsSame(this->RunOn(this->Path, 51), kept));
+
+  // In another order, some of them backwards, beside a line of no length.
+  vtkNew<vtkCellArray> shuffled;
+  for (vtkIdType i = 0; i < 50; ++i)
+  {
+    const vtkIdType from = 7 * i % 50;
+    i % 3 == 0 ? shuffled->InsertNextCell({ from + 1, from })
+               : shuffled->InsertNextCell({ from, from + 1 });
+  }
+  shuffled->InsertNextCell({ 3 });
+  this->Path->SetLines(shuffled);
+  EXPECT_TRUE(IsSame(this->RunOn(this->Path, 51), kept));
+
+  vtkNew<vtkCellArray> vertices;
+  for (const vtkIdType point : { 0, 20, 50 })
+  {
+    vertices->InsertNextCell({ point });
+  }
+  this->Path->SetLines(nullptr);
+  this->Path->SetVerts(vertices);
+  EXPECT_TRUE(IsSame(this->RunOn(this->Path, 51), kept));
+}
+
+TEST_F(FilterPath, LinesThatMeetInSpaceAreOnePath)
+{
+  // Down and up again, and on: each of the three has points of its own, as where lines were appended. The second one
+  // begins off by a rounding of float.
+  const auto path = MakePath(
+    { { 7, 7, 5 }, { 7, 7, 9 }, { 7, 7, 9.0000005 }, { 7, 7, 5 }, { 7, 7, 5 }, { 9, 7, 5 } });
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  lines->InsertNextCell({ 2, 3 });
+  lines->InsertNextCell({ 4, 5 });
+  path->SetLines(lines);
+  this->RunOn(path, 6);
+  // A figure of eight: four ends at one place, and nowhere to leap.
+  const auto eight = MakePath({ { 7, 7, 7 }, { 8, 7, 7 }, { 8, 8, 7 }, { 6, 7, 7 }, { 6, 6, 7 } });
+  vtkNew<vtkCellArray> loops;
+  loops->InsertNextCell({ 0, 1, 2, 0 });
+  loops->InsertNextCell({ 0, 3, 4, 0 });
+  eight->SetLines(loops);
+  this->RunOn(eight, 5);
+}
+
 TEST_F(FilterPath, PointsAtTicksAreTakenAsTheyAre)
 {
   const auto plain = (this->Run(51), Keep(this->Filter));
