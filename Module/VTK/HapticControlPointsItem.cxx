@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticControlPointsItem.h"
 
+#include "HapticHistogram.h"
+
 #include "vtkBrush.h"
 #include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <sstream>
+
+namespace
+{
+constexpr double Farthest = VolumeHaptics::FarthestShown;
+} // namespace
 
 vtkStandardNewMacro(HapticControlPointsItem);
 
@@ -46,7 +54,14 @@ void HapticControlPointsItem::SetEmptyValue(double value)
 void HapticControlPointsItem::GetControlPoint(vtkIdType index, double* point) const
 {
   this->Superclass::GetControlPoint(index, point);
-  point[1] = std::min(point[1] / this->Scale, 1.0);
+  point[0] = std::isnan(point[0]) ? Farthest : std::clamp(point[0], -Farthest, Farthest);
+  point[1] = ToShare(point[1], this->Scale);
+}
+
+//------------------------------------------------------------------------------
+double HapticControlPointsItem::ToShare(double value, double scale)
+{
+  return std::isnan(value) ? 0.0 : std::clamp(value / scale, -1.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +70,8 @@ void HapticControlPointsItem::SetControlPoint(vtkIdType index, double* point)
   double node[4];
   this->Superclass::GetControlPoint(index, node);
   const bool staysAbove = point[1] >= 1.0 && node[1] > this->Scale;
-  node[0] = point[0];
+  const bool staysAway = !(std::abs(node[0]) <= Farthest);
+  node[0] = staysAway ? node[0] : point[0];
   node[1] = staysAbove ? node[1] : point[1] * this->Scale;
   this->Superclass::SetControlPoint(index, node);
 }

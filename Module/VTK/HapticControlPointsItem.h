@@ -32,6 +32,9 @@ public:
   /** The value of the current point and its place, such as "800 at 70", or nothing. */
   std::string DescribeCurrentPoint();
 
+  /** A function's value as a share of the scale, -1 to 1, whatever it is. */
+  static double ToShare(double value, double scale);
+
   vtkIdType AddPoint(double* newPos) override;
 
 protected:

@@ -180,8 +180,11 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   {
     double node[4];
     function->GetNodeValue(i, node);
-    ends[0] = std::min(ends[0], node[0]);
-    ends[1] = std::max(ends[1], node[0]);
+    if (std::abs(node[0]) <= FarthestShown) // false for NaN, too
+    {
+      ends[0] = std::min(ends[0], node[0]);
+      ends[1] = std::max(ends[1], node[0]);
+    }
     highest = node[1] <= quantity.Most ? std::max(highest, node[1]) : highest;
   }
   if (ends[0] <= ends[1])
@@ -191,15 +194,20 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
     from = this->HasData ? std::min(from, std::max(ends[0], from - margin)) : ends[0];
     to = this->HasData ? std::max(to, std::min(ends[1], to + margin)) : ends[1];
   }
-  if (!(from < to))
+  // So narrow an axis would have the same number at all of its ticks.
+  constexpr double precision = 1e-5;
+  const double least =
+    std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
+  if (!(to - from >= least))
   {
-    from -= 0.5;
-    to = from + 1.0;
+    from -= std::max(0.5, least);
+    to = from + 2.0 * std::max(0.5, least);
   }
   const bool share = quantity.Most == 1.0;
   const double room = 1.1;
-  const double scale =
-    share || !(highest > 0.0) ? quantity.Usual : std::min(RoundUp(room * highest), quantity.Most);
+  const double scale = share || !(highest > 1.0 / FarthestShown)
+    ? quantity.Usual
+    : std::min(RoundUp(room * highest), quantity.Most);
   if (from != this->Range[0] || to != this->Range[1] || scale != this->Scale)
   {
     this->Range[0] = from;
@@ -239,7 +247,7 @@ void HapticFunctionChart::DrawCurve(vtkPiecewiseFunction* function, const Edited
   {
     const double value = function->GetSize() == 0 ? quantity.EmptyValue : function->GetValue(place);
     x->InsertNextValue(place);
-    y->InsertNextValue(std::min(value / this->Scale, 1.0));
+    y->InsertNextValue(HapticControlPointsItem::ToShare(value, this->Scale));
   }
   this->CurveTable->Initialize();
   this->CurveTable->AddColumn(x);

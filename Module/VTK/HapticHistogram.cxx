@@ -60,6 +60,10 @@ bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double r
   {
     return false;
   }
+  range[0] = std::clamp(range[0], -FarthestShown, FarthestShown);
+  range[1] = std::clamp(range[1], -FarthestShown, FarthestShown);
+  range[0] = std::clamp(range[0], -FarthestShown, FarthestShown);
+  range[1] = std::clamp(range[1], -FarthestShown, FarthestShown);
   constexpr int most = 128;
   const int type = scalars->GetDataType();
   double width = (range[1] - range[0]) / most;
@@ -68,7 +72,11 @@ bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double r
     // A bin has to hold as many whole numbers as the next one.
     width = std::ceil((range[1] - range[0] + 1.0) / most);
   }
-  width = width > 0.0 ? width : 1.0;
+  // Bins that single precision, in which charts are drawn, can't tell apart are none.
+  constexpr double precision = 1e-7;
+  const double least =
+    std::max(1.0 / FarthestShown, precision * std::max(std::abs(range[0]), std::abs(range[1])));
+  width = range[0] < range[1] ? std::max(width, least) : 1.0;
   const int bins = std::clamp(static_cast<int>((range[1] - range[0]) / width) + 1, 1, most);
 
   const double origin =

@@ -13,10 +13,13 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
+/** Charts are drawn in single precision: numbers beyond it are not shown. */
+constexpr double FarthestShown = 1e30;
+
 /**
  * Fills the columns "value" and "share" with at most 128 bins of a component of the scalars: the
  * middle of the bin, and log(1 + count) as a share of the largest. False, and an empty table, where
- * there are no finite scalars. The range is theirs.
+ * there are no finite scalars. The range is theirs, as far as it can be shown.
  */
 bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double range[2]);
 
