@@ -162,7 +162,8 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
 {
   HapticModelDescription d;
   WholeFacts whole;
-  if (!MakeVolumeView(image, scalars, property->GetComponent(), d.View, error) ||
+  vtkSmartPointer<vtkDataArray> holder;
+  if (!MakeVolumeView(image, scalars, property->GetComponent(), d.View, holder, error) ||
     !ReadWholeFacts(image, property->GetComponent(), whole, error) ||
     !MakeIndexToWorld(
       image, whole.IsThere ? whole.Extent : image->GetExtent(), d.IndexToWorld, error) ||
@@ -188,7 +189,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     return nullptr;
   }
   BakeVisibility(property, image, d.Material);
-  d.Samples = ShareArray(scalars);
+  d.Samples = ShareArray(holder);
   d.DeviceToWorld = options.DeviceToWorld;
   d.Estimator = options.Estimator;
   d.KernelRadius = options.KernelRadius;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticVolumeView.h"
 
+#include "vtkVolumeHapticsCompat.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -44,22 +46,34 @@ constexpr ScalarType ScalarTypeOf()
 
 /** Address of a component and the step between its tuples; false for other memory layouts. */
 template <typename T>
-bool LocateComponent(vtkDataArray* scalars, int component, VolumeView& view)
+bool LocateComponent(
+  vtkDataArray* scalars, int component, VolumeView& view, vtkSmartPointer<vtkDataArray>& holder)
 {
+  using SeparateComponents = vtkSOADataArrayTemplate<T>;
   view.Type = ScalarTypeOf<T>();
-  if (auto* soa = vtkSOADataArrayTemplate<T>::FastDownCast(scalars))
+  holder = scalars;
+  if (SeparateComponents::FastDownCast(scalars))
   {
-    view.Data = soa->GetComponentArrayPointer(component);
-    view.Stride[0] = 1;
-    return true;
+    // Where the array itself gives its memory up for another layout, as it may whenever it is rendered, what shares
+    // the memory keeps it for the servo.
+    holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
+    holder->ShallowCopy(scalars);
+    auto* const soa = SeparateComponents::FastDownCast(holder);
+    if (HasSeparateComponents(soa))
+    {
+      view.Data = soa->GetComponentArrayPointer(component);
+      view.Stride[0] = 1;
+      return true;
+    }
   }
-  if (scalars->HasStandardMemoryLayout())
+  else if (!scalars->HasStandardMemoryLayout())
   {
-    view.Data = static_cast<const T*>(scalars->GetVoidPointer(0)) + component;
-    view.Stride[0] = scalars->GetNumberOfComponents();
-    return true;
+    return false;
   }
-  return false;
+  const T* const first = static_cast<const T*>(holder->GetVoidPointer(0));
+  view.Data = first ? first + component : nullptr;
+  view.Stride[0] = scalars->GetNumberOfComponents();
+  return true;
 }
 
 /** The first finite value among the corners of the volume; 0 where there is none. */
@@ -88,8 +102,8 @@ std::string Describe(vtkDataArray* scalars)
 
 } // namespace
 
-bool MakeVolumeView(
-  vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view, std::string& error)
+bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view,
+  vtkSmartPointer<vtkDataArray>& holder, std::string& error)
 {
   std::ostringstream message;
   int dimensions[3];
@@ -126,9 +140,18 @@ bool MakeVolumeView(
     bool located = false;
     switch (scalars->GetDataType())
     {
-      vtkTemplateMacro(located = LocateComponent<VTK_TT>(scalars, component, view));
+      vtkTemplateMacro(located = LocateComponent<VTK_TT>(scalars, component, view, holder));
       default:
         break;
+    }
+    if (located && !view.Data)
+    {
+      message << "The " << Describe(scalars) << " of the input image has no memory for component "
+              << component << " of its " << components
+              << ". Give it values for all components, for example with SetArray, or ask for "
+                 "another one with vtkHapticProperty::SetComponent (it counts from 0).";
+      error = message.str();
+      return false;
     }
     if (located)
     {

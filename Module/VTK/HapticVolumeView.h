@@ -10,19 +10,23 @@
 #include "Vector3.h"
 #include "VolumeView.h"
 
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
 #include <string>
 
-class vtkDataArray;
 class vtkImageData;
 class vtkMatrix4x4;
 
 namespace VolumeHaptics
 {
 
-/** False, with the reason and the cure in `error`, where the array can't be viewed without a copy.
+/**
+ * False, with the reason and the cure in `error`, where the array can't be viewed without a copy. `holder` has to live
+ * as long as the view: the array, or another one that shares its memory.
  */
-bool MakeVolumeView(
-  vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view, std::string& error);
+bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view,
+  vtkSmartPointer<vtkDataArray>& holder, std::string& error);
 
 /**
  * From the index that counts from 0 at the beginning of an extent (the image's own, or that of the whole volume) to

@@ -10,6 +10,9 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
+#include <type_traits>
+#include <utility>
+
 // For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector has its operators with it.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define VOLUME_HAPTICS_OPENGL_HEADER "vtk_glad.h"
@@ -30,6 +33,31 @@ inline bool MustAbort(vtkAlgorithm* algorithm)
 #else
   return algorithm->GetAbortExecute() != 0;
 #endif
+}
+
+namespace Detail
+{
+template <typename Array, typename = void>
+struct KeepsSeparate : std::true_type
+{
+  static bool Ask(Array*) { return true; }
+};
+template <typename Array>
+struct KeepsSeparate<Array, std::void_t<decltype(std::declval<Array&>().GetStorageType())>>
+{
+  static bool Ask(Array* array) { return array->GetStorageType() == Array::SOA; }
+};
+} // namespace Detail
+
+/**
+ * Whether a vtkSOADataArrayTemplate has each component in a memory of its own now. VTK 9.6's has all of them in one
+ * as long as it is new, and from the first GetVoidPointer on, as a mapper calls it; there are no pointers to
+ * components then.
+ */
+template <typename Array>
+bool HasSeparateComponents(Array* array)
+{
+  return Detail::KeepsSeparate<Array>::Ask(array);
 }
 
 } // namespace VolumeHaptics

@@ -7,8 +7,9 @@ import weakref
 
 import numpy as np
 import pytest
+from vtkmodules import vtkCommonCore
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from volumehaptics import image, path, touch
+from volumehaptics import image, path, touch, vtkVolumeHapticsFilter
 from volumehaptics.arrays import arrays
 
 REAL = ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8")
@@ -36,6 +37,37 @@ def test_image_shares_memory(dtype):
     # And it is felt: with a spring of 500 N/m, 1 mm deep.
     trace = touch(image(ramp(dtype)), [(5.0, 6.0, 6.0), (5.0, 6.0, 7.0)])
     assert abs(arrays(trace)["Force"][1, 2] + 0.5) < 1e-6
+
+
+@pytest.mark.parametrize("is_rendered", (False, True))
+def test_components_in_memory_of_their_own_are_felt(is_rendered):
+    """VTK 9.6 keeps them in one memory while the array is new, and again once a mapper has asked for a pointer."""
+    if not hasattr(vtkCommonCore, "vtkSOATypeFloat64Array"):
+        pytest.skip(f"VTK {vtkCommonCore.vtkVersion.GetVTKVersion()} has no such arrays in Python; 9.6 has")
+    expected = ramp().reshape(-1)
+    scalars = vtkCommonCore.vtkSOATypeFloat64Array()
+    scalars.SetNumberOfComponents(2)
+    parts = [np.zeros(len(expected)), expected.copy()]
+    if is_rendered:
+        for component, part in enumerate(parts):
+            scalars.SetArray(component, part, len(part), True, True, 0)
+    else:
+        scalars.SetNumberOfTuples(len(expected))
+        for i, value in enumerate(expected):
+            scalars.SetTuple2(i, 0.0, value)
+    volume = image(ramp())
+    volume.GetPointData().SetScalars(scalars)
+    haptics = vtkVolumeHapticsFilter()
+    haptics.SetInputData(0, volume)
+    haptics.SetPathData(path([(5.0, 6.0, 6.0), (5.0, 6.0, 7.0)]))
+    haptics.GetProperty().SetComponent(1)
+    for _ in range(2):
+        haptics.Modified()
+        haptics.Update()
+        assert abs(arrays(haptics.GetOutput())["Force"][1, 2] + 0.5) < 1e-6
+        if is_rendered:
+            # As a mapper does; from here on VTK 9.6 has another memory for them.
+            scalars.GetVoidPointer(0)
 
 
 def test_image_of_a_file_that_is_only_read(tmp_path):

@@ -11,7 +11,10 @@
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
+#include <vtkSOADataArrayTemplate.h>
 #include <vtkStringArray.h>
+
+#include <cstdlib>
 
 using namespace apitest;
 
@@ -67,6 +70,19 @@ const BadImage BadScalars[] = {
   { "TooFewTuples",
     [](auto* image, auto*) { image->GetPointData()->GetScalars()->SetNumberOfTuples(7); },
     { "input image", "\"Density\"", "7 tuples" } },
+  { "ComponentWithoutMemory",
+    [](auto* image, auto* filter)
+    {
+      // As where an application gave its own memory for one of two components.
+      vtkNew<vtkSOADataArrayTemplate<float>> separate;
+      separate->SetName("Density");
+      separate->SetNumberOfComponents(2);
+      auto* const memory = static_cast<float*>(std::calloc(image->GetNumberOfPoints(), 4));
+      separate->SetArray(0, memory, image->GetNumberOfPoints(), true);
+      image->GetPointData()->SetScalars(separate);
+      filter->GetProperty()->SetComponent(1);
+    },
+    { "input image", "\"Density\"", "no memory", "component 1", "SetArray" } },
   { "NoSuchComponent", [](auto*, auto* filter) { filter->GetProperty()->SetComponent(1); },
     { "input image", "\"Density\"", "component 1", "SetComponent" } },
 };
