@@ -102,6 +102,21 @@ bool vtkHapticRegionPlanner::SetWhole(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticRegionPlanner::SetDirection(const double direction[9])
+{
+  if (!direction)
+  {
+    vtkErrorMacro("Direction is nine numbers, row by row; it stays as it was.");
+    return;
+  }
+  if (!std::equal(direction, direction + 9, this->Direction))
+  {
+    std::copy(direction, direction + 9, this->Direction);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
 {
   if (!filter)

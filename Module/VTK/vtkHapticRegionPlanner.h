@@ -56,7 +56,7 @@ public:
   vtkGetVector3Macro(Origin, double);
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
-  vtkSetVectorMacro(Direction, double, 9);
+  void SetDirection(const double direction[9]) VTK_SIZEHINT(9);
   vtkGetVectorMacro(Direction, double, 9);
   ///@}
 

@@ -4,6 +4,7 @@
 
 import pydoc
 
+import pytest
 from ramp import make_ramp
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -37,6 +38,14 @@ def test_settings_come_back_with_their_documentation():
     text = pydoc.render_doc(vtkHapticRegionPlanner, renderer=pydoc.plaintext)
     assert "v_max t + T_N/k + r + b" in text and "128^3" in text and "(m/s)" in text
     assert "MaximumVoxels: 50000" in str(planner)
+
+
+@pytest.mark.parametrize("direction", ((1.0, 2.0), [], None, (1.0,) * 10, 1.0, "nine"))
+def test_directions_that_are_no_nine_numbers_are_refused(direction):
+    planner = vtkHapticRegionPlanner()
+    with pytest.raises((TypeError, ValueError)):
+        planner.SetDirection(direction)
+    assert planner.GetDirection() == (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 
 
 def test_region_is_felt_as_the_whole():
