@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <new>
 #include <sstream>
 
 namespace VolumeHaptics
@@ -171,6 +173,18 @@ bool ReadRecording(vtkPolyData* path, TipPath& result)
 
 } // namespace
 
+std::string DescribeLackOfMemory(double ticks)
+{
+  // A Vector3 of the path; 25 numbers, 3 flags and an index of the trace: see HapticTrace.
+  constexpr double bytes = 24.0 + 25.0 * 8.0 + 3.0 + 8.0;
+  std::ostringstream message;
+  message << "There is not enough memory for the " << std::setprecision(10) << ticks
+          << " ticks of the tip path on input port 1: with the trace they take "
+          << std::setprecision(3) << 1e-9 * bytes * ticks << " GB (" << bytes
+          << " bytes a tick). Give the path in pieces, or lower ServoRate.";
+  return message.str();
+}
+
 bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string& error)
 {
   const vtkIdType n = path->GetNumberOfPoints();
@@ -236,7 +250,15 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
     error = message.str();
     return false;
   }
-  Resample(path, times, period, result);
+  try
+  {
+    Resample(path, times, period, result);
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = DescribeLackOfMemory(std::floor(ticks) + 1.0);
+    return false;
+  }
   return true;
 }
 

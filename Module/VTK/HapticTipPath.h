@@ -52,9 +52,12 @@ struct TipPath
  * points with the same time, the last counts; a point whose time is a tick's is taken as it is, to
  * the bit). A recording of vtkHapticDevice is taken tick by tick, in device space. False, with an
  * error, for numbers that are not finite, time that runs backwards, recordings that are not whole,
- * and several lines.
+ * several lines, or more ticks than there is memory for.
  */
 bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string& error);
+
+/** The error where there is no memory for so many ticks and their trace. */
+std::string DescribeLackOfMemory(double ticks);
 
 /**
  * How many strokes of a pen draw the line cells of a path: 1 for a polyline and for segments that

@@ -180,7 +180,15 @@ bool vtkHapticDevice::Start()
     return false;
   }
   const Affine3 placement = model ? model->DeviceToWorld : d.GetPlacement();
-  d.Holder.Start(this->ServoRate, d.MakeLimits(this), std::move(model), placement);
+  try
+  {
+    d.Holder.Start(this->ServoRate, d.MakeLimits(this), std::move(model), placement);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory to start the servo. Close what else needs memory.");
+    return false;
+  }
   return true;
 }
 

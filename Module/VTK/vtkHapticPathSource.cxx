@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -229,8 +230,19 @@ int vtkHapticPathSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputs);
-  const std::string error =
-    this->Shape == FROM_FILE ? this->GiveOutFile(output) : this->GiveOutShape(output);
+  std::string error;
+  try
+  {
+    error = this->Shape == FROM_FILE ? this->GiveOutFile(output) : this->GiveOutShape(output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    error = "There is not enough memory for the haptic path. " +
+      (this->Shape == FROM_FILE
+          ? "Use a shorter one than that in " + this->FileName + "."
+          : std::string("Raise Speed or lower PointsPerSecond: a point takes 72 bytes."));
+  }
   if (!error.empty())
   {
     vtkErrorMacro(<< error);

@@ -20,6 +20,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkHapticRegionFilter);
@@ -235,13 +236,25 @@ int vtkHapticRegionFilter::RequestData(
   output->SetSpacing(piece->GetSpacing());
   output->SetDirectionMatrix(piece->GetDirectionMatrix());
   std::string error;
-  if (!this->GatherRegion(piece, array, region, output, error))
+  try
   {
-    vtkErrorMacro(<< error);
-    return 0;
+    if (this->GatherRegion(piece, array, region, output, error))
+    {
+      this->WriteFacts(whole, output);
+      return 1;
+    }
   }
-  this->WriteFacts(whole, output);
-  return 1;
+  catch (const std::bad_alloc&)
+  {
+    error = "There is not enough memory for the Region: its " +
+      std::to_string(output->GetNumberOfPoints()) + " points take " +
+      std::to_string(
+        output->GetNumberOfPoints() * array->GetNumberOfComponents() * array->GetDataTypeSize()) +
+      " bytes. SetRegion() to a smaller one.";
+    output->Initialize();
+  }
+  vtkErrorMacro(<< error);
+  return 0;
 }
 
 //------------------------------------------------------------------------------

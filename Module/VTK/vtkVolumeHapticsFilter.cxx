@@ -24,6 +24,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <new>
+#include <sstream>
 
 namespace
 {
@@ -33,6 +35,22 @@ bool IsLaterPiece(vtkInformationVector* outputs)
   vtkInformation* const output = outputs->GetInformationObject(0);
   return output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
     output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+
+std::string DescribeLackOfMemory(vtkImageData* image)
+{
+  std::ostringstream message;
+  message << "There is not enough memory to make the image on input port 0 ready to be touched";
+  if (image && image->GetNumberOfPoints() > 0)
+  {
+    const int* const n = image->GetDimensions();
+    message << ": it is of " << n[0] << " x " << n[1] << " x " << n[2] << " points and takes "
+            << image->GetActualMemorySize() / 1024 << " MiB itself";
+  }
+  message << ". Use a smaller image, or a region of it with vtkHapticRegionFilter; of the methods, "
+             "SURFACE_PROXY "
+             "takes the most.";
+  return message.str();
 }
 } // namespace
 
@@ -150,6 +168,22 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
+  try
+  {
+    return this->BakeInput(rate, deviceCaps, deviceToWorld);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+    vtkErrorMacro(<< DescribeLackOfMemory(image));
+    return nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeInput(
+  double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
+{
   std::string error;
   for (const int port : { 0, 2 }) // the path, on port 1, is not the servo's
   {
@@ -234,19 +268,39 @@ int vtkVolumeHapticsFilter::RequestData(
 {
   using namespace VolumeHaptics;
 
+  vtkPolyData* const output = vtkPolyData::GetData(outputs);
   if (IsLaterPiece(outputs))
   {
-    vtkPolyData::GetData(outputs)->Initialize();
+    output->Initialize();
     return 1;
   }
-  vtkPolyData* const path = vtkPolyData::GetData(inputs[1]);
+  vtkImageData* const image = vtkImageData::GetData(inputs[0]);
+  vtkIdType ticks = 0;
+  try
+  {
+    return this->TouchPath(image, vtkPolyData::GetData(inputs[1]), output, ticks);
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< (ticks > 0 ? DescribeLackOfMemory(ticks) : DescribeLackOfMemory(image)));
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsFilter::TouchPath(
+  vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks)
+{
+  using namespace VolumeHaptics;
+
   std::string error;
   const double period = 1.0 / this->ServoRate;
   TipPath tips;
   const bool readable = !path || ReadTipPath(path, period, tips, error);
   std::string imageError;
-  std::shared_ptr<const HapticModel> model = this->BakeImage(vtkImageData::GetData(inputs[0]),
-    tips.IsRecording ? tips.TickPeriod : period, tips.Caps, nullptr, imageError);
+  std::shared_ptr<const HapticModel> model = this->BakeImage(
+    image, tips.IsRecording ? tips.TickPeriod : period, tips.Caps, nullptr, imageError);
   if (!model || !readable)
   {
     error = model ? error : imageError;
@@ -254,7 +308,7 @@ int vtkVolumeHapticsFilter::RequestData(
     return 0;
   }
 
-  const auto ticks = static_cast<vtkIdType>(tips.Tips.size());
+  ticks = static_cast<vtkIdType>(tips.Tips.size());
   const vtkIdType progressStep = std::max<vtkIdType>(1000, ticks / 100);
   HapticTrace trace;
   trace.Reserve(ticks);
@@ -273,7 +327,7 @@ int vtkVolumeHapticsFilter::RequestData(
     model = walk.Tick(model, record);
     trace.Append(*model, walk.GetTime(), record);
   }
-  trace.WriteTo(vtkPolyData::GetData(outputs));
+  trace.WriteTo(output);
   return 1;
 }
 

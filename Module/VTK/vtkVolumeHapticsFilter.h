@@ -161,6 +161,9 @@ private:
 #ifndef __VTK_WRAP__
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
+  std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(
+    double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
+  int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
     std::string& error);
