@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <new>
 
 vtkStandardNewMacro(vtkHapticDevice);
 
@@ -25,12 +26,13 @@ vtkHapticDevice::~vtkHapticDevice()
 {
   // They would be told of a device that can not be asked any more.
   this->RemoveAllObservers();
-  this->Close();
+  this->Shut();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::Open(const char* id)
 {
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
   std::string error;
   auto& holder = this->Internals->Holder;
   this->Close();
@@ -62,7 +64,15 @@ void vtkHapticDevice::ResetMaximumForce()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Close()
 {
-  this->Stop();
+  // An observer of what follows may hold the last reference, and let go of it.
+  const vtkSmartPointer<vtkHapticDevice> self(this);
+  this->Shut();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Shut()
+{
+  this->Halt();
   if (this->Internals->Holder.IsOpen())
   {
     this->Internals->Holder.Close();
@@ -195,8 +205,16 @@ bool vtkHapticDevice::Start()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Stop()
 {
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  this->Halt();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::Halt()
+{
   // At once: writing a recording takes its time.
-  this->Disarm();
+  this->Internals->Holder.Arm(false);
+  this->AnnounceDisarmed();
   if (!this->Internals->RecordingFile.empty())
   {
     this->StopRecording();
@@ -223,24 +241,39 @@ void vtkHapticDevice::Arm()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::AnnounceDisarmed()
+{
+  auto& d = *this->Internals;
+  // Observers that disarm it, as Stop, Close, Open and Home do, would else be called for ever.
+  if (d.IsAnnouncing || !this->HasObserver(vtkCommand::DisableEvent))
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  d.IsAnnouncing = true;
+  this->InvokeEvent(vtkCommand::DisableEvent);
+  d.IsAnnouncing = false;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::Disarm()
 {
   this->Internals->Holder.Arm(false);
-  this->InvokeEvent(vtkCommand::DisableEvent);
+  this->AnnounceDisarmed();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::FadeOut()
 {
   this->Internals->Holder.FadeOut();
-  this->InvokeEvent(vtkCommand::DisableEvent);
+  this->AnnounceDisarmed();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Home()
 {
   this->Internals->Holder.Home();
-  this->InvokeEvent(vtkCommand::DisableEvent);
+  this->AnnounceDisarmed();
 }
 
 //------------------------------------------------------------------------------

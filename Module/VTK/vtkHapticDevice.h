@@ -286,6 +286,9 @@ private:
 
   void SendLimits();
   void TakeLimits();
+  void Shut();
+  void Halt();
+  void AnnounceDisarmed();
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

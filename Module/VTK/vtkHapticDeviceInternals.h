@@ -23,6 +23,7 @@ struct vtkHapticDevice::vtkInternals
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   std::string RecordingFile;
+  bool IsAnnouncing = false; // while observers are told that it was disarmed
 
   vtkMTimeType PublishedTime = 0; // of the changes that were published last, or could not be
 
