@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SafetyStage.h"
 
-#include "Residency.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,22 +24,42 @@ Vector3 ClampNorm(const Vector3& v, double most) noexcept
   return norm > most ? (most / norm) * v : v;
 }
 
+/**
+ * The energy (J) that a spring which pulls with a force (N) gives back while it relaxes, if it is felt with no more
+ * than `most` (N) of it. Negative if its stiffness (N/m) is not known.
+ */
+double FindRecoverable(double force, double most, double stiffness) noexcept
+{
+  return stiffness > 0.0 ? 0.5 * most * (2.0 * force - most) / stiffness : -1.0;
+}
+
 } // namespace
 
 void SafetyStage::Arm() noexcept
 {
   this->Armed = true;
   this->Fault = SafetyFault::None;
-  this->Ramp = 0.0;
-  this->Last = {};
   this->HasTip = false;
+  this->Cut();
 }
 
 Vector3 SafetyStage::Cut() noexcept
 {
-  this->Last = {};
+  this->Growth.Reset();
   this->Ramp = 0.0;
+  this->Retreats = false;
   return {};
+}
+
+Vector3 SafetyStage::Retreat(double period, const SafetyLimits& limits) noexcept
+{
+  // However slowly forces may grow, one that nobody controls any more is gone in time.
+  const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
+  const Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
+  const Vector3 next = last - ClampNorm(last, rate * period);
+  this->Growth.Override(next);
+  this->Retreats = this->Stale || Dot(next, next) > 0.0;
+  return next;
 }
 
 double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
@@ -81,32 +99,28 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
     return this->Cut();
   }
 
-  if (gap)
-  {
-    this->Ramp = 0.0;
-  }
   if (input.Elapsed > limits.WatchdogTime)
   {
     // The loop itself stood still: what was felt before is not what is there now.
-    this->Last = {};
+    this->Growth.Reset();
   }
-  const Vector3 wanted = this->Stale
-    ? Vector3{}
-    : input.Residency * this->Ramp * ClampNorm(input.Force, limits.MaximumForce);
-  // However slow forces may change, one that nobody controls any more is gone in time.
-  const double least = this->Stale ? limits.MaximumForce / RetreatTime
-    : input.FadesOut               ? limits.MaximumForce / ResidentServo::FadeTime
-                                   : 0.0;
-  const double rate = std::max(limits.MaximumForceRate, least);
-  this->Last += ClampNorm(wanted - this->Last, rate * input.Period);
-  // A limit that was lowered holds at once.
-  this->Last = ClampNorm(this->Last, limits.MaximumForce);
-  if (!this->Stale)
+  if (gap)
   {
-    const double step = limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0;
-    this->Ramp = std::min(1.0, this->Ramp + step);
+    this->Ramp = 0.0;
+    const Vector3& last = this->Growth.GetForce();
+    this->Retreats = this->Stale || Dot(last, last) > 0.0;
   }
-  return this->Last;
+  if (this->Retreats)
+  {
+    return this->Retreat(input.Period, limits);
+  }
+
+  const double share = input.Residency * this->Ramp;
+  const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
+  const double step = limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0;
+  this->Ramp = std::min(1.0, this->Ramp + step);
+  return this->Growth.Apply(share * clamped, input.Tip, limits.MaximumForceRate * input.Period,
+    share * FindRecoverable(Norm(input.Force), Norm(clamped), input.Stiffness));
 }
 
 void SaturateTogether(double* commands, int count, double limit) noexcept

@@ -8,21 +8,22 @@
  * 1. A force or a tip that is not finite gives zero and a fault.
  * 2. The norm is clamped to the smaller of the device's and the user's maximum.
  * 3. Where data are not there, only as much of that is taken as the residency says (Residency.h).
- * 4. The change from the last force is limited (the slew limit).
+ * 4. The growth of the force is limited (the slew limit, GrowthLimit.h). Where it falls, it falls at once.
  * 5. Stiffness and damping are capped where the force is computed: see HapticSettings::Caps.
  * 6. Joint commands are scaled down together, by the back end: SaturateTogether.
  * 7. A tip faster than the limit gives zero and a fault.
  * 8. After arming, and after every gap in the tip's samples, forces rise from zero over RampTime.
  *
- * Residency and ramp are applied before the slew limit, so that nothing that leaves breaks the limit, except
- * on its way to zero: a fault and disarming cut the force at once. Without fresh samples for
- * WatchdogTime the force goes down to zero within the slew limit, in 20 ms at most, and after a pause of
- * the loop that long it starts from zero. While a force fades out, the slew limit is at least
- * MaximumForce / ResidentServo::FadeTime, so that it gets to zero without a step. A fault holds until Arm.
+ * Residency and ramp are applied before the slew limit, so that nothing that leaves grows faster than it allows. A
+ * fault and disarming cut the force at once. Without fresh samples for WatchdogTime the force retreats: it goes down
+ * to zero at MaximumForceRate, in 20 ms at most, also if samples come back meanwhile; after a pause of the loop that
+ * long it starts from zero. A force that fades out (ResidentServo::FadeOut) goes down by its share, without a step.
+ * A fault holds until Arm.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h
 
+#include "GrowthLimit.h"
 #include "Vector3.h"
 
 #include <cstdint>
@@ -42,7 +43,7 @@ enum class SafetyFault : std::uint8_t
 struct SafetyLimits
 {
   double MaximumForce = 0.0;       ///< N; nothing leaves at 0
-  double MaximumForceRate = 500.0; ///< N/s
+  double MaximumForceRate = 500.0; ///< N/s, of growth
   double MaximumSpeed = 0.0;       ///< m/s; 0 does not limit
   double RampTime = 0.5;           ///< s
   double WatchdogTime = 0.03;      ///< s
@@ -54,13 +55,13 @@ struct SafetyLimits
 struct SafetyInput
 {
   Vector3 Force;          ///< N, as computed
+  double Stiffness = 0.0; ///< N/m, of the spring that the force is the pull of; 0 if there is none
   Vector3 Tip;            ///< m
   double Residency = 1.0; ///< 0 to 1; the share of the force that is to be felt
   double Period = 1e-3;   ///< s, nominal: what the slew limit and the ramp go by
   double Elapsed = 0.0;   ///< s since the last tick, measured
   bool Fresh = false;     ///< the tip was measured for this tick
   bool Lost = false;      ///< the device is gone
-  bool FadesOut = false;  ///< the force is on its way to zero for good
 };
 
 class SafetyStage
@@ -89,15 +90,17 @@ public:
 
 private:
   Vector3 Cut() noexcept;
+  Vector3 Retreat(double period, const SafetyLimits& limits) noexcept;
   double MeasureSpeed(const SafetyInput& input) noexcept;
 
-  Vector3 Last;
+  GrowthLimit Growth;
   Vector3 LastTip;
   double SampleAge = 0.0;
   double Ramp = 0.0;
   bool HasTip = false;
   bool Armed = false;
   bool Stale = false;
+  bool Retreats = false; ///< goes down to zero, whatever is wanted
   SafetyFault Fault = SafetyFault::None;
 };
 

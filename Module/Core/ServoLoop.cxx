@@ -165,6 +165,7 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
 
   SafetyInput input;
   input.Force = s.Record.Force;
+  input.Stiffness = s.Record.Stiffness;
   input.Tip = sample.Tip;
   input.Residency = s.Residency;
   input.Period = period;
@@ -172,7 +173,6 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   input.Fresh = sample.Fresh;
   // What Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
-  input.FadesOut = this->Servo.IsFadingOut();
   s.Command = this->Safety.Apply(input, this->Limits.Read());
   // Not before the command is there, too: it may follow late.
   if (this->Servo.IsFadedOut() && Dot(s.Command, s.Command) == 0.0)

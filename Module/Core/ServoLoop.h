@@ -103,10 +103,7 @@ public:
   }
   /** No force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
-  /**
-   * The force goes to zero within ResidentServo::FadeTime, or twice that where it turns meanwhile; then as
-   * Disarm.
-   */
+  /** The force goes to zero within ResidentServo::FadeTime; then as Disarm. */
   void FadeOut() noexcept
   {
     // What is disarmed, or is about to be, has nothing to fade.

@@ -17,7 +17,7 @@
  *   device->Stop();                   // zero force, thread joined
  *
  * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and to the device's
- * own maximum, and changes by at most MaximumForceRate; after Arm and after every gap it rises from zero over half
+ * own maximum, and grows by at most MaximumForceRate; after Arm and after every gap it rises from zero over half
  * a second. A tip that is not finite, that moves faster than a hand can hold the device, or a device that is lost,
  * cuts the force and latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
  * zero. Stop, Close, deletion, exit() and SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) send zero force.
@@ -81,8 +81,8 @@ public:
 
   /**
    * Bring the filter's image up to date and hand the servo a snapshot of everything: image, materials, settings,
-   * DeviceToWorld. Used from the next tick on; a change of force that follows is slewed. Without a running servo
-   * only checks. False, with an error, where the input can't be touched; the servo then goes on with what it has.
+   * DeviceToWorld. Used from the next tick on; a force that grows with it does so at MaximumForceRate. Without a
+   * running servo only checks. False, with an error, where the input can't be touched; the servo then goes on with what it has.
    */
   bool Publish();
   /** Whether it was tried, with Publish or Start, since the filter, its image or its surface changed last. */
@@ -226,7 +226,11 @@ public:
   ///@}
 
   ///@{
-  /** Largest change of force (N/s), 1 or more; faster only where it fades out or is stale. Default 500. */
+  /**
+   * Largest growth of force (N/s), 1 or more. Default 500. A force that falls or turns falls at once: held back, it
+   * would push the hand off a stiff wall with more energy than the hand brought along. For the same reason a wall that
+   * is struck so fast that its force was held back stays softer until the tip leaves it or presses on.
+   */
   void SetMaximumForceRate(double rate);
   vtkGetMacro(MaximumForceRate, double);
   ///@}

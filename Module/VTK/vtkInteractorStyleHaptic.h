@@ -132,8 +132,8 @@ public:
 
   /**
    * Feel the same place with the next method of the device's filter, in the order of
-   * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on, and the force goes over to the new one at
-   * the device's MaximumForceRate. Making the mesh of SURFACE_PROXY can take a second, in which the hand
+   * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on; a force that grows does so at the
+   * device's MaximumForceRate. Making the mesh of SURFACE_PROXY can take a second, in which the hand
    * feels what it felt; the head-up display says so before. Where the method can't be felt, as with an
    * IsoValue that does not occur, this is false, with an error; the method from before stays, and the next
    * call passes the other one over.

@@ -95,9 +95,13 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
   {
     double now[3];
     vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple(i, now);
-    const double change[3] = { last.empty() ? 0.0 : now[0] - last[0],
-      last.empty() ? 0.0 : now[1] - last[1], last.empty() ? 0.0 : now[2] - last[2] };
-    jolt = std::max(jolt, Length(change));
+    // Only growth along its own direction is limited: what falls or turns does so at once.
+    const double norm = Length(now);
+    if (!last.empty() && norm > 0.0)
+    {
+      const double along = (now[0] * last[0] + now[1] * last[1] + now[2] * last[2]) / norm;
+      jolt = std::max(jolt, norm - std::max(0.0, along));
+    }
     last.assign(now, now + 3);
   };
   this->Filter->SetForceFieldGain(0.08); // against 1 N or so of the others

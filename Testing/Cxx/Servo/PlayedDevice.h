@@ -9,6 +9,7 @@
 
 #include "../Core/CoreScene.h"
 #include "../Device/Eventually.h"
+#include "Growth.h"
 #include "ServoLoop.h"
 
 #include <gtest/gtest.h>
@@ -49,10 +50,9 @@ public:
 
   DeviceState Write(const Vector3& force) noexcept override
   {
-    const double step = Norm(force - this->Last);
     const double norm = Norm(force);
+    this->LargestGrowth = std::max(this->LargestGrowth, GrowthOf(this->Last, force));
     this->Last = force;
-    this->LargestStep = norm == 0.0 ? this->LargestStep : std::max(this->LargestStep, step);
     this->LargestForce.store(std::max(this->LargestForce.load(), norm));
     this->Force.store(norm);
     this->Writes.fetch_add(1);
@@ -68,7 +68,7 @@ public:
   std::atomic<std::uint64_t> Writes{ 0 };
   std::atomic<double> Force{ 0.0 }; ///< the norm of the last one
   std::atomic<double> LargestForce{ 0.0 };
-  double LargestStep = 0.0; ///< to a force that is not zero; once the loop has ended
+  double LargestGrowth = 0.0; ///< in a tick, N; once the loop has ended
 
 protected:
   /// On the servo's thread, once a tick.

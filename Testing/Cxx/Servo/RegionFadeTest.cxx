@@ -5,6 +5,7 @@
  * Where the data are not there, the force fades, the proxy goes with the tip, and force comes back the same way.
  */
 
+#include "Growth.h"
 #include "RegionRig.h"
 #include "SafetyStage.h"
 
@@ -44,7 +45,8 @@ protected:
     input.Fresh = true;
     const Vector3 before = this->Command;
     this->Command = this->Stage.Apply(input, this->Limits);
-    EXPECT_LE(Norm(this->Command - before), this->Limits.MaximumForceRate * Period * (1.0 + 1e-9));
+    EXPECT_LE(
+      GrowthOf(before, this->Command), this->Limits.MaximumForceRate * Period * (1.0 + 1e-9));
     EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
   }
   void Walk(const Vector3& from, const Vector3& to, int ticks)

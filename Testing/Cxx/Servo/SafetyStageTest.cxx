@@ -41,18 +41,55 @@ TEST_F(Safety, EnormousForcesStayFinite)
   this->Repeat({ 1e300, -1e300, 1e308 }, 1000); // watched by Apply
 }
 
-TEST_F(Safety, SlewsAtTheLimit)
+TEST_F(Safety, GrowsAtTheLimitAndFallsAtOnce)
 {
-  this->Activate({ 0.0, 0.0, 4.0 });
-  // To the other side: 8 N at 0.5 N a tick.
-  for (int i = 1; i <= 16; ++i)
+  this->Activate({});
+  for (int i = 1; i <= 8; ++i)
   {
-    EXPECT_NEAR(this->Apply({ 0.0, 0.0, -4.0 }).Z, 4.0 - 0.5 * i, 1e-12);
+    EXPECT_NEAR(this->Apply({ 0.0, 0.0, 4.0 }).Z, 0.5 * i, 1e-12);
   }
-  EXPECT_NEAR(this->Apply({ 0.0, 0.0, -4.0 }).Z, -4.0, 1e-12);
+  EXPECT_EQ(this->Apply({ 0.0, 0.0, 0.25 }).Z, 0.25);
+  EXPECT_NEAR(this->Apply({ 0.0, 0.0, 4.0 }).Z, 0.75, 1e-12) << "from where it fell to";
+  EXPECT_TRUE(IsZero(this->Apply({})));
 }
 
-TEST_F(Safety, SlewsStraightAndNeverTooFastWhateverIsWanted)
+TEST_F(Safety, AForceThatIsReversedGrowsFromZero)
+{
+  this->Activate({ 0.0, 0.0, 4.0 });
+  for (int i = 1; i <= 8; ++i)
+  {
+    const Vector3 output = this->Apply({ 0.0, 0.0, -4.0 });
+    EXPECT_NEAR(output.Z, -0.5 * i, 1e-12);
+  }
+  EXPECT_EQ(this->Apply({ 0.0, 0.0, -4.0 }).Z, -4.0);
+}
+
+TEST_F(Safety, AForceThatTurnsKeepsItsPartAlongTheNewDirection)
+{
+  // By a right angle: nothing. By 60 degrees: half.
+  this->Activate({ 0.0, 0.0, 4.0 });
+  EXPECT_NEAR(this->Apply({ 4.0, 0.0, 0.0 }).X, 0.5, 1e-12);
+  EXPECT_EQ(this->Output.Z, 0.0);
+  this->Activate({ 0.0, 0.0, 4.0 });
+  const double sine = std::sqrt(0.75);
+  EXPECT_LT(Norm(this->Apply({ 4.0 * sine, 0.0, 2.0 }) - Vector3{ 2.5 * sine, 0.0, 1.25 }), 1e-12);
+}
+
+TEST_F(Safety, AForceThatTurnsSlowlyIsWhatIsWantedToTheBit)
+{
+  this->Limits.MaximumSpeed = 0.0;
+  this->Activate({ 4.0, 0.0, 0.0 });
+  for (int i = 1; i <= 720; ++i)
+  {
+    const double angle = i * std::acos(-1.0) / 180.0;
+    const Vector3 wanted{ 3.9 * std::cos(angle), 3.9 * std::sin(angle), 0.0 };
+    this->Input.Tip = 0.001 * wanted; // moves, along and across
+    const Vector3 output = this->Apply(wanted);
+    ASSERT_TRUE(output.X == wanted.X && output.Y == wanted.Y) << "in tick " << i;
+  }
+}
+
+TEST_F(Safety, GrowsNeverTooFastWhateverIsWanted)
 {
   this->Limits.MaximumForceRate = 130.0;
   this->Activate({});
@@ -60,6 +97,8 @@ TEST_F(Safety, SlewsStraightAndNeverTooFastWhateverIsWanted)
   for (int i = 0; i < 20000; ++i)
   {
     const auto draw = [&engine] { return static_cast<double>(engine() % 2001) / 100.0 - 10.0; };
+    const double shift = 1e-4 * draw();
+    this->Input.Tip += Vector3{ shift, -shift, 0.5 * shift };
     this->Apply({ draw(), draw(), draw() }); // watched by Apply
   }
 }
@@ -99,7 +138,7 @@ TEST_F(Safety, StaleSamplesLeadToZeroAndRampInAgain)
   }
   EXPECT_EQ(last, 0.0);
   EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
-  this->Repeat(force, 1000);
+  EXPECT_TRUE(IsZero(this->Repeat(force, 1000)));
   EXPECT_TRUE(IsZero(this->Output));
 
   this->Input.Fresh = true;
@@ -108,6 +147,24 @@ TEST_F(Safety, StaleSamplesLeadToZeroAndRampInAgain)
     EXPECT_NEAR(this->Apply(force).X, 3.0 * i / 500, 1e-9);
   }
   EXPECT_FALSE(this->Stage.IsStale());
+}
+
+TEST_F(Safety, ARetreatThatHasBegunGoesOnToZeroWithoutAStep)
+{
+  const Vector3 force{ 3.0, 0.0, 0.0 };
+  this->Activate(force);
+  this->Input.Fresh = false;
+  this->Repeat(force, 32);
+  EXPECT_TRUE(this->Stage.IsStale());
+  this->Input.Fresh = true;
+  for (double last = this->Output.X; last > 0.0; last = this->Output.X)
+  {
+    EXPECT_NEAR(this->Apply(force).X, std::max(0.0, last - 0.5), 1e-12);
+  }
+  for (int i = 0; i < 500; ++i)
+  {
+    EXPECT_NEAR(this->Apply(force).X, 3.0 * i / 500, 1e-9);
+  }
 }
 
 TEST_F(Safety, AGapInTheLoopItselfRampsInAgain)

@@ -123,6 +123,6 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
   EXPECT_EQ(reader.Backward + recorder.Backward, 0U);
   EXPECT_EQ(lost, 0U);
   EXPECT_EQ(recorder.Skipped, 0U);
-  EXPECT_LE(device.LargestStep, QuickLimits().MaximumForceRate / 5000.0 * (1.0 + 1e-9));
+  EXPECT_LE(device.LargestGrowth, QuickLimits().MaximumForceRate / 5000.0 * (1.0 + 1e-9));
   EXPECT_TRUE(models.back().expired());
 }

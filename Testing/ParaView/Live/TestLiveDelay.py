@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Round trips of 0, 20 and 100 ms: whatever the hand does, force has no step; a slow hand always has its data."""
+"""Round trips of 0, 20 and 100 ms: whatever the hand does, force grows without a step; a slow hand always has its data."""
 import os
 import subprocess
 import sys
@@ -41,14 +41,14 @@ def lead(name, speed, longest):
     device.Recording = 0
     log = live.read_log(device.RecordingFile)
     commands = list(zip(*(log["Command:%d" % a] for a in range(3))))
-    step = max(live.distance(a, b) for a, b in zip(commands, commands[1:]))
+    step = max(live.growth(a, b) for a, b in zip(commands, commands[1:]))
     absent = sum(1 for r in log["Residency"] if r < 1.0) / len(commands)
-    print("round trip %3.0f ms, %3.0f mm/s: %5d ticks, latency %3.0f ms, largest force %.3f N, largest step %.3f N, "
+    print("round trip %3.0f ms, %3.0f mm/s: %5d ticks, latency %3.0f ms, largest force %.3f N, largest growth %.3f N, "
           "without data %.1f %%" % (1e3 * ROUND_TRIP, speed, len(commands), 1e3 * device.Latency,
                                     max(map(live.norm, commands)), step, 100 * absent), flush=True)
     live.check(device.Armed == 1, "the hand is still held", device.StatusText)
     live.check(max(map(live.norm, commands)) > 0.2, "something is felt")
-    live.check(step <= SLEW + 1e-9, "no step beyond the slew limit", step)
+    live.check(step <= SLEW + 1e-9, "no growth beyond the slew limit", step)
     return absent
 
 

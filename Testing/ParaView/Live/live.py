@@ -56,6 +56,12 @@ def distance(a, b):
     return norm([x - y for x, y in zip(a, b)])
 
 
+def growth(before, after):
+    """By how much a force is longer than what was there before in its direction: what the slew limit limits."""
+    length = norm(after)
+    return length - max(0.0, sum(x * y for x, y in zip(before, after)) / length) if length else 0.0
+
+
 def press(device, start, end, armed=True):
     """Start at one place, and lead the tip to another one."""
     device.VirtualTip = start

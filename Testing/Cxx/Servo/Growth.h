@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What the slew limit limits: by how much a force is longer than what was there before in its direction.
+ */
+#ifndef Growth_h
+#define Growth_h
+
+#include "Vector3.h"
+
+#include <algorithm>
+
+namespace servotest
+{
+inline double GrowthOf(const VolumeHaptics::Vector3& before, const VolumeHaptics::Vector3& after)
+{
+  const double norm = Norm(after);
+  return norm > 0.0 ? norm - std::max(0.0, Dot(before, after) / norm) : 0.0;
+}
+} // namespace servotest
+
+#endif

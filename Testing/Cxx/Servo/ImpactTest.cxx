@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A mass without damping that flies against a spring, in closed loop through the safety stage: with the slew limit it
+ * never leaves with more energy than without.
+ *
+ * The mass moves exactly as under a constant force in every tick: x += v T + a T^2 / 2, v += a T. Undamped, a sampled
+ * spring feeds energy in by itself: the characteristic polynomial of x, v under f = -k x held for T is
+ * z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m, so that in a tick the energy grows by 1 + k T^2 / 2m.
+ */
+
+#include "SafetyStage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+constexpr double Period = 1e-3;
+
+/// The force that is wanted at a place, in N.
+using Field = std::function<Vector3(const Vector3&)>;
+
+struct Body
+{
+  double Mass = 0.15; ///< kg
+  Vector3 Place;      ///< m
+  Vector3 Velocity;   ///< m/s
+
+  double Energy() const { return 0.5 * this->Mass * Dot(this->Velocity, this->Velocity); }
+  void Move(const Vector3& force)
+  {
+    const Vector3 a = (1.0 / this->Mass) * force;
+    this->Place += Period * this->Velocity + 0.5 * Period * Period * a;
+    this->Velocity += Period * a;
+  }
+};
+
+struct Loop
+{
+  double MaximumForce = 8.0; ///< N
+  double ForceRate = 500.0;  ///< N/s
+  std::size_t Delay = 0;     ///< ticks from the stage to the hand
+  double Stiffness = 0.0;    ///< what the stage is told, N/m
+  double LargestGrowth = 0.0;
+
+  /// Flies until it has touched and is free again; the energy that it leaves with.
+  double Fly(Body body, const Field& field)
+  {
+    SafetyLimits limits;
+    limits.MaximumForce = this->MaximumForce;
+    limits.MaximumForceRate = this->ForceRate;
+    SafetyInput input;
+    input.Stiffness = this->Stiffness;
+    input.Elapsed = input.Period = Period;
+    input.Fresh = true;
+    input.Tip = body.Place;
+    SafetyStage stage;
+    stage.Arm();
+    for (int i = 0; i < 600; ++i)
+    {
+      stage.Apply(input, limits); // through the ramp, in free space
+    }
+    std::deque<Vector3> onTheWay(this->Delay);
+    Vector3 last;
+    bool touched = false;
+    for (int i = 0; i < 20000; ++i)
+    {
+      input.Tip = body.Place;
+      input.Force = field(body.Place);
+      const Vector3 force = stage.Apply(input, limits);
+      this->LargestGrowth = std::max(this->LargestGrowth, Norm(force) - Norm(last));
+      last = force;
+      const bool isFree = Norm(input.Force) == 0.0;
+      if (isFree && touched)
+      {
+        return body.Energy();
+      }
+      touched = !isFree;
+      onTheWay.push_back(force);
+      body.Move(onTheWay.front());
+      onTheWay.pop_front();
+    }
+    ADD_FAILURE() << "never free again";
+    return 0.0;
+  }
+  /// The same without a slew limit.
+  double FlyFreely(const Body& body, const Field& field) const
+  {
+    Loop loop = *this;
+    loop.ForceRate = 1e9;
+    return loop.Fly(body, field);
+  }
+};
+
+/// A plain spring below z = 0.
+Field MakeWall(double stiffness)
+{
+  return [stiffness](const Vector3& x) {
+    return Vector3{ 0.0, 0.0, stiffness * std::max(0.0, -x.Z) };
+  };
+}
+
+/// A body on its way to the wall, `phase` of a tick's way before it.
+Body Throw(double mass, double speed, double phase)
+{
+  return { mass, { 0.0, 0.0, phase * speed * Period }, { 0.0, 0.0, -speed } };
+}
+} // namespace
+
+TEST(Impact, AStiffWallReturnsNoMoreThanItsSamplingAdds)
+{
+  constexpr double k = 3000.0;
+  constexpr double m = 0.15;
+  constexpr double perTick = 1.0 + k * Period * Period / (2.0 * m);
+  const double ticks = std::acos(-1.0) * std::sqrt(m / k) / Period + 2.0;
+  for (const double most : { 4.0, 8.0 })
+  {
+    for (int phase = 1; phase <= 10; ++phase)
+    {
+      const Body body = Throw(m, 0.3, 0.1 * phase);
+      Loop loop;
+      loop.MaximumForce = most;
+      const double left = loop.Fly(body, MakeWall(k));
+      EXPECT_LE(left, loop.FlyFreely(body, MakeWall(k))) << most << " N, phase " << phase;
+      EXPECT_LE(left, std::pow(perTick, ticks) * body.Energy()) << most << " N, phase " << phase;
+      EXPECT_GT(left, 0.7 * body.Energy()) << "a wall, no mud";
+      EXPECT_LE(loop.LargestGrowth, 0.5 * (1.0 + 1e-9));
+      EXPECT_GT(loop.LargestGrowth, 0.49) << "the limit had something to do";
+    }
+  }
+}
+
+TEST(Impact, NoWallReturnsMoreThanWithoutTheLimit)
+{
+  for (const double mass : { 0.05, 0.15, 0.5 })
+  {
+    for (const double speed : { 0.1, 0.3, 1.0, 2.0 })
+    {
+      for (const double k : { 300.0, 1000.0, 3000.0 })
+      {
+        for (int i = 0; i < 16; ++i)
+        {
+          Loop loop;
+          loop.MaximumForce = i % 2 == 0 ? 4.0 : 20.0;
+          loop.ForceRate = i / 2 % 2 == 0 ? 100.0 : 500.0;
+          loop.Delay = i / 4 % 2 == 0 ? 0 : 1;
+          loop.Stiffness = i / 8 % 2 == 0 ? 0.0 : k;
+          const Body body = Throw(mass, speed, 0.3);
+          const double left = loop.Fly(body, MakeWall(k));
+          EXPECT_LE(left, 1.02 * loop.FlyFreely(body, MakeWall(k)))
+            << mass << " kg, " << speed << " m/s, " << k << " N/m, case " << i;
+          EXPECT_LE(loop.LargestGrowth, loop.ForceRate * Period * (1.0 + 1e-9));
+        }
+      }
+    }
+  }
+}
+
+TEST(Impact, AWallThatTurnsReturnsNoMoreEither)
+{
+  // The inside of a tube: struck aslant, its force turns while the mass slides along.
+  constexpr double radius = 0.01;
+  const Field tube = [](const Vector3& x)
+  {
+    const double r = std::hypot(x.X, x.Y);
+    const double pull = r > radius ? -3000.0 * (r - radius) / r : 0.0;
+    return Vector3{ pull * x.X, pull * x.Y, 0.0 };
+  };
+  for (const double aslant : { 0.0, 0.002, 0.005, 0.008 })
+  {
+    for (const double speed : { 0.3, 0.6 })
+    {
+      Body body;
+      body.Place = { 0.0, aslant, 0.0 };
+      body.Velocity = { speed, 0.0, 0.0 };
+      Loop loop;
+      const double left = loop.Fly(body, tube);
+      EXPECT_LE(left, 1.005 * loop.FlyFreely(body, tube)) << aslant << " m, " << speed << " m/s";
+    }
+  }
+}
+
+TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
+{
+  // 40 J of friction along x, then a wall in the same contact. The friction never lets go, so the spring's stiffness
+  // says what can come back: of the spring that friction has stretched, too, 5 % of what the wall gets.
+  constexpr double k = 3000.0;
+  SafetyLimits limits;
+  limits.MaximumForce = 8.0;
+  const auto fly = [&](double rate)
+  {
+    limits.MaximumForceRate = rate;
+    SafetyStage stage;
+    SafetyInput input;
+    input.Stiffness = k;
+    input.Elapsed = input.Period = Period;
+    input.Fresh = true;
+    stage.Arm();
+    for (int i = 0; i < 20000; ++i)
+    {
+      input.Tip.X += 1e-3;
+      input.Force = { -2.0, 0.0, 0.0 };
+      stage.Apply(input, limits);
+    }
+    Body body = Throw(0.15, 0.3, 0.3);
+    double least = body.Place.Z;
+    do
+    {
+      input.Tip.Z = body.Place.Z;
+      input.Force.Z = k * std::max(0.0, -body.Place.Z);
+      body.Move({ 0.0, 0.0, stage.Apply(input, limits).Z });
+      least = std::min(least, body.Place.Z);
+    } while (body.Place.Z < 0.0 || body.Velocity.Z < 0.0);
+    EXPECT_LT(least, -1e-3);
+    return body.Energy();
+  };
+  EXPECT_LE(fly(500.0), 1.05 * fly(1e9));
+}
+
+TEST(Impact, PressingOnBringsBackWhatTheLimitTook)
+{
+  SafetyLimits limits;
+  limits.MaximumForce = 4.0;
+  SafetyInput input;
+  input.Elapsed = input.Period = Period;
+  input.Fresh = true;
+  SafetyStage stage;
+  stage.Arm();
+  const auto press = [&](double speed, double depth)
+  {
+    while (input.Tip.Z > -depth)
+    {
+      input.Tip.Z -= speed * Period;
+      input.Force = MakeWall(3000.0)(input.Tip);
+      stage.Apply(input, limits);
+    }
+    return stage.Apply(input, limits).Z;
+  };
+  for (int i = 0; i < 600; ++i)
+  {
+    stage.Apply(input, limits);
+  }
+  const double struck = press(1.0, 0.008);
+  const double pressed = press(0.01, 0.016);
+  EXPECT_LT(struck, 3.0);
+  EXPECT_EQ(stage.Apply(input, limits).Z, pressed) << "a hand at rest feels no change";
+  EXPECT_GT(pressed, struck + 0.3);
+  EXPECT_GT(press(0.01, 0.2), 3.6);
+}
