@@ -102,6 +102,16 @@ HapticModel::HapticModel(std::shared_ptr<const Baked> baked, const Affine3& devi
 {
 }
 
+std::array<HapticModel::MemoryRange, 5> HapticModel::GetTables() const noexcept
+{
+  const MaterialTable& materials = this->Materials;
+  const DistinctnessTable& distinctness = this->Distinctness;
+  return { MemoryRange{ this, sizeof(*this) }, MemoryRange{ this->Shared.get(), sizeof(Baked) },
+    MemoryRange{ this->Kernel.Table.data(), this->Kernel.Table.size() * sizeof(double) },
+    MemoryRange{ materials.GetMemory(), materials.GetMemorySize() - sizeof(materials) },
+    MemoryRange{ distinctness.GetMemory(), distinctness.GetMemorySize() - sizeof(distinctness) } };
+}
+
 std::size_t HapticModel::GetMemorySize() const noexcept
 {
   return sizeof(*this) + sizeof(Baked) + this->Kernel.Table.capacity() * sizeof(double) +

@@ -191,6 +191,14 @@ public:
     return this->Field.Value(this->DeviceToIndex(device));
   }
 
+  struct MemoryRange
+  {
+    const void* Begin = nullptr;
+    std::size_t Size = 0; ///< bytes
+  };
+  /** What every tick reads, apart from the samples and the mesh. */
+  std::array<MemoryRange, 5> GetTables() const noexcept;
+
   /** Bytes beyond the image. */
   std::size_t GetMemorySize() const noexcept;
 };

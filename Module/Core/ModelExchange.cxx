@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ModelExchange.h"
 
+#include "HapticModel.h"
+
 #include <algorithm>
 
 namespace VolumeHaptics
@@ -17,8 +19,20 @@ ModelExchange::~ModelExchange() = default;
 
 std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
 {
-  this->Kept.push_back(
-    std::make_unique<const PublishedModel>(PublishedModel{ std::move(model), ++this->Generation }));
+  auto published = std::make_unique<PublishedModel>();
+  if (model)
+  {
+    for (const HapticModel::MemoryRange& table : model->GetTables())
+    {
+      if (!published->Lock.Add(table.Begin, table.Size))
+      {
+        this->LockRefused.store(true, std::memory_order_relaxed);
+      }
+    }
+  }
+  published->Model = std::move(model);
+  published->Generation = ++this->Generation;
+  this->Kept.push_back(std::move(published));
   this->Next.store(this->Kept.back().get());
   this->Collect();
   return this->Generation;

@@ -10,6 +10,8 @@
 #ifndef ModelExchange_h
 #define ModelExchange_h
 
+#include "MemoryLock.h"
+
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -24,6 +26,7 @@ struct PublishedModel
 {
   std::shared_ptr<const HapticModel> Model;
   std::uint64_t Generation = 0;
+  MemoryLock Lock; ///< on the model's tables
 };
 
 class ModelExchange
@@ -39,6 +42,8 @@ public:
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
   /** Frees the models that nobody uses. */
   void Collect();
+  /** From any thread: whether the tables of a model could not be kept in memory. */
+  bool IsLockRefused() const noexcept { return this->LockRefused.load(std::memory_order_relaxed); }
   /** The generation that the servo has seen. */
   std::uint64_t GetAcknowledged() const noexcept
   {
@@ -68,6 +73,7 @@ private:
   std::atomic<const PublishedModel*> Next;
   std::atomic<std::uint64_t> Acknowledged{ 0 };
   std::atomic<const PublishedModel*> Held{ nullptr };
+  std::atomic<bool> LockRefused{ false };
   std::vector<std::unique_ptr<const PublishedModel>> Kept; // the publisher's, oldest first
   std::uint64_t Generation = 0;                            // the publisher's
 };

@@ -84,6 +84,7 @@ public:
   /** The smallest and the largest value of a channel. */
   const ValueRange& GetRange(int channel) const noexcept { return this->Range[channel]; }
 
+  const void* GetMemory() const noexcept { return this->Segments.data(); } ///< beyond the object
   std::size_t GetMemorySize() const noexcept
   {
     return sizeof(*this) + this->Segments.capacity() * sizeof(Segment);

@@ -7,7 +7,6 @@
 #include <csignal>
 #include <pthread.h>
 #include <sched.h>
-#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 #else
@@ -60,11 +59,6 @@ bool RaisePriority() noexcept
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
 }
 
-bool LockMemory() noexcept
-{
-  return mlockall(MCL_CURRENT) == 0;
-}
-
 std::int64_t GetProcess() noexcept
 {
   return getpid();
@@ -87,11 +81,6 @@ void SleepUntil(std::int64_t time) noexcept
 void BlockSignals() noexcept {}
 
 bool RaisePriority() noexcept
-{
-  return false;
-}
-
-bool LockMemory() noexcept
 {
   return false;
 }

@@ -25,8 +25,6 @@ void SleepUntil(std::int64_t time) noexcept;
 void BlockSignals() noexcept;
 /** Asks for a real-time scheduling class (SCHED_FIFO, below 50) for the calling thread. */
 bool RaisePriority() noexcept;
-/** Asks that the pages which the process has now stay in memory. */
-bool LockMemory() noexcept;
 /**
  * The number of this process. A forked child has copies of all objects, but none of the threads, which are not to be
  * waited for, and the devices are the parent's.

@@ -12,6 +12,8 @@ namespace
 constexpr double NanosecondsPerSecond = 1e9;
 /** 16 s at 1 kHz, should the recorder be kept from draining; every start has to clear it. */
 constexpr std::size_t TraceCapacity = 1 << 14;
+/** More than any method needs of the stack (bytes); the rest of it is not locked. */
+constexpr std::size_t StackSize = 1 << 18;
 /** The rate is averaged over at least this long (ns). */
 constexpr std::int64_t RateWindow = 100000000;
 
@@ -26,12 +28,16 @@ ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
 
 ServoLoop::~ServoLoop() = default;
 
-void ServoLoop::AskForRealTime() noexcept
+void ServoLoop::AskForRealTime(MemoryLock& lock) noexcept
 {
   const auto answer = [](bool granted)
   { return granted ? Privilege::Granted : Privilege::Refused; };
+  // The largest last: a user's limit often allows the others.
+  const bool own = lock.Add(this, sizeof(*this));
+  const bool stack = lock.AddStack(StackSize);
+  const bool trace = lock.Add(this->Trace.GetMemory(), this->Trace.GetMemorySize());
+  this->LockedMemory.store(answer(own && stack && trace));
   this->RealTimePriority.store(answer(ServoClock::RaisePriority()));
-  this->LockedMemory.store(answer(ServoClock::LockMemory()));
 }
 
 void ServoLoop::FollowModel() noexcept
@@ -230,7 +236,8 @@ void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t
 void ServoLoop::Run() noexcept
 {
   ServoClock::BlockSignals();
-  this->AskForRealTime();
+  MemoryLock lock; // until the loop ends
+  this->AskForRealTime(lock);
   const std::int64_t begin = ServoClock::Now();
   std::int64_t planned = begin;
   std::int64_t last = begin - this->Period;

@@ -19,6 +19,7 @@
 
 #include "DeviceBackend.h"
 #include "LocalSurfaceFitter.h"
+#include "MemoryLock.h"
 #include "ModelExchange.h"
 #include "SafetyStage.h"
 #include "ServoTick.h"
@@ -164,7 +165,15 @@ public:
     Refused
   };
   Privilege GetRealTimePriority() const noexcept { return this->RealTimePriority.load(); }
-  Privilege GetLockedMemory() const noexcept { return this->LockedMemory.load(); }
+  /**
+   * Whether what the loop uses stays in memory while it runs: this object with its buffers, the loop's stack, and the
+   * tables of the models, but neither the samples of a volume nor meshes, which may be larger than the memory.
+   */
+  Privilege GetLockedMemory() const noexcept
+  {
+    const Privilege own = this->LockedMemory.load();
+    return own == Privilege::Granted && this->Models.IsLockRefused() ? Privilege::Refused : own;
+  }
 
 private:
   enum class ArmOrder : std::uint8_t
@@ -182,7 +191,7 @@ private:
     {
     }
   }
-  void AskForRealTime() noexcept;
+  void AskForRealTime(MemoryLock& lock) noexcept;
   void FollowModel() noexcept;
   void FollowCommands() noexcept;
   void FollowAttention(std::int64_t now) noexcept;

@@ -63,6 +63,8 @@ public:
 
   std::uint64_t GetLost() const noexcept { return this->Lost.load(std::memory_order_relaxed); }
   std::size_t GetCapacity() const noexcept { return this->Slot.size(); }
+  const void* GetMemory() const noexcept { return this->Slot.data(); }
+  std::size_t GetMemorySize() const noexcept { return this->Slot.size() * sizeof(T); }
 
 private:
   static std::size_t RoundUp(std::size_t capacity)
