@@ -129,7 +129,7 @@ double FindResidency(const HapticModel& model, const ServoState& state, const Ve
 void ResidentServo::Follow(double target, double period) noexcept
 {
   const double step = period / FadeTime;
-  const double wanted = this->FadesOut ? 0.0 : target;
+  const double wanted = this->FadesOut || this->Held ? 0.0 : target;
   // Not std::clamp: what is within a step is reached to the bit.
   const double way = wanted - this->Share;
   this->Share = std::fabs(way) <= step ? wanted : this->Share + std::copysign(step, way);
@@ -155,7 +155,8 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   }
   this->Follow(this->IsOut ? 0.0 : there, period);
   this->Awaits =
-    !model.Resident.IsWhole() && (this->IsOut || (this->Share < 1.0 && !this->FadesOut));
+    !model.Resident.IsWhole() &&
+    (this->IsOut || (this->Share < 1.0 && !this->FadesOut && !this->Held));
   if (!this->IsOut)
   {
     VolumeHaptics::Tick(model, state, tip, record, answer);

@@ -97,6 +97,13 @@ public:
   bool IsFadedOut() const noexcept { return this->FadesOut && this->Share == 0.0; }
   ///@}
 
+  ///@{
+  /** Lets the share go to zero in the same way for as long as this is on; at once where nothing is felt anyway. */
+  void SetHeld(bool held) noexcept { this->Held = held; }
+  bool IsHeld() const noexcept { return this->Held; }
+  void DropShare() noexcept { this->Share = 0.0; }
+  ///@}
+
 private:
   void Follow(double target, double period) noexcept;
 
@@ -104,6 +111,7 @@ private:
   bool Awaits = false;
   bool IsOut = false; ///< what is felt has to end before anything is felt anew
   bool FadesOut = false;
+  bool Held = false;
   Vector3 Force; ///< while IsOut: the last one
   Vector3 Lag;   ///< while IsOut: of the proxy behind the tip
 };

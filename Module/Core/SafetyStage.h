@@ -72,6 +72,8 @@ public:
 
   /** Forget a fault and start the ramp. */
   void Arm() noexcept;
+  /** Let the force rise again as after Arm, with what else holds. */
+  void RestartRamp() noexcept { this->Ramp = 0.0; }
   /** No force from the next Apply on. */
   void Disarm() noexcept { this->Armed = false; }
   /** A fault that is found elsewhere: no force from the next Apply on. Nothing where none could flow. */

@@ -63,6 +63,15 @@ void ServoLoop::FollowModel() noexcept
 
 void ServoLoop::FollowCommands() noexcept
 {
+  // First: what was ordered before a release is then seen with it.
+  const bool wasHeld = this->Servo.IsHeld();
+  this->Servo.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
+  if (wasHeld && !this->Servo.IsHeld())
+  {
+    // The hand went on while it felt nothing: a spring from where it was before would push it back.
+    this->State.Enabled = false;
+    this->Safety.RestartRamp();
+  }
   const std::uint64_t command = this->ArmCommand.load(std::memory_order_acquire);
   if (command != this->ArmCommandSeen)
   {
@@ -110,7 +119,7 @@ void ServoLoop::FollowAttention(std::int64_t now) noexcept
   const double most = this->Limits.Read().AttentionTime;
   const std::int64_t silence = now - this->AttendedAt.load(std::memory_order_acquire);
   if (most > 0.0 && static_cast<double>(silence) > most * NanosecondsPerSecond &&
-    this->Safety.IsArmed() && this->Safety.GetFault() == SafetyFault::None)
+    this->Safety.IsArmed() && this->Safety.GetFault() == SafetyFault::None && !this->Servo.IsHeld())
   {
     // Who comes back meanwhile does not stop the fade: a hand has to be told before it is held again.
     this->IsUnattended = true;
@@ -188,6 +197,13 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
     this->Servo.Recover();
   }
   this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
+  const bool isAtRest = this->Servo.IsHeld() && Dot(s.Command, s.Command) == 0.0;
+  if (isAtRest)
+  {
+    // Whoever arms meanwhile must not get the rest of a fade.
+    this->Servo.DropShare();
+  }
+  this->AtRest.store(isAtRest, std::memory_order_release);
   if (this->WriteLost)
   {
     s.Device = DeviceState::Lost;

@@ -115,6 +115,22 @@ public:
     }
   }
 
+  ///@{
+  /**
+   * While held, no force leaves, whatever else is ordered: it goes to zero as with FadeOut, but stays armed, and
+   * nobody has to attend. Released, it rises as after Arm, with the proxy on the tip, if it is armed by then and has
+   * no fault. The owner's.
+   */
+  void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
+  void Release() noexcept
+  {
+    this->Attend();
+    this->HoldWanted.store(false, std::memory_order_release);
+  }
+  /** Whether it is held and has sent zero. */
+  bool IsAtRest() const noexcept { return this->AtRest.load(std::memory_order_acquire); }
+  ///@}
+
   /**
    * The owner is there. Where SafetyLimits::AttentionTime is set and neither this nor Arm is called for that long
    * while armed, the force fades out as with FadeOut, and SafetyFault::Unattended holds until Arm.
@@ -208,6 +224,8 @@ private:
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> Recording{ false };
   std::atomic<bool> ResetRequested{ false };
+  std::atomic<bool> HoldWanted{ false };
+  std::atomic<bool> AtRest{ false };
   std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bits an ArmOrder
   std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
   TripleBuffer<SafetyLimits> Limits;
