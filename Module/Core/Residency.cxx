@@ -154,8 +154,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
     this->Lag = isFelt ? record.Proxy - record.Tip : Vector3{};
   }
   this->Follow(this->IsOut ? 0.0 : there, period);
-  this->Awaits =
-    !model.Resident.IsWhole() &&
+  this->Awaits = !model.Resident.IsWhole() &&
     (this->IsOut || (this->Share < 1.0 && !this->FadesOut && !this->Held));
   if (!this->IsOut)
   {

@@ -92,6 +92,10 @@ void HapticDeviceHolder::Start(double rate, const SafetyLimits& limits,
   this->Rate = rate;
   this->Session = std::make_unique<HapticSession>(*this->Backend, rate, limits, std::move(model));
   GuardSession(this->Session.get());
+  if (this->FindLongWork())
+  {
+    this->Session->GetLoop().Hold();
+  }
   if (this->ArmWanted)
   {
     this->Session->GetLoop().Arm();
@@ -139,6 +143,36 @@ void HapticDeviceHolder::FadeOut()
   {
     this->Session->GetLoop().FadeOut();
   }
+}
+
+const HapticDeviceHolder::Work* HapticDeviceHolder::FindLongWork() const
+{
+  const auto found = std::find_if(
+    this->Works.begin(), this->Works.end(), [](const Work& work) { return work.IsLong; });
+  return found == this->Works.end() ? nullptr : &*found;
+}
+
+bool HapticDeviceHolder::BeginWork(const std::string& what, bool isLong)
+{
+  const bool isFirst = isLong && !this->FindLongWork();
+  this->Works.push_back({ what, isLong });
+  if (isFirst && this->Session)
+  {
+    this->Session->Hold();
+  }
+  return isFirst;
+}
+
+bool HapticDeviceHolder::EndWork()
+{
+  const bool wasLong = this->FindLongWork() != nullptr;
+  this->Works.pop_back();
+  const bool isLast = wasLong && !this->FindLongWork();
+  if (isLast && this->Session)
+  {
+    this->Session->GetLoop().Release();
+  }
+  return isLast;
 }
 
 void HapticDeviceHolder::Home()

@@ -47,6 +47,15 @@ public:
   void Attend();
   void Arm(bool on);
   void FadeOut();
+  ///@{
+  /**
+   * Work of the owner's, long or not: see vtkHapticDevice::BeginLongWork. True if the force goes off with it, and if
+   * it may come back. Works nest and outlive a session.
+   */
+  bool BeginWork(const std::string& what, bool isLong);
+  bool EndWork();
+  bool HasWork() const { return !this->Works.empty(); }
+  ///@}
   /** Whether it is open and, as far as is known now, can be felt. */
   bool IsReady() const
   {
@@ -89,6 +98,13 @@ public:
   double TurnRate[3] = {}; ///< rad/s, of the latest state, in the device's axes
 
 private:
+  struct Work
+  {
+    std::string What;
+    bool IsLong;
+  };
+  /** The outermost work that is long; null if there is none. */
+  const Work* FindLongWork() const;
   std::string Describe(const DeviceCondition& condition) const;
 
   std::string Id;
@@ -100,6 +116,7 @@ private:
   ServoSnapshot State;
   bool ArmWanted = false;
   double Rate = 0.0;
+  std::vector<Work> Works;
 };
 
 } // namespace VolumeHaptics

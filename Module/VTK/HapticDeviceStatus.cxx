@@ -80,7 +80,8 @@ int HapticDeviceHolder::GetStatus() const
   {
     return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
-  return this->State.Stale ? vtkHapticDevice::ARMED : vtkHapticDevice::ACTIVE;
+  return this->State.Stale || this->FindLongWork() ? vtkHapticDevice::ARMED
+                                                   : vtkHapticDevice::ACTIVE;
 }
 
 std::string HapticDeviceHolder::Describe(const DeviceCondition& condition) const
@@ -122,6 +123,10 @@ std::string HapticDeviceHolder::GetStatusText() const
   else if (this->State.Device == DeviceState::Finished)
   {
     text = "Finished: " + this->Id + " has come to its end.";
+  }
+  else if (const Work* work = this->FindLongWork(); work && this->ArmWanted)
+  {
+    text = "Force is off while " + work->What + ", and comes back by itself.";
   }
   else if (this->State.Armed && this->State.Stale)
   {

@@ -119,10 +119,16 @@ void HapticFunctionChart::Place(const int rectangle[4])
 }
 
 //------------------------------------------------------------------------------
+bool HapticFunctionChart::ShowsData(vtkImageData* image, int component) const
+{
+  return image == this->ShownImage && component == this->ShownComponent &&
+    (!image || image->GetMTime() < this->DataTime);
+}
+
+//------------------------------------------------------------------------------
 void HapticFunctionChart::ShowData(vtkImageData* image, int component)
 {
-  if (image == this->ShownImage && component == this->ShownComponent &&
-    (!image || image->GetMTime() < this->DataTime))
+  if (this->ShowsData(image, component))
   {
     return;
   }

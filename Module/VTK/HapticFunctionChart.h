@@ -56,8 +56,11 @@ public:
   /** In pixels of the viewport: x, y, width, height. */
   void Place(const int rectangle[4]);
 
+  ///@{
   /** The histogram of a component and the name of its array; an image may be null. */
   void ShowData(vtkImageData* image, int component);
+  bool ShowsData(vtkImageData* image, int component) const;
+  ///@}
 
   /** A function, or null; while it is dragged the axes stay as they are. */
   void ShowFunction(vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged);

@@ -17,6 +17,9 @@ namespace VolumeHaptics
 /** MD5 of the values of an array, as they lie in memory, and of how it is shaped. */
 std::string HashArray(vtkDataArray* array, const int dimensions[3]);
 
+/** How long that takes, about (s). */
+double EstimateHashTime(vtkDataArray* array);
+
 } // namespace VolumeHaptics
 
 #endif

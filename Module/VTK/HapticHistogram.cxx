@@ -46,6 +46,12 @@ struct BinCounter
 
 } // namespace
 
+double EstimateHistogramTime(vtkImageData* image)
+{
+  constexpr double secondsPerSample = 6e-9; // measured on a desktop computer of 2023
+  return image ? secondsPerSample * static_cast<double>(image->GetNumberOfPoints()) : 0.0;
+}
+
 bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double range[2])
 {
   table->Initialize();

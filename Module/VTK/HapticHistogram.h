@@ -23,6 +23,9 @@ constexpr double FarthestShown = 1e30;
  */
 bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double range[2]);
 
+/** How long that takes, about (s). */
+double EstimateHistogramTime(vtkImageData* image);
+
 } // namespace VolumeHaptics
 
 #endif

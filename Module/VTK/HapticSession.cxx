@@ -19,6 +19,8 @@ constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;
 /** How often Quench looks whether the loop has got it (ns). */
 constexpr std::int64_t QuenchPoll = 200000;
+/** For how long Hold waits for a fade (ns), which takes 100 ms where the force turns. */
+constexpr std::int64_t LongestFade = 250000000;
 
 template <typename T>
 T* UserData(void* info)
@@ -236,6 +238,16 @@ std::unique_ptr<HapticRecording> HapticSession::StopRecording()
     recording->LostTicks = this->Loop.GetLostRecords() - recording->LostTicks;
   }
   return recording;
+}
+
+void HapticSession::Hold() noexcept
+{
+  this->Loop.Hold();
+  const std::int64_t latest = ServoClock::Now() + LongestFade;
+  while (!this->Loop.IsAtRest() && ServoClock::Now() < latest)
+  {
+    ServoClock::SleepUntil(ServoClock::Now() + QuenchPoll);
+  }
 }
 
 void HapticSession::Quench() noexcept

@@ -66,6 +66,8 @@ public:
   ///@}
   static constexpr std::size_t MostStates = 100000;
 
+  /** Lets the force fade (ServoLoop::Hold) and waits until it is gone, a quarter of a second at most. */
+  void Hold() noexcept;
   /** From any thread: no force once this returns, until armed again. Waits for the loop, shortly. */
   void Quench() noexcept;
 

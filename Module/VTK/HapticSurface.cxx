@@ -15,6 +15,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace VolumeHaptics
@@ -154,16 +156,73 @@ std::shared_ptr<const SurfaceMesh> MeshOf(
   return mesh;
 }
 
+/** How many triangles an isosurface has, about: two in a voxel that it passes through. */
+double EstimateTriangles(const IsoSurface& iso)
+{
+  constexpr int looks = 20000; // some milliseconds
+  // Steps that fill space evenly, whatever the structure of the image: the powers of 1 / 1.2207..., the root of
+  // x^4 = x + 1.
+  constexpr double steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
+  const int* const n = iso.Image->GetDimensions();
+  const vtkIdType rows[3] = { 1, n[0], vtkIdType{ n[0] } * n[1] };
+  if (std::min({ n[0], n[1], n[2] }) < 2 ||
+    iso.Scalars->GetNumberOfTuples() < iso.Image->GetNumberOfPoints() ||
+    iso.Component >= iso.Scalars->GetNumberOfComponents())
+  {
+    return 0.0; // for the error
+  }
+  int passed = 0;
+  double at[3] = { 0.0, 0.0, 0.0 };
+  for (int look = 0; look < looks; ++look)
+  {
+    vtkIdType first = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      at[a] += steps[a];
+      at[a] -= std::floor(at[a]);
+      first += rows[a] * static_cast<vtkIdType>(at[a] * (n[a] - 1));
+    }
+    int inside = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const vtkIdType place = first + (corner & 1 ? rows[0] : 0) + (corner & 2 ? rows[1] : 0) +
+        (corner & 4 ? rows[2] : 0);
+      inside += iso.Scalars->GetComponent(place, iso.Component) >= iso.Value;
+    }
+    passed += inside != 0 && inside != 8;
+  }
+  return 2.0 * passed / looks * static_cast<double>(iso.Image->GetNumberOfPoints());
+}
+
 } // namespace
+
+HapticSurface::Key HapticSurface::MakeKey(vtkPolyData* surface, const IsoSurface& iso)
+{
+  return surface
+    ? Key{ surface, nullptr, surface->GetMTime(), 0.0, 0 }
+    : Key{ iso.Image, iso.Scalars, std::max(iso.Image->GetMTime(), iso.Scalars->GetMTime()),
+        iso.Value, iso.Component };
+}
+
+double HapticSurface::EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const
+{
+  // Measured on a desktop computer of 2023, with the tree.
+  constexpr double secondsPerSample = 5e-9;
+  constexpr double secondsPerTriangle = 800e-9;
+  if (this->IsMadeOf(MakeKey(surface, iso)))
+  {
+    return 0.0;
+  }
+  return surface ? secondsPerTriangle * static_cast<double>(surface->GetNumberOfCells())
+                 : secondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints()) +
+      secondsPerTriangle * EstimateTriangles(iso);
+}
 
 std::shared_ptr<const SurfaceMesh> HapticSurface::Get(
   vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error)
 {
-  const Key key = surface
-    ? Key{ surface, nullptr, surface->GetMTime(), 0.0, 0 }
-    : Key{ iso.Image, iso.Scalars, std::max(iso.Image->GetMTime(), iso.Scalars->GetMTime()),
-        iso.Value, iso.Component };
-  if (!this->Mesh || key != this->MadeOf)
+  const Key key = MakeKey(surface, iso);
+  if (!this->IsMadeOf(key))
   {
     this->Mesh = surface ? MeshOf(surface, error) : MeshOf(iso, indexToWorld, error);
     this->MadeOf = key;

@@ -46,9 +46,15 @@ public:
   std::shared_ptr<const SurfaceMesh> Get(
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
+  /** How long that takes, about (s): nothing, where it is the last one. */
+  double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
+
 private:
   /** What it was made of, and when; value and component of an isosurface. */
   using Key = std::tuple<const void*, const void*, vtkMTimeType, double, int>;
+
+  static Key MakeKey(vtkPolyData* surface, const IsoSurface& iso);
+  bool IsMadeOf(const Key& key) const { return this->Mesh && key == this->MadeOf; }
 
   std::shared_ptr<const SurfaceMesh> Mesh;
   Key MadeOf{ nullptr, nullptr, 0, 0.0, 0 };

@@ -142,11 +142,12 @@ vtkMatrix4x4* vtkHapticDevice::GetDeviceToWorld()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::Publish()
 {
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
   auto& d = *this->Internals;
   d.Holder.Attend();
   std::shared_ptr<const HapticModel> model;
   const double rate = d.Holder.GetSession() ? d.Holder.GetRate() : this->ServoRate;
-  if (!d.Bake(rate, model))
+  if (!d.Bake(this, rate, model))
   {
     return false;
   }
@@ -185,7 +186,7 @@ bool vtkHapticDevice::Start()
     return false;
   }
   std::shared_ptr<const HapticModel> model;
-  if (!d.Bake(this->ServoRate, model))
+  if (!d.Bake(this, this->ServoRate, model))
   {
     return false;
   }
@@ -267,6 +268,38 @@ void vtkHapticDevice::FadeOut()
 {
   this->Internals->Holder.FadeOut();
   this->AnnounceDisarmed();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
+{
+  // What takes no longer than a slow frame needs no notice. A machine eight times slower than expected is
+  // still no fault.
+  constexpr double shortest = 0.25;
+  constexpr double margin = 8.0;
+  const double limit =
+    this->AttentionTime > 0.0 ? std::min(shortest, this->AttentionTime / margin) : shortest;
+  auto& holder = this->Internals->Holder;
+  holder.Attend();
+  if (holder.BeginWork(what && *what ? what : "the program works", !(expectedSeconds < limit)))
+  {
+    this->InvokeEvent(vtkCommand::StartEvent);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::EndLongWork()
+{
+  auto& holder = this->Internals->Holder;
+  if (!holder.HasWork())
+  {
+    vtkErrorMacro("No long work is under way: BeginLongWork() first.");
+    return;
+  }
+  if (holder.EndWork())
+  {
+    this->InvokeEvent(vtkCommand::EndEvent);
+  }
 }
 
 //------------------------------------------------------------------------------

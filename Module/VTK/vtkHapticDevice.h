@@ -21,7 +21,8 @@
  * a second. A tip that is not finite, that moves faster than a hand can hold the device, or a device that is lost,
  * cuts the force and latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
  * zero. Stop, Close, deletion, exit() and SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) send zero force.
- * Stiffness and ForceFieldDamping are capped at what the device can hold.
+ * Stiffness and ForceFieldDamping are capped at what the device can hold. During work that keeps the owner's thread
+ * for long (BeginLongWork), as StartRecording and Publish have it with large volumes, the force is off.
  *
  * The servo reads the image's own array, without a copy: give the image a new array instead of resizing or
  * refilling one that is being touched.
@@ -123,6 +124,24 @@ public:
   void Arm();
   void Disarm();
   void FadeOut();
+  ///@}
+
+  ///@{
+  /**
+   * Around work that keeps the owner's thread from looking after the hand, such as computing a mesh. BeginLongWork
+   * lets the force fade within 50 ms (100 where it turns meanwhile), which it waits for, invokes vtkCommand::StartEvent
+   * and has GetStatusText say "Force is off while", and the given words ("the surface is meshed"). After EndLongWork,
+   * which invokes vtkCommand::EndEvent, the force rises from the tip over half a second, unless the device was disarmed
+   * meanwhile, has a fault or is not armed at all; Arm during the work takes effect after it. AttentionTime does not
+   * count meanwhile. Pairs nest, and the force comes back with the last EndLongWork; without that it stays off.
+   *
+   * Work that is expected to take less than so many seconds as a quarter, or than an eighth of AttentionTime, leaves
+   * the force as it is: a hand would feel nothing but a flicker. The device does this by itself where StartRecording
+   * hashes and Publish meshes a large volume; a pipeline before the filter that takes longer is the application's to
+   * announce.
+   */
+  void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
+  void EndLongWork();
   ///@}
 
   /** Look for the zero of a real device's encoders anew, with the hand's help; disarms. */

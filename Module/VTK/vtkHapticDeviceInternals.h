@@ -11,6 +11,7 @@
 
 #include "HapticChangeTime.h"
 #include "HapticDeviceHolder.h"
+#include "HapticLongWork.h"
 #include "HapticVolumeView.h"
 
 #include "vtkMatrix4x4.h"
@@ -28,15 +29,20 @@ struct vtkHapticDevice::vtkInternals
   vtkMTimeType PublishedTime = 0; // of the changes that were published last, or could not be
 
   /** A snapshot of the filter for a rate (Hz); null without a filter. False after an error. */
-  bool Bake(double rate, std::shared_ptr<const VolumeHaptics::HapticModel>& model)
+  bool Bake(
+    vtkHapticDevice* self, double rate, std::shared_ptr<const VolumeHaptics::HapticModel>& model)
   {
-    if (this->Filter)
+    // Observers of the work may give the device another one.
+    const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+    if (filter)
     {
+      const VolumeHaptics::LongWork work(
+        self, "the surface is meshed", self->IsRunning() ? filter->EstimateBakeTime() : 0.0);
       const auto caps = VolumeHaptics::CapsOf(this->Holder.GetLimits(), 1.0 / rate);
-      model = this->Filter->Bake(rate, caps, this->DeviceToWorld);
-      this->PublishedTime = VolumeHaptics::FindChangeTime(this->Filter);
+      model = filter->Bake(rate, caps, this->DeviceToWorld);
+      this->PublishedTime = VolumeHaptics::FindChangeTime(filter);
     }
-    return !this->Filter || model;
+    return !filter || model;
   }
 
   /** Where the device is: as published, or as far as that can be said without a model. */

@@ -12,6 +12,48 @@
 
 using namespace VolumeHaptics;
 
+namespace
+{
+/** The session that can be recorded into a file of that name; null after an error. */
+HapticSession* FindRecordable(
+  vtkHapticDevice* self, const HapticDeviceHolder& holder, const std::string& name)
+{
+  HapticSession* const session = holder.GetSession();
+  const char* error = nullptr;
+  if (!session)
+  {
+    error = "There is nothing to record: Start() the servo first.";
+  }
+  else if (session->IsRecording())
+  {
+    error = "A recording is under way: StopRecording() it first.";
+  }
+  else if (!session->GetLatestModel())
+  {
+    error = "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
+            "of what is felt.";
+  }
+  else if (!session->GetLatestModel()->Resident.IsWhole())
+  {
+    error = "A region of a larger volume can't be recorded: what is felt hangs on every "
+            "region that comes and when, which no single image could replay. Connect the whole "
+            "volume to the filter and Publish() it, or keep the states with DrainStates().";
+  }
+  if (error)
+  {
+    vtkErrorWithObjectMacro(self, << error);
+    return nullptr;
+  }
+  if (GetTraceEnding(name).empty())
+  {
+    vtkErrorWithObjectMacro(
+      self, "The recording \"" << name << "\" has an unknown ending: name it .vtp or .csv.");
+    return nullptr;
+  }
+  return session;
+}
+} // namespace
+
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SendLimits()
 {
@@ -77,45 +119,29 @@ void vtkHapticDevice::SetAttentionTime(double seconds)
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::StartRecording(const char* file)
 {
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
   auto& d = *this->Internals;
-  HapticSession* const session = d.Holder.GetSession();
   const std::string name = file ? file : "";
-  if (!session || session->IsRecording())
+  if (!FindRecordable(this, d.Holder, name))
   {
-    vtkErrorMacro(<< (session ? "A recording is under way: StopRecording() it first."
-                              : "There is nothing to record: Start() the servo first."));
-    return false;
-  }
-  if (!session->GetLatestModel())
-  {
-    vtkErrorMacro(
-      "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
-      "of what is felt.");
-    return false;
-  }
-  if (!session->GetLatestModel()->Resident.IsWhole())
-  {
-    vtkErrorMacro("A region of a larger volume can't be recorded: what is felt hangs on every "
-                  "region that comes and "
-                  "when, which no single image could replay. Connect the whole volume to the "
-                  "filter and Publish() it, "
-                  "or keep the states with DrainStates().");
-    return false;
-  }
-  if (GetTraceEnding(name).empty())
-  {
-    vtkErrorMacro("The recording \"" << name << "\" has an unknown ending: name it .vtp or .csv.");
     return false;
   }
   auto recording = std::make_unique<HapticRecording>();
   recording->DeviceId = d.Holder.GetId();
-  if (d.Filter)
+  if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = d.Filter)
   {
     std::ostringstream settings;
-    d.Filter->PrintSettings(settings, vtkIndent());
+    filter->PrintSettings(settings, vtkIndent());
     settings << "ServoRate of the device: " << d.Holder.GetRate() << " Hz\n";
     recording->Settings = settings.str();
-    recording->VolumeHash = d.Filter->HashScalars();
+    const LongWork work(this, "the volume is hashed", filter->EstimateHashTime());
+    recording->VolumeHash = filter->HashScalars();
+  }
+  // Observers of the long work may have stopped the servo, or begun a recording.
+  HapticSession* const session = FindRecordable(this, d.Holder, name);
+  if (!session)
+  {
+    return false;
   }
   d.RecordingFile = name;
   session->StartRecording(std::move(recording));

@@ -3,6 +3,7 @@
 #include "vtkHapticFunctionEditor.h"
 
 #include "HapticFunctionChart.h"
+#include "HapticHistogram.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"
@@ -51,6 +52,9 @@ struct vtkHapticFunctionEditor::vtkInternals
   VolumeHaptics::HapticFunctionChart Chart;
   int Held = 0;     // the button, between press and release
   int CanDraw = -1; // not known yet
+  bool IsCounting = false;
+
+  int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
 
   /** From the display to the viewport. */
   void ToViewport(int& x, int& y) const
@@ -135,12 +139,36 @@ vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
 }
 
 //------------------------------------------------------------------------------
+double vtkHapticFunctionEditor::EstimateUpdateTime()
+{
+  auto& d = *this->Internals;
+  return d.Chart.ShowsData(d.Image, d.GetComponent())
+    ? 0.0
+    : VolumeHaptics::EstimateHistogramTime(d.Image);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::Update()
+{
+  auto& d = *this->Internals;
+  // Observers may render meanwhile: that shows the chart as it is.
+  if (!d.IsCounting && !d.Chart.ShowsData(d.Image, d.GetComponent()))
+  {
+    d.IsCounting = true;
+    this->InvokeEvent(vtkCommand::StartEvent);
+    d.Chart.ShowData(d.Image, d.GetComponent());
+    d.IsCounting = false;
+    this->InvokeEvent(vtkCommand::EndEvent);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::UpdateChart()
 {
   auto& d = *this->Internals;
   vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
   d.Chart.Place(this->Rectangle);
-  d.Chart.ShowData(d.Image, d.Property ? d.Property->GetComponent() : 0);
+  this->Update();
   d.Chart.ShowFunction(function, Choices[this->Function].Quantity, d.Held != 0);
   if (!function)
   {

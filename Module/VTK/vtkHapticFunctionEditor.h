@@ -123,6 +123,16 @@ public:
   vtkGetVector4Macro(Rectangle, int);
   ///@}
 
+  ///@{
+  /**
+   * Count the histogram anew if the data have changed, with vtkCommand::StartEvent before it and vtkCommand::EndEvent
+   * after. Events of the mouse and rendering do that, too. EstimateUpdateTime says how long it will take, about (s, on
+   * a desktop computer), 0 where it is up to date. vtkInteractorStyleHaptic lets the force fade for a long one.
+   */
+  void Update();
+  double EstimateUpdateTime();
+  ///@}
+
   /** Whether a place on the display (pixels) is within the editor, and that is visible. */
   bool Contains(int x, int y);
 

@@ -31,6 +31,13 @@ vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   d.DisarmObserver->SetClientData(&d);
   d.DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<vtkInternals*>(self)->ArmAfterClutch = false; });
+  d.WorkObserver->SetClientData(this);
+  d.WorkObserver->SetCallback(
+    [](vtkObject* worker, unsigned long event, void* self, void*)
+    {
+      static_cast<vtkInteractorStyleHaptic*>(self)->FollowWork(
+        worker, event == vtkCommand::StartEvent);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -40,7 +47,9 @@ vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
   if (this->Internals->Device)
   {
     this->Internals->Device->RemoveObserver(this->Internals->DisarmObserver);
+    this->Internals->Device->RemoveObserver(this->Internals->WorkObserver);
   }
+  this->SetFunctionEditor(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -52,11 +61,14 @@ void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
     if (d.Device)
     {
       d.Device->RemoveObserver(d.DisarmObserver);
+      d.Device->RemoveObserver(d.WorkObserver);
     }
     d.Device = device;
     if (device)
     {
       device->AddObserver(vtkCommand::DisableEvent, d.DisarmObserver);
+      device->AddObserver(vtkCommand::StartEvent, d.WorkObserver);
+      device->AddObserver(vtkCommand::EndEvent, d.WorkObserver);
     }
     d.ArmAfterClutch = false;
     this->Clutch = false;
@@ -93,9 +105,20 @@ vtkHapticHeadUpDisplay* vtkInteractorStyleHaptic::GetHeadUpDisplay()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetFunctionEditor(vtkHapticFunctionEditor* editor)
 {
-  if (this->Internals->Editor != editor)
+  auto& d = *this->Internals;
+  if (d.Editor != editor)
   {
-    this->Internals->Editor = editor;
+    if (d.Editor)
+    {
+      d.Editor->RemoveObserver(d.WorkObserver);
+      this->FollowWork(d.Editor, false);
+    }
+    d.Editor = editor;
+    if (editor)
+    {
+      editor->AddObserver(vtkCommand::StartEvent, d.WorkObserver);
+      editor->AddObserver(vtkCommand::EndEvent, d.WorkObserver);
+    }
     this->Modified();
   }
 }
@@ -250,6 +273,7 @@ void vtkInteractorStyleHaptic::SetTouchMode(bool on)
     Vector3 start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
     if (vtkVolumeHapticsFilter* filter = d.Device->GetVolumeHaptics())
     {
+      const LongWork work(d.Device, "the surface is meshed", filter->EstimateBakeTime());
       FindFirstContact(renderer, pointer, filter, start);
     }
     d.Lead = start;

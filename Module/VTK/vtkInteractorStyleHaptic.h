@@ -38,6 +38,9 @@
  *
  * Mouse events over the function editor go to the editor.
  *
+ * Where the device has to be without force for a while (vtkHapticDevice::BeginLongWork), the style draws before, so
+ * that the head-up display says why. It announces the histogram of a large volume to the device by itself.
+ *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same for
  * the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera goes the other way.
  *
@@ -133,8 +136,9 @@ public:
   /**
    * Feel the same place with the next method of the device's filter, in the order of
    * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on; a force that grows does so at the
-   * device's MaximumForceRate. Making the mesh of SURFACE_PROXY can take a second, in which the hand
-   * feels what it felt; the head-up display says so before. Where the method can't be felt, as with an
+   * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made the hand feels what it felt, or nothing if
+   * that takes longer than a moment (vtkHapticDevice::BeginLongWork); the head-up display says so before. Where the
+   * method can't be felt, as with an
    * IsoValue that does not occur, this is false, with an error; the method from before stays, and the next
    * call passes the other one over.
    */
@@ -200,6 +204,7 @@ private:
   double GetEffectiveDepthStep();
   bool HasMoved();
   void Notify(const std::string& notice);
+  void FollowWork(vtkObject* worker, bool begins);
   void TurnVolume(vtkRenderer* renderer, double time);
   void Draw(bool quickly);
   bool LeadsTip();

@@ -10,6 +10,7 @@
 #include "vtkInteractorStyleHaptic.h"
 
 #include "HapticChangeTime.h"
+#include "HapticLongWork.h"
 #include "HapticRenderPace.h"
 #include "HapticStateWatch.h"
 #include "HapticWorkspace.h"
@@ -51,6 +52,8 @@ struct vtkInteractorStyleHaptic::vtkInternals
   VolumeHaptics::Vector3 ClutchedTip; ///< world
   VolumeHaptics::Vector3 Lead;        ///< world; where the mouse leads the tip
   bool EditorHasMouse = false;
+  vtkNew<vtkCallbackCommand> WorkObserver;       ///< of the device and the editor
+  vtkSmartPointer<vtkHapticDevice> DeviceAtRest; ///< while the editor counts
 
   bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }

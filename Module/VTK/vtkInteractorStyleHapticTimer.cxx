@@ -63,6 +63,11 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
 void vtkInteractorStyleHaptic::Draw(bool quickly)
 {
   auto& d = *this->Internals;
+  if (d.Editor && d.Editor->GetVisibility())
+  {
+    // Before the frame: once that is under way, nothing can be shown any more.
+    d.Editor->Update();
+  }
   const double start = vtkTimerLog::GetUniversalTime();
   this->DrawScene(quickly);
   const double end = vtkTimerLog::GetUniversalTime();
@@ -108,6 +113,34 @@ void vtkInteractorStyleHaptic::Notify(const std::string& notice)
   }
   d.Display->SetNotice(notice.c_str());
   if (this->Interactor && this->Interactor->GetRenderWindow())
+  {
+    this->Draw(true);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::FollowWork(vtkObject* worker, bool begins)
+{
+  auto& d = *this->Internals;
+  if (worker == d.Editor)
+  {
+    if (d.DeviceAtRest)
+    {
+      // Taken first, since the end of the work calls back.
+      const auto device = std::move(d.DeviceAtRest);
+      d.DeviceAtRest = nullptr;
+      device->EndLongWork();
+    }
+    if (begins && d.Device)
+    {
+      d.DeviceAtRest = d.Device;
+      d.Device->BeginLongWork("the histogram is counted", d.Editor->EstimateUpdateTime());
+    }
+    return;
+  }
+  vtkRenderWindow* const window = this->Interactor ? this->Interactor->GetRenderWindow() : nullptr;
+  d.HasHappened = true;
+  if (begins && d.Display && d.IsArmed() && window && !window->CheckInRenderStatus())
   {
     this->Draw(true);
   }

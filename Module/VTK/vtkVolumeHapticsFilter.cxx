@@ -165,6 +165,43 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 }
 
 //------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::UpdateWhatIsTouched()
+{
+  for (const int port : { 0, 2 }) // the path, on port 1, is not the servo's
+  {
+    if (vtkAlgorithm* const source = this->GetInputAlgorithm(port, 0))
+    {
+      source->Update(this->GetInputConnection(port, 0)->GetIndex());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkVolumeHapticsFilter::EstimateBakeTime()
+{
+  if (this->Method != SURFACE_PROXY)
+  {
+    return 0.0;
+  }
+  try
+  {
+    this->UpdateWhatIsTouched();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return 0.0; // Bake() says so
+  }
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
+  if (!scalars)
+  {
+    return 0.0; // for the error
+  }
+  return this->Surfaces->EstimateTime(vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0)),
+    { image, scalars, this->GetProperty()->GetComponent(), this->IsoValue });
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
@@ -185,13 +222,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
   std::string error;
-  for (const int port : { 0, 2 }) // the path, on port 1, is not the servo's
-  {
-    if (vtkAlgorithm* const source = this->GetInputAlgorithm(port, 0))
-    {
-      source->Update(this->GetInputConnection(port, 0)->GetIndex());
-    }
-  }
+  this->UpdateWhatIsTouched();
   vtkDataObject* const surface = this->GetInputDataObject(2, 0);
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
   if (!image)
@@ -232,6 +263,14 @@ std::string vtkVolumeHapticsFilter::HashScalars()
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
   vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
   return scalars ? VolumeHaptics::HashArray(scalars, image->GetDimensions()) : std::string();
+}
+
+//------------------------------------------------------------------------------
+double vtkVolumeHapticsFilter::EstimateHashTime()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
+  return scalars ? VolumeHaptics::EstimateHashTime(scalars) : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -139,6 +139,16 @@ public:
   std::string HashScalars();
 
 #ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * How long (s), about, HashScalars() and Bake() would take now on a desktop computer, without the pipeline before
+   * this filter: Bake() has nothing to do that takes time but the mesh of SURFACE_PROXY, when that has to be made. In
+   * C++ only.
+   */
+  double EstimateHashTime();
+  double EstimateBakeTime();
+  ///@}
+
   /**
    * Bring port 0 up to date and bake it, with the property and all settings, for a servo that ticks
    * at a rate (Hz) and drives a device with caps of its own. The matrix takes the servo's device
@@ -168,6 +178,7 @@ private:
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
     std::string& error);
   VolumeHaptics::ForceCaps Tighten(const VolumeHaptics::ForceCaps& deviceCaps) const;
+  void UpdateWhatIsTouched();
 
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
   vtkMTimeType LastBakedTime = 0;

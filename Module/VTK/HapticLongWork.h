@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Work during which a device may have to be without force.
+ */
+#ifndef HapticLongWork_h
+#define HapticLongWork_h
+
+#include "vtkHapticDevice.h"
+#include "vtkSmartPointer.h"
+
+namespace VolumeHaptics
+{
+
+/** vtkHapticDevice::BeginLongWork, and EndLongWork at the end of the scope. */
+class LongWork
+{
+public:
+  LongWork(vtkHapticDevice* device, const char* what, double expectedSeconds)
+    : Device(device)
+  {
+    device->BeginLongWork(what, expectedSeconds);
+  }
+  ~LongWork() { this->Device->EndLongWork(); }
+  LongWork(const LongWork&) = delete;
+  LongWork& operator=(const LongWork&) = delete;
+
+private:
+  const vtkSmartPointer<vtkHapticDevice> Device;
+};
+
+} // namespace VolumeHaptics
+
+#endif

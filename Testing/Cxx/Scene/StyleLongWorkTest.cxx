@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Where the style or the editor keeps the program from looking after the hand, the force is off meanwhile, and the
+ * head-up display says so before.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkAutoInit.h>
+#include <vtkDataArray.h>
+#include <vtkHapticFunctionEditor.h>
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <random>
+
+// What draws charts and their text: no header of their modules is included here.
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
+VTK_MODULE_INIT(vtkRenderingFreeType);
+
+using namespace scenetest;
+
+namespace
+{
+class StyleLongWork : public StyleTest
+{
+protected:
+  StyleLongWork()
+  {
+    this->Display->SetDevice(this->Device);
+    this->Style->SetHeadUpDisplay(this->Display);
+    this->Renderer->AddViewProp(this->Display);
+    this->Editor->SetProperty(this->Filter->GetProperty());
+    this->Editor->SetRectangle(0, 0, 100, 80);
+    this->Editor->VisibilityOff();
+    this->Renderer->AddViewProp(this->Editor);
+    this->Style->SetFunctionEditor(this->Editor);
+    this->Device->SetAttentionTime(2.0);
+    this->Interactor->Initialize();
+
+    // What is shown in every frame, and with what force.
+    vtkNew<vtkCallbackCommand> look;
+    look->SetClientData(this);
+    look->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*)
+      {
+        auto& test = *static_cast<StyleLongWork*>(self);
+        test.Shown.push_back(test.Display->GetText());
+      });
+    this->Renderer->AddObserver(vtkCommand::StartEvent, look);
+    vtkNew<vtkCallbackCommand> count;
+    count->SetClientData(&this->Works);
+    count->SetCallback(
+      [](vtkObject*, unsigned long, void* works, void*) { ++*static_cast<int*>(works); });
+    this->Device->AddObserver(vtkCommand::StartEvent, count);
+  }
+  /// The tip is 2 mm or so deep in the ball, and feels it.
+  void Touch()
+  {
+    ASSERT_NO_FATAL_FAILURE(this->PushIn());
+    this->Run(600); // the ramp after arming
+    ASSERT_GT(Length(this->Device->GetForce()), 0.5);
+    this->Device->DrainStates(this->States, 1);
+    this->Shown.clear();
+  }
+  /// A histogram of 43 million samples.
+  void GiveEditorMuch()
+  {
+    constexpr int n = 350;
+    vtkNew<vtkUnsignedCharArray> samples;
+    samples->SetNumberOfValues(n * n * n);
+    samples->FillValue(7);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(n, n, n);
+    image->GetPointData()->SetScalars(samples);
+    this->Editor->SetInputData(image);
+  }
+  /// Outside of the ball, every voxel has pieces of the isosurface at -4000.
+  void GiveMethodMuch()
+  {
+    std::mt19937 random(1);
+    vtkDataArray* const scalars = this->Ball->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+    {
+      if (Length(this->Ball->GetPoint(i)) > 36.0)
+      {
+        scalars->SetTuple1(i, -5000.0 + static_cast<double>(random() % 2001));
+      }
+    }
+    scalars->Modified();
+    this->Ball->Modified();
+    this->Filter->GetProperty()->DistinctnessFromNoiseOff();
+    this->Filter->SetIsoValue(-4000.0);
+  }
+  bool HasShown(const std::string& words) const
+  {
+    return std::any_of(this->Shown.begin(), this->Shown.end(),
+      [&](const std::string& text) { return text.find(words) != std::string::npos; });
+  }
+  /// The force was off, without a fault, and may flow again.
+  void ExpectPause()
+  {
+    this->Run(20);
+    this->Device->DrainStates(this->States, 1);
+    int forceless = 0;
+    for (vtkIdType i = 0; i < this->States->GetNumberOfRows(); ++i)
+    {
+      const auto number = [&](const char* name)
+      { return vtkDataArray::SafeDownCast(this->States->GetColumnByName(name))->GetTuple(i); };
+      forceless += Length(number("Command")) == 0.0;
+      EXPECT_EQ(number("Fault")[0], 0.0);
+      EXPECT_EQ(number("Armed")[0], 1.0);
+    }
+    EXPECT_GT(forceless, 10);
+    EXPECT_EQ(this->Works, 1);
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+  }
+
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+  vtkNew<vtkHapticFunctionEditor> Editor;
+  vtkNew<vtkTable> States;
+  std::vector<std::string> Shown;
+  int Works = 0;
+};
+} // namespace
+
+TEST_F(StyleLongWork, IsAHistogramThatAKeyShows)
+{
+  this->GiveEditorMuch();
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  this->Press("v");
+  EXPECT_TRUE(this->HasShown("Force is off while the histogram is counted"));
+  EXPECT_EQ(this->Shown.back().find("Force is off"), std::string::npos);
+  this->ExpectPause();
+  this->Press("v");
+  this->Press("v");
+  EXPECT_EQ(this->Works, 1) << "it has been counted";
+}
+
+TEST_F(StyleLongWork, IsAHistogramThatARenderOfTheApplicationShows)
+{
+  this->GiveEditorMuch();
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  this->Editor->VisibilityOn();
+  this->Window->Render();
+  this->ExpectPause();
+}
+
+TEST_F(StyleLongWork, IsNotTheHistogramOfASmallVolume)
+{
+  this->Editor->SetInputData(this->Ball);
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  this->Press("v");
+  EXPECT_EQ(this->Editor->EstimateUpdateTime(), 0.0);
+  EXPECT_EQ(this->Works, 0);
+  EXPECT_FALSE(this->HasShown("Force is off"));
+}
+
+TEST_F(StyleLongWork, IsTheMeshOfTheNextMethod)
+{
+  this->GiveMethodMuch();
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.01);
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  this->Press("m");
+  EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::SURFACE_PROXY);
+  EXPECT_TRUE(this->HasShown("Force is off while the surface is meshed"));
+  EXPECT_TRUE(this->HasShown("Surface proxy is being prepared"));
+  this->ExpectPause();
+}
+
+TEST_F(StyleLongWork, IsTheMeshThatTheTouchModeLooksFor)
+{
+  this->GiveMethodMuch();
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  this->Style->TouchModeOff();
+  this->Device->Arm();
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Style->TouchModeOn();
+  EXPECT_EQ(this->Works, 1);
+  this->Run(20);
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+}
+
+TEST_F(StyleLongWork, OfAnEditorEndsWithIt)
+{
+  this->GiveEditorMuch();
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  // An observer that hears of it after the style takes the editor away while it is about to count.
+  vtkNew<vtkCallbackCommand> take;
+  take->SetClientData(this->Style);
+  take->SetCallback([](vtkObject*, unsigned long, void* style, void*)
+    { static_cast<vtkInteractorStyleHaptic*>(style)->SetFunctionEditor(nullptr); });
+  this->Editor->AddObserver(vtkCommand::StartEvent, take, -1.0f);
+  this->Editor->Update();
+  this->ExpectPause();
+}
