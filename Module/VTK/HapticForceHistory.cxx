@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticForceHistory.h"
 
+#include "HapticHistogram.h"
+
 #include "vtkFloatArray.h"
 #include "vtkTable.h"
 
@@ -31,10 +33,20 @@ void HapticForceHistory::Add(const State& state, double span)
     this->States.clear();
   }
   this->States.push_back(state);
+  for (double& force : this->States.back().Forces)
+  {
+    force = std::isfinite(force) ? std::clamp(force, -FarthestShown, FarthestShown) : 0.0;
+  }
   while (this->States.front().Time < state.Time - span)
   {
     this->States.pop_front();
   }
+  this->IsPlotted = false;
+}
+
+void HapticForceHistory::Clear()
+{
+  this->States.clear();
   this->IsPlotted = false;
 }
 

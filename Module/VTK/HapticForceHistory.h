@@ -34,9 +34,12 @@ public:
   HapticForceHistory();
   ~HapticForceHistory();
 
-  /** Later than the last one, or it begins anew. Forgets what is older than the span (s). */
+  /**
+   * Later than the last one, or it begins anew. Forgets what is older than the span (s). The time has to be finite;
+   * forces that are not finite count as none, and others up to what a chart can show.
+   */
   void Add(const State& state, double span);
-  void Clear() { this->States.clear(); }
+  void Clear();
   std::size_t GetSize() const { return this->States.size(); }
 
   /** Brings the table up to date: time relative to the last state, then the curves. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticHeadUpDisplay.h"
 
+#include "HapticDrawing.h"
 #include "HapticForceChart.h"
 #include "HapticForceHistory.h"
 #include "HapticOverlayPicture.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <vector>
@@ -47,7 +49,8 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Drawn; // when the picture was made
   vtkNew<vtkTextActor> Text;
-  int CanDraw = -1; // not known yet
+  vtkNew<vtkTable> PlotTable; // that is given out
+  int CanDraw = -1;           // not known yet
 
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
 };
@@ -102,8 +105,17 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
       return;
     }
   }
-  for (vtkIdType i = 0; i < states->GetNumberOfRows(); ++i)
+  const vtkIdType rows = columns[0]->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < rows; ++i)
   {
+    const auto isShort = [i](vtkDataArray* column) { return column->GetNumberOfTuples() <= i; };
+    if (!std::isfinite(columns[0]->GetComponent(i, 0)) ||
+      std::any_of(columns, columns + 5, isShort))
+    {
+      vtkErrorMacro(<< "The states have no finite Time, or not all columns, in row " << i
+                    << ". Pass the table of vtkHapticDevice::DrainStates as it is.");
+      return;
+    }
     double command[3];
     columns[4]->GetTuple(i, command);
     this->Internals->History.Add({ columns[0]->GetComponent(i, 0),
@@ -151,7 +163,10 @@ vtkIdType vtkHapticHeadUpDisplay::GetNumberOfStates()
 //------------------------------------------------------------------------------
 vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
 {
-  return this->Internals->History.Plot(this->TimeSpan);
+  // Not the one that is drawn, which has to stay as it is.
+  auto& d = *this->Internals;
+  d.PlotTable->DeepCopy(d.History.Plot(this->TimeSpan));
+  return d.PlotTable;
 }
 
 //------------------------------------------------------------------------------
@@ -213,6 +228,10 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
 //------------------------------------------------------------------------------
 int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
 {
+  if (!VolumeHaptics::IsDrawing(viewport))
+  {
+    return 0;
+  }
   auto& d = *this->Internals;
   int drawn = 0;
   if (this->TextVisibility)
@@ -254,7 +273,8 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now - d.Drawn >= std::chrono::milliseconds(50);
   const bool isStale = isDue &&
-    d.Chart.Show(this->GetPlotTable(), this->TimeSpan, this->GetForceRange(), this->GetPlotTitle());
+    d.Chart.Show(
+      d.History.Plot(this->TimeSpan), this->TimeSpan, this->GetForceRange(), this->GetPlotTitle());
   if (isStale)
   {
     d.Drawn = now;

@@ -68,6 +68,52 @@ TEST_F(HeadUpDisplay, NamesTheColumnThatIsMissing)
   EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
 }
 
+TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
+{
+  const auto column = [](vtkTable* table, const char* name)
+  { return vtkDataArray::SafeDownCast(table->GetColumnByName(name)); };
+  for (const double time : { std::nan(""), HUGE_VAL, -HUGE_VAL })
+  {
+    const auto states = scenetest::MakeStates(0.0, 0.1, [](double) { return 1.0; });
+    column(states, "Time")->SetComponent(50, 0, time);
+    this->Display->Clear();
+    this->Display->AddStates(states);
+    ASSERT_EQ(this->DisplayLog.Errors.size(), 1U);
+    EXPECT_NE(this->DisplayLog.Errors[0].find("row 50"), std::string::npos);
+    EXPECT_EQ(this->Display->GetNumberOfStates(), 50) << "those before it";
+    EXPECT_EQ(this->Largest(1), 1.0);
+    this->DisplayLog.Errors.clear();
+  }
+  const auto cut = scenetest::MakeStates(0.0, 0.1, [](double) { return 1.0; });
+  column(cut, "DragForce")->SetNumberOfTuples(7);
+  this->Display->Clear();
+  this->Display->AddStates(cut);
+  EXPECT_EQ(this->DisplayLog.Errors.size(), 1U);
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 7);
+
+  // Forces as of a function with absurd values: the axis stays one.
+  for (const double force : { std::nan(""), HUGE_VAL, 1e308 })
+  {
+    const auto absurd = [force](double t) { return t > 0.05 ? force : 1.0; };
+    this->Display->Clear();
+    this->Display->AddStates(scenetest::MakeStates(0.0, 0.1, absurd));
+    EXPECT_TRUE(std::isfinite(this->Display->GetForceRange()));
+    EXPECT_GE(this->Display->GetForceRange(), 1.0);
+    EXPECT_LE(this->Largest(1), 1.001e30);
+  }
+}
+
+TEST_F(HeadUpDisplay, ThePlotsTableMayBeUsedForSomethingElse)
+{
+  const auto states = scenetest::MakeStates(0.0, 1.0, [](double) { return 2.0; });
+  this->Display->AddStates(states);
+  vtkHapticDevice::ListDevices(this->Display->GetPlotTable());
+  EXPECT_EQ(this->Display->GetPlotTable()->GetNumberOfColumns(), 5);
+  EXPECT_EQ(this->Largest(1), 2.0);
+  this->Display->Clear();
+  EXPECT_EQ(this->Display->GetPlotTable()->GetNumberOfRows(), 0) << "nothing is left";
+}
+
 TEST_F(HeadUpDisplay, TitlesThePlotWithWhatIsFelt)
 {
   EXPECT_EQ(this->Display->GetPlotTitle(), "");
