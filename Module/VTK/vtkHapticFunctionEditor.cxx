@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticFunctionEditor.h"
 
+#include "HapticDrawing.h"
 #include "HapticFunctionChart.h"
 #include "HapticHistogram.h"
 
@@ -114,6 +115,30 @@ void vtkHapticFunctionEditor::NextFunction()
   {
     this->SetFunction(this->Function == OPACITY ? STIFFNESS : this->Function + 1);
   } while (!this->GetPiecewiseFunction() && this->Function != before);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::SetRectangle(int x, int y, int width, int height)
+{
+  constexpr int most = 16384; // as wide as a texture may be, and any display is
+  const int rectangle[4] = { std::clamp(x, -most, most), std::clamp(y, -most, most),
+    std::clamp(width, 1, most), std::clamp(height, 1, most) };
+  if (!std::equal(rectangle, rectangle + 4, this->Rectangle))
+  {
+    std::copy(rectangle, rectangle + 4, this->Rectangle);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::SetRectangle(const int rectangle[4])
+{
+  if (!rectangle)
+  {
+    vtkErrorMacro("Rectangle is four numbers; it stays as it was.");
+    return;
+  }
+  this->SetRectangle(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
 }
 
 //------------------------------------------------------------------------------
@@ -248,6 +273,10 @@ void vtkHapticFunctionEditor::GetDisplayPosition(
 int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
 {
   auto& d = *this->Internals;
+  if (!VolumeHaptics::IsDrawing(viewport))
+  {
+    return 0;
+  }
   d.Renderer = vtkRenderer::SafeDownCast(viewport);
   if (d.CanDraw == -1)
   {

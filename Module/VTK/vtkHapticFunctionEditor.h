@@ -117,9 +117,10 @@ public:
   ///@{
   /**
    * Lower left corner, width and height in pixels of the viewport; 120 x 90 or more is readable.
-   * Default (10, 10, 300, 200).
+   * The corner is -16384 to 16384, width and height are 1 to 16384. Default (10, 10, 300, 200).
    */
-  vtkSetVector4Macro(Rectangle, int);
+  void SetRectangle(int x, int y, int width, int height);
+  void SetRectangle(const int rectangle[4]) VTK_SIZEHINT(4);
   vtkGetVector4Macro(Rectangle, int);
   ///@}
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRepresentation.h"
 
+#include "HapticDrawing.h"
 #include "HapticPart.h"
 #include "vtkHapticStateSource.h"
 #include "vtkVolumeHapticsCompat.h"
@@ -212,6 +213,10 @@ double* vtkHapticRepresentation::GetBounds()
 //------------------------------------------------------------------------------
 int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
 {
+  if (!VolumeHaptics::IsDrawing(viewport))
+  {
+    return 0;
+  }
   auto& d = *this->Internals;
   this->UpdateParts();
   for (HapticPart& part : d.Parts)
@@ -229,6 +234,10 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
 {
+  if (!VolumeHaptics::IsDrawing(viewport))
+  {
+    return 0;
+  }
   auto& d = *this->Internals;
   vtkRenderer* const renderer = vtkRenderer::SafeDownCast(viewport);
   auto* const window =
