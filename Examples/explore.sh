@@ -67,7 +67,12 @@ build_all()
 
 explore()
 {
-  local status=0
+  # VTK's X11 windows crash on a display that is set and cannot be used, so this is asked beforehand, apart.
+  if [[ -n "${DISPLAY:-}" ]] && ! quietly display.log "$program" --check-display 2> /dev/null
+  then
+    say "The display $DISPLAY is of no use ($build/display.log): going on without it"
+    unset DISPLAY
+  fi
   if [[ -z "${DISPLAY:-}" ]]
   then
     with_own_screen "$program" --pictures "$build/pictures" "$@"
@@ -78,15 +83,7 @@ explore()
   then
     window=()
   fi
-  "$program" ${window[@]+"${window[@]}"} "$@" || status=$?
-  if [[ $status -eq 134 || $status -eq 139 ]]
-  then
-    # VTK's X11 windows crash (SIGABRT, SIGSEGV) on a display that is set and cannot be used.
-    say "The display $DISPLAY is of no use: trying again without it"
-    status=0
-    with_own_screen "$program" --pictures "$build/pictures" "$@" || status=$?
-  fi
-  return "$status"
+  "$program" ${window[@]+"${window[@]}"} "$@"
 }
 
 for word in "$@"

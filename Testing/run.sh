@@ -30,7 +30,7 @@ source "$root/CMake/install-packages.sh"
 source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev \
-  libumockdev-dev umockdev python3-pytest
+  libumockdev-dev umockdev python3-pytest openbox xdotool wmctrl x11-utils
 
 jobs=$(nproc)
 # Without a display, or with somebody's: tests always render off to the side. A live servo cuts the force off, as it

@@ -22,7 +22,7 @@ using namespace VolumeHaptics;
 
 //------------------------------------------------------------------------------
 vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   auto& d = *this->Internals;
   d.TimerObserver->SetClientData(&d);
@@ -145,12 +145,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   }
   if (this->Interactor)
   {
-    // Nobody leads the tip any more, or sees what it does.
-    this->SetTouchMode(false);
-    if (d.Device)
-    {
-      d.Device->Disarm();
-    }
+    this->LetGo();
     // There is no timer (0) where the application brings its own.
     if (d.Timer != 0)
     {
@@ -160,6 +155,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
     d.Timer = 0;
   }
   this->Superclass::SetInteractor(interactor);
+  d.Window.SetInteractor(interactor);
   if (this->Interactor)
   {
     const double period = 1000.0 / this->DisplayRate;
@@ -168,6 +164,16 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::LetGo()
+{
+  this->SetTouchMode(false);
+  if (this->Internals->Device)
+  {
+    this->Internals->Device->Disarm();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -265,6 +271,12 @@ void vtkInteractorStyleHaptic::SetTouchMode(bool on)
     vtkErrorMacro("There is nothing to touch with: SetDevice() one that is open and started.");
     return;
   }
+  if (on && !this->Interactor)
+  {
+    vtkErrorMacro("There is no window to touch in, as this style has no interactor: call "
+                  "SetInteractorStyle() of the one with the window, with this style.");
+    return;
+  }
   vtkRenderer* const renderer = this->GetHapticRenderer();
   if (on && d.IsVirtual() && renderer)
   {
@@ -280,6 +292,7 @@ void vtkInteractorStyleHaptic::SetTouchMode(bool on)
     d.Device->PlaceVirtualTip(start.X, start.Y, start.Z);
   }
   this->TouchMode = on;
+  d.Window.Look();
   if (d.Device && !on)
   {
     d.Device->Disarm();

@@ -41,6 +41,11 @@
  * Where the device has to be without force for a while (vtkHapticDevice::BeginLongWork), the style draws before, so
  * that the head-up display says why. It announces the histogram of a large volume to the device by itself.
  *
+ * Force ends with the window. The style leaves the touch mode and disarms when the interactor's loop ends (the keys
+ * q and e, the window manager's close, TerminateApp()), before any other observer of ExitEvent is called; when the
+ * window is finalized; and when the interactor is disabled, deleted or given another style. VTK does not tell when a
+ * widget of a toolkit is hidden: an application that hides one calls SetTouchMode(false), or the interactor's Disable().
+ *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same for
  * the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera goes the other way.
  *
@@ -96,7 +101,8 @@ public:
   ///@{
   /**
    * The touch mode. On puts the tip of a virtual device in front of the first surface under the
-   * pointer, where there is one, else into the plane of the focal point, and arms. Default off.
+   * pointer, where there is one, else into the plane of the focal point, and arms. Needs an interactor, and a
+   * device that runs; without them it stays off, with an error. Default off.
    */
   void SetTouchMode(bool on);
   vtkGetMacro(TouchMode, bool);
@@ -198,6 +204,8 @@ private:
   vtkInteractorStyleHaptic(const vtkInteractorStyleHaptic&) = delete;
   void operator=(const vtkInteractorStyleHaptic&) = delete;
 
+  /** Leave the touch mode and disarm, when the window closes or another style takes over. */
+  void LetGo();
   vtkRenderer* GetHapticRenderer();
   bool PlaceWorkspace(vtkRenderer* renderer);
   double GetEffectiveScale();

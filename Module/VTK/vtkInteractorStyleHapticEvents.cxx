@@ -57,6 +57,10 @@ void vtkInteractorStyleHaptic::MoveInDepth(double steps)
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseMove()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   auto& d = *this->Internals;
   const int* const now = this->Interactor->GetEventPosition();
   const int* const before = this->Interactor->GetLastEventPosition();
@@ -84,6 +88,10 @@ void vtkInteractorStyleHaptic::OnMouseMove()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnLeftButtonDown()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   auto& d = *this->Internals;
   const int* const at = this->Interactor->GetEventPosition();
   if (d.Editor && d.Editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]))
@@ -103,6 +111,10 @@ void vtkInteractorStyleHaptic::OnLeftButtonDown()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnLeftButtonUp()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   auto& d = *this->Internals;
   const int* const at = this->Interactor->GetEventPosition();
   if (d.EditorHasMouse)
@@ -124,6 +136,10 @@ void vtkInteractorStyleHaptic::OnLeftButtonUp()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   auto& d = *this->Internals;
   const int* const at = this->Interactor->GetEventPosition();
   if (d.Editor && d.Editor->DoubleClick(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]))
@@ -137,6 +153,10 @@ void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnRightButtonDown()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   // One can look around without letting go of what is touched.
   this->TouchMode ? this->Superclass::OnLeftButtonDown() : this->Superclass::OnRightButtonDown();
 }
@@ -144,6 +164,10 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnRightButtonUp()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   // What was begun is ended, whatever the mode is by now.
   this->State == VTKIS_DOLLY ? this->Superclass::OnRightButtonUp()
                              : this->Superclass::OnLeftButtonUp();
@@ -152,6 +176,10 @@ void vtkInteractorStyleHaptic::OnRightButtonUp()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseWheelForward()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   this->LeadsTip() && !this->Interactor->GetControlKey() ? this->MoveInDepth(1.0)
                                                          : this->Superclass::OnMouseWheelForward();
 }
@@ -159,6 +187,10 @@ void vtkInteractorStyleHaptic::OnMouseWheelForward()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   this->LeadsTip() && !this->Interactor->GetControlKey() ? this->MoveInDepth(-1.0)
                                                          : this->Superclass::OnMouseWheelBackward();
 }
@@ -166,6 +198,10 @@ void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyPress()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   auto& d = *this->Internals;
   const char* const symbol = this->Interactor->GetKeySym();
   const std::string key = symbol ? symbol : "";
@@ -244,6 +280,10 @@ void vtkInteractorStyleHaptic::OnKeyPress()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyRelease()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   const char* const symbol = this->Interactor->GetKeySym();
   if (symbol && std::string(symbol) == "k")
   {
@@ -256,6 +296,10 @@ void vtkInteractorStyleHaptic::OnKeyRelease()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnChar()
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an animation.
   const char key = this->Interactor->GetKeyCode();
   if (!(this->TouchMode && key == 'f') && key != 'm')

@@ -13,6 +13,7 @@
 #include "HapticLongWork.h"
 #include "HapticRenderPace.h"
 #include "HapticStateWatch.h"
+#include "HapticWindowWatch.h"
 #include "HapticWorkspace.h"
 
 #include "vtkCallbackCommand.h"
@@ -27,10 +28,16 @@
 
 struct vtkInteractorStyleHaptic::vtkInternals
 {
+  explicit vtkInternals(vtkInteractorStyleHaptic* self)
+    : Window(self, [self] { self->LetGo(); })
+  {
+  }
+
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkNew<vtkTable> States;
+  VolumeHaptics::HapticWindowWatch Window;
   VolumeHaptics::HapticStateWatch Watch;
   VolumeHaptics::HapticWorkspace Workspace;
 

@@ -30,6 +30,10 @@ constexpr double LongestTurn = 0.1;
 void vtkInteractorStyleHaptic::OnTimer()
 {
   auto& d = *this->Internals;
+  if (!this->Interactor)
+  {
+    return;
+  }
   if (d.FiredTimer != d.Timer)
   {
     this->Superclass::OnTimer();
@@ -50,6 +54,10 @@ void vtkInteractorStyleHaptic::OnTimer()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::DrawScene(bool quickly)
 {
+  if (!this->Interactor)
+  {
+    return;
+  }
   // What VTK calls down-sampling: mappers draw as well as the wanted rate of frames lets them.
   if (vtkRenderWindow* window = this->Interactor->GetRenderWindow())
   {
@@ -63,6 +71,10 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
 void vtkInteractorStyleHaptic::Draw(bool quickly)
 {
   auto& d = *this->Internals;
+  if (!this->Interactor || d.Window.IsClosed())
+  {
+    return;
+  }
   if (d.Editor && d.Editor->GetVisibility())
   {
     // Before the frame: once that is under way, nothing can be shown any more.
@@ -87,7 +99,7 @@ bool vtkInteractorStyleHaptic::HasMoved()
 {
   auto& d = *this->Internals;
   vtkRenderer* const renderer = this->GetHapticRenderer();
-  if (d.HasHappened || !d.Device || !renderer)
+  if (d.HasHappened || !d.Device || !renderer || !renderer->IsActiveCameraCreated())
   {
     return d.HasHappened;
   }
@@ -219,6 +231,7 @@ void vtkInteractorStyleHaptic::TurnVolume(vtkRenderer* renderer, double time)
 bool vtkInteractorStyleHaptic::UpdateHaptics()
 {
   auto& d = *this->Internals;
+  d.Window.Look();
   if (!d.Device || !d.Device->IsRunning())
   {
     return false;
@@ -267,5 +280,7 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   {
     this->InvokeEvent(StatesEvent);
   }
+  // What listens to the events may have ended the loop.
+  d.Window.Look();
   return isNew;
 }

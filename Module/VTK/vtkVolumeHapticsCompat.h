@@ -8,6 +8,7 @@
 #define vtkVolumeHapticsCompat_h
 
 #include "vtkAlgorithm.h"
+#include "vtkRenderWindow.h"
 #include "vtkVersionMacros.h"
 
 #include <type_traits>
@@ -58,6 +59,23 @@ template <typename Array>
 bool HasSeparateComponents(Array* array)
 {
   return Detail::KeepsSeparate<Array>::Ask(array);
+}
+
+/**
+ * Has a window leave its connection to the X server open when it closes. Until VTK 9.2, TerminateApp() closes the
+ * window in the middle of the interactor's loop, and the loop then goes on with the connection. A window that was
+ * rendered before it had an interactor owns the connection and has closed it by then: a crash.
+ */
+inline void KeepDisplay(vtkRenderWindow* window)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  if (window && window->IsA("vtkXOpenGLRenderWindow") && window->GetGenericDisplayId())
+  {
+    window->SetDisplayId(window->GetGenericDisplayId()); // one that was set is not closed
+  }
+#else
+  static_cast<void>(window);
+#endif
 }
 
 } // namespace VolumeHaptics

@@ -35,6 +35,19 @@ bool HasDisplay()
   return !needsX || (vtksys::SystemTools::GetEnv("DISPLAY", display) && !display.empty());
 }
 
+/// Whether a window opens and draws. VTK crashes if not, for example on an X server without GLX.
+int CheckDisplay()
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  if (!HasDisplay())
+  {
+    return NO_DISPLAY;
+  }
+  window->Render();
+  return window->SupportsOpenGL() ? DONE : NO_DISPLAY;
+}
+
 std::string Caption(const Explore::Exploration& exploration)
 {
   const int* size = exploration.Input.Image->GetDimensions();
@@ -132,6 +145,10 @@ int main(int argc, char* argv[])
     {
       std::cout << Explore::HelpText();
       return DONE;
+    }
+    if (options.CheckDisplay)
+    {
+      return CheckDisplay();
     }
     return Run(options);
   }

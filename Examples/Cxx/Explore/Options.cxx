@@ -167,6 +167,10 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.Help = true;
     }
+    else if (word == "--check-display")
+    {
+      options.CheckDisplay = true;
+    }
     else if (word == "--live")
     {
       options.Live = true;
@@ -190,7 +194,7 @@ Options ParseOptions(int argc, char* argv[])
       throw InputError(word, "is a second volume", "name one; quote names with blanks");
     }
   }
-  if (options.VolumePath.empty() && !options.Help)
+  if (options.VolumePath.empty() && !options.Help && !options.CheckDisplay)
   {
     throw InputError("volumehaptics-explore", "no volume was named",
       "name a volume file or a DICOM folder; Examples/explore.sh gets a head CT by itself");
@@ -232,6 +236,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --up AXIS         where the top is: +z (default), ...
   --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt
                     there is recorded in live.vtp and shown in the pictures
+  --check-display   open a window that is not shown, and nothing else: exit status 0 if pictures can be
+                    drawn on the display; VTK may crash if not
   --help            this text
 
 Exit status: 0 done, 1 the computation failed, 2 the input or an option is wrong, 3 no display.

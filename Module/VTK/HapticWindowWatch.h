@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Tells when a window goes away under a hand.
+ *
+ * VTK has no event for the end of a loop or of a window, and each platform ends them in its own order. So this watches
+ * everything that comes early in an end: ExitEvent (the key q, the window manager's close), the interactor's Disable(),
+ * and the release of the window's graphics resources, which comes before the window itself is destroyed. Look() notices
+ * that TerminateApp() was called.
+ */
+#ifndef HapticWindowWatch_h
+#define HapticWindowWatch_h
+
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+
+class vtkObject;
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+
+namespace VolumeHaptics
+{
+
+class HapticWindowWatch
+{
+public:
+  /** The function is called at each sign of an end, so perhaps twice. The owner is kept alive meanwhile. */
+  HapticWindowWatch(vtkObject* owner, std::function<void()> end);
+  ~HapticWindowWatch();
+  HapticWindowWatch(const HapticWindowWatch&) = delete;
+  HapticWindowWatch& operator=(const HapticWindowWatch&) = delete;
+
+  /** The interactor whose window is watched; nullptr for none. */
+  void SetInteractor(vtkRenderWindowInteractor* interactor);
+
+  /** To be called often: follows the interactor to another window, and sees that its loop was told to end. */
+  void Look();
+
+  /** Whether the window was closed by the end of its loop: to draw would open another one. */
+  bool IsClosed() const;
+
+private:
+  class Closing;
+  class Observer;
+
+  void OnExit();
+  void OnModified();
+  void OnRelease();
+  void OnRender();
+  void End();
+
+  vtkObject* const Owner;
+  std::function<void()> TellEnd;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  vtkSmartPointer<Observer> Events;
+  vtkSmartPointer<Closing> WindowClosing;
+  bool IsEnabled = false; ///< the interactor, as last seen
+  bool IsDone = false;    ///< likewise: its loop was told to end
+  bool IsReleased =
+    false; ///< the window released its graphics resources, and was not rendered since
+  vtkWeakPointer<vtkRenderWindow> ReleasedWindow;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A window closes while the hand pushes: the force is gone when the loop has ended, before anything is deleted. Every
+ * test runs its loop to the end, as VTK 9.1's X11 interactors otherwise leave a dangling pointer in the list that every
+ * loop goes through.
+ */
+
+#include "StyleRig.h"
+
+#include <functional>
+#include <utility>
+
+using namespace scenetest;
+
+namespace
+{
+class StyleEnds : public StyleTest
+{
+protected:
+  StyleEnds() { this->Window->SetOffScreenRendering(0); }
+
+  /// Runs the loop, pushes into the ball until it pushes back, and then does something, once.
+  void PushUntilHeld(std::function<void()> act)
+  {
+    this->Window->Render();
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Pointer(150, 150);
+    this->Style->TouchModeOn();
+    this->Act = std::move(act);
+    vtkNew<vtkCallbackCommand> watch;
+    watch->SetClientData(this);
+    watch->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<StyleEnds*>(self)->Watch(); });
+    this->Style->AddObserver(vtkInteractorStyleHaptic::StatesEvent, watch);
+    this->Interactor->Start();
+    EXPECT_FALSE(this->Act) << "the loop ended before anything was felt";
+  }
+  /// Moves in and out: after a pause of a busy machine, the servo starts again from the tip, and only a new contact is felt.
+  void Watch()
+  {
+    const bool goesIn = this->Updates++ % 20 < 10;
+    this->Pointer(
+      150, 150, goesIn ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent);
+    if (this->Act && goesIn && Length(this->Device->GetForce()) > 0.5)
+    {
+      std::exchange(this->Act, nullptr)();
+    }
+  }
+  void ExpectNoForce()
+  {
+    EXPECT_TRUE(Eventually(
+      [this]
+      {
+        this->Device->UpdateState();
+        return Length(this->Device->GetForce()) == 0.0;
+      }));
+    EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED) << this->Device->GetStatusText();
+    EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT) << this->Device->GetStatusText();
+    EXPECT_TRUE(this->Device->IsRunning());
+  }
+  void TypeQ()
+  {
+    this->Interactor->SetKeyCode('q');
+    this->Press("q");
+    this->Interactor->InvokeEvent(vtkCommand::CharEvent);
+  }
+
+  std::function<void()> Act;
+  int Updates = 0;
+};
+} // namespace
+
+TEST_F(StyleEnds, WithTheKeyThatEndsTheLoop)
+{
+  this->PushUntilHeld([this] { this->TypeQ(); });
+  this->ExpectNoForce();
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  EXPECT_FALSE(this->Window->GetMapped()) << "a late frame has opened another window";
+}
+
+TEST_F(StyleEnds, WithALoopThatTheApplicationEnds)
+{
+  this->PushUntilHeld([this] { this->Interactor->TerminateApp(); });
+  this->ExpectNoForce();
+  EXPECT_FALSE(this->Window->GetMapped()) << "a late frame has opened another window";
+}
+
+TEST_F(StyleEnds, WithTheWindow)
+{
+  this->PushUntilHeld(
+    [this]
+    {
+      this->Window->Finalize();
+      this->Window->SetOffScreenRendering(1); // should a late frame open it again
+      this->Style->RemoveAllObservers();
+      this->ExpectNoForce();
+      this->Interactor->SetDone(true); // VTK 9.1's TerminateApp() would write to the window
+    });
+  this->ExpectNoForce();
+}
+
+TEST_F(StyleEnds, WithTheInteractorsDisabling)
+{
+  this->PushUntilHeld(
+    [this]
+    {
+      this->Interactor->Disable();
+      this->ExpectNoForce();
+      this->Interactor->TerminateApp();
+    });
+  this->ExpectNoForce();
+}
+
+TEST_F(StyleEnds, BeforeTheApplicationHearsOfAnExit)
+{
+  // An application that asks whether to quit: the loop goes on, without force.
+  struct Question
+  {
+    vtkHapticDevice* Device;
+    int Asked = 0;
+    int Status = vtkHapticDevice::ARMED;
+  } question{ this->Device };
+  vtkNew<vtkCallbackCommand> ask;
+  ask->SetClientData(&question);
+  ask->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      auto* const asked = static_cast<Question*>(data);
+      ++asked->Asked;
+      asked->Device->UpdateState();
+      asked->Status = asked->Device->GetStatus();
+    });
+  this->Interactor->AddObserver(vtkCommand::ExitEvent, ask, 100.0f);
+  this->PushUntilHeld(
+    [&]
+    {
+      this->TypeQ();
+      this->TypeQ();
+      EXPECT_EQ(question.Asked, 2);
+      this->ExpectNoForce();
+      EXPECT_FALSE(this->Interactor->GetDone());
+      EXPECT_TRUE(this->Window->GetMapped());
+      this->Interactor->TerminateApp();
+    });
+}
+
+TEST_F(StyleEnds, WhereTwoStylesListen)
+{
+  vtkNew<vtkInteractorStyleHaptic> other;
+  other->SetInteractor(this->Interactor);
+  this->PushUntilHeld([this] { this->TypeQ(); });
+  this->ExpectNoForce();
+  other->SetInteractor(nullptr);
+}
+
+TEST_F(StyleEnds, AndBeginsAnewInTheNextLoop)
+{
+  this->PushUntilHeld([this] { this->TypeQ(); });
+  this->ExpectNoForce();
+  this->Style->RemoveAllObservers();
+  this->Window->Render(); // opens the window again
+  this->Style->TouchModeOn();
+  ASSERT_TRUE(this->Style->GetTouchMode());
+  this->Run(20);
+  EXPECT_GE(this->Device->GetStatus(), vtkHapticDevice::ARMED);
+  this->Window->Finalize();
+  this->ExpectNoForce();
+}
+
+TEST_F(StyleEnds, WhereItIsDeletedByWhatHearsOfIt)
+{
+  // An application that removes and deletes the style as soon as it disarms.
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(window);
+  vtkWeakPointer<vtkInteractorStyleHaptic> weak;
+  {
+    vtkNew<vtkInteractorStyleHaptic> style;
+    style->SetDevice(this->Device);
+    interactor->SetInteractorStyle(style);
+    weak = style;
+  }
+  vtkNew<vtkCallbackCommand> leave;
+  leave->SetClientData(interactor);
+  leave->SetCallback([](vtkObject*, unsigned long, void* interactor, void*)
+    { static_cast<vtkRenderWindowInteractor*>(interactor)->SetInteractorStyle(nullptr); });
+  window->Render();
+  this->PushUntilHeld(
+    [&]
+    {
+      weak->UpdateHaptics();
+      this->Device->AddObserver(vtkCommand::DisableEvent, leave);
+      window->Finalize();
+      EXPECT_FALSE(weak);
+      this->ExpectNoForce();
+      this->Device->RemoveObserver(leave);
+      interactor->SetDone(true);
+      this->Interactor->TerminateApp();
+    });
+}

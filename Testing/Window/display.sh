@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What Examples/explore.sh asks the explorer before it opens a window: usage: display.sh PROGRAM. True on a screen, and
+# not where there is none, nor on one without GLX, as over a network.
+set -euo pipefail
+
+if ! command -v xvfb-run > /dev/null
+then
+  echo "SKIPPED: this takes xvfb-run, which is not installed. Testing/run.sh installs it, or:" \
+    "apt-get install --no-install-recommends xvfb xauth"
+  exit 77
+fi
+check()
+{
+  local wanted=$1 what=$2 status=0 usable=yes
+  shift 2
+  "$@" --check-display > /dev/null 2>&1 || status=$?
+  [[ $status -eq 0 ]] || usable=no
+  if [[ $usable != "$wanted" ]]
+  then
+    echo "FAILED: $what: exit status $status" >&2
+    exit 1
+  fi
+  echo "$what: exit status $status"
+}
+check_all()
+{
+  check yes "a screen" xvfb-run -a -s "-screen 0 640x480x24" "$1"
+  check no "a screen without GLX" xvfb-run -a -s "-screen 0 640x480x24 -extension GLX" "$1"
+  check no "no screen at that address" env DISPLAY=:59999 "$1"
+  check no "no address" env -u DISPLAY "$1"
+}
+check_all "$1" 2>&1
