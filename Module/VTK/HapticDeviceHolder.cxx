@@ -227,7 +227,7 @@ void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* tab
   this->Attend();
   if (this->Session)
   {
-    for (const ServoSnapshot& state : this->Session->TakeStates(reader))
+    for (const StateRow& state : this->Session->TakeStates(reader))
     {
       const HapticModel* const model = this->Session->FindModel(state.Generation);
       rows.Append(state, model ? model->DeviceToWorld : deviceToWorld);

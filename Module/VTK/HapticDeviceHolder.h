@@ -106,6 +106,7 @@ private:
   /** The outermost work that is long; null if there is none. */
   const Work* FindLongWork() const;
   std::string Describe(const DeviceCondition& condition) const;
+  std::string DescribeDevice() const;
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;

@@ -94,6 +94,12 @@ std::string HapticDeviceHolder::Describe(const DeviceCondition& condition) const
 
 std::string HapticDeviceHolder::GetStatusText() const
 {
+  const std::string trouble = this->Session ? this->Session->GetRecordingTrouble() : std::string();
+  return this->DescribeDevice() + (trouble.empty() ? "" : " " + trouble);
+}
+
+std::string HapticDeviceHolder::DescribeDevice() const
+{
   if (this->Backend)
   {
     const DeviceCondition condition = this->Backend->GetCondition();

@@ -2,133 +2,218 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticRecording.h"
 
-#include "HapticTipPath.h"
-#include "HapticTrace.h"
+#include "HapticFiles.h"
+#include "HapticRecordingFile.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
+#include <algorithm>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-template <typename Array>
-vtkSmartPointer<Array> NewArray(vtkFieldData* owner, const char* name, int components)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  owner->AddArray(array);
-  return array;
-}
+/** How often the writer looks for ticks (ns): a group takes 25 ms at 10 kHz. */
+constexpr std::int64_t WriterPeriod = 10000000;
 
-void AddText(vtkFieldData* owner, const char* name, const std::string& text)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  owner->AddArray(array);
-}
-
-void AddVector(vtkDoubleArray* array, const Vector3& v)
-{
-  array->InsertNextTuple3(v.X, v.Y, v.Z);
-}
-
-void AddMatrix(vtkDoubleArray* array, const Affine3& map)
+PlacementRow ToRow(const Affine3& map)
 {
   const double offset[3] = { map.Offset.X, map.Offset.Y, map.Offset.Z };
-  double m[16] = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
-  for (int row = 0; row < 3; ++row)
+  PlacementRow m{ { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 } };
+  for (std::size_t row = 0; row < 3; ++row)
   {
     m[4 * row] = map.Linear.Row[row].X;
     m[4 * row + 1] = map.Linear.Row[row].Y;
     m[4 * row + 2] = map.Linear.Row[row].Z;
     m[4 * row + 3] = offset[row];
   }
-  array->InsertNextTuple(m);
+  return m;
 }
-
-const char* const Units = "points and Tip: world; DeviceTip: m; Time: s; forces, Command, "
-                          "Viscosity and SurfaceStrength: N; "
-                          "Stiffness: N/m; Value, SurfaceValue and MediumValue: scalar; "
-                          "GradientMagnitude: scalar per world";
 
 } // namespace
 
+HapticRecording::HapticRecording()
+  : Writer(new JournalWriter)
+  , Threader(vtkSmartPointer<vtkMultiThreader>::New())
+{
+}
+
+HapticRecording::~HapticRecording()
+{
+  if (!this->IsOurs())
+  {
+    // The journal and its lock are the parent's.
+    (void)this->Writer.release();
+    return;
+  }
+  this->StopWriter();
+}
+
+bool HapticRecording::Start(
+  const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning)
+{
+  this->File = MakeAbsolute(file);
+  this->Journal = this->File + JournalEnding;
+  std::string renamed;
+  if (!CheckWritable(this->File, error) ||
+    !this->Writer->Create(this->Journal, about, error, renamed))
+  {
+    error = "The recording " + Printable(file) + " can't be written: " + error;
+    return false;
+  }
+  if (!renamed.empty())
+  {
+    warning = "An earlier recording of that name was not finished. What there is of it is now in " +
+      Printable(renamed) +
+      ": make a recording of it with vtkHapticDevice::RecoverRecording, or remove it.";
+  }
+  this->WriterThread = this->Threader->SpawnThread(&HapticRecording::RunWriter, this);
+  return true;
+}
+
 void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model)
 {
+  // Ticks come in the order of generations.
+  this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
   this->Models[generation] = std::move(model);
 }
 
-vtkSmartPointer<vtkPolyData> HapticRecording::MakeTrace() const
+bool HapticRecording::Append(const ServoSnapshot& snapshot)
 {
-  auto trace = vtkSmartPointer<vtkPolyData>::New();
-  vtkPointData* const points = trace->GetPointData();
-  vtkFieldData* const fields = trace->GetFieldData();
-  HapticTrace basics;
-  const auto tip = NewArray<vtkDoubleArray>(points, RecordingNames::DeviceTip, 3);
-  const auto command = NewArray<vtkDoubleArray>(points, "Command", 3);
-  const auto tick = NewArray<vtkIdTypeArray>(points, "Tick", 1);
-  const auto enabled = NewArray<vtkUnsignedCharArray>(points, RecordingNames::Enabled, 1);
-  const auto placement = NewArray<vtkIntArray>(points, RecordingNames::Placement, 1);
-  const auto buttons = NewArray<vtkIntArray>(points, "Buttons", 1);
-  const auto armed = NewArray<vtkUnsignedCharArray>(points, "Armed", 1);
-  const auto fault = NewArray<vtkUnsignedCharArray>(points, "Fault", 1);
-  const auto matrices = NewArray<vtkDoubleArray>(fields, RecordingNames::DeviceToWorld, 16);
-  const auto initial =
-    NewArray<vtkDoubleArray>(fields, RecordingNames::InitialState, ServoStateSize);
-  const auto period = NewArray<vtkDoubleArray>(fields, RecordingNames::TickPeriod, 1);
-  const auto caps = NewArray<vtkDoubleArray>(fields, RecordingNames::Caps, 2);
-  const auto lost = NewArray<vtkIdTypeArray>(fields, "LostTicks", 1);
-  lost->InsertNextValue(static_cast<vtkIdType>(this->LostTicks));
-  AddText(fields, "DeviceId", this->DeviceId);
-  AddText(fields, "Settings", this->Settings);
-  AddText(fields, "Units", Units);
-  AddText(fields, "VolumeHash", this->VolumeHash);
-
-  std::map<std::uint64_t, int> placements;
-  basics.Reserve(static_cast<vtkIdType>(this->Ticks.size()));
-  for (const ServoSnapshot& s : this->Ticks)
+  const auto found = this->Models.find(snapshot.Generation);
+  if (found == this->Models.end() || !found->second || this->Failure.load() != 0)
   {
-    const auto found = this->Models.find(s.Generation);
-    if (found == this->Models.end() || !found->second)
-    {
-      continue;
-    }
-    const HapticModel& model = *found->second;
-    // A placement for every generation, moved or not: the servo carries its state across each.
-    const auto [entry, isNew] =
-      placements.insert({ s.Generation, static_cast<int>(placements.size()) });
-    if (isNew)
-    {
-      AddMatrix(matrices, model.DeviceToWorld);
-    }
-    if (initial->GetNumberOfTuples() == 0)
-    {
-      initial->InsertNextTuple(ToNumbers(s.Before).data());
-      period->InsertNextValue(model.Settings.TickPeriod);
-      caps->InsertNextTuple2(model.Settings.Caps.Stiffness, model.Settings.Caps.Damping);
-    }
-    basics.Append(model, s.Time, s.Record);
-    AddVector(tip, s.Record.Tip);
-    AddVector(command, model.DeviceToWorldRotation * s.Command);
-    tick->InsertNextValue(static_cast<vtkIdType>(s.Tick));
-    enabled->InsertNextValue(s.Before.Enabled ? 0 : 1);
-    placement->InsertNextValue(entry->second);
-    buttons->InsertNextValue(static_cast<int>(s.Buttons));
-    armed->InsertNextValue(s.Armed ? 1 : 0);
-    fault->InsertNextValue(static_cast<unsigned char>(s.Fault));
+    return true;
   }
-  basics.WriteTo(trace);
-  return trace;
+  const HapticModel& model = *found->second;
+  const std::lock_guard<std::mutex> lock(this->QueueMutex);
+  if (this->Waiting.size() >= MostWaiting)
+  {
+    ++this->Dropped;
+    return false;
+  }
+  const bool isFirst = this->LastPlacement < 0;
+  if (isFirst)
+  {
+    const HapticSettings& settings = model.Settings;
+    this->Begin.reset(new RecordingBegin{ ToNumbers(snapshot.Before), settings.TickPeriod,
+      { settings.Caps.Stiffness, settings.Caps.Damping } });
+  }
+  // A placement for every generation, moved or not: the servo carries its state across each.
+  if (isFirst || snapshot.Generation != this->LastGeneration)
+  {
+    this->NewPlacements.push_back(ToRow(model.DeviceToWorld));
+    this->LastGeneration = snapshot.Generation;
+    ++this->LastPlacement;
+  }
+  this->Waiting.push_back(MakeRecordingRow(model, snapshot, this->LastPlacement, this->Work));
+  return true;
+}
+
+VTK_THREAD_RETURN_TYPE HapticRecording::RunWriter(void* info)
+{
+  static_cast<HapticRecording*>(static_cast<vtkMultiThreader::ThreadInfo*>(info)->UserData)
+    ->WriteUntilStopped();
+  return VTK_THREAD_RETURN_VALUE;
+}
+
+void HapticRecording::WriteUntilStopped()
+{
+  ServoClock::BlockSignals();
+  while (!this->StopRequested.load() && this->Failure.load() == 0)
+  {
+    const std::int64_t now = ServoClock::Now();
+    while (this->WriteGroup(false))
+    {
+    }
+    ServoClock::SleepUntil(now + WriterPeriod);
+  }
+  while (this->WriteGroup(true))
+  {
+  }
+  if (this->Failure.load() == 0 && this->GetLostTicks() > 0)
+  {
+    // Ticks may have been lost after the last one that is here.
+    this->Failure.store(this->Writer->WriteTicks(nullptr, 0, this->GetLostTicks()));
+  }
+}
+
+bool HapticRecording::WriteGroup(bool isEnd)
+{
+  std::vector<RecordingRow> rows;
+  std::vector<PlacementRow> placements;
+  std::unique_ptr<RecordingBegin> begin;
+  {
+    const std::lock_guard<std::mutex> lock(this->QueueMutex);
+    const std::size_t least = isEnd ? 1 : GroupSize;
+    if (this->Waiting.size() < least || this->Failure.load() != 0)
+    {
+      return false;
+    }
+    const auto count = static_cast<std::ptrdiff_t>(std::min(GroupSize, this->Waiting.size()));
+    rows.assign(this->Waiting.begin(), this->Waiting.begin() + count);
+    this->Waiting.erase(this->Waiting.begin(), this->Waiting.begin() + count);
+    placements.swap(this->NewPlacements);
+    begin.swap(this->Begin);
+  }
+  int failure = begin ? this->Writer->WriteBegin(*begin) : 0;
+  failure = failure ? failure : this->Writer->WritePlacements(placements);
+  failure =
+    failure ? failure : this->Writer->WriteTicks(rows.data(), rows.size(), this->GetLostTicks());
+  if (failure == 0)
+  {
+    this->Written += rows.size();
+  }
+  this->Failure.store(failure);
+  return failure == 0;
+}
+
+void HapticRecording::StopWriter()
+{
+  if (this->WriterThread >= 0)
+  {
+    this->StopRequested.store(true);
+    this->Threader->TerminateThread(this->WriterThread);
+    this->WriterThread = -1;
+  }
+  if (this->Writer)
+  {
+    this->Writer->Close();
+  }
+}
+
+std::string HapticRecording::GetTrouble() const
+{
+  const int failure = this->Failure.load();
+  return failure == 0 ? std::string()
+                      : "The recording " + Printable(this->File) + " ends after " +
+      std::to_string(this->Written.load()) + " ticks: " + ExplainWriteError(failure, this->Journal);
+}
+
+bool HapticRecording::Finish(std::string& error)
+{
+  error.clear();
+  if (!this->IsOurs())
+  {
+    error = "The recording " + Printable(this->File) +
+      " is of the process that this one was forked from: stop it there.";
+    return false;
+  }
+  this->StopWriter();
+  const std::string trouble = this->GetTrouble();
+  std::string reason;
+  const bool isWritten = WriteRecording(this->Journal, this->File, reason);
+  if (!isWritten)
+  {
+    const std::string journal = Printable(this->Journal);
+    error = (trouble.empty() ? reason : trouble) + " What was recorded is kept in " + journal +
+      ": write it with vtkHapticDevice::RecoverRecording(\"" + journal +
+      "\", FILE) to a file of your choice.";
+  }
+  else if (!trouble.empty())
+  {
+    error = trouble + " The file holds these ticks.";
+  }
+  return error.empty();
 }
 
 } // namespace VolumeHaptics

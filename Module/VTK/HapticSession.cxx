@@ -47,7 +47,7 @@ HapticSession::HapticSession(DeviceBackend& backend, double rate, const SafetyLi
 
 HapticSession::~HapticSession()
 {
-  if (this->Process != ServoClock::GetProcess())
+  if (!this->IsOurs())
   {
     return; // the threads are those of the process that this one was forked from
   }
@@ -117,8 +117,12 @@ void HapticSession::Drain()
         this->States.pop_front();
         ++this->Forgotten;
       }
-      this->States.push_back(snapshot);
+      this->States.emplace_back(snapshot);
     }
+  }
+  if (this->Recording)
+  {
+    this->Recording->SetMissed(this->Loop.GetLostRecords() - this->LostBefore);
   }
 }
 
@@ -167,7 +171,7 @@ void HapticSession::ForgetStates()
   }
 }
 
-std::vector<ServoSnapshot> HapticSession::TakeStates(int id)
+std::vector<StateRow> HapticSession::TakeStates(int id)
 {
   if (this->Readers.count(id) == 0)
   {
@@ -181,7 +185,7 @@ std::vector<ServoSnapshot> HapticSession::TakeStates(int id)
   const std::lock_guard<std::mutex> lock(this->RecordingMutex);
   Reader& reader = this->Readers[id];
   const std::uint64_t first = std::max(reader.Next, this->Forgotten) - this->Forgotten;
-  std::vector<ServoSnapshot> states(
+  std::vector<StateRow> states(
     this->States.begin() + static_cast<std::ptrdiff_t>(first), this->States.end());
   reader.Next = this->Forgotten + this->States.size();
   reader.FirstUntaken = reader.TakenGeneration;
@@ -212,7 +216,7 @@ const HapticModel* HapticSession::FindModel(std::uint64_t generation)
 void HapticSession::StartRecording(std::unique_ptr<HapticRecording> recording)
 {
   const std::lock_guard<std::mutex> lock(this->RecordingMutex);
-  recording->LostTicks = this->Loop.GetLostRecords();
+  this->LostBefore = this->Loop.GetLostRecords();
   for (const auto& [generation, model] : this->Models)
   {
     recording->AddModel(generation, model);
@@ -232,12 +236,7 @@ std::unique_ptr<HapticRecording> HapticSession::StopRecording()
   }
   this->Drain();
   const std::lock_guard<std::mutex> lock(this->RecordingMutex);
-  std::unique_ptr<HapticRecording> recording = std::move(this->Recording);
-  if (recording)
-  {
-    recording->LostTicks = this->Loop.GetLostRecords() - recording->LostTicks;
-  }
-  return recording;
+  return std::move(this->Recording);
 }
 
 void HapticSession::Hold() noexcept

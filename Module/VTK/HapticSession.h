@@ -11,6 +11,7 @@
 #define HapticSession_h
 
 #include "HapticRecording.h"
+#include "HapticStateTable.h"
 #include "ServoClock.h"
 
 #include "vtkMultiThreader.h"
@@ -21,6 +22,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace VolumeHaptics
@@ -38,6 +40,8 @@ public:
   HapticSession& operator=(const HapticSession&) = delete;
 
   ServoLoop& GetLoop() { return this->Loop; }
+  /** False in a process that was forked from the one whose threads these are. */
+  bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   void Publish(std::shared_ptr<const HapticModel> model);
   /** The model that was published last; null before the first. */
@@ -49,10 +53,15 @@ public:
   const HapticModel* FindModel(std::uint64_t generation);
 
   ///@{
-  /** The recording is filled by the keeper until it is handed back. */
+  /** The recording, which was started, is filled by the keeper until it is handed back. */
   void StartRecording(std::unique_ptr<HapticRecording> recording);
   std::unique_ptr<HapticRecording> StopRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
+  /** Why the recording that is under way got no further; empty while all is well. */
+  std::string GetRecordingTrouble() const
+  {
+    return this->Recording ? this->Recording->GetTrouble() : std::string();
+  }
   ///@}
 
   ///@{
@@ -61,7 +70,7 @@ public:
    * begins to keep them, and StopTaking ends it. Readers do not take each other's. What one of them does not
    * take for MostStates ticks is lost to it, oldest first. The owner's.
    */
-  std::vector<ServoSnapshot> TakeStates(int reader);
+  std::vector<StateRow> TakeStates(int reader);
   void StopTaking(int reader);
   ///@}
   static constexpr std::size_t MostStates = 100000;
@@ -92,6 +101,7 @@ private:
   std::atomic<bool> KeeperStop{ false };
   std::mutex RecordingMutex; // between the owner and the keeper; the loop never takes it
   std::unique_ptr<HapticRecording> Recording;
+  std::uint64_t LostBefore = 0; // ticks, when the recording began
   struct Reader
   {
     std::uint64_t Next = 0;            // how many states there were before the first to be taken
@@ -99,7 +109,7 @@ private:
     std::uint64_t FirstUntaken = 0;    // no state to be taken is of an older one
   };
   std::map<int, Reader> Readers; // written by the owner, under the mutex
-  std::deque<ServoSnapshot> States;
+  std::deque<StateRow> States;
   std::uint64_t Forgotten = 0; // how many states there were before those
   /** The owner's: models by generation, from the one of the last state that was asked for. */
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;

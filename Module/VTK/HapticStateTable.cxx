@@ -8,6 +8,25 @@
 namespace VolumeHaptics
 {
 
+StateRow::StateRow(const ServoSnapshot& state)
+  : Tip(state.Record.Tip)
+  , Proxy(state.Record.Proxy)
+  , Force(state.Record.Force)
+  , Command(state.Command)
+  , Time(state.Time)
+  , NormalForce(state.Record.NormalForce)
+  , FrictionForce(state.Record.FrictionForce)
+  , DragForce(state.Record.DragForce)
+  , SurfaceValue(state.Record.SurfaceValue)
+  , Residency(state.Residency)
+  , Tick(state.Tick)
+  , Generation(state.Generation)
+  , Contact(state.Record.Contact)
+  , Fault(state.Fault)
+  , Armed(state.Armed)
+{
+}
+
 StateTable::StateTable()
 {
   static const char* const scalars[] = { "Time", "Tick", "NormalForce", "FrictionForce",
@@ -26,16 +45,14 @@ StateTable::StateTable()
 
 StateTable::~StateTable() = default;
 
-void StateTable::Append(const ServoSnapshot& state, const Affine3& toWorld)
+void StateTable::Append(const StateRow& state, const Affine3& toWorld)
 {
-  const TickRecord& record = state.Record;
-  const double scalars[Scalars] = { state.Time, static_cast<double>(state.Tick), record.NormalForce,
-    record.FrictionForce, record.DragForce, record.SurfaceValue,
-    static_cast<double>(record.Contact), state.Armed ? 1.0 : 0.0, static_cast<double>(state.Fault),
-    state.Residency };
+  const double scalars[Scalars] = { state.Time, static_cast<double>(state.Tick), state.NormalForce,
+    state.FrictionForce, state.DragForce, state.SurfaceValue, static_cast<double>(state.Contact),
+    state.Armed ? 1.0 : 0.0, static_cast<double>(state.Fault), state.Residency };
   const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
-  const Vector3 vectors[Vectors] = { toWorld(record.Tip), toWorld(record.Proxy),
-    rotation * record.Force, rotation * state.Command };
+  const Vector3 vectors[Vectors] = { toWorld(state.Tip), toWorld(state.Proxy),
+    rotation * state.Force, rotation * state.Command };
   for (int i = 0; i < Scalars; ++i)
   {
     this->ScalarColumns[i]->InsertNextValue(scalars[i]);

@@ -17,6 +17,31 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
+/**
+ * What a display is told of a tick, in device space. A tenth of a ServoSnapshot, of which a reader that comes seldom
+ * would let hundreds of megabytes pile up.
+ */
+struct StateRow
+{
+  explicit StateRow(const ServoSnapshot& state);
+
+  Vector3 Tip;
+  Vector3 Proxy;
+  Vector3 Force;
+  Vector3 Command;
+  double Time;
+  double NormalForce;
+  double FrictionForce;
+  double DragForce;
+  double SurfaceValue;
+  double Residency;
+  std::uint64_t Tick;
+  std::uint64_t Generation;
+  ContactState Contact;
+  SafetyFault Fault;
+  bool Armed;
+};
+
 /** The columns are those that vtkHapticDevice::DrainStates documents. */
 class StateTable
 {
@@ -26,7 +51,7 @@ public:
   StateTable(const StateTable&) = delete;
   StateTable& operator=(const StateTable&) = delete;
 
-  void Append(const ServoSnapshot& state, const Affine3& toWorld);
+  void Append(const StateRow& state, const Affine3& toWorld);
   /** Replaces the table's columns. */
   void WriteTo(vtkTable* table);
 

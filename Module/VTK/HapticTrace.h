@@ -7,15 +7,17 @@
 #ifndef HapticTrace_h
 #define HapticTrace_h
 
-#include "ServoTick.h"
+#include "HapticTraceColumns.h"
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-class vtkDoubleArray;
+#include <vector>
+
+class vtkDataArray;
 class vtkPoints;
 class vtkPolyData;
-class vtkUnsignedCharArray;
 
 namespace VolumeHaptics
 {
@@ -36,32 +38,9 @@ public:
   void WriteTo(vtkPolyData* output);
 
 private:
-  /** Work (J) that the hand has been given, up to a tick. */
-  double AddWork(const TickRecord& record);
-
   vtkNew<vtkPoints> Proxies;
-  vtkNew<vtkDoubleArray> Time;
-  vtkNew<vtkDoubleArray> Tip;
-  vtkNew<vtkDoubleArray> Force;
-  vtkNew<vtkDoubleArray> NormalForce;
-  vtkNew<vtkDoubleArray> FrictionForce;
-  vtkNew<vtkDoubleArray> DragForce;
-  vtkNew<vtkDoubleArray> Normal;
-  vtkNew<vtkDoubleArray> Value;
-  vtkNew<vtkDoubleArray> GradientMagnitude;
-  vtkNew<vtkDoubleArray> SurfaceValue;
-  vtkNew<vtkDoubleArray> MediumValue;
-  vtkNew<vtkDoubleArray> Stiffness;
-  vtkNew<vtkDoubleArray> Friction;
-  vtkNew<vtkDoubleArray> Viscosity;
-  vtkNew<vtkDoubleArray> SurfaceStrength;
-  vtkNew<vtkUnsignedCharArray> Contact;
-  vtkNew<vtkUnsignedCharArray> Unfinished;
-  vtkNew<vtkUnsignedCharArray> Renewed;
-  vtkNew<vtkDoubleArray> Energy;
-  Vector3 LastTip;
-  Vector3 LastForce;
-  double Work = 0.0;
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // of GetTraceColumns
+  WorkMeter Work;
 };
 
 } // namespace VolumeHaptics

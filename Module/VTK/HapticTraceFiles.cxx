@@ -221,6 +221,13 @@ std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
 
 } // namespace
 
+std::string GetTraceEnding(const std::string& file)
+{
+  const std::string ending =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+  return ending == ".vtp" || ending == ".csv" ? ending : std::string();
+}
+
 bool ReadTraceFile(const std::string& file, RecordedTips& result, std::string& error)
 {
   error = ReadTips(file, false, result);

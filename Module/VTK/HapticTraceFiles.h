@@ -10,21 +10,14 @@
 
 #include "Vector3.h"
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace VolumeHaptics
 {
 
 /** ".vtp" or ".csv"; empty for any other file. */
 std::string GetTraceEnding(const std::string& file);
-
-/** By the file's ending. False, with the reason and the cure, where it can't be written. */
-bool WriteTraceFile(vtkPolyData* trace, const std::string& file, std::string& error);
 
 /** The tips of a trace or a recording. */
 struct RecordedTips

@@ -216,9 +216,9 @@ void vtkHapticDevice::Halt()
   // At once: writing a recording takes its time.
   this->Internals->Holder.Arm(false);
   this->AnnounceDisarmed();
-  if (!this->Internals->RecordingFile.empty())
+  if (this->Internals->IsRecording())
   {
-    this->StopRecording();
+    this->EndRecording(false); // there is no force any more, and perhaps no owner
   }
   this->Internals->Holder.Stop();
 }
@@ -330,6 +330,7 @@ std::string vtkHapticDevice::GetStatusText()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::UpdateState()
 {
+  this->TellRecordingTrouble();
   return this->Internals->Holder.Update(this->Internals->GetPlacement());
 }
 

@@ -271,10 +271,23 @@ public:
    * vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but the placement of the device
    * changed while it was made. Needs a running servo and a filter. A region (vtkHapticRegionFilter) is not
    * recorded, nor published during a recording: no one image could replay it.
+   *
+   * Meanwhile the ticks go to FILE.part, in memory there are never more than the last seconds. A .vtp takes 220 to
+   * 250 bytes a tick, 15 MB a minute at 1 kHz, and while it is written FILE.part takes two thirds of that beside
+   * it. StartRecording is false, with an error, where the file can't be written. Where that shows later, as on a
+   * full disk, GetStatusText says so from then on, and the next UpdateState gives an error. StopRecording is false,
+   * with an error, unless all ticks are in the file; a file that was there before is replaced only by one that is
+   * whole.
    */
   bool StartRecording(const char* file);
   bool StopRecording();
   ///@}
+  /**
+   * Make a .vtp or .csv of the FILE.part that a recording left which StopRecording could not write, or whose program
+   * died: all of it but the last 256 ticks at most. The part is then removed; it stays where this is false, with an
+   * error. Needs neither a device nor a volume.
+   */
+  bool RecoverRecording(const char* part, const char* file);
 
   ///@{
   /**
@@ -312,6 +325,8 @@ private:
   void Shut();
   void Halt();
   void AnnounceDisarmed();
+  void TellRecordingTrouble();
+  bool EndRecording(bool isAnnounced);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -25,8 +25,16 @@ struct vtkHapticDevice::vtkInternals
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   std::string RecordingFile;
   bool IsAnnouncing = false; // while observers are told that it was disarmed
+  bool IsRecordingTroubleTold = false;
 
   vtkMTimeType PublishedTime = 0; // of the changes that were published last, or could not be
+
+  /** Whether there is a recording that this process has to end. */
+  bool IsRecording() const
+  {
+    const VolumeHaptics::HapticSession* const session = this->Holder.GetSession();
+    return session && session->IsRecording() && session->IsOurs();
+  }
 
   /** A snapshot of the filter for a rate (Hz); null without a filter. False after an error. */
   bool Bake(

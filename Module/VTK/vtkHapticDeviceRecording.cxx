@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkHapticDevice that limits, records and measures.
+#include "HapticFiles.h"
+#include "HapticRecordingFile.h"
 #include "vtkHapticDeviceInternals.h"
 
 #include "vtkDataArray.h"
@@ -8,12 +10,17 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstring>
 #include <sstream>
 
 using namespace VolumeHaptics;
 
 namespace
 {
+/** What a tick takes to be written to a .vtp and to a .csv (s); in the middle of what was measured. */
+constexpr double SecondsPerTick = 2e-6;
+constexpr double SecondsPerLine = 2e-5;
+
 /** The session that can be recorded into a file of that name; null after an error. */
 HapticSession* FindRecordable(
   vtkHapticDevice* self, const HapticDeviceHolder& holder, const std::string& name)
@@ -44,10 +51,18 @@ HapticSession* FindRecordable(
     vtkErrorWithObjectMacro(self, << error);
     return nullptr;
   }
+  std::string reason;
   if (GetTraceEnding(name).empty())
   {
-    vtkErrorWithObjectMacro(
-      self, "The recording \"" << name << "\" has an unknown ending: name it .vtp or .csv.");
+    reason = "\"" + Printable(name) + "\" has an unknown ending: name it .vtp or .csv.";
+  }
+  else if (!CheckWritable(name, reason))
+  {
+    reason = Printable(name) + " can't be written: " + reason;
+  }
+  if (!reason.empty())
+  {
+    vtkErrorWithObjectMacro(self, "The recording " << reason);
     return nullptr;
   }
   return session;
@@ -126,16 +141,16 @@ bool vtkHapticDevice::StartRecording(const char* file)
   {
     return false;
   }
-  auto recording = std::make_unique<HapticRecording>();
-  recording->DeviceId = d.Holder.GetId();
+  RecordingAbout about;
+  about.DeviceId = d.Holder.GetId();
   if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = d.Filter)
   {
     std::ostringstream settings;
     filter->PrintSettings(settings, vtkIndent());
     settings << "ServoRate of the device: " << d.Holder.GetRate() << " Hz\n";
-    recording->Settings = settings.str();
+    about.Settings = settings.str();
     const LongWork work(this, "the volume is hashed", filter->EstimateHashTime());
-    recording->VolumeHash = filter->HashScalars();
+    about.VolumeHash = filter->HashScalars();
   }
   // Observers of the long work may have stopped the servo, or begun a recording.
   HapticSession* const session = FindRecordable(this, d.Holder, name);
@@ -143,13 +158,33 @@ bool vtkHapticDevice::StartRecording(const char* file)
   {
     return false;
   }
+  auto recording = std::make_unique<HapticRecording>();
+  std::string error;
+  std::string warning;
+  if (!recording->Start(name, about, error, warning))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
   d.RecordingFile = name;
+  d.IsRecordingTroubleTold = false;
   session->StartRecording(std::move(recording));
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::StopRecording()
+{
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  return this->EndRecording(true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::EndRecording(bool isAnnounced)
 {
   auto& d = *this->Internals;
   HapticSession* const session = d.Holder.GetSession();
@@ -161,19 +196,62 @@ bool vtkHapticDevice::StopRecording()
   }
   const std::string file = std::move(d.RecordingFile);
   d.RecordingFile.clear();
-  if (recording->LostTicks > 0)
+  if (const std::uint64_t lost = recording->GetLostTicks())
   {
-    vtkWarningMacro(<< recording->LostTicks << " ticks are missing from the recording " << file
+    vtkWarningMacro(<< lost << " ticks are missing from the recording " << Printable(file)
                     << ": the machine was too busy to collect them. Its forces can't be replayed "
                        "beyond the first gap.");
   }
   std::string error;
-  if (!WriteTraceFile(recording->MakeTrace(), file, error))
+  const double secondsPerTick = GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick;
+  std::unique_ptr<LongWork> work;
+  if (isAnnounced)
+  {
+    work.reset(new LongWork(this, "the recording is written",
+      secondsPerTick * static_cast<double>(recording->GetNumberOfTicks())));
+  }
+  if (!recording->Finish(error))
   {
     vtkErrorMacro(<< error);
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::RecoverRecording(const char* part, const char* file)
+{
+  const std::string from = part ? part : "";
+  std::string error;
+  if (from.size() <= std::strlen(JournalEnding))
+  {
+    vtkErrorMacro(
+      "There is no recording to recover. Give the name of the FILE.part that one left.");
+    return false;
+  }
+  if (!WriteRecording(from, file ? file : "", error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::TellRecordingTrouble()
+{
+  auto& d = *this->Internals;
+  const HapticSession* const session = d.Holder.GetSession();
+  if (!session || !session->IsRecording() || d.IsRecordingTroubleTold)
+  {
+    return;
+  }
+  const std::string trouble = session->GetRecordingTrouble();
+  if (!trouble.empty())
+  {
+    d.IsRecordingTroubleTold = true;
+    vtkErrorMacro(<< trouble);
+  }
 }
 
 //------------------------------------------------------------------------------

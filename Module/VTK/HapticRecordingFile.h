@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Makes the file of a recording from its journal: .vtp (everything) or .csv (the point arrays, one line a tick, with
+ * the field arrays beside it in .csv.json). Memory does not grow with the recording's length.
+ *
+ * Beyond the arrays of vtkVolumeHapticsFilter's output a recording has the point arrays `DeviceTip` (m),
+ * `Command` (3; N, world axes: what the safety stage let through), `Tick`, `Enabled`, `Placement`,
+ * `Buttons`, `Armed` and `Fault`, and the field arrays `DeviceToWorld` (16 a placement),
+ * `InitialState`, `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`, `Units`, `VolumeHash` and
+ * `LostTicks`.
+ */
+#ifndef HapticRecordingFile_h
+#define HapticRecordingFile_h
+
+#include <string>
+
+namespace VolumeHaptics
+{
+class FileReplacement;
+class JournalReader;
+
+/** The field array Units. */
+extern const char* const RecordingUnits;
+
+/**
+ * Writes the file, by its ending, and removes the journal when the file is on the disk. False, with the reason and
+ * the cure, where that fails; both files are then as they were.
+ */
+bool WriteRecording(const std::string& journal, const std::string& file, std::string& error);
+
+///@{
+/** False where the journal can't be read to its end. */
+bool WriteRecordingPolyData(JournalReader& journal, FileReplacement& file);
+bool WriteRecordingTable(JournalReader& journal, FileReplacement& file);
+bool WriteRecordingFields(JournalReader& journal, FileReplacement& file);
+///@}
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,353 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The recorder from inside: memory, bytes a tick, and journals that end anywhere.
+ */
+
+#include "HapticFiles.h"
+#include "HapticRecording.h"
+#include "HapticRecordingFile.h"
+#include "HapticSession.h"
+
+#include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <thread>
+#include <unistd.h>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+
+std::shared_ptr<const HapticModel> MakeModel(double shift = 0.0)
+{
+  constexpr int n = 16;
+  auto samples = std::make_shared<std::vector<short>>(n * n * n);
+  for (std::size_t i = 0; i < samples->size(); ++i)
+  {
+    (*samples)[i] = static_cast<short>(7 * (i % n) + 3 * i / (n * n));
+  }
+  HapticModelDescription description;
+  description.View.Data = samples->data();
+  description.View.Type = ScalarType::Int16;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    description.View.Dimensions[axis] = n;
+  }
+  description.View.Stride[0] = 1;
+  description.View.Stride[1] = n;
+  description.View.Stride[2] = n * n;
+  description.Samples = samples;
+  description.DeviceToWorld.Linear = 1000.0 * Matrix3{};
+  description.DeviceToWorld.Offset.X = shift;
+  return std::make_shared<const HapticModel>(description);
+}
+
+/// Ticks in which every number that a hand changes is another one, with all its digits.
+class Ticks
+{
+public:
+  ServoSnapshot Next()
+  {
+    ServoSnapshot s;
+    s.Tick = this->Count++;
+    s.Time = 1e-3 * static_cast<double>(s.Tick) + 1e-7 * this->Draw();
+    s.Generation = 1;
+    s.Armed = true;
+    TickRecord& r = s.Record;
+    const double t = 1e-3 * static_cast<double>(s.Tick);
+    r.Tip = { 0.007 + 0.003 * std::sin(t), 0.007 + 0.002 * std::sin(0.7 * t),
+      0.008 + 1e-6 * this->Draw() };
+    r.Proxy = r.Tip + Vector3{ 1e-4 * this->Draw(), 1e-4 * this->Draw(), 1e-3 };
+    r.Force = 800.0 * (r.Proxy - r.Tip);
+    r.Normal = { 0.6 + 1e-3 * this->Draw(), 0.8, 0.1 * this->Draw() };
+    s.Command = r.Force;
+    r.NormalForce = Norm(r.Force);
+    r.FrictionForce = 0.1 + 0.01 * this->Draw();
+    r.GradientMagnitude = 40.0 + this->Draw();
+    r.SurfaceValue = 300.0 + this->Draw();
+    r.MediumValue = 100.0 + this->Draw();
+    r.Stiffness = 800.0;
+    r.Friction = 0.3;
+    r.SurfaceStrength = 2.0;
+    r.Contact = ContactState::Sliding;
+    return s;
+  }
+  std::uint64_t Count = 0;
+
+private:
+  double Draw() { return this->Distribution(this->Generator); }
+  std::mt19937 Generator{ 7 };
+  std::uniform_real_distribution<double> Distribution{ -1.0, 1.0 };
+};
+
+/// Resident memory of this process (bytes).
+double Resident()
+{
+  std::ifstream stream("/proc/self/statm");
+  double size = 0.0;
+  double resident = 0.0;
+  stream >> size >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+std::string Load(const std::string& file)
+{
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+vtkSmartPointer<vtkPolyData> Read(const std::string& file)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), 0UL);
+  return reader->GetOutput();
+}
+
+class Recorder : public testing::Test
+{
+protected:
+  Recorder()
+  {
+    vtksys::SystemTools::RemoveADirectory(this->Folder);
+    vtksys::SystemTools::MakeDirectory(this->Folder);
+  }
+  ~Recorder() override { vtksys::SystemTools::RemoveADirectory(this->Folder); }
+  void Start(HapticRecording& recording, const std::string& file)
+  {
+    std::string error;
+    std::string warning;
+    ASSERT_TRUE(recording.Start(file, { "virtual", "settings <&> \xFF", "hash" }, error, warning))
+      << error;
+    EXPECT_EQ(warning, "");
+    recording.AddModel(1, this->Model);
+  }
+  void Push(HapticRecording& recording, const ServoSnapshot& tick)
+  {
+    while (!recording.Append(tick))
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void Finish(HapticRecording& recording)
+  {
+    std::string error;
+    EXPECT_TRUE(recording.Finish(error)) << error;
+  }
+
+  const std::string Folder =
+    testing::TempDir() + "VolumeHapticsRecorder" + std::to_string(getpid());
+  const std::string File = this->Folder + "/a.vtp";
+  const std::shared_ptr<const HapticModel> Model = MakeModel();
+  Ticks Source;
+};
+
+} // namespace
+
+TEST_F(Recorder, TakesBoundedMemoryAndAtMost300BytesATick)
+{
+  constexpr int ticks = 60000;
+  // In memory these ticks were 110 MB.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr double most = 64e6; // which take some themselves
+#else
+  constexpr double most = 16e6;
+#endif
+  HapticRecording recording;
+  this->Start(recording, this->File);
+  const double before = Resident();
+  double largest = 0.0;
+  for (int i = 0; i < ticks; ++i)
+  {
+    this->Push(recording, this->Source.Next());
+    largest = i % 1000 == 0 ? std::max(largest, Resident()) : largest;
+  }
+  this->Finish(recording);
+  largest = std::max(largest, Resident());
+  EXPECT_LT(largest - before, most);
+  const double bytes = static_cast<double>(vtksys::SystemTools::FileLength(this->File)) / ticks;
+  RecordProperty("BytesPerTick", std::to_string(bytes));
+  EXPECT_LT(bytes, 300.0);
+  EXPECT_EQ(Read(this->File)->GetNumberOfPoints(), ticks);
+}
+
+TEST_F(Recorder, KeepsForReadersATenthOfAState)
+{
+  EXPECT_LE(sizeof(StateRow) * HapticSession::MostStates, 20e6);
+  EXPECT_LE(sizeof(RecordingRow) * HapticRecording::MostWaiting, 6e6);
+}
+
+TEST_F(Recorder, WritesWhatTheTicksAre)
+{
+  // None, one, part of a group, whole groups, and one more.
+  for (const int count : { 0, 1, 2, 100, 256, 512, 513 })
+  {
+    Ticks source;
+    HapticRecording recording;
+    this->Start(recording, this->File);
+    std::vector<ServoSnapshot> ticks;
+    for (int i = 0; i < count; ++i)
+    {
+      ticks.push_back(source.Next());
+      this->Push(recording, ticks.back());
+    }
+    this->Finish(recording);
+    const auto trace = Read(this->File);
+    ASSERT_EQ(trace->GetNumberOfPoints(), count);
+    ASSERT_EQ(trace->GetNumberOfCells(), count > 1 ? 1 : 0);
+    for (int a = 0; a < trace->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      EXPECT_EQ(trace->GetPointData()->GetArray(a)->GetNumberOfTuples(), count);
+    }
+    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 27);
+    double work = 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+      const TickRecord& r = ticks[i].Record;
+      const auto number = [&](const char* name, int c)
+      { return trace->GetPointData()->GetArray(name)->GetComponent(i, c); };
+      EXPECT_EQ(number("Tick", 0), i);
+      EXPECT_EQ(number("Time", 0), ticks[i].Time);
+      EXPECT_EQ(number("DeviceTip", 1), r.Tip.Y);
+      EXPECT_EQ(number("Tip", 2), 1000.0 * r.Tip.Z);
+      EXPECT_EQ(trace->GetPoint(i)[0], 1000.0 * r.Proxy.X);
+      EXPECT_EQ(number("Command", 2), ticks[i].Command.Z);
+      EXPECT_EQ(number("SurfaceValue", 0), r.SurfaceValue);
+      EXPECT_EQ(number("Contact", 0), 2.0);
+      EXPECT_EQ(number("Enabled", 0), 1.0);
+      work += i > 0
+        ? 0.5 * Dot(r.Force + ticks[i - 1].Record.Force, r.Tip - ticks[i - 1].Record.Tip)
+        : 0.0;
+      EXPECT_EQ(number("Energy", 0), work);
+    }
+    vtkFieldData* const fields = trace->GetFieldData();
+    EXPECT_EQ(fields->GetArray("DeviceToWorld")->GetNumberOfTuples(), count > 0 ? 1 : 0);
+    EXPECT_EQ(fields->GetArray("InitialState")->GetNumberOfTuples(), count > 0 ? 1 : 0);
+    EXPECT_EQ(
+      fields->GetAbstractArray("Settings")->GetVariantValue(0).ToString(), "settings <&> \xFF");
+  }
+}
+
+TEST_F(Recorder, KeepsEveryPlacement)
+{
+  // More than a block of them, and in one group of ticks as well.
+  constexpr int moves = 600;
+  HapticRecording recording;
+  this->Start(recording, this->File);
+  for (int i = 0; i < moves; ++i)
+  {
+    ServoSnapshot tick = this->Source.Next();
+    tick.Generation = static_cast<std::uint64_t>(i) + 2;
+    recording.AddModel(tick.Generation,
+      std::make_shared<const HapticModel>(*this->Model,
+        [i]
+        {
+          Affine3 map;
+          map.Linear = 1000.0 * Matrix3{};
+          map.Offset.X = i;
+          return map;
+        }()));
+    this->Push(recording, tick);
+  }
+  this->Finish(recording);
+  const auto trace = Read(this->File);
+  vtkDataArray* const matrices = trace->GetFieldData()->GetArray("DeviceToWorld");
+  ASSERT_EQ(matrices->GetNumberOfTuples(), moves);
+  for (int i = 0; i < moves; ++i)
+  {
+    EXPECT_EQ(matrices->GetComponent(i, 3), i);
+    EXPECT_EQ(trace->GetPointData()->GetArray("Placement")->GetComponent(i, 0), i);
+  }
+}
+
+TEST_F(Recorder, ReadsAJournalThatEndsAnywhere)
+{
+  const std::string journal = this->File + ".part";
+  std::string whole;
+  {
+    HapticRecording recording;
+    this->Start(recording, this->File);
+    for (int i = 0; i < 600; ++i)
+    {
+      this->Push(recording, this->Source.Next());
+    }
+  }
+  whole = Load(journal);
+  ASSERT_GT(whole.size(), 10000U);
+  vtkIdType before = 0;
+  for (int share = 0; share <= 40; ++share)
+  {
+    const std::size_t cut = whole.size() * static_cast<std::size_t>(share) / 40;
+    // A file that was growing when the power went may end with zeros.
+    const std::string zeros(share % 2 ? 5000 : 0, '\0');
+    std::ofstream(journal, std::ios::binary) << whole.substr(0, cut) << zeros;
+    std::string error;
+    if (!WriteRecording(journal, this->File, error))
+    {
+      EXPECT_NE(error.find("is not the unfinished recording"), std::string::npos) << error;
+      EXPECT_LT(share, 3) << "what the recording is about comes first";
+      continue;
+    }
+    const auto trace = Read(this->File);
+    const vtkIdType ticks = trace->GetNumberOfPoints();
+    EXPECT_TRUE(share == 40 ? ticks == 600 : ticks % 256 == 0) << ticks;
+    EXPECT_GE(ticks, before);
+    before = ticks;
+    for (vtkIdType i = 0; i < ticks; ++i)
+    {
+      ASSERT_EQ(trace->GetPointData()->GetArray("Tick")->GetComponent(i, 0), i);
+    }
+  }
+  // Bytes that have changed end it, too.
+  for (std::size_t at = 5; at < whole.size(); at += whole.size() / 50)
+  {
+    std::string other = whole;
+    other[at] = static_cast<char>(other[at] ^ 0x10);
+    std::ofstream(journal, std::ios::binary) << other;
+    std::string error;
+    if (WriteRecording(journal, this->File, error))
+    {
+      EXPECT_LT(Read(this->File)->GetNumberOfPoints(), 600);
+    }
+  }
+}
+
+TEST_F(Recorder, SaysHowManyTicksWereLost)
+{
+  HapticRecording recording;
+  this->Start(recording, this->File);
+  this->Push(recording, this->Source.Next());
+  recording.SetMissed(3);
+  EXPECT_EQ(recording.GetLostTicks(), 3U);
+  this->Finish(recording);
+  EXPECT_EQ(Read(this->File)->GetFieldData()->GetArray("LostTicks")->GetComponent(0, 0), 3.0);
+}
+
+TEST(HapticFiles, PrintsWhatIsNotUtf8)
+{
+  // Examples of RFC 3629, sections 3 and 7, and of Markus Kuhn's stress test: overlong, surrogates, cut off.
+  EXPECT_EQ(Printable("caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4"),
+    "caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4");
+  EXPECT_EQ(Printable("\xC0\x80"), "\\xC0\\x80");
+  EXPECT_EQ(Printable("\xED\xA0\x80"), "\\xED\\xA0\\x80");
+  EXPECT_EQ(Printable("\xF4\x90\x80\x80"), "\\xF4\\x90\\x80\\x80");
+  EXPECT_EQ(Printable("a\xE6\x97"), "a\\xE6\\x97");
+  EXPECT_EQ(Printable("\xFFz"), "\\xFFz");
+}
