@@ -5,6 +5,7 @@
 #if defined(__unix__)
 #include <cerrno>
 #include <csignal>
+#include <initializer_list>
 #include <pthread.h>
 #include <sched.h>
 #include <time.h>
@@ -46,9 +47,14 @@ void SleepUntil(std::int64_t time) noexcept
 
 void BlockSignals() noexcept
 {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  sigset_t others;
+  sigfillset(&others);
+  // Where a crash of the thread itself is blocked, no handler can end the force before the process ends.
+  for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP })
+  {
+    sigdelset(&others, crash);
+  }
+  pthread_sigmask(SIG_BLOCK, &others, nullptr);
 }
 
 bool RaisePriority() noexcept

@@ -21,7 +21,7 @@ constexpr std::int64_t Millisecond = 1000000; ///< ns
 std::int64_t Now() noexcept;
 /** Sleeps until a time of Now(); returns at once where that has passed. */
 void SleepUntil(std::int64_t time) noexcept;
-/** Leaves the process's signals to other threads than the calling one. */
+/** Leaves the process's signals to other threads than the calling one, but for those of its own crash. */
 void BlockSignals() noexcept;
 /** Asks for a real-time scheduling class (SCHED_FIFO, below 50) for the calling thread. */
 bool RaisePriority() noexcept;

@@ -3,17 +3,21 @@
 #include "HapticSignals.h"
 
 #include "HapticSession.h"
+#include "ServoClock.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
+#include <exception>
 #include <mutex>
 #include <vector>
 
 #if defined(__unix__)
+#include "GuardedSignal.h"
+
 #include <cerrno>
-#include <csignal>
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
 #include <thread>
 #include <unistd.h>
 #endif
@@ -22,6 +26,9 @@ namespace VolumeHaptics
 {
 namespace
 {
+
+/** For how long (ms) a process that ends waits for its devices. A session whose loop hangs takes 40. */
+constexpr int LongestWait = 200;
 
 struct Guarded
 {
@@ -36,104 +43,174 @@ Guarded& GetGuarded()
   return *guarded;
 }
 
-#if defined(__unix__)
 /** The process whose devices these are; a forked child has a copy of everything but those. */
-pid_t Owner = 0;
-#endif
+std::int64_t Owner = 0;
 
-void QuenchAll()
+bool IsOwner() noexcept
 {
-#if defined(__unix__)
-  if (getpid() != Owner)
+  return ServoClock::GetProcess() == Owner;
+}
+
+void QuenchAll() noexcept
+{
+  if (!IsOwner())
   {
     return; // in a forked child, the devices are the parent's
   }
-#endif
   Guarded& guarded = GetGuarded();
-  const std::lock_guard<std::mutex> lock(guarded.Mutex);
-  for (HapticSession* session : guarded.Sessions)
+  for (int i = 0; i < LongestWait; ++i)
   {
-    session->Quench();
+    const std::unique_lock<std::mutex> lock(guarded.Mutex, std::try_to_lock);
+    if (lock)
+    {
+      for (HapticSession* session : guarded.Sessions)
+      {
+        session->Quench();
+      }
+      return;
+    }
+    // The thread that has the lock may be the one that ends the process.
+    ServoClock::SleepUntil(ServoClock::Now() + ServoClock::Millisecond);
   }
 }
 
 #if defined(__unix__)
 
-// Ctrl+Z stops all threads at once, and a device without a watchdog would keep its last force.
-const int Signals[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP };
-constexpr int SignalCount = 5;
-struct sigaction Before[SignalCount];
-int Pipe[2] = { -1, -1 };
+GuardedSignal Signals[] = {
+  // Programs handle these and live on. Ctrl+Z stops all threads at once.
+  { SIGINT, SignalManner::Deliver },
+  { SIGTERM, SignalManner::Deliver },
+  { SIGHUP, SignalManner::Deliver },
+  { SIGQUIT, SignalManner::Deliver },
+  { SIGTSTP, SignalManner::Deliver },
+  // A crash, which others may want to report.
+  { SIGSEGV, SignalManner::Crash },
+  { SIGBUS, SignalManner::Crash },
+  { SIGFPE, SignalManner::Crash },
+  { SIGILL, SignalManner::Crash },
+  { SIGABRT, SignalManner::Crash },
+  // The others that end or stop a process that does not handle them.
+  { SIGALRM, SignalManner::CrashIfDefault },
+  { SIGIO, SignalManner::CrashIfDefault },
+  { SIGPIPE, SignalManner::CrashIfDefault },
+  { SIGPROF, SignalManner::CrashIfDefault },
+  { SIGSYS, SignalManner::CrashIfDefault },
+  { SIGTRAP, SignalManner::CrashIfDefault },
+  { SIGTTIN, SignalManner::CrashIfDefault },
+  { SIGTTOU, SignalManner::CrashIfDefault },
+  { SIGUSR1, SignalManner::CrashIfDefault },
+  { SIGUSR2, SignalManner::CrashIfDefault },
+  { SIGVTALRM, SignalManner::CrashIfDefault },
+  { SIGXCPU, SignalManner::CrashIfDefault },
+  { SIGXFSZ, SignalManner::CrashIfDefault },
+#if defined(__linux__)
+  { SIGPWR, SignalManner::CrashIfDefault },
+  { SIGSTKFLT, SignalManner::CrashIfDefault },
+#endif
+};
 
-extern "C" void OnSignal(int signal)
+GuardedSignal& FindSignal(int number) noexcept
+{
+  const auto at = std::find_if(std::begin(Signals), std::end(Signals),
+    [number](const GuardedSignal& signal) { return signal.GetNumber() == number; });
+  return *at;
+}
+
+int Pipe[2] = { -1, -1 };
+bool IsWatched = false;
+pthread_t Watcher;
+std::atomic<unsigned> Answers{ 0 };
+/** A byte that asks for nothing but an answer; others are signals to deliver. */
+constexpr unsigned char NoSignal = 0;
+
+void Ask(unsigned char byte) noexcept
+{
+  const ssize_t written = write(Pipe[1], &byte, 1);
+  static_cast<void>(written); // fails only where the pipe is full, and then much is on its way
+}
+
+/** From a signal handler, too: the watcher ends the force, on a stack and without locks of this thread. */
+void QuenchByWatcher() noexcept
+{
+  if (!IsOwner() || !IsWatched || pthread_equal(pthread_self(), Watcher))
+  {
+    return; // who crashes while it ends the force can't do more
+  }
+  const unsigned before = Answers.load();
+  Ask(NoSignal);
+  for (int i = 0; i < LongestWait && Answers.load() == before; ++i)
+  {
+    poll(nullptr, 0, 1);
+  }
+}
+
+/** Those that end nothing by themselves: the watcher sends them again. */
+extern "C" void OnDelivered(int number)
 {
   const int keep = errno;
-  if (getpid() != Owner)
+  if (IsOwner())
+  {
+    Ask(static_cast<unsigned char>(number));
+  }
+  else
   {
     // A forked child shares the pipe, but the devices and the thread at its other end are the
     // parent's. The signal comes again when this handler returns.
-    const auto at = std::find(std::begin(Signals), std::end(Signals), signal);
-    sigaction(signal, &Before[at - std::begin(Signals)], nullptr);
-    raise(signal);
-    errno = keep;
-    return;
+    FindSignal(number).PutBack();
+    raise(number);
   }
-  const auto byte = static_cast<unsigned char>(signal);
-  const ssize_t written = write(Pipe[1], &byte, 1);
-  static_cast<void>(written);
   errno = keep;
 }
 
-/** Puts our handler in front of whatever is there. */
+/** The thread that it hit waits for the devices, and then meets the same again, without us. */
+extern "C" void OnCrash(int number, siginfo_t* info, void*)
+{
+  const int keep = errno;
+  QuenchByWatcher();
+  FindSignal(number).PutBack();
+  if (!ComesAgain(number, *info))
+  {
+    raise(number);
+  }
+  errno = keep;
+}
+
 void Install()
 {
-  for (int i = 0; i < SignalCount; ++i)
+  for (GuardedSignal& signal : Signals)
   {
-    struct sigaction action = {};
-    struct sigaction old = {};
-    action.sa_handler = OnSignal;
-    action.sa_flags = SA_RESTART;
-    sigemptyset(&action.sa_mask);
-    sigaction(Signals[i], &action, &old);
-    if (old.sa_handler != OnSignal)
-    {
-      Before[i] = old;
-    }
+    // Without a watcher a signal that is to be delivered would be lost.
+    IsWatched ? signal.Install(OnDelivered, OnCrash) : void();
   }
 }
 
-/** Puts back what was there, unless somebody else has put a handler in front of ours meanwhile. */
 void Uninstall()
 {
-  for (int i = 0; i < SignalCount; ++i)
+  for (GuardedSignal& signal : Signals)
   {
-    struct sigaction now = {};
-    sigaction(Signals[i], nullptr, &now);
-    if (now.sa_handler == OnSignal)
-    {
-      sigaction(Signals[i], &Before[i], nullptr);
-    }
+    signal.Uninstall();
   }
 }
 
 void Watch()
 {
-  // Signals are for the threads that handled them before.
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
-  unsigned char signal = 0;
+  ServoClock::BlockSignals(); // for the threads that handled them before
+  unsigned char byte = NoSignal;
   for (;;)
   {
-    const ssize_t got = read(Pipe[0], &signal, 1);
+    const ssize_t got = read(Pipe[0], &byte, 1);
     if (got == 1)
     {
       QuenchAll();
+      Answers.fetch_add(1);
+      if (byte != NoSignal)
       {
-        const std::lock_guard<std::mutex> lock(GetGuarded().Mutex);
-        Uninstall();
+        {
+          const std::lock_guard<std::mutex> lock(GetGuarded().Mutex);
+          Uninstall();
+        }
+        kill(getpid(), byte);
       }
-      kill(getpid(), signal);
     }
     else if (got == 0 || errno != EINTR)
     {
@@ -142,50 +219,127 @@ void Watch()
   }
 }
 
-bool StartWatching()
+void StartWatching()
 {
-  Owner = getpid();
+  IsWatched = false;
   if (pipe(Pipe) != 0)
   {
-    return false;
+    return;
   }
   fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
   fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
   // A handler never blocks: with the pipe full a signal is on its way anyway.
   fcntl(Pipe[1], F_SETFL, O_NONBLOCK);
-  std::thread(Watch).detach();
-  return true;
+  std::thread thread(Watch);
+  Watcher = thread.native_handle();
+  thread.detach();
+  IsWatched = true;
+}
+
+/** Of the thread that lives as long as this, if it has none: without it, no handler runs where the stack is full. */
+class AlternateStack
+{
+public:
+  AlternateStack()
+  {
+    stack_t now{};
+    if (sigaltstack(nullptr, &now) != 0 || (now.ss_flags & SS_DISABLE) == 0)
+    {
+      return;
+    }
+    this->Size = 1 << 16;
+#if defined(_SC_MINSIGSTKSZ)
+    this->Size += static_cast<std::size_t>(std::max(0L, sysconf(_SC_MINSIGSTKSZ)));
+#endif
+    this->Memory =
+      mmap(nullptr, this->Size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (this->Memory != MAP_FAILED)
+    {
+      stack_t mine{};
+      mine.ss_sp = this->Memory;
+      mine.ss_size = this->Size;
+      sigaltstack(&mine, nullptr);
+    }
+  }
+  ~AlternateStack()
+  {
+    stack_t now{};
+    if (this->Memory != MAP_FAILED && sigaltstack(nullptr, &now) == 0 && now.ss_sp == this->Memory)
+    {
+      stack_t none{};
+      none.ss_flags = SS_DISABLE;
+      sigaltstack(&none, nullptr);
+      munmap(this->Memory, this->Size);
+    }
+  }
+  AlternateStack(const AlternateStack&) = delete;
+  AlternateStack& operator=(const AlternateStack&) = delete;
+
+private:
+  void* Memory = MAP_FAILED;
+  std::size_t Size = 0;
+};
+
+void PrepareThread()
+{
+  static thread_local const AlternateStack stack;
+  static_cast<void>(stack);
 }
 
 #else
 
+void QuenchByWatcher() noexcept
+{
+  QuenchAll();
+}
 void Install() {}
 void Uninstall() {}
-bool StartWatching()
-{
-  return false;
-}
+void StartWatching() {}
+void PrepareThread() {}
 
 #endif
+
+std::terminate_handler BeforeTerminate = nullptr;
+
+[[noreturn]] void OnTerminate() noexcept
+{
+  QuenchByWatcher();
+  if (BeforeTerminate)
+  {
+    BeforeTerminate();
+  }
+  std::abort();
+}
 
 } // namespace
 
 void GuardSession(HapticSession* session)
 {
-  static const bool watching = StartWatching();
-  static const int atExit = std::atexit(QuenchAll);
-  static_cast<void>(atExit);
+  static const bool hooked = []
+  {
+    BeforeTerminate = std::set_terminate(OnTerminate);
+#if !defined(__APPLE__)
+    std::at_quick_exit(QuenchAll);
+#endif
+    return std::atexit(QuenchAll) == 0;
+  }();
+  static_cast<void>(hooked);
+  PrepareThread();
   Guarded& guarded = GetGuarded();
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
   auto& sessions = guarded.Sessions;
+  if (!IsOwner())
+  {
+    // A forked child has neither its parent's devices nor the thread that watches over them.
+    sessions.clear();
+    Owner = ServoClock::GetProcess();
+    StartWatching();
+  }
   if (std::find(sessions.begin(), sessions.end(), session) == sessions.end())
   {
     sessions.push_back(session);
   }
-  if (watching)
-  {
-    Install();
-  }
+  Install();
 }
 
 void ReleaseSession(HapticSession* session)
@@ -194,7 +348,7 @@ void ReleaseSession(HapticSession* session)
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
   auto& sessions = guarded.Sessions;
   sessions.erase(std::remove(sessions.begin(), sessions.end(), session), sessions.end());
-  if (sessions.empty())
+  if (sessions.empty() && IsOwner())
   {
     Uninstall();
   }

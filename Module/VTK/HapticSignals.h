@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Zero force when the process is told to end.
+ * Zero force when the process ends or stops.
  *
- * While a session is guarded, SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) first quench every
- * session, on a thread of its own that a pipe wakes (a signal handler may not touch a device), and are
- * then delivered to whatever handled them before. exit() quenches, too. For a crash there are only the
- * device's own watchdogs.
+ * While a session is guarded, every signal that would end or stop the process meets a handler of ours first
+ * (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which a pipe wakes, quenches every session.
+ * SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) are sent again by that thread, for what handled them before.
+ * At a crash (SIGSEGV, SIGABRT and the like), the thread that it hit waits for the quenching, 0.2 s at most, and then
+ * meets what was there before: another handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM,
+ * SIGUSR1 and others that seldom end a process are left alone where they are handled or ignored.
+ *
+ * std::terminate, exit() and quick_exit() quench, too. Nothing runs in the process after SIGKILL, SIGSTOP, _exit(),
+ * exec() or a loss of power; and real-time signals, which libraries choose from those that are not handled, are not
+ * touched. There, there are only the device's own watchdogs.
  */
 #ifndef HapticSignals_h
 #define HapticSignals_h

@@ -20,7 +20,11 @@
  * own maximum, and grows by at most MaximumForceRate; after Arm and after every gap it rises from zero over half
  * a second. A tip that is not finite, that moves faster than a hand can hold the device, or a device that is lost,
  * cuts the force and latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
- * zero. Stop, Close, deletion, exit() and SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) send zero force.
+ * zero. Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, and crashes and other signals that end or
+ * stop the process send zero force; handlers that were there before run after that. Where zero can't be sent, a device
+ * without a watchdog of its own keeps its last force: SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of another
+ * program, a crash in the thread that talks to the device or with the heap locked that its library needs, a full stack
+ * of another thread than the owner's, and loss of power. A handler that a program adds to an armed device comes first.
  * Stiffness and ForceFieldDamping are capped at what the device can hold. During work that keeps the owner's thread
  * for long (BeginLongWork), as StartRecording and Publish have it with large volumes, the force is off.
  *

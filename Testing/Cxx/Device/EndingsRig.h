@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Child processes that hold an armed device without a watchdog of its own. It keeps the last force that it was sent in
+ * memory that outlives the child, as the motors of such a device keep it.
+ */
+#ifndef EndingsRig_h
+#define EndingsRig_h
+
+#include "SignalsRig.h"
+
+#include <DeviceKind.h>
+
+#include <new>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+namespace devicetest
+{
+
+/// A device, and what a child notes for its parent.
+struct LastingDevice
+{
+  std::atomic<double> Sent{ 0.0 }; ///< N, the norm of the last force
+  std::atomic<bool> IsQuenched{ false };
+  std::atomic<bool> CrashesInRead{ false };
+  std::atomic<bool> CrashesInQuench{ false };
+  std::atomic<bool> HadForce{ false };
+  std::atomic<int> Handled{ 0 };
+  std::atomic<double> ForceWhenHandled{ 0.0 };
+  std::atomic<void*> Address{ nullptr };
+
+  double GetForce() const { return this->IsQuenched ? 0.0 : this->Sent.load(); }
+  void Handle()
+  {
+    ++this->Handled;
+    this->ForceWhenHandled = this->ForceWhenHandled + this->GetForce();
+  }
+};
+
+/// Of the test that runs, in memory that its children share.
+inline LastingDevice* Lasting = nullptr;
+
+#if defined(__GNUC__)
+__attribute__((no_sanitize("address", "undefined")))
+#endif
+inline void
+WriteToNowhere()
+{
+  *static_cast<volatile int*>(nullptr) = 1;
+}
+
+class LastingBackend : public VolumeHaptics::DeviceBackend
+{
+public:
+  bool Open(std::string&) override { return true; }
+  void Close() override { this->Write({}); }
+  std::string GetName() const override { return "lasting"; }
+  VolumeHaptics::DeviceLimits GetLimits() const override
+  {
+    VolumeHaptics::DeviceLimits limits;
+    limits.MaximumForce = 6.0;
+    return limits;
+  }
+  VolumeHaptics::DeviceState Read(
+    double period, VolumeHaptics::DeviceSample& sample) noexcept override
+  {
+    if (Lasting->CrashesInRead)
+    {
+      WriteToNowhere();
+    }
+    this->Time += period;
+    sample.Tip = { 0.007, 0.007, 0.009 + 0.001 * std::sin(10.0 * this->Time) };
+    if (this->Time < 0.1)
+    {
+      sample.Tip.Z = 0.005; // in front of what is felt
+    }
+    sample.Fresh = true;
+    return VolumeHaptics::DeviceState::Running;
+  }
+  VolumeHaptics::DeviceState Write(const VolumeHaptics::Vector3& force) noexcept override
+  {
+    Lasting->Sent = VolumeHaptics::Norm(force);
+    Lasting->IsQuenched = false;
+    return VolumeHaptics::DeviceState::Running;
+  }
+  void Quench() noexcept override
+  {
+    Lasting->IsQuenched = true;
+    if (Lasting->CrashesInQuench)
+    {
+      WriteToNowhere();
+    }
+  }
+
+private:
+  double Time = 0.0;
+};
+
+class Endings : public Signals
+{
+protected:
+  Endings()
+  {
+    static const bool added = vtkHapticDevice::AddDeviceKind({ "lasting",
+      []
+      {
+        return std::vector<VolumeHaptics::DeviceListing>{ { "lasting:0",
+          "A device that keeps its force", "available" } };
+      },
+      [](const std::string&, const VolumeHaptics::DeviceOptions&, std::string&)
+      { return std::make_unique<LastingBackend>(); } });
+    static_cast<void>(added);
+    void* const memory = mmap(
+      nullptr, sizeof(LastingDevice), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    Lasting = new (memory) LastingDevice;
+  }
+  ~Endings() override { munmap(Lasting, sizeof(LastingDevice)); }
+
+  /// Force flows, on a servo so slow that whoever does not wait for its next tick is too early.
+  void Feel(double rate = 100.0)
+  {
+    const rlimit none{ 0, 0 };
+    setrlimit(RLIMIT_CORE, &none);
+    this->Device->SetServoRate(rate);
+    this->Device->SetMaximumForceRate(1e4);
+    const bool isFelt = this->Device->Open("lasting:0") && this->Device->Start() &&
+      Eventually(
+        [this]
+        {
+          this->Device->UpdateState();
+          return this->Device->GetTipPosition()[2] == 5.0;
+        });
+    this->Device->Arm();
+    Lasting->HadForce = isFelt && Eventually([] { return Lasting->GetForce() > 0.2; });
+  }
+  static void Forget()
+  {
+    Lasting->Handled = 0;
+    Lasting->ForceWhenHandled = 0.0;
+  }
+  /// How a child ends that feels force before: its result, or minus the signal. No force is left.
+  template <typename F>
+  int End(F&& how)
+  {
+    const int result = InChild(
+      [&]
+      {
+        this->Feel();
+        how();
+        return 77; // it was to end before
+      });
+    EXPECT_TRUE(Lasting->HadForce);
+    EXPECT_EQ(Lasting->GetForce(), 0.0);
+    return result;
+  }
+};
+} // namespace devicetest
+
+#endif

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * However a process ends that can still do something about it, its device has no force, and the process ends as it
+ * would without that.
+ */
+
+#include "EndingsRig.h"
+
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <sys/time.h>
+
+using namespace devicetest;
+
+namespace
+{
+/// Ends by the signal that is sent to it, once it is dealt with.
+void Raise(int signal)
+{
+  std::raise(signal);
+  Eventually([] { return false; });
+}
+
+/// Fills the stack.
+int Recurse(int depth)
+{
+  volatile char room[4096];
+  room[0] = static_cast<char>(depth);
+  return depth < 0 ? 0 : Recurse(depth + 1) + room[0];
+}
+
+/// Divides such that no compiler sees it.
+#if defined(__GNUC__)
+__attribute__((no_sanitize("undefined")))
+#endif
+int DivideByZero()
+{
+  volatile int zero = 0;
+  volatile int seven = 7;
+  return seven / zero;
+}
+
+void OnFatal(int, siginfo_t* info, void*)
+{
+  Lasting->Handle();
+  Lasting->Address = info->si_addr;
+  _exit(42);
+}
+
+void Handle(int signal, void (*handler)(int, siginfo_t*, void*))
+{
+  struct sigaction action = {};
+  action.sa_sigaction = handler;
+  action.sa_flags = SA_SIGINFO;
+  sigaction(signal, &action, nullptr);
+}
+
+/// As crash reporters do: report, put back what was there before, and let the signal go on to that.
+struct sigaction BeforeReporter;
+void Report(int signal)
+{
+  Lasting->Handle();
+  sigaction(signal, &BeforeReporter, nullptr);
+  std::raise(signal);
+}
+void AddReporter(int signal)
+{
+  struct sigaction action = {};
+  action.sa_handler = Report;
+  action.sa_flags = SA_NODEFER;
+  sigaction(signal, &action, &BeforeReporter);
+}
+} // namespace
+
+TEST_F(Endings, ByASignalThatNobodyHandles)
+{
+  for (const int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS, SIGPIPE,
+         SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ, SIGIO, SIGPWR, SIGSTKFLT,
+         SIGTERM, SIGINT, SIGHUP, SIGQUIT })
+  {
+    EXPECT_EQ(this->End([&] { Raise(signal); }), -signal) << strsignal(signal);
+  }
+  for (const int signal : { SIGSEGV, SIGUSR1 })
+  {
+    const auto kills = [&]
+    {
+      kill(getpid(), signal);
+      Eventually([] { return false; });
+    };
+    EXPECT_EQ(this->End(kills), -signal) << strsignal(signal) << " from elsewhere";
+  }
+}
+
+TEST_F(Endings, ByACrash)
+{
+  EXPECT_EQ(this->End([] { WriteToNowhere(); }), -SIGSEGV);
+  EXPECT_EQ(this->End([] { Recurse(1); }), -SIGSEGV) << "the stack is full";
+  EXPECT_EQ(this->End([] { std::abort(); }), -SIGABRT);
+#if defined(__x86_64__)
+  EXPECT_EQ(this->End([] { DivideByZero(); }), -SIGFPE);
+#endif
+  EXPECT_EQ(this->End([] { std::thread(WriteToNowhere).join(); }), -SIGSEGV) << "in a thread";
+  EXPECT_EQ(this->End(
+              []
+              {
+                int ends[2];
+                [[maybe_unused]] int done = pipe(ends);
+                close(ends[0]);
+                [[maybe_unused]] const ssize_t size = write(ends[1], "", 1);
+                std::_Exit(5); // who writes to a closed pipe does not get here
+              }),
+    -SIGPIPE);
+}
+
+TEST_F(Endings, ByACrashInTheServoItself)
+{
+  EXPECT_EQ(this->End(
+              []
+              {
+                Lasting->CrashesInRead = true;
+                Eventually([] { return false; });
+              }),
+    -SIGSEGV);
+}
+
+TEST_F(Endings, ByACrashInWhatEndsTheForce)
+{
+  EXPECT_EQ(this->End(
+              []
+              {
+                Lasting->CrashesInQuench = true;
+                WriteToNowhere();
+              }),
+    -SIGSEGV);
+  EXPECT_EQ(this->End(
+              []
+              {
+                Lasting->CrashesInQuench = true;
+                Raise(SIGTERM);
+              }),
+    -SIGSEGV);
+}
+
+TEST_F(Endings, ByManyThreadsThatCrashAtOnce)
+{
+  EXPECT_EQ(this->End(
+              []
+              {
+                std::vector<std::thread> threads;
+                for (int i = 0; i < 8; ++i)
+                {
+                  threads.emplace_back(WriteToNowhere);
+                }
+                threads.front().join();
+              }),
+    -SIGSEGV);
+}
+
+TEST_F(Endings, ByAnException)
+{
+  const auto throws = [] { throw std::runtime_error("for a test"); };
+  const auto isUncaught = [&]() noexcept { throws(); };
+  EXPECT_EQ(this->End(isUncaught), -SIGABRT);
+  EXPECT_EQ(this->End([&] { std::thread(throws).join(); }), -SIGABRT);
+  std::set_terminate(
+    []
+    {
+      Lasting->Handle();
+      _exit(43);
+    });
+  EXPECT_EQ(this->End(isUncaught), 43);
+  EXPECT_EQ(Lasting->Handled, 1);
+  EXPECT_EQ(Lasting->ForceWhenHandled, 0.0);
+}
+
+TEST_F(Endings, ByExiting)
+{
+  EXPECT_EQ(this->End([] { std::exit(3); }), 3);
+  EXPECT_EQ(this->End([] { std::quick_exit(4); }), 4);
+}
+
+TEST_F(Endings, OfAHandlerThatWasThereBefore)
+{
+  Handle(SIGSEGV, OnFatal);
+  Lasting->Address = &Lasting->Address;
+  EXPECT_EQ(this->End(WriteToNowhere), 42);
+  EXPECT_EQ(Lasting->Handled, 1);
+  EXPECT_EQ(Lasting->ForceWhenHandled, 0.0);
+  EXPECT_EQ(Lasting->Address, nullptr) << "it is told where";
+  Handle(SIGABRT, OnFatal);
+  EXPECT_EQ(this->End([] { std::abort(); }), 42);
+  EXPECT_EQ(Lasting->ForceWhenHandled, 0.0);
+  std::signal(SIGSEGV, SIG_DFL);
+  std::signal(SIGABRT, SIG_DFL);
+}
+
+TEST_F(Endings, OfACrashReporterBeforeAndAfter)
+{
+  for (const int signal : { SIGSEGV, SIGABRT })
+  {
+    EXPECT_EQ(this->End(
+                [&]
+                {
+                  AddReporter(signal);
+                  Raise(signal);
+                }),
+      -signal)
+      << "added to an armed device";
+    EXPECT_EQ(Lasting->Handled, 1);
+    this->Forget();
+    AddReporter(signal);
+    EXPECT_EQ(this->End([&] { Raise(signal); }), -signal);
+    EXPECT_EQ(Lasting->Handled, 1);
+    EXPECT_EQ(Lasting->ForceWhenHandled, 0.0);
+    std::signal(signal, SIG_DFL);
+    this->Forget();
+    EXPECT_EQ(this->End(
+                [&]
+                {
+                  AddReporter(signal);
+                  this->Device->Arm();
+                  Raise(signal);
+                }),
+      -signal)
+      << "armed again with it";
+    EXPECT_EQ(Lasting->Handled, 1);
+    EXPECT_EQ(Lasting->ForceWhenHandled, 0.0);
+    this->Forget();
+  }
+}
+
+TEST_F(Endings, AreNotSignalsThatTheApplicationHandles)
+{
+  EXPECT_EQ(InChild(
+              [this]
+              {
+                for (const int signal : { SIGUSR1, SIGALRM, SIGPIPE, SIGPROF })
+                {
+                  std::signal(signal, [](int) { Lasting->Handle(); });
+                }
+                std::signal(SIGUSR2, SIG_IGN);
+                this->Feel();
+                itimerval soon{};
+                soon.it_value.tv_usec = 1000;
+                setitimer(ITIMER_REAL, &soon, nullptr);
+                for (const int signal : { SIGUSR1, SIGPIPE, SIGPROF, SIGUSR2 })
+                {
+                  std::raise(signal);
+                }
+                const bool handled = Eventually([] { return Lasting->Handled == 4; });
+                this->Device->UpdateState();
+                return handled && Lasting->ForceWhenHandled > 0.0 && Lasting->GetForce() > 0.0 ? 0
+                                                                                               : 1;
+              }),
+    0);
+}
+
+TEST_F(Endings, OfAChildProcessAreItsOwn)
+{
+  EXPECT_EQ(InChild(
+              [this]
+              {
+                this->Feel();
+                const pid_t child = fork();
+                if (child == 0)
+                {
+                  WriteToNowhere();
+                }
+                return Wait(child) == -SIGSEGV && Lasting->GetForce() > 0.0 ? 0 : 1;
+              }),
+    0);
+  // One with a device of its own, forked by a process that had one.
+  EXPECT_EQ(InChild(
+              [this]
+              {
+                this->Feel();
+                this->Device->Close();
+                return this->End([] { WriteToNowhere(); }) == -SIGSEGV && !HasFailure() ? 0 : 1;
+              }),
+    0);
+}
+
+TEST_F(Endings, AreStopsToo)
+{
+  for (const int signal : { SIGTSTP, SIGTTIN, SIGTTOU })
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      setpgid(0, 0); // a process without a group that a shell looks after is not stopped
+      this->Feel();
+      std::raise(signal);
+      Eventually([] { return false; });
+      _exit(77);
+    }
+    int status = 0;
+    EXPECT_TRUE(Eventually([&] { return waitpid(child, &status, WNOHANG | WUNTRACED) == child; }));
+    EXPECT_TRUE(WIFSTOPPED(status)) << strsignal(signal);
+    EXPECT_TRUE(Lasting->HadForce);
+    EXPECT_EQ(Lasting->GetForce(), 0.0) << strsignal(signal);
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+  }
+}
