@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of HapticDeviceHolder that says where the device stands.
 #include "HapticDeviceHolder.h"
+#include "HapticFiles.h"
 
 #include "vtkHapticDevice.h"
 
@@ -95,7 +96,7 @@ std::string HapticDeviceHolder::Describe(const DeviceCondition& condition) const
 std::string HapticDeviceHolder::GetStatusText() const
 {
   const std::string trouble = this->Session ? this->Session->GetRecordingTrouble() : std::string();
-  return this->DescribeDevice() + (trouble.empty() ? "" : " " + trouble);
+  return Printable(this->DescribeDevice() + (trouble.empty() ? "" : " " + trouble));
 }
 
 std::string HapticDeviceHolder::DescribeDevice() const

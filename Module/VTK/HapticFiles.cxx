@@ -118,7 +118,8 @@ std::string ExplainWriteError(int number, const std::string& file)
   {
     case ENOENT:
     case ENOTDIR:
-      return "there is no folder " + folder + ". Create it, or choose another one.";
+      return "there is no folder " + folder +
+        ". Check that the folder exists, or choose another one.";
     case EACCES:
     case EPERM:
     case EROFS:

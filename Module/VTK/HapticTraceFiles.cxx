@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticTraceFiles.h"
 
+#include "HapticFiles.h"
 #include "HapticTipPath.h"
 
 #include "vtkCommand.h"
@@ -195,9 +196,10 @@ std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
     return std::string("has an unknown ending: a ") + (isPath ? "path" : "recording") +
       " is a .vtp or a .csv";
   }
-  if (!vtksys::SystemTools::FileExists(file, true))
+  std::string error;
+  if (!CheckRegular(file, error))
   {
-    return "does not exist";
+    return error;
   }
   if (vtksys::SystemTools::FileLength(file) == 0)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticDevice.h"
 
+#include "HapticFiles.h"
 #include "HapticMethods.h"
 #include "vtkHapticDeviceInternals.h"
 
@@ -38,7 +39,7 @@ bool vtkHapticDevice::Open(const char* id)
   this->Close();
   if (!holder.Open(id ? id : "", this->MakeOptions(), error))
   {
-    vtkErrorMacro(<< error);
+    vtkErrorMacro(<< Printable(error));
     return false;
   }
   this->TakeLimits();

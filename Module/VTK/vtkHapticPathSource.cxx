@@ -3,6 +3,7 @@
 #include "vtkHapticPathSource.h"
 
 #include "HapticCurve.h"
+#include "HapticFiles.h"
 #include "HapticTraceFiles.h"
 
 #include "vtkCellArray.h"
@@ -245,7 +246,7 @@ int vtkHapticPathSource::RequestData(
   }
   if (!error.empty())
   {
-    vtkErrorMacro(<< error);
+    vtkErrorMacro(<< VolumeHaptics::Printable(error));
     return 0;
   }
   return 1;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticProperty.h"
 
+#include "HapticFiles.h"
 #include "HapticPresets.h"
 
 #include "vtkObjectFactory.h"
@@ -47,7 +48,8 @@ bool vtkHapticProperty::ApplyPreset(const char* name)
 {
   if (!VolumeHaptics::FillFromPreset(name, this))
   {
-    vtkErrorMacro(<< "There is no preset \"" << (name ? name : "(null)")
+    vtkErrorMacro(<< "There is no preset \""
+                  << (name ? VolumeHaptics::Printable(name) : std::string("(null)"))
                   << "\". Use one of: " << VolumeHaptics::ListPresets() << ".");
     return false;
   }

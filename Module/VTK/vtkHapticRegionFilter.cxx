@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionFilter.h"
 
+#include "HapticFiles.h"
 #include "HapticNoise.h"
 
 #include "vtkDataArray.h"
@@ -253,7 +254,7 @@ int vtkHapticRegionFilter::RequestData(
       " bytes. SetRegion() to a smaller one.";
     output->Initialize();
   }
-  vtkErrorMacro(<< error);
+  vtkErrorMacro(<< VolumeHaptics::Printable(error));
   return 0;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticSetup.h"
 
+#include "HapticFiles.h"
 #include "HapticSetupSettings.h"
 
 #include "vtkCamera.h"
@@ -9,13 +10,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeProperty.h"
-#include "vtksys/FStream.hxx"
-#include "vtksys/SystemTools.hxx"
 
 #include <exception>
 #include <locale>
 #include <memory>
-#include <sstream>
+#include <string>
 
 vtkStandardNewMacro(vtkHapticSetup);
 
@@ -25,6 +24,7 @@ namespace
 using namespace VolumeHaptics;
 
 constexpr const char* Format = "VTK Volume Haptics setup";
+constexpr std::size_t LargestFile = 16 << 20; // bytes; a setup has thousands
 constexpr int Version = 1; // of what Save writes; Load reads this and what was before
 
 /** One pass over everything that a setup has. */
@@ -169,21 +169,24 @@ bool vtkHapticSetup::Save(const char* file)
   PassSetup(this, reading, root);
   if (!reading.Error.empty())
   {
-    vtkErrorMacro("The setup is not saved to " << file << ": " << reading.Error
-                                               << " Correct this setting first.");
+    vtkErrorMacro("The setup is not saved to "
+      << Printable(file) << ": " << Printable(reading.Error) << " Correct this setting first.");
     return false;
   }
   Json::StreamWriterBuilder builder;
   builder["indentation"] = " ";
   builder["commentStyle"] = "None"; // short lists on one line
   builder["precision"] = 17;        // every double comes back as it was
-  vtksys::ofstream stream(file);
-  stream << Json::writeString(builder, root) << '\n';
-  stream.close();
-  if (!stream.good())
+  std::string error;
+  FileReplacement written;
+  const bool isOpen = written.Open(file, error);
+  if (isOpen)
   {
-    vtkErrorMacro("The setup can't be written to "
-      << file << ": check that its folder exists, is yours, and has room.");
+    written.Write(Json::writeString(builder, root) + "\n");
+  }
+  if (!isOpen || !written.Commit(error))
+  {
+    vtkErrorMacro("The setup can't be written to " << Printable(file) << ": " << error);
     return false;
   }
   return true;
@@ -197,27 +200,28 @@ bool vtkHapticSetup::Load(const char* file)
     vtkErrorMacro("There is no file to load a setup from. Give Load the name of one.");
     return false;
   }
-  vtksys::ifstream stream(file, std::ios::in | std::ios::binary);
-  std::ostringstream text;
-  if (vtksys::SystemTools::FileIsDirectory(file) || !stream || !(text << stream.rdbuf()))
+  const std::string name = Printable(file);
+  std::string text;
+  std::string error;
+  if (!ReadSmallFile(file, LargestFile, text, error))
   {
-    vtkErrorMacro("The setup " << file << " can't be read: check that this file exists, is not "
-                               << "empty, and may be read by you.");
+    vtkErrorMacro("The setup "
+      << name << " can't be read: it " << error
+      << ". Choose a file that exists, was saved by vtkHapticSetup and may be read by you.");
     return false;
   }
   Json::Value root;
-  std::string error;
-  if (!Parse(text.str(), root, error))
+  if (!Parse(text, root, error))
   {
-    vtkErrorMacro("The setup " << file << " can't be loaded: " << error);
+    vtkErrorMacro("The setup " << name << " can't be loaded: " << Printable(error));
     return false;
   }
   SetupPass pass;
   PassSetup(this, pass, root);
   if (!pass.Error.empty())
   {
-    vtkErrorMacro("The setup " << file << " can't be loaded: " << pass.Error << " Correct it, or "
-                               << "remove this key to leave the setting as it is.");
+    vtkErrorMacro("The setup " << name << " can't be loaded: " << Printable(pass.Error)
+                               << " Correct it, or remove this key to leave the setting as it is.");
     return false;
   }
   for (const auto& change : pass.Changes)

@@ -88,13 +88,14 @@ public:
   ///@}
 
   /**
-   * Write the file, over one that is there. False, with an error and no file, where the folder is
-   * missing or a setting could not be loaded again, such as NaN.
+   * Write the file. One that is there is replaced when all of the new one is on the disk, and stays as it is where
+   * that fails. False, with an error, where the folder is missing, may not be written or has no room, or a setting
+   * could not be loaded again, such as NaN.
    */
   bool Save(const char* file);
 
   /**
-   * Read the file. False, with an error and no change, where it can't be used.
+   * Read the file, of at most 16 MiB. False, with an error and no change, where it can't be used.
    */
   bool Load(const char* file);
 

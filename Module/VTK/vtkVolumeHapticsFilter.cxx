@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
+#include "HapticFiles.h"
 #include "HapticHash.h"
 #include "HapticModelBuilder.h"
 #include "HapticNoise.h"
@@ -249,7 +250,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   }
   if (!error.empty())
   {
-    vtkErrorMacro(<< error);
+    vtkErrorMacro(<< VolumeHaptics::Printable(error));
     return nullptr;
   }
   this->LastBaked = model;
@@ -343,7 +344,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   if (!model || !readable)
   {
     error = model ? error : imageError;
-    vtkErrorMacro(<< error);
+    vtkErrorMacro(<< Printable(error));
     return 0;
   }
 

@@ -8,7 +8,14 @@ import numpy as np
 import pytest
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction, vtkPolyData
-from volumehaptics import image, vtkHapticProperty, vtkVolumeHapticsFilter
+from volumehaptics import (
+    image,
+    vtkHapticDevice,
+    vtkHapticPathSource,
+    vtkHapticProperty,
+    vtkHapticSetup,
+    vtkVolumeHapticsFilter,
+)
 
 
 class Log(list):
@@ -104,3 +111,29 @@ def test_unknown_preset():
 def test_image_is_laid_out_in_three_dimensions(settings):
     with pytest.raises(ValueError, match=f"{next(iter(settings))} is three numbers"):
         image(np.zeros((4, 4, 4)), **settings)
+
+
+def test_names_that_are_not_utf8(tmp_path):
+    # Python has no text for what is not UTF-8: messages of such files came without their text.
+    folder = bytes(tmp_path)
+    device, setup, source = vtkHapticDevice(), vtkHapticSetup(), vtkHapticPathSource()
+    haptics = vtkVolumeHapticsFilter()
+    haptics.SetInputData(make_image())
+    haptics.SetInputArrayToProcess(0, 0, 0, 0, b"\xe4\xff")
+    source.SetShapeToFromFile()
+    source.SetFileName(folder + b"/\xe4\xff.vtp")
+    quiet = Log(haptics.GetExecutive()), Log(source.GetExecutive())
+    for speaker, call in (
+        (device, lambda: device.Open(b"replay:" + folder + b"/\xe4\xff.vtp")),
+        (device, lambda: device.Open(b"\xe4\xff")),
+        (device, lambda: device.RecoverRecording(folder + b"/\xe4\xff.part", "a.vtp")),
+        (setup, lambda: setup.Load(folder + b"/\xe4\xff.json")),
+        (setup, lambda: setup.Save(folder + b"/missing/\xe4\xff.json")),
+        (haptics, haptics.Update),
+        (haptics.GetProperty(), lambda: haptics.GetProperty().ApplyPreset(b"\xe4\xff")),
+        (source, source.Update),
+    ):
+        log = Log(speaker)
+        assert not call()
+        assert len(log) == 1 and r"\xE4\xFF" in log[0], log
+    assert quiet

@@ -4,16 +4,12 @@
 /**
  * Disks that are full, folders that may not be written and programs that die while they record: every one is told at
  * once, and what was written can be read.
- *
- * A disk is full here where a file would become longer than RLIMIT_FSIZE: write(2) then gives EFBIG, as it gives
- * ENOSPC on a full disk.
  */
 
+#include "FullDisk.h"
 #include "RecordingRig.h"
 
-#include <csignal>
 #include <fstream>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,30 +19,6 @@ using namespace devicetest;
 
 namespace
 {
-
-/// As long as this lives, no file of this process becomes longer than that.
-class FullDisk
-{
-public:
-  explicit FullDisk(rlim_t bytes)
-  {
-    this->Before = std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &this->Limit);
-    const rlimit limit{ bytes, this->Limit.rlim_max };
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk()
-  {
-    setrlimit(RLIMIT_FSIZE, &this->Limit);
-    std::signal(SIGXFSZ, this->Before);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
-private:
-  rlimit Limit;
-  void (*Before)(int);
-};
 
 /// As long as this lives, permissions count for this process even if it is root's.
 class NobodysRights
@@ -190,7 +162,7 @@ TEST_F(RecordingFailure, OfTheDiskIsToldAtOnceAndKeepsWhatThereIs)
 {
   const std::string file = this->In("full.vtp");
   std::ofstream(file) << "good";
-  this->FillTheDisk(file, 100000);
+  this->FillTheDisk(file, 70000);
   EXPECT_EQ(Load(file), "good") << "a file that is there is replaced by a whole one only";
   const std::string elsewhere = this->In("elsewhere.vtp");
   EXPECT_FALSE(
@@ -204,7 +176,7 @@ TEST_F(RecordingFailure, OfTheDiskIsToldAtOnceAndKeepsWhatThereIs)
 TEST_F(RecordingFailure, OfATableKeepsWhatThereIs)
 {
   const std::string file = this->In("full.csv");
-  this->FillTheDisk(file, 100000);
+  this->FillTheDisk(file, 70000);
   EXPECT_FALSE(Exists(file));
   EXPECT_FALSE(Exists(file + ".json"));
   ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), file.c_str()));

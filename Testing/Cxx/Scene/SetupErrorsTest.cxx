@@ -5,9 +5,12 @@
  * A setup that can't be used: one error that names file, key and cure, and nothing changes.
  */
 
+#include "../Device/FullDisk.h"
 #include "SetupErrorsRig.h"
 
 #include <limits>
+#include <sys/stat.h>
+#include <unistd.h>
 
 using namespace setuptest;
 
@@ -60,6 +63,39 @@ TEST_F(SetupErrors, FilesThatAreNoSetup)
   this->ExpectError({ "no file" });
 }
 
+TEST_F(SetupErrors, FilesThatHaveNoEnd)
+{
+  const auto refuse = [this](const std::string& file, const char* words)
+  {
+    EXPECT_FALSE(this->Target.Setup->Load(file.c_str())) << file;
+    this->ExpectError({ file, words });
+  };
+  refuse("/dev/zero", "is a device");
+  const std::string pipe = File("Pipe.json");
+  unlink(pipe.c_str());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  refuse(pipe, "is a pipe");
+  EXPECT_FALSE(this->Target.Setup->Save(pipe.c_str()));
+  this->ExpectError({ pipe, "is a pipe" });
+  unlink(pipe.c_str());
+  // Without a byte of it on the disk.
+  const std::string large = File("Large.json");
+  std::ofstream(large) << this->Good;
+  ASSERT_EQ(truncate(large.c_str(), off_t{ 1 } << 31), 0);
+  refuse(large, "larger than 16 MiB");
+  unlink(large.c_str());
+}
+
+TEST_F(SetupErrors, NamesAndTextsThatAreNotUtf8)
+{
+  // Python drops a message that is not UTF-8.
+  EXPECT_FALSE(this->Target.Setup->Load("/no/such/\xE4.json"));
+  this->ExpectError({ "/no/such/\\xE4.json" });
+  EXPECT_FALSE(this->Target.Setup->Save("/no/such/\xE4.json"));
+  this->ExpectError({ "/no/such/\\xE4.json" });
+  this->Refuse(this->Haptics("\"Method\":\"\xE4\xFF\""), { "Haptics.Method" });
+}
+
 TEST_F(SetupErrors, KeysThatAreNotKnownAreIgnored)
 {
   const std::string file = File("Unknown.json");
@@ -75,6 +111,26 @@ TEST_F(SetupErrors, Saving)
   this->ExpectError({ "/no/such/folder/setup.json", "folder exists" });
   EXPECT_FALSE(this->Target.Setup->Save(""));
   this->ExpectError({ "no file" });
+  // Nor does a full disk take the good file away.
+  const std::string good = File("Good.json");
+  chmod(good.c_str(), 0640);
+  {
+    const devicetest::FullDisk full(100);
+    EXPECT_FALSE(this->Target.Setup->Save(good.c_str()));
+  }
+  this->ExpectError({ good, "Make room" });
+  EXPECT_EQ(Read(good), this->Good);
+  // A link stays one, and permissions stay.
+  const std::string link = File("Link.json");
+  unlink(link.c_str());
+  ASSERT_EQ(symlink(good.c_str(), link.c_str()), 0);
+  EXPECT_TRUE(this->Target.Setup->Save(link.c_str()));
+  struct stat status;
+  ASSERT_EQ(lstat(link.c_str(), &status), 0);
+  EXPECT_TRUE(S_ISLNK(status.st_mode));
+  ASSERT_EQ(stat(good.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640U);
+  unlink(link.c_str());
   // A setting that could not be loaded again leaves the good file alone.
   this->Target.Filter->SetForceFieldGain(std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(this->Target.Setup->Save(File("Good.json").c_str()));

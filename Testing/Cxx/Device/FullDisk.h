@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A disk that is full, for everybody's tests: where a file would become longer than RLIMIT_FSIZE, write(2) gives
+ * EFBIG, as it gives ENOSPC on a full disk (setrlimit(2), SIGXFSZ in signal(7)).
+ */
+#ifndef FullDisk_h
+#define FullDisk_h
+
+#include <csignal>
+#include <sys/resource.h>
+
+namespace devicetest
+{
+
+/// As long as this lives, no file of this process becomes longer than that.
+class FullDisk
+{
+public:
+  explicit FullDisk(rlim_t bytes)
+  {
+    this->Before = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &this->Limit);
+    const rlimit limit{ bytes, this->Limit.rlim_max };
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk()
+  {
+    setrlimit(RLIMIT_FSIZE, &this->Limit);
+    std::signal(SIGXFSZ, this->Before);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+  rlimit Limit;
+  void (*Before)(int);
+};
+
+} // namespace devicetest
+
+#endif
