@@ -107,6 +107,12 @@ FalconPacket FalconEncode(const FalconOrder& order) noexcept
   return Encode(order.Motors, order.Lights & LowNibble);
 }
 
+FalconPacket FalconRunPacket(FalconOrder order) noexcept
+{
+  order.Lights |= FalconHome;
+  return FalconEncode(order);
+}
+
 FalconPacket FalconEncode(const FalconReport& report) noexcept
 {
   const int homed = (report.Homed & FalconAllHomed) << HomedShift;

@@ -27,7 +27,8 @@ using FalconPacket = std::array<std::uint8_t, FalconPacketSize>;
 
 ///@{
 /** The bits of what is sent. Sources disagree on the colours, and no device was at hand to settle it. */
-constexpr std::uint8_t FalconHome = 0x01; ///< find the encoders' zero
+constexpr std::uint8_t FalconHome =
+  0x01; ///< find the encoders' zero, and keep it: see FalconRunPacket
 constexpr std::uint8_t FalconGreen = 0x02;
 constexpr std::uint8_t FalconBlue = 0x04;
 constexpr std::uint8_t FalconRed = 0x08;
@@ -81,6 +82,13 @@ FalconFlaw FalconCheck(std::size_t place, std::uint8_t byte) noexcept;
 FalconPacket FalconEncode(const FalconOrder& order) noexcept;
 FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
+
+/**
+ * An order as it goes to a running device: always with FalconHome. A device that does not get it in every packet is not
+ * homed any more, and the bits of homed encoders in its reports mean nothing (libnifalcon,
+ * FalconFirmwareNovintSDK.h).
+ */
+FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 
 ///@{
 /** The first flaw; the result stays as it was where there is one. */

@@ -8,7 +8,8 @@
  *
  *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
  *                      FirmwareFile after it was plugged in, and is homed by hand.
- *   wooden[:N]         WoodenHaptics and Polhem, through hidapi. 3 in and out, 5 N. Calibrated by hand.
+ *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand whenever it is opened. A
+ *                      Polhem is refused, as it has another geometry.
  *   pid[:VVVV:PPPP]    force-feedback sticks and wheels (HID usage page 0x0F), through hidapi, by USB vendor and
  *                      product. 1 or 2 in and out; NewtonsPerFullScale says what their forces are.
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no force.

@@ -94,12 +94,10 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in,
   std::ostream& errors)
 {
   const bool isWooden = options.Id.compare(0, 6, "wooden") == 0;
-  // A WoodenHaptics is first asked whether it knows its zero: where it does, homing asks for the rest pose anew.
-  bool mustHome = options.What == Command::Home;
-  if (mustHome && !isWooden)
+  // A WoodenHaptics asks for its rest pose by itself, whenever it is opened.
+  if (options.What == Command::Home && !isWooden)
   {
     device->Home();
-    mustHome = false;
   }
   LiveLine line(out);
   for (;;)
@@ -108,12 +106,7 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in,
     const std::string text = device->GetStatusText();
     const bool asksForHome =
       status == vtkHapticDevice::HOMING && text.find("press Home()") != std::string::npos;
-    if (mustHome && status == vtkHapticDevice::READY)
-    {
-      device->Home();
-      mustHome = false;
-    }
-    else if (asksForHome)
+    if (asksForHome)
     {
       line.End();
       out << text << "\n";
@@ -123,7 +116,6 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in,
         return false;
       }
       device->Home();
-      mustHome = false;
     }
     else if (status == vtkHapticDevice::HOMING || status == vtkHapticDevice::FIRMWARE)
     {

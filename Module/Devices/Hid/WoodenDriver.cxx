@@ -28,6 +28,7 @@ constexpr double LateRound = 0.03;
 constexpr const char* AskForRest =
   "has to be told where its arm is: put the arm into its rest pose, hold it still, and press "
   "Home().";
+constexpr const char* AskAgain = ", then press Home() and put the arm into its rest pose.";
 
 ///@{
 /** Between the arm's axes (towards the hand, right, up) and the device's (right, up, towards the hand). */
@@ -41,6 +42,16 @@ Vector3 ToArm(const Vector3& device)
   return { device.Z, device.X, device.Y };
 }
 ///@}
+
+/** Whether it has the controller's numbers, and this word in its name, whatever its case. */
+bool IsNamed(const HidPlace& place, const char* word)
+{
+  std::string product = place.Product;
+  std::transform(product.begin(), product.end(), product.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return place.Vendor == TeensyVendor && place.ProductId == TeensyProduct &&
+    place.UsagePage != LogPage && product.find(word) != std::string::npos;
+}
 
 double Since(std::int64_t time)
 {
@@ -57,28 +68,33 @@ WoodenDriver::WoodenDriver(int number)
 
 bool WoodenDriver::IsWooden(const HidPlace& place)
 {
-  std::string product = place.Product;
-  std::transform(product.begin(), product.end(), product.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return place.Vendor == TeensyVendor && place.ProductId == TeensyProduct &&
-    place.UsagePage != LogPage &&
-    (product.find("woodenhaptics") != std::string::npos ||
-      product.find("polhem") != std::string::npos);
+  return IsNamed(place, "woodenhaptics") && !IsNamed(place, "polhem");
+}
+
+bool WoodenDriver::IsPolhem(const HidPlace& place)
+{
+  return IsNamed(place, "polhem");
 }
 
 std::vector<HidPlace> WoodenDriver::Choose(std::string& error) const
 {
   std::vector<HidPlace> places = FindHidDevices();
+  const auto polhem = std::find_if(places.begin(), places.end(), &WoodenDriver::IsPolhem);
+  const std::string other = polhem != places.end() ? polhem->GetLabel() : "";
   places.erase(std::remove_if(places.begin(), places.end(),
                  [](const HidPlace& place) { return !WoodenDriver::IsWooden(place); }),
     places.end());
   if (static_cast<std::size_t>(this->Number) >= places.size())
   {
-    error = places.empty()
-      ? "No WoodenHaptics or Polhem is plugged in. Plug it in and switch it on; its product name "
-        "has to say what it is, as other devices share its numbers 16c0:0486."
-      : "There is no WoodenHaptics or Polhem with this number. Count from 0, as EnumerateDevices() "
-        "does.";
+    error = !places.empty()
+      ? "There is no WoodenHaptics with this number. Count from 0, as EnumerateDevices() does."
+      : !other.empty()
+      ? other +
+        " can't be used: its linkage, encoders and rest pose are not those of a WoodenHaptics, so "
+        "that places and "
+        "forces would be wrong. Plug in a WoodenHaptics instead."
+      : "No WoodenHaptics is plugged in. Plug it in and switch it on; its product name has to say "
+        "what it is, as other devices share its numbers 16c0:0486.";
     return {};
   }
   return { places[static_cast<std::size_t>(this->Number)] };
@@ -101,7 +117,7 @@ bool WoodenDriver::Prepare(const HidPlace& place, std::string& error)
   {
     error = place.GetLabel() +
       " does not exchange packets of 14 bytes, as its report descriptor says. It needs the "
-      "firmware of WoodenHaptics or Polhem.";
+      "firmware of WoodenHaptics.";
     return false;
   }
   return true;
@@ -117,8 +133,6 @@ void WoodenDriver::Begin(HardwareExchange& exchange, bool isAnew)
     this->Send(exchange, this->Device.EncodeCalibration());
     return;
   }
-  // Who asks for the zero of a device that has one does not trust it.
-  this->MustCalibrate = this->MustCalibrate || (!isAnew && this->Now == Phase::Ready);
   this->Now = Phase::Asking;
   this->HasTip = false;
   this->Drain();
@@ -191,45 +205,44 @@ void WoodenDriver::FollowHand(HardwareExchange& exchange)
   if (this->Now == Phase::Ready && this->Input.WantsCalibration)
   {
     this->Lose(exchange,
-      "lost the zero of its encoders. Look after its power and cables, then press Home() and put "
-      "the arm into its rest pose.");
+      (std::string("wants to be calibrated: its calibration button was pressed. Let the arm rest") +
+        AskAgain)
+        .c_str());
   }
   else if (this->Now == Phase::Ready && jumps)
   {
-    this->MustCalibrate = true;
     this->Lose(exchange,
-      "reads a jump of its arm that no hand makes. Look after its encoders and their cables, then "
-      "press Home() and put the arm into its rest pose.");
+      (std::string("reads a jump of its arm that no hand makes, or has lost the zero of its "
+                   "encoders. Look after its "
+                   "power, its encoders and their cables") +
+        AskAgain)
+        .c_str());
   }
 }
 
 void WoodenDriver::FollowPhase(HardwareExchange& exchange)
 {
-  const bool wants = this->Input.WantsCalibration;
-  if (this->Now == Phase::Asking && (wants || this->MustCalibrate))
+  const bool isSet =
+    this->Now == Phase::Presetting && !this->Input.WantsCalibration && this->IsAtRest();
+  if (this->Now == Phase::Asking)
   {
     this->Now = Phase::Waiting;
     this->Tell(exchange, DeviceStage::Homing, AskForRest);
   }
-  else if (this->Now == Phase::Presetting && !wants && this->IsAtRest())
-  {
-    this->MustCalibrate = false;
-    this->Now = Phase::Asking;
-  }
-  else if (this->Now == Phase::Presetting && Since(this->PresetBegin) > PresetTime)
+  else if (this->Now == Phase::Presetting && !isSet && Since(this->PresetBegin) > PresetTime)
   {
     this->Now = Phase::Waiting;
     this->Tell(exchange, DeviceStage::Homing,
       "did not take in where its arm is: hold the arm still in its rest pose, and press Home() "
       "again.");
   }
-  if (this->Now == Phase::Asking || this->Now == Phase::Ready)
+  if (isSet || this->Now == Phase::Ready)
   {
     DeviceSample sample;
     sample.Tip = ToDevice(this->Tip);
     exchange.Tell(sample);
   }
-  if (this->Now == Phase::Asking)
+  if (isSet)
   {
     this->Now = Phase::Ready;
     this->Tell(exchange, DeviceStage::Ready, "");

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * WoodenHaptics and Polhem through hidapi.
+ * WoodenHaptics with the firmware of 14-byte reports, through hidapi.
  *
  * The device sends its encoders at its own rate and gets its currents after each packet, or every 2 ms
  * without one; its firmware takes currents back that nobody renews for half a second. It knows where the
- * arm is once it was told so in the rest pose: that is what homing is for.
+ * arm is once it was told so in the rest pose: that is what homing is for. It never says whether it was: when power
+ * comes all its counts are 0, and what it reports beside them is its calibration button. So it is calibrated
+ * anew whenever it is opened, and after every fault.
+ *
+ * A Polhem has the same firmware with another linkage; it is refused.
  *
  * The device's space is that of all devices: x to the right, y up, z towards the hand, which are y, z and x of
  * WoodenHaptics.h with the arm reaching towards whoever holds it. Not verified on a device.
@@ -33,12 +37,14 @@ public:
   explicit WoodenDriver(int number);
 
   static bool IsWooden(const HidPlace& place);
+  /** The sister with another geometry, which this driver does not have. */
+  static bool IsPolhem(const HidPlace& place);
   DeviceLimits GetLimits() const override { return { 5.0, 1000.0, 0.0, 2.5, 0.0, 0.10 }; }
 
 private:
   enum class Phase : std::uint8_t
   {
-    Asking,     ///< for the first packet: the device says whether it knows its zero
+    Asking,     ///< for the first packet
     Waiting,    ///< for the hand to put the arm into its rest pose and to ask for homing
     Presetting, ///< until the encoders read as they have to
     Ready
@@ -62,8 +68,7 @@ private:
   std::size_t OutputSize = WoodenHaptics::PacketSize;
 
   Phase Now = Phase::Asking;
-  bool MustCalibrate = false; ///< whatever the device says: its zero is not to be trusted
-  bool HasTip = false;        ///< of the packet before
+  bool HasTip = false; ///< of the packet before
   Vector3 Tip;
   WoodenHaptics::Input Input;
   std::int64_t LastRound = 0;

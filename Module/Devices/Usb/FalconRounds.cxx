@@ -92,7 +92,7 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   {
     this->PostReceivers();
   }
-  const FalconPacket packet = FalconEncode(order);
+  const FalconPacket packet = FalconRunPacket(order);
   std::copy(packet.begin(), packet.end(), this->Flight->Out.GetBytes());
   this->Woken = false;
   this->SentAt = this->LimitFrom = ServoClock::Now();

@@ -118,7 +118,7 @@ bool FalconSerial::Runs(int packets) noexcept
       return false;
     }
   }
-  const FalconPacket zero = FalconEncode(FalconOrder{});
+  const FalconPacket zero = FalconRunPacket({});
   FalconStream stream;
   for (int i = 0; i < packets; ++i)
   {

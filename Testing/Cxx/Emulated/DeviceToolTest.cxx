@@ -24,7 +24,7 @@ protected:
   void MoveHand()
   {
     const int lights = this->Falcon.GetLights();
-    const bool homes = (lights & 1) != 0;
+    const bool homes = (lights & 8) != 0; // red: it wants to be moved through its range
     this->IsHomed = this->IsHomed || (this->WasHoming && !homes);
     this->WasHoming = this->WasHoming || homes;
     const double t = 0.001 * this->Steps++;

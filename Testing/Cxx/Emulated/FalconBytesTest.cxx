@@ -13,7 +13,8 @@ namespace
 {
 using Lines = std::vector<std::string>;
 
-const std::string Zero = "o 3c 41 41 41 41 41 41 41 41 41 41 41 41 41 41 3e";
+// No force, and the homing bit, which every packet has: 0x41 + 0x01.
+const std::string Zero = "o 3c 41 41 41 41 41 41 41 41 41 41 41 41 42 41 3e";
 // Homing and red: 0x41 + 0x01 + 0x08.
 const std::string Homing = "o 3c 41 41 41 41 41 41 41 41 41 41 41 41 4a 41 3e";
 
@@ -85,10 +86,18 @@ TEST_F(FalconBytes, Commands)
   this->Falcon.TakeTranscript();
   ASSERT_TRUE(this->Feels({ 0.0, 0.0, 1.0 }));
   ASSERT_TRUE(this->Push({}, [&] { return this->Falcon.GetCommands() == Numbers{}; }));
-  // 1 N is an eighth of -2019 near the middle: 0xFF04 to 0xFF03, low nibble first. Blue: 0x41 + 0x04.
+  // 1 N is an eighth of -2019 near the middle: 0xFF04 to 0xFF03, low nibble first. Blue: 0x41 + 0x04 + 0x01.
   const Lines all = this->Falcon.TakeTranscript();
   EXPECT_TRUE(std::any_of(all.begin(), all.end(),
     [](const std::string& line) {
-      return line.size() == 49 && line.substr(10, 6) == " 50 50" && line.substr(40, 3) == " 45";
+      return line.size() == 49 && line.substr(10, 6) == " 50 50" && line.substr(40, 3) == " 46";
     }));
+  // The homing bit, without which the device is not homed any more, is in all of them.
+  for (const std::string& line : all)
+  {
+    if (line.size() == 49)
+    {
+      EXPECT_EQ((std::stoi(line.substr(41, 2), nullptr, 16) - 0x41) & 0x01, 1) << line;
+    }
+  }
 }

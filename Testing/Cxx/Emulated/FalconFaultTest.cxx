@@ -62,7 +62,7 @@ TEST_P(FalconBreaks, AndGetsZero)
   this->ExpectLost(this->GetParam().Why);
   EXPECT_TRUE(Has(this->GetText(), "Home()")) << this->GetText();
   EXPECT_TRUE(this->StaysAtZero(20));
-  EXPECT_EQ(this->Falcon.GetLights(), 0x08) << "red";
+  EXPECT_EQ(this->Falcon.GetLights(), 0x09) << "red";
 
   this->Falcon.Break(FalconFault::None);
   EXPECT_TRUE(this->StaysAtZero(50)) << "it does not resume by itself";

@@ -227,9 +227,15 @@ void FalconModel::TakePacket()
   this->Send(report);
 }
 
-/** A leg finds its zero once it has been at both ends. */
+/** A leg finds its zero once it has been at both ends, and keeps it as long as every packet asks for it. */
 void FalconModel::FindZero(const Numbers& counts, bool asked)
 {
+  if (!asked)
+  {
+    this->Homed = 0;
+    this->SeenOut = {};
+    this->SeenIn = {};
+  }
   for (std::size_t leg = 0; asked && leg < 3; ++leg)
   {
     this->SeenOut[leg] = this->SeenOut[leg] || counts[leg] > 850.0;

@@ -4,6 +4,11 @@
 /**
  * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip that the hand holds. Written
  * from the published facts alone; every run packet is a millisecond of its time.
+ *
+ * Homing: libnifalcon/libnifalcon, include/falcon/firmware/FalconFirmwareNovintSDK.h (commit 0cf9f06), gives the three
+ * bits of homed encoders as "(If homing mode on)", and its tools send the bit of the homing mode (0x01 in
+ * boneyard/c_driver/nifalcon_test_fw.h) with every packet. So a packet without it ends the mode: nothing is homed until
+ * the mode is on again and the grip has been at both ends anew.
  */
 #ifndef FalconModel_h
 #define FalconModel_h

@@ -31,21 +31,21 @@ protected:
 TEST_F(FalconPanel, LightsShowTheConditionOrWhatIsWanted)
 {
   ASSERT_TRUE(this->Open()) << this->Error;
-  EXPECT_TRUE(this->Lights(0x09)) << "homing, red";
+  EXPECT_TRUE(this->Lights(0x09)) << "homing, which every packet asks for, and red";
   this->LeadTo({ 0.0, 0.0, 0.1735 });
   this->LeadTo({ 0.0, 0.0, 0.08 });
-  EXPECT_TRUE(this->Lights(0x04)) << "blue: pull it out";
+  EXPECT_TRUE(this->Lights(0x05)) << "blue: pull it out";
   this->LeadTo(Rest);
-  EXPECT_TRUE(this->Lights(0x02)) << "green: ready";
-  EXPECT_TRUE(this->Push({ 0.0, 0.0, 1.0 }, [&] { return this->Falcon.GetLights() == 0x04; }));
-  EXPECT_TRUE(this->Push({}, [&] { return this->Falcon.GetLights() == 0x02; }));
+  EXPECT_TRUE(this->Lights(0x03)) << "green: ready";
+  EXPECT_TRUE(this->Push({ 0.0, 0.0, 1.0 }, [&] { return this->Falcon.GetLights() == 0x05; }));
+  EXPECT_TRUE(this->Push({}, [&] { return this->Falcon.GetLights() == 0x03; }));
   for (const int lights : { 0, 1, 2, 4, 7 })
   {
     this->Device->SetLights(lights);
-    EXPECT_TRUE(this->Lights(2 * lights)) << lights;
+    EXPECT_TRUE(this->Lights(2 * lights + 1)) << lights;
   }
   this->Device->SetLights(-1);
-  EXPECT_TRUE(this->Lights(0x02));
+  EXPECT_TRUE(this->Lights(0x03));
 }
 
 TEST_F(FalconPanel, ButtonsAreInTheirOrder)

@@ -17,11 +17,28 @@ TEST(HidClaim, OnlyTheProductsNameTellsAWoodenHaptics)
   WoodenModel other("Teensyduino RawHID");
   const EmulatedHid otherHid(other);
   EXPECT_TRUE(ListDevices().empty());
-  EXPECT_TRUE(Has(ErrorOf("wooden"), "No WoodenHaptics or Polhem is plugged in. Plug it in"));
+  EXPECT_TRUE(Has(ErrorOf("wooden"), "No WoodenHaptics is plugged in. Plug it in"));
   WoodenModel named("woodenhaptics v2015");
   const EmulatedHid hid(named);
   ASSERT_EQ(ListDevices().size(), 1U);
   EXPECT_TRUE(Has(ListDevices()[0].Name, "woodenhaptics v2015"));
+}
+
+TEST(HidClaim, APolhemIsRefusedAsItHasAnotherGeometry)
+{
+  WoodenModel polhem("Polhem USB HID");
+  const EmulatedHid hid(polhem);
+  EXPECT_TRUE(ListDevices().empty());
+  const std::string error = ErrorOf("wooden");
+  EXPECT_TRUE(Has(error, ("Polhem USB HID (" + hid.GetNode() + ") can't be used").c_str()))
+    << error;
+  EXPECT_TRUE(Has(error, "linkage")) << error;
+  EXPECT_TRUE(Has(error, "Plug in a WoodenHaptics instead")) << error;
+  EXPECT_EQ(polhem.GetPackets(), 0);
+  WoodenModel wooden;
+  const EmulatedHid second(wooden);
+  HidBench bench;
+  EXPECT_TRUE(bench.Open("wooden")) << bench.Error;
 }
 
 TEST(HidClaim, ADeviceIsHeldByOneAlone)
@@ -68,8 +85,7 @@ TEST(HidClaim, IdsThatOpenNothing)
   EXPECT_TRUE(Has(ErrorOf("pid", options), "NewtonsPerFullScale has to be finite"));
   WoodenModel model;
   const EmulatedHid hid(model);
-  EXPECT_TRUE(
-    Has(ErrorOf("wooden:1"), "no WoodenHaptics or Polhem with this number. Count from 0"));
+  EXPECT_TRUE(Has(ErrorOf("wooden:1"), "no WoodenHaptics with this number. Count from 0"));
   EXPECT_TRUE(
     Has(ErrorOf("pid:16c0:0486"), "can't be used: No force feedback with this HID device"));
 }

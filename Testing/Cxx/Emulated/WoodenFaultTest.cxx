@@ -25,7 +25,14 @@ protected:
   {
     return Eventually([&] { return Size(this->Model.GetForce()) == 0.0; });
   }
-  /// From where the hand is, in the floor.
+  /// The hand puts the arm into its rest pose: upper arm upright, forearm level.
+  bool GoToRest()
+  {
+    const Triple rest{ 0.245 - 0.22, 0.0, 0.205 };
+    this->Model.SetGoal(rest);
+    return Eventually([&] { return IsNear(this->Model.GetTip(), rest, 1e-4); });
+  }
+  /// From where the hand is.
   void FeelAgain()
   {
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -52,8 +59,12 @@ TEST_F(WoodenFaults, SilenceAndBackByHoming)
   EXPECT_TRUE(this->IsQuiet());
   this->Model.Fault = WoodenFault::None;
   this->Bench.Device->Home();
+  // It may have been without power meanwhile, of which it says nothing.
+  ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  ASSERT_TRUE(this->GoToRest());
+  this->Bench.Device->Home();
   this->FeelAgain();
-  EXPECT_EQ(this->Model.GetPresets(), 1) << "it kept its zero";
+  EXPECT_EQ(this->Model.GetPresets(), 2);
 }
 
 TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)
@@ -80,7 +91,7 @@ TEST_F(WoodenFaults, AJumpOfAnEncoderAsksForTheZero)
 
 TEST_F(WoodenFaults, ALostZeroIsToldAnew)
 {
-  this->Break(WoodenFault::LostZero, "lost the zero of its encoders");
+  this->Break(WoodenFault::LostZero, "has lost the zero of its encoders");
   EXPECT_TRUE(this->IsQuiet());
   this->Model.PowerUp();
   this->Bench.Device->Home();
@@ -88,6 +99,21 @@ TEST_F(WoodenFaults, ALostZeroIsToldAnew)
   this->Bench.Device->Home();
   this->FeelAgain();
   EXPECT_EQ(this->Model.GetPresets(), 2);
+}
+
+TEST_F(WoodenFaults, ItsCalibrationButtonCutsTheForceUntilItIsCalibrated)
+{
+  ASSERT_TRUE(this->Bench.Open("wooden:0")) << this->Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  this->Model.Button = true;
+  this->Bench.ExpectLost("its calibration button was pressed");
+  EXPECT_TRUE(this->IsQuiet());
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  ASSERT_TRUE(this->GoToRest());
+  this->Bench.Device->Home();
+  this->FeelAgain();
+  EXPECT_FALSE(this->Model.Button);
 }
 
 TEST_F(WoodenFaults, AZeroThatIsNotTakenIsAskedForAgain)

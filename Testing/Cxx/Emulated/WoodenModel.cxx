@@ -90,7 +90,7 @@ void WoodenModel::PowerUp()
   // What encoders read that were switched on there.
   this->Offset = { 0, 0, 6000 };
   this->Currents = {};
-  this->IsCalibrated = false;
+  this->Button = false;
   this->Fault = WoodenFault::None;
 }
 
@@ -120,7 +120,7 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
     ++this->Packets;
     for (int j = 0; j < 3; ++j)
     {
-      this->Currents[j] = word(j);
+      this->Currents[j] = word(3) == 1 ? 0 : word(j);
     }
     if (word(3) == 1)
     {
@@ -129,7 +129,7 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
     }
     if (word(3) == 1 && !this->IgnoresPresets)
     {
-      this->IsCalibrated = true;
+      this->Button = false;
       for (int j = 0; j < 3; ++j)
       {
         const double counts = this->Angles[j] * Bodies[j] / Capstan * CountsPerTurn / (2.0 * Pi);
@@ -147,19 +147,16 @@ void WoodenModel::SendCounts()
 {
   std::uint8_t report[14]{};
   const WoodenFault fault = this->Fault;
-  if (fault == WoodenFault::LostZero)
-  {
-    this->IsCalibrated = false;
-  }
   for (int j = 0; j < 3; ++j)
   {
     const double counts = this->Angles[j] * Bodies[j] / Capstan * CountsPerTurn / (2.0 * Pi);
     const long jump = fault == WoodenFault::Jump && j == 1 ? 2000 : 0;
-    const long read = std::lround(counts) - this->Offset[j] + jump;
+    const long read =
+      fault == WoodenFault::LostZero ? 0 : std::lround(counts) - this->Offset[j] + jump;
     report[2 * j] = static_cast<std::uint8_t>(read & 0xFF);
     report[2 * j + 1] = static_cast<std::uint8_t>(read >> 8 & 0xFF);
   }
-  report[12] = this->IsCalibrated ? 0 : 1;
+  report[12] = this->Button ? 1 : 0;
   if (fault != WoodenFault::Silence)
   {
     this->Input(report, fault == WoodenFault::ShortReport ? 7 : 14);

@@ -3,6 +3,12 @@
 
 /**
  * A WoodenHaptics of 2015 as its firmware and its mechanics show it, written from what is published.
+ *
+ * The packets are those of the mbed firmware with 14-byte reports (WoodenHapticsHID and its copy for Polhem, by Forsslund
+ * Systems, 2019-09-10, "Polhem USB HID interface"): all counts are 0 when power comes; `info` is the flag of the
+ * calibration button, 0 until that is pressed, and cleared by command 1; command 1 takes the attributes as the first
+ * three counts and the currents as the others, and no current flows meanwhile; after 0.5 s without a packet the motors
+ * are off.
  */
 #ifndef WoodenModel_h
 #define WoodenModel_h
@@ -24,14 +30,14 @@ enum class WoodenFault
   Silence,
   WriteError,
   Jump,    ///< an encoder counts 2000 more at once
-  LostZero ///< the controller restarted: its encoders begin anew
+  LostZero ///< the controller restarted: its encoders begin anew, and it says nothing of it
 };
 
 /** A millisecond of its time goes by with each packet that it gets, which it answers with one of its own. */
 class WoodenModel : public HidModel
 {
 public:
-  explicit WoodenModel(std::string name = "PolhemHaptics");
+  explicit WoodenModel(std::string name = "WoodenHaptics");
 
   std::uint16_t GetVendor() const override { return 0x16C0; }
   std::uint16_t GetProduct() const override { return 0x0486; }
@@ -54,6 +60,7 @@ public:
   int GetPackets() const { return this->Packets; }
   std::atomic<WoodenFault> Fault{ WoodenFault::None };
   std::atomic<bool> IgnoresPresets{ false };
+  std::atomic<bool> Button{ false }; ///< was pressed, and no preset has come since
 
 private:
   Triple ComputeForce() const;
@@ -65,7 +72,6 @@ private:
   Triple Angles{};             ///< rad
   std::array<int, 3> Offset{}; ///< counts, of the encoders' zero
   std::array<int, 3> Currents{};
-  bool IsCalibrated = false;
   std::vector<std::uint8_t> Last;
   std::vector<std::uint8_t> LastPreset;
   std::chrono::steady_clock::time_point Next;

@@ -9,12 +9,34 @@
 
 using namespace emulated;
 
+TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
+{
+  // When power comes it reports counts of 0, and 0 beside them, which is not to be taken for a zero that is known.
+  ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
+  this->Bench.Start(this->Ground.Model);
+  this->Bench->Arm();
+  const int packets = this->Model.GetPackets();
+  ASSERT_TRUE(Eventually([&] { return this->Model.GetPackets() > packets + 200; }));
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  EXPECT_TRUE(
+    Has(this->Bench.Text(), "put the arm into its rest pose, hold it still, and press Home()"));
+  this->Bench->ReadState();
+  EXPECT_EQ(this->Bench->GetState().Device, DeviceState::NotReady);
+  EXPECT_FALSE(this->Bench->GetState().Armed);
+  // Nor is one that was calibrated in another session: it may have been without power since.
+  this->Bench.Stop();
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  ASSERT_TRUE(this->Bench.Reopen()) << this->Bench.Error;
+  EXPECT_TRUE(this->Bench.WaitForText("rest pose")) << this->Bench.Text();
+}
+
 TEST_F(Wooden, FromPluggingInToFeelingAgain)
 {
   const std::vector<DeviceListing> all = ListDevices();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].Id, "wooden:0");
-  EXPECT_EQ(all[0].Name, "Emulated PolhemHaptics (" + this->Hid.GetNode() + ")");
+  EXPECT_EQ(all[0].Name, "Emulated WoodenHaptics (" + this->Hid.GetNode() + ")");
   EXPECT_EQ(all[0].State, "available");
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 5.0);

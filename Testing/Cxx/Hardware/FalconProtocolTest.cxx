@@ -45,6 +45,12 @@ TEST(FalconProtocol, SendsOrders)
   EXPECT_EQ(Text(FalconEncode(order)), "<PPPPPPPHAAAIAA>");
 }
 
+TEST(FalconProtocol, EveryRunPacketKeepsTheZero)
+{
+  EXPECT_EQ(Text(FalconRunPacket({})), "<AAAAAAAAAAAABA>");
+  EXPECT_EQ(Text(FalconRunPacket({ { -1447, 0, 1 }, FalconGreen })), "<JFKPAAAABAAADA>");
+}
+
 TEST(FalconProtocol, TakesReports)
 {
   FalconReport report;
