@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** A physical quantity (s or degrees) as the field's logical value, in its own unit and scale. */
+/** A duration (s) as the field's logical value, in its own unit and scale. */
 std::int64_t ToLogical(const HidField& field, double quantity, double unitWithoutUnit) noexcept
 {
   const double unit = field.Unit == 0 ? unitWithoutUnit : std::pow(10.0, field.UnitExponent);
@@ -95,18 +95,22 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::Put(report, this->Duration,
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
-  if (this->AxisEnable[axis].Known)
-  {
-    PidDevice::Put(report, this->AxisEnable[axis], 1);
-  }
-  else
+  // By the direction wherever there is one, as Linux does. Where the axes' bits are set instead, the firmwares disagree
+  // about what the direction means then.
+  if (this->DirectionEnable.Known)
   {
     PidDevice::Put(report, this->DirectionEnable, 1);
   }
-  // Polar, clockwise from the north: 90 degrees along x, 180 along y. A device that goes by the axes
-  // does not look at it.
-  const double degrees = axis == 0 ? 90.0 : 180.0;
-  PidDevice::Put(report, this->Direction, ToLogical(this->Direction.Field, degrees, 1.0));
+  else
+  {
+    PidDevice::Put(report, this->AxisEnable[axis], 1);
+  }
+  // Polar, clockwise from the north; the field's range is the whole circle, whatever its unit, as for Linux.
+  const double circle = axis == 0 ? 0.25 : 0.5;
+  const HidField& field = this->Direction.Field;
+  PidDevice::Put(report, this->Direction,
+    field.LogicalMinimum +
+      std::llround(circle * static_cast<double>(field.LogicalMaximum - field.LogicalMinimum)));
   return report;
 }
 

@@ -97,15 +97,23 @@ public:
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
   /** 1, or 2 where the second axis can be told from the first. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
+  /** Whether both axes have a bit that enables them, and both are used. */
+  bool CanEnableSecondAxis() const noexcept { return this->Axes > 1 && this->AxisEnable[1].Known; }
+  /** The device has no second axis that a hand could move: a wheel whose descriptor is that of a stick. */
+  void UseOneAxis() noexcept { this->Axes = 1; }
 
   ///@{
   /** What to send. The effects' block indices are the device's, from 1 on; axes are 0 and 1. */
   HidReport Control(PidUsage command) const noexcept;
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
+  /**
+   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction is where the force comes from, here
+   * as in DirectInput and in Linux' hid-pidff.c: a positive magnitude pushes an axis towards its negative end.
+   */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
-  /** Newtons over newtons per full scale, at most the full scale; 0 for what is not finite. */
+  /** A magnitude: newtons over newtons per full scale, at most the full scale; 0 for what is not finite. */
   HidReport SetConstant(
     std::int64_t block, double newtons, double newtonsPerFullScale) const noexcept;
   ///@}

@@ -10,8 +10,9 @@
  *                      FirmwareFile after it was plugged in, and is homed by hand.
  *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand whenever it is opened. A
  *                      Polhem is refused, as it has another geometry.
- *   pid[:VVVV:PPPP]    force-feedback sticks and wheels (HID usage page 0x0F), through hidapi, by USB vendor and
- *                      product. 1 or 2 in and out; NewtonsPerFullScale says what their forces are.
+ *   pid[:VVVV:PPPP]    force-feedback wheels and other devices of one axis (HID usage page 0x0F), through hidapi, by USB
+ *                      vendor and product; NewtonsPerFullScale says what their forces are. Sticks of two axes are
+ *                      refused: their firmwares do not agree about which way a force pushes the second axis.
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no force.
  *
  * N counts from 0; left out, it is the first one. None of this was verified on physical hardware yet: all

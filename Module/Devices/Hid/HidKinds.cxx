@@ -51,7 +51,9 @@ std::vector<DeviceListing> ListPid()
     {
       char id[16];
       std::snprintf(id, sizeof(id), "pid:%04x:%04x", place.Vendor, place.ProductId);
-      all.push_back({ id, place.GetLabel(), place.GetState() });
+      const std::string objection = PidDriver::FindObjection(place);
+      all.push_back(
+        { id, place.GetLabel(), objection.empty() ? place.GetState() : "refused: " + objection });
     }
   }
   return all;

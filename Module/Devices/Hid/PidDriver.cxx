@@ -22,9 +22,18 @@ constexpr int RepeatsOfStream = 20;
 bool MapBoth(const HidPlace& place, PidDevice& device, HidStick& stick, std::string& error)
 {
   HidReportDescriptor descriptor;
-  return place.ReadDescriptor(descriptor, error) && device.Map(descriptor, error) &&
+  const bool isMapped = place.ReadDescriptor(descriptor, error) && device.Map(descriptor, error) &&
     stick.Map(descriptor, error);
+  if (isMapped && !stick.HasSecondAxis())
+  {
+    device.UseOneAxis();
+  }
+  return isMapped;
 }
+
+const char* const TwoAxes =
+  "it has two axes, and the firmwares of such devices do not agree about which way they push "
+  "the second, which could drive the hand away. Use a wheel, or another device of one axis";
 
 } // namespace
 
@@ -55,6 +64,14 @@ bool PidDriver::IsPid(const HidPlace& place)
   HidStick stick;
   std::string error;
   return MapBoth(place, device, stick, error);
+}
+
+std::string PidDriver::FindObjection(const HidPlace& place)
+{
+  PidDevice device;
+  HidStick stick;
+  std::string error;
+  return MapBoth(place, device, stick, error) && device.CanEnableSecondAxis() ? TwoAxes : "";
 }
 
 PidDriver::PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale)
@@ -88,7 +105,14 @@ std::vector<HidPlace> PidDriver::Choose(std::string& error) const
     HidStick stick;
     if ((this->Wanted.Any || isNamed) && MapBoth(place, device, stick, reason))
     {
-      places.push_back(place);
+      if (device.CanEnableSecondAxis())
+      {
+        error = place.GetLabel() + " can't be used: " + TwoAxes + ".";
+      }
+      else
+      {
+        places.push_back(place);
+      }
     }
     else if (isNamed && !this->Wanted.Any)
     {
@@ -245,12 +269,13 @@ void PidDriver::SendForces(HardwareExchange& exchange)
   double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
   this->LastRound = now;
   const Vector3 force = exchange.GetForce();
-  const std::array<double, 2> alongAxes{ force.X, -force.Y };
+  // HID's y axis points towards the hand, and a positive magnitude pushes towards an axis' negative end.
+  const std::array<double, 2> magnitudes{ -force.X, force.Y };
   // For each axis its start, where that is due, and its magnitude.
   HidReport report;
   for (int i = 0; i < 2 * this->Device.GetNumberOfAxes(); ++i)
   {
-    if (!this->Stream->Next(elapsed, alongAxes, report) || !this->Send(exchange, report))
+    if (!this->Stream->Next(elapsed, magnitudes, report) || !this->Send(exchange, report))
     {
       return;
     }

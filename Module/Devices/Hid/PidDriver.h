@@ -4,6 +4,11 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
+ * Only devices of one axis get forces, such as wheels. Of those with two that can be enabled one by one, published
+ * firmwares do not agree about which way an effect pushes the second: OpenFFBoard's of 2021 (commit 021d967) gives y the
+ * share of x, that of 2024 goes by another angle for each axis whose bit is set, and pushes y backwards without one. They
+ * are refused.
+ *
  * A stick's axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's own
  * y axis points towards the hand. Its effects end by themselves within 0.1 s of the last sign of the host. Many
  * sticks are silent while they rest, so that the last place is the present one; a stick that repeats itself
@@ -41,6 +46,8 @@ public:
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
   /** Whether its report descriptor has what forces need. */
   static bool IsPid(const HidPlace& place);
+  /** Why forces are refused although it has, and what to do; empty if they are not. */
+  static std::string FindObjection(const HidPlace& place);
 
   PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
 

@@ -95,10 +95,10 @@ TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
   {
     DeviceSample sample;
     this->Bench.Device->Read(0.001, sample);
-    this->Bench.Device->Write({ 0.0, 0.5, 0.0 });
-    // Forward, away from the hand: against HID's own y. Block 2, and -1250 of 10000 for 0.5 N of 4 N.
-    return this->Model.GetForce()[1] > 0.4 &&
-      this->Model.GetLast(5) == std::vector<std::uint8_t>{ 5, 2, 0x1E, 0xFB };
+    this->Bench.Device->Write({ 0.5, 0.0, 0.0 });
+    // To the right, from the left. Block 1, and -1250 of 10000 for 0.5 N of 4 N.
+    return this->Model.GetForce()[0] > 0.4 &&
+      this->Model.GetLast(5) == std::vector<std::uint8_t>{ 5, 1, 0x1E, 0xFB };
   };
   EXPECT_TRUE(Eventually(push));
   EXPECT_TRUE(this->IsQuiet()) << "the servo fell silent";
@@ -106,6 +106,30 @@ TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
   EXPECT_TRUE(Eventually(push));
   this->Bench.Device->Quench();
   EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST(PidSticks, OfTwoAxesAreRefusedBeforeAnythingIsSent)
+{
+  StickModel model(2);
+  const EmulatedHid hid(model);
+  const std::vector<DeviceListing> all = ListDevices();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].Id, "pid:1209:ffb0");
+  EXPECT_TRUE(Has(all[0].State, "refused: it has two axes")) << all[0].State;
+  for (const char* id : { "pid", "pid:1209:ffb0" })
+  {
+    const std::string error = ErrorOf(id);
+    EXPECT_TRUE(Has(error, ("FFB Stick (" + hid.GetNode() + ") can't be used").c_str())) << error;
+    EXPECT_TRUE(Has(error, "two axes")) << error;
+    EXPECT_TRUE(Has(error, "Use a wheel, or another device of one axis")) << error;
+  }
+  EXPECT_EQ(model.GetResets(), 0);
+  // A wheel beside it is opened.
+  StickModel wheel;
+  const EmulatedHid second(wheel);
+  HidBench bench;
+  ASSERT_TRUE(bench.Open("pid")) << bench.Error;
+  EXPECT_TRUE(Has(bench.Device->GetName(), second.GetNode().c_str())) << bench.Device->GetName();
 }
 
 TEST_P(PidRefusals, AreSaid)
@@ -119,5 +143,4 @@ TEST_P(PidRefusals, AreSaid)
 
 INSTANTIATE_TEST_SUITE_P(All, PidRefusals,
   testing::Values(Refusal{ StickFault::NoBlockLoad, "does not say whether it has made the effect" },
-    Refusal{ StickFault::FullPool, "has no room for another effect" },
-    Refusal{ StickFault::FewEffects, "plays fewer effects at a time than it has axes" }));
+    Refusal{ StickFault::FullPool, "has no room for another effect" }));

@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force-feedback stick of two axes, after the PID 1.0 specification: a pool of effects, of which each plays
- * for its duration by the stick's own time.
+ * A force-feedback wheel of one axis, or a stick of two, after the PID 1.0 specification: a pool of effects, of which
+ * each plays for its duration by the device's own time.
+ *
+ * Which way an effect pushes is OpenFFBoard's arithmetic (Ultrawipf/OpenFFBoard, commit 160af910): set_effect() in
+ * HidFFB.cpp gives each axis a share,
+ *   with Direction Enable: sin(direction) of x, -cos(direction) of y, the direction being the first angle;
+ *   without: (direction x - 180 degrees) / 180 degrees of x and the negative of that of y's own angle, where the bit of
+ *   the axis is set;
+ * and calcComponentForce() in EffectsCalculator.cpp a torque of -magnitude times that, where a positive torque moves an
+ * axis towards its positive end (a spring there is -coefficient times position). So a positive magnitude from 90 degrees
+ * pushes to the left, as the direction is where the force comes from; Linux' hid-pidff.c does the same. An angle is 255
+ * parts of a circle, as in ArduinoJoystickWithFFBLibrary.
  */
 #ifndef StickModel_h
 #define StickModel_h
@@ -26,8 +36,7 @@ enum class StickFault
   Silence,
   WriteError,
   NoBlockLoad,
-  FullPool,
-  FewEffects ///< it plays one at a time
+  FullPool
 };
 
 class StickModel : public HidModel
@@ -36,9 +45,14 @@ public:
   static constexpr double FullScale = 4.0; ///< N, of both axes at a magnitude of 10000
   static constexpr double Travel = 0.05;   ///< m, of the handle at the end of an axis
 
+  explicit StickModel(int axes = 1)
+    : Axes(axes)
+  {
+  }
+
   std::uint16_t GetVendor() const override { return 0x1209; }
   std::uint16_t GetProduct() const override { return 0xFFB0; }
-  std::string GetName() const override { return "FFB Stick"; }
+  std::string GetName() const override { return this->Axes > 1 ? "FFB Stick" : "FFB Wheel"; }
   std::vector<std::uint8_t> GetReportDescriptor() const override;
   int Output(const std::uint8_t* report, int size) override;
   int SetFeature(const std::uint8_t* report, int size) override;
@@ -65,7 +79,7 @@ public:
 private:
   struct Effect
   {
-    int Axes = 0; ///< bit 0: x, bit 1: y
+    double Shares[2] = {}; ///< of x and y
     int Duration = 0;
     int Left = 0; ///< ms to play
     int Magnitude = 0;
@@ -73,6 +87,7 @@ private:
   Triple Push() const;
   void Report();
 
+  const int Axes;
   mutable std::mutex Guard;
   EmulatedHand Hand;
   std::map<int, Effect> Effects;
