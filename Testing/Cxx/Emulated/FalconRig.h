@@ -96,13 +96,17 @@ protected:
         return IsNear(this->Falcon.GetForce(), { force.X, force.Y, force.Z }, 0.05);
       });
   }
-  /** Whatever the servo gives, over so many packets. */
+  /** Whatever the servo gives, over so many packets; not the one that may be on its way already. */
   bool StaysAtZero(long packets)
   {
+    const auto pass = [this](long more)
+    {
+      const long end = this->Falcon.GetPackets() + more;
+      return this->Push({ 0.0, 0.0, 2.0 }, [&] { return this->Falcon.GetPackets() >= end; });
+    };
+    const bool arrived = pass(1);
     this->Falcon.TakeLargestCommand();
-    const long end = this->Falcon.GetPackets() + packets;
-    return this->Push({ 0.0, 0.0, 2.0 }, [&] { return this->Falcon.GetPackets() > end; }) &&
-      this->Falcon.TakeLargestCommand() == 0.0;
+    return arrived && pass(packets) && this->Falcon.TakeLargestCommand() == 0.0;
   }
   /** The device is lost, says why, and its last commands are zero. */
   void ExpectLost(const std::string& why)
