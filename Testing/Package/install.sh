@@ -39,6 +39,13 @@ esac
 rules=$(find "$prefix" -path '*/udev/rules.d/70-volume-haptics.rules')
 [ -n "$rules" ] || { echo "the udev rules are not installed" >&2; exit 1; }
 
+# A program that had found VTK before.
+cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/consumer" -G Ninja \
+  -DVolumeHaptics_DIR="$(dirname "$config")" \
+  ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure-consumer.log"
+cmake --build "$work/consumer" >"$work/build-consumer.log"
+"$work/consumer/consumer"
+
 # Opens a window, which has to stay.
 stays_open() {
   "$@" &
