@@ -32,8 +32,9 @@ get_head_ct()
       fi
     fi
     dpkg -x "$data"/invesalius-examples_*.deb "$data/package"
+    # The archive lets everybody write to it, which tar keeps where root calls it.
     tar -xzf "$examples/examples/Cranium.inv3" -C "$data" --strip-components=1 --wildcards \
-      '*/matrix.dat'
+      --no-same-permissions --no-same-owner '*/matrix.dat'
     if [[ "$(stat -c %s "$data/matrix.dat")" -ne $((256 * 256 * 108 * 2)) ]]
     then
       echo "invesalius-examples holds another head than the one known here." >&2
@@ -56,6 +57,7 @@ ElementDataFile = matrix.dat
 EOF
     mv "$volume.part" "$volume"
   fi
+  chmod go-w "$data/matrix.dat"
   echo "Cranium from Debian's invesalius-examples: (c) Centro de Tecnologia da Informacao Renato"
   echo "Archer, licence GPL-2. It stays in $data and is not part of this project."
   echo "Licence text: $examples/copyright"
