@@ -163,7 +163,8 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   HapticModelDescription d;
   WholeFacts whole;
   vtkSmartPointer<vtkDataArray> holder;
-  if (!MakeVolumeView(image, scalars, property->GetComponent(), d.View, holder, error) ||
+  if (!MakeVolumeView(
+        image, scalars, property->GetComponent(), options.KernelRadius, d.View, holder, error) ||
     !ReadWholeFacts(image, property->GetComponent(), whole, error) ||
     !MakeIndexToWorld(
       image, whole.IsThere ? whole.Extent : image->GetExtent(), d.IndexToWorld, error) ||
@@ -176,7 +177,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     PlaceInWhole(image, whole, d.View);
   }
   const std::int64_t* const n = d.View.Dimensions;
-  const std::int64_t needed = 2 * options.KernelRadius + 1;
+  const std::int64_t needed = PointsNeeded(options.KernelRadius);
   if (std::min({ n[0], n[1], n[2] }) < needed)
   {
     std::ostringstream message;

@@ -102,26 +102,31 @@ std::string Describe(vtkDataArray* scalars)
 
 } // namespace
 
-bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view,
-  vtkSmartPointer<vtkDataArray>& holder, std::string& error)
+bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
+  VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error)
 {
   std::ostringstream message;
   int dimensions[3];
   image->GetDimensions(dimensions);
   const vtkIdType points = image->GetNumberOfPoints();
   const int components = scalars->GetNumberOfComponents();
+  const int needed = PointsNeeded(kernelRadius);
   if (points == 0)
   {
     message
       << "The input image is empty: its extent holds no points. Update its source, or give it "
-         "dimensions of at least 2 x 2 x 2.";
+         "dimensions of at least "
+      << needed << " x " << needed << " x " << needed << ", as a KernelRadius of " << kernelRadius
+      << " needs.";
   }
   else if (dimensions[0] < 2 || dimensions[1] < 2 || dimensions[2] < 2)
   {
     message << "The input image is " << dimensions[0] << " x " << dimensions[1] << " x "
             << dimensions[2]
             << " points: one voxel thin, which has no gradient across it. Give it a volume of at "
-               "least 2 points along every axis.";
+               "least "
+            << needed << " points along every axis, as a KernelRadius of " << kernelRadius
+            << " needs" << (kernelRadius > 1 ? " (3 are enough with SetKernelRadius(1))." : ".");
   }
   else if (scalars->GetNumberOfTuples() != points)
   {

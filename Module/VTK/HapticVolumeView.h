@@ -23,10 +23,16 @@ namespace VolumeHaptics
 
 /**
  * False, with the reason and the cure in `error`, where the array can't be viewed without a copy. `holder` has to live
- * as long as the view: the array, or another one that shares its memory.
+ * as long as the view: the array, or another one that shares its memory. The kernel's radius (voxels) is for the cure.
  */
-bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, VolumeView& view,
-  vtkSmartPointer<vtkDataArray>& holder, std::string& error);
+bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
+  VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error);
+
+/** Points that an image needs along every axis. */
+constexpr int PointsNeeded(int kernelRadius)
+{
+  return 2 * kernelRadius + 1;
+}
 
 /**
  * From the index that counts from 0 at the beginning of an extent (the image's own, or that of the whole volume) to

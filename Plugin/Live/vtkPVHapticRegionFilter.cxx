@@ -101,7 +101,7 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
   else if (!all[2])
   {
     error = "The volume on the server is empty. Update its source, or give it dimensions of at "
-            "least 2 x 2 x 2.";
+            "least 3 x 3 x 3, for the least KernelRadius.";
   }
   return error.empty();
 }

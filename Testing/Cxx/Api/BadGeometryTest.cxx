@@ -8,6 +8,7 @@
 #include "BadImage.h"
 
 #include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkPointData.h>
 
 #include <limits>
@@ -28,13 +29,21 @@ void Reshape(vtkImageData* image, int x, int y, int z)
 
 const BadImage BadGeometries[] = {
   { "Empty", [](auto* image, auto*) { image->SetExtent(0, -1, 0, -1, 0, -1); },
-    { "input image", "empty", "dimensions" } },
+    { "input image", "empty", "dimensions", "5 x 5 x 5" } },
   { "ThinAlongX", [](auto* image, auto*) { Reshape(image, 1, 9, 9); },
     { "input image", "one voxel thin", "1 x 9 x 9" } },
   { "ThinAlongY", [](auto* image, auto*) { Reshape(image, 9, 1, 9); },
     { "input image", "one voxel thin", "9 x 1 x 9" } },
   { "ThinAlongZ", [](auto* image, auto*) { Reshape(image, 9, 9, 1); },
-    { "input image", "one voxel thin", "9 x 9 x 1" } },
+    { "input image", "one voxel thin", "9 x 9 x 1", "5 points along every axis",
+      "KernelRadius of 2", "3 are enough" } },
+  { "ThinWithASmallKernel",
+    [](auto* image, auto* filter)
+    {
+      Reshape(image, 9, 9, 1);
+      filter->SetKernelRadius(1);
+    },
+    { "one voxel thin", "3 points along every axis", "KernelRadius of 1" } },
   { "SpacingNaN", [](auto* image, auto*) { image->SetSpacing(1, NaN, 1); },
     { "input image", "spacing", "finite", "SetSpacing" } },
   { "SpacingInfinite", [](auto* image, auto*) { image->SetSpacing(Inf, 1, 1); },
@@ -53,5 +62,26 @@ const BadImage BadGeometries[] = {
     { "input image", "KernelRadius of 8", "16 x 16 x 16", "Lower KernelRadius" } },
 };
 } // namespace
+
+/// What an error names as its cure is one.
+TEST(ThinImages, AreFeltWithAsManyPointsAsTheErrorNames)
+{
+  for (const auto& [radius, points] : { std::pair(1, 3), std::pair(2, 5), std::pair(4, 9) })
+  {
+    vtkNew<vtkVolumeHapticsFilter> filter;
+    MessageLog log(filter);
+    MessageLog executiveLog(filter->GetExecutive());
+    const auto image = MakeRamp(points);
+    filter->SetInputData(0, image);
+    filter->SetKernelRadius(radius);
+    filter->Update();
+    EXPECT_TRUE(log.Errors.empty()) << log.Errors.front();
+    Reshape(image, points, points, 1);
+    filter->Update();
+    ASSERT_EQ(log.Errors.size(), 1U);
+    EXPECT_NE(log.Errors[0].find("least " + std::to_string(points) + " points"), std::string::npos)
+      << log.Errors[0];
+  }
+}
 
 INSTANTIATE_TEST_SUITE_P(BadGeometry, BadImageTest, testing::ValuesIn(BadGeometries), NameOf);
