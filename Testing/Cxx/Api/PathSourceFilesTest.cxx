@@ -5,6 +5,7 @@
  * Paths from files, and settings that make no path.
  */
 
+#include "../TemporaryFolder.h"
 #include "ApiRig.h"
 
 #include <vtkExecutive.h>
@@ -13,7 +14,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 
 using namespace apitest;
@@ -23,12 +23,9 @@ namespace
 class PathSourceFiles : public testing::Test
 {
 protected:
-  ~PathSourceFiles() override
-  {
-    std::remove("path-source.csv");
-    std::remove("path-source.vtp");
-  }
-  void WriteCsv(const std::string& text) { std::ofstream("path-source.csv") << text; }
+  const std::string Csv = TemporaryPath("path-source.csv");
+  const std::string Vtp = TemporaryPath("path-source.vtp");
+  void WriteCsv(const std::string& text) { std::ofstream(this->Csv) << text; }
   vtkPolyData* Read(const char* file)
   {
     this->Source->SetShapeToFromFile();
@@ -62,14 +59,14 @@ TEST_F(PathSourceFiles, TablesHaveTheirPositionsUnderAnyOfThreeTitles)
     { "x,y,z", "Points:0,Points:1,Points:2", "Tip x (world),Tip y (world),Tip z (world)" })
   {
     this->WriteCsv(std::string("Time (s),") + head + "\n0.5,1,2,3\n0.75,4,5,6"); // no last end
-    vtkPolyData* const path = this->Read("path-source.csv");
+    vtkPolyData* const path = this->Read(this->Csv.c_str());
     ASSERT_EQ(path->GetNumberOfPoints(), 2) << head;
     EXPECT_EQ(path->GetPoint(1)[2], 6.0);
     EXPECT_EQ(Get(path, "Time", 1), 0.75);
     EXPECT_EQ(path->GetNumberOfCells(), 1);
   }
   this->WriteCsv("x,y,z\n1,2,3\n4,5,6\n");
-  EXPECT_EQ(this->Read("path-source.csv")->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(this->Read(this->Csv.c_str())->GetPointData()->GetNumberOfArrays(), 0);
 }
 
 TEST_F(PathSourceFiles, PolyDataComeAsTheyAre)
@@ -77,9 +74,9 @@ TEST_F(PathSourceFiles, PolyDataComeAsTheyAre)
   vtkNew<vtkXMLPolyDataWriter> writer;
   const auto path = MakePath(Line({ 7, 7, 5 }, { 7, 7, 10 }, 50), std::vector<double>(51, 0.25));
   writer->SetInputData(path);
-  writer->SetFileName("path-source.vtp");
+  writer->SetFileName(this->Vtp.c_str());
   ASSERT_TRUE(writer->Write());
-  EXPECT_TRUE(IsSame(this->Read("path-source.vtp"), path));
+  EXPECT_TRUE(IsSame(this->Read(this->Vtp.c_str()), path));
 }
 
 TEST_F(PathSourceFiles, FilesThatAreNoPathAreNamed)
@@ -90,7 +87,7 @@ TEST_F(PathSourceFiles, FilesThatAreNoPathAreNamed)
   this->ExpectError({ "nowhere.csv", "does not exist", "FileName" });
   this->Source->SetFileName("path.txt");
   this->ExpectError({ "path.txt", ".vtp", ".csv" });
-  this->Source->SetFileName("path-source.csv");
+  this->Source->SetFileName(this->Csv);
   this->WriteCsv("a,b\n1,2\n");
   this->ExpectError({ "path-source.csv", "no tip positions", "\"x\"" });
   this->WriteCsv("x,y,z\n1,2,3\n1,2,nan\n");

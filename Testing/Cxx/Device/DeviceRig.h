@@ -8,6 +8,7 @@
 #define DeviceRig_h
 
 #include "../Api/ApiRig.h"
+#include "../TemporaryFolder.h"
 #include "Eventually.h"
 #include "LoopPauses.h"
 
@@ -82,7 +83,7 @@ protected:
     this->Device->SetVirtualTip(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
-  std::string File(const char* name) { return testing::TempDir() + "VolumeHaptics" + name; }
+  std::string File(const char* name) { return TemporaryPath(name); }
   void ExpectError(const char* words)
   {
     ASSERT_EQ(this->Log.Errors.size(), 1U);

@@ -5,6 +5,7 @@
  * volumehaptics-device with an emulated Falcon: what a person sees who tries one for the first time.
  */
 
+#include "../TemporaryFolder.h"
 #include "EmulatedUsb.h"
 #include "FalconModel.h"
 #include "ModelClock.h"
@@ -66,7 +67,7 @@ TEST_F(DeviceToolTest, HomesMonitorsAndRecords)
   EXPECT_EQ(this->Run({ "monitor", "falcon", "--seconds", "0.5" }), 0) << this->Errors;
   EXPECT_TRUE(this->Shows("buttons 01")) << this->Out;
   EXPECT_TRUE(this->Shows("force   0.00   0.00   0.00 N")) << this->Out;
-  const std::string file = testing::TempDir() + "DeviceTool.csv";
+  const std::string file = TemporaryPath("DeviceTool.csv");
   EXPECT_EQ(this->Run({ "record", "falcon", file, "--seconds", "0.5" }), 0) << this->Errors;
   std::ifstream recorded(file);
   std::string line;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <iostream>
 
 #include <sys/prctl.h>
@@ -17,6 +18,18 @@ UMockdevTestbed* Testbed()
 }
 } // namespace emulated
 
+namespace
+{
+/** What umockdev leaves behind: its folder goes with the object only, of which threads may make use until the end. */
+void RemoveTestbed()
+{
+  char* const root = umockdev_testbed_get_root_dir(emulated::Testbed());
+  std::error_code ignored;
+  std::filesystem::remove_all(root, ignored);
+  g_free(root);
+}
+} // namespace
+
 int main(int argc, char** argv)
 {
   // Asked before there is a testbed, umockdev remembers that there is none.
@@ -25,10 +38,13 @@ int main(int argc, char** argv)
   {
     std::cerr << "Skipped: umockdev can't take the kernel's place here. Start this with "
                  "umockdev-wrapper.\n";
+    RemoveTestbed();
     return 77;
   }
   // umockdev sleeps for no time after every call, which takes as long as the kernel's timer slack.
   prctl(PR_SET_TIMERSLACK, 1UL);
   testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
+  const int result = RUN_ALL_TESTS();
+  RemoveTestbed();
+  return result;
 }

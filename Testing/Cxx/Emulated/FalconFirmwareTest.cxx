@@ -86,7 +86,7 @@ TEST_F(FalconFirmware, HasToBeGiven)
 {
   this->ExpectRefusal("", { "legal" });
   this->ExpectRefusal("/nowhere/at/all.bin", { "\"/nowhere/at/all.bin\"", "does not exist" });
-  const std::string folder = std::filesystem::temp_directory_path().string();
+  const std::string folder = TemporaryPath("");
   this->ExpectRefusal(folder, { folder, "is a folder" });
   this->ExpectRefusal("/dev/null", { "no regular file" });
 }

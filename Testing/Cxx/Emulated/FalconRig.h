@@ -8,6 +8,7 @@
 #define FalconRig_h
 
 #include "../Servo/PlayedDevice.h"
+#include "../TemporaryFolder.h"
 #include "DeviceRegistry.h"
 #include "EmulatedUsb.h"
 #include "FalconModel.h"
@@ -131,8 +132,8 @@ class TemporaryFile
 {
 public:
   explicit TemporaryFile(const std::vector<std::uint8_t>& bytes)
-    : Path(std::filesystem::temp_directory_path() /
-        ("falcon-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".bin"))
+    : Path(
+        TemporaryPath("falcon-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".bin"))
   {
     std::ofstream(this->Path, std::ios::binary)
       .write(

@@ -17,7 +17,7 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   ASSERT_EQ(this->Log.Errors.size(), 1u);
   EXPECT_NE(this->Log.Errors[0].find("SetFirmwareFile"), std::string::npos) << this->Log.Errors[0];
   this->Log.Errors.clear();
-  const std::string firmware = testing::TempDir() + "PhantomFalcon.bin";
+  const std::string firmware = TemporaryPath("PhantomFalcon.bin");
   std::ofstream(firmware, std::ios::binary) << std::string(4000, 'F');
   this->Device->SetFirmwareFile(firmware);
 

@@ -8,6 +8,7 @@
 #define SetupRig_h
 
 #include "../Api/ApiRig.h"
+#include "../TemporaryFolder.h"
 
 #include <vtkCamera.h>
 #include <vtkHapticSetup.h>
@@ -23,7 +24,7 @@ using namespace apitest;
 
 inline std::string File(const char* name)
 {
-  return testing::TempDir() + "VolumeHapticsSetup" + name;
+  return TemporaryPath(name);
 }
 
 inline std::string Read(const std::string& file)

@@ -59,7 +59,7 @@ TEST_F(StyleTest, WhatIsHiddenStopsBeingFeltWithTheNextUpdate)
 
 TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
 {
-  const std::string id = WritePath(testing::TempDir() + "VolumeHapticsStill.vtp", 100000);
+  const std::string id = WritePath(TemporaryPath("Still.vtp"), 100000);
   ASSERT_TRUE(this->Device->Open(id.c_str()));
   ASSERT_TRUE(this->Device->Start());
   this->Run(5);
@@ -76,7 +76,7 @@ TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)
 
 TEST_F(StyleTest, TheHandMovesWithoutTheTipWhileItIsClutched)
 {
-  const std::string id = WritePath(testing::TempDir() + "VolumeHapticsJump.vtp", 3000);
+  const std::string id = WritePath(TemporaryPath("Jump.vtp"), 3000);
   ASSERT_TRUE(this->Device->Open(id.c_str()));
   ASSERT_TRUE(this->Device->Start());
   this->Device->Arm();

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Runs test programs in an empty folder, which is the temporary one, too, and fails where something stays in it.
+#
+# usage: Testing/leaves_nothing.sh PROGRAM...
+#
+# Two of each run at once, as tests of two build folders do.
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/temporary"
+chmod 755 "$folder" "$folder/temporary" # a test becomes a user without permission
+cd "$folder/temporary"
+export TMPDIR=$PWD TEST_TMPDIR=$PWD ASAN_OPTIONS=verify_asan_link_order=0
+for program in "$@"; do
+  wrapper=()
+  if [[ $(basename "$program") == Emulated* ]]; then
+    wrapper=(umockdev-wrapper)
+  fi
+  "${wrapper[@]}" "$program" > "$folder/first.log" 2>&1 &
+  first=$!
+  status=0
+  "${wrapper[@]}" "$program" > "$folder/second.log" 2>&1 || status=$?
+  wait "$first" || status=$?
+  if [ $status -ne 0 ] && [ $status -ne 77 ]; then # 77: umockdev can't be used here
+    cat "$folder/first.log" "$folder/second.log"
+    exit 1
+  fi
+  if [ -n "$(ls -A)" ]; then
+    echo "$(basename "$program") leaves behind in the temporary folder:"
+    ls -AR
+    exit 1
+  fi
+done
