@@ -10,9 +10,6 @@ namespace VolumeHaptics
 namespace
 {
 
-/** No hand is farther away (m); squares of what is nearer do not overflow. */
-constexpr double FarthestTip = 1e9;
-
 /** SPEC 2: one place, one look at the law. */
 Vector3 StepPaper(const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
 {

@@ -46,6 +46,9 @@ struct PreciseState
   double Stray = Unknown; ///< by how many voxels, at most, the proxy has left it since
 };
 
+/** No hand is farther away (m); squares of what is nearer do not overflow. */
+constexpr double FarthestTip = 1e9;
+
 /** What a tick keeps for the next one. */
 struct ServoState
 {
@@ -61,6 +64,8 @@ constexpr int ServoStateSize = 64;
 /** A state for a file: every number of it, in the order of the structs. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
+/** False for numbers that no tick leaves, as a file may hold any. */
+bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept;
 
 /** What a tick found and did. The place is that of the materials that the tick used. */
 struct TickRecord : Place

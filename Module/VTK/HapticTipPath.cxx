@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticTipPath.h"
 
-#include "HapticTuples.h"
-
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -96,81 +94,6 @@ void Resample(vtkPolyData* path, const std::vector<double>& times, double period
   }
 }
 
-/** An array of a recording, or null where it is missing or has another shape. */
-vtkDataArray* FindArray(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
-{
-  vtkDataArray* const array = data->GetArray(name);
-  return array && array->GetNumberOfComponents() == components &&
-      (tuples < 0 ? array->GetNumberOfTuples() > 0 : array->GetNumberOfTuples() == tuples)
-    ? array
-    : nullptr;
-}
-
-/** False where the path is not a whole recording. */
-bool ReadRecording(vtkPolyData* path, TipPath& result)
-{
-  constexpr int anyNumber = -1;
-  constexpr int matrixSize = 16;
-  const vtkIdType n = path->GetNumberOfPoints();
-  vtkPointData* const points = path->GetPointData();
-  vtkDataArray* const tips = FindArray(points, RecordingNames::DeviceTip, 3, n);
-  vtkDataArray* const enabled = FindArray(points, RecordingNames::Enabled, 1, n);
-  vtkDataArray* const renewed = FindArray(points, RecordingNames::Renewed, 1, n);
-  vtkDataArray* const placement = FindArray(points, RecordingNames::Placement, 1, n);
-  vtkDataArray* const times = FindArray(points, "Time", 1, n);
-  vtkDataArray* const matrices =
-    FindArray(path->GetFieldData(), RecordingNames::DeviceToWorld, matrixSize, anyNumber);
-  vtkDataArray* const state =
-    FindArray(path->GetFieldData(), RecordingNames::InitialState, ServoStateSize, 1);
-  vtkDataArray* const period = FindArray(path->GetFieldData(), RecordingNames::TickPeriod, 1, 1);
-  vtkDataArray* const caps = FindArray(path->GetFieldData(), RecordingNames::Caps, 2, 1);
-  if (!tips || !enabled || !renewed || !placement || !times || !matrices || !state || !period ||
-    !caps || !(period->GetComponent(0, 0) > 0.0))
-  {
-    return false;
-  }
-  result.IsRecording = true;
-  for (vtkIdType i = 0; i < matrices->GetNumberOfTuples(); ++i)
-  {
-    Affine3 map;
-    for (int row = 0; row < 3; ++row)
-    {
-      map.Linear.Row[row] = ReadVector(matrices, i, 4 * row);
-    }
-    map.Offset = { matrices->GetComponent(i, 3), matrices->GetComponent(i, 7),
-      matrices->GetComponent(i, 11) };
-    if (!(Determinant(map.Linear) > 0.0) || !IsFinite(map.Offset))
-    {
-      return false;
-    }
-    result.Placements.push_back(map);
-  }
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const auto index = static_cast<int>(placement->GetComponent(i, 0));
-    const Vector3 tip = ReadVector(tips, i);
-    if (index < 0 || index >= static_cast<int>(result.Placements.size()) || !IsFinite(tip))
-    {
-      return false;
-    }
-    result.Tips.push_back(tip);
-    result.PlacementOf.push_back(index);
-    result.Enabled.push_back(enabled->GetComponent(i, 0) != 0.0);
-    result.Renewed.push_back(renewed->GetComponent(i, 0) != 0.0);
-    result.Times.push_back(times->GetComponent(i, 0));
-  }
-  result.TickPeriod = period->GetComponent(0, 0);
-  result.Caps = { caps->GetComponent(0, 0), caps->GetComponent(0, 1) };
-  std::array<double, ServoStateSize> numbers;
-  state->GetTuple(0, numbers.data());
-  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
-  {
-    return false;
-  }
-  result.InitialState = FromNumbers(numbers);
-  return true;
-}
-
 } // namespace
 
 std::string DescribeLackOfMemory(double ticks)
@@ -213,15 +136,12 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
   if (path->GetPointData()->HasArray(RecordingNames::DeviceTip))
   {
     result = {};
-    if (!ReadRecording(path, result))
+    const std::string flaw = ReadRecordedPath(path, result);
+    if (!flaw.empty())
     {
-      error =
-        "The tip path has the point array \"DeviceTip\" of a recording, but is not a whole one: "
-        "it needs, all finite, the point arrays DeviceTip (3), Enabled, Renewed, Placement and "
-        "Time, and the field arrays DeviceToWorld (16), InitialState (" +
-        std::to_string(ServoStateSize) +
-        "), Caps (2) and TickPeriod. Record again, or remove DeviceTip to use the points as a "
-        "path.";
+      result = {};
+      error = "The tip path is a recording, as it has the point array \"DeviceTip\", but " + flaw +
+        ". Record again, or remove DeviceTip to use the points as a path.";
       return false;
     }
     return true;

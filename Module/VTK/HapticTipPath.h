@@ -66,6 +66,9 @@ std::string DescribeLackOfMemory(double ticks);
  */
 std::size_t CountLines(vtkPolyData* path);
 
+/** The part of ReadTipPath for recordings: what is wrong with one, or nothing. */
+std::string ReadRecordedPath(vtkPolyData* path, TipPath& result);
+
 /** Walks a path tick by tick. */
 class TipPathWalk
 {

@@ -242,15 +242,19 @@ bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error)
     error2 += Dot(difference, difference);
   }
   constexpr double tolerance = 1e-6;
+  // Beyond, positions and indices are no longer numbers that the solvers can step along.
+  constexpr double most = 1e15;
   // Also false where anything is NaN.
-  if (determinant > 0.0 && std::sqrt(error2) <= tolerance * scale * scale && IsFinite(map.Offset) &&
-    m[12] == 0.0 && m[13] == 0.0 && m[14] == 0.0 && m[15] == 1.0)
+  if (determinant > 0.0 && std::sqrt(error2) <= tolerance * scale * scale && scale < most &&
+    scale > 1.0 / most && Norm(map.Offset) < most && m[12] == 0.0 && m[13] == 0.0 && m[14] == 0.0 &&
+    m[15] == 1.0)
   {
     return true;
   }
   error =
     "The device-to-world matrix is not a rotation, a translation and one uniform, positive scale "
-    "(a similarity), so that forces would be wrong. Build it from such transforms only.";
+    "(a similarity, of numbers up to 1e15), so that forces would be wrong. Build it from such "
+    "transforms only.";
   return false;
 }
 

@@ -25,11 +25,20 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <sstream>
 
 namespace
 {
+bool IsFinite(const VolumeHaptics::TickRecord& record)
+{
+  using VolumeHaptics::IsFinite;
+  return IsFinite(record.Proxy) && IsFinite(record.Force) && IsFinite(record.Normal) &&
+    std::isfinite(record.NormalForce) && std::isfinite(record.FrictionForce) &&
+    std::isfinite(record.DragForce);
+}
+
 /** Whether somebody else makes the trace. */
 bool IsLaterPiece(vtkInformationVector* outputs)
 {
@@ -365,6 +374,12 @@ int vtkVolumeHapticsFilter::TouchPath(
       }
     }
     model = walk.Tick(model, record);
+    if (tips.IsRecording && !::IsFinite(record))
+    {
+      vtkErrorMacro("The recording on port 1 leads to numbers that are not finite in tick "
+        << i << ": it was changed, or made with another volume. Record again.");
+      return 0;
+    }
     trace.Append(*model, walk.GetTime(), record);
   }
   trace.WriteTo(output);
