@@ -2,18 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Disks that are full, folders that may not be written and programs that die while they record: every one is told at
- * once, and what was written can be read.
+ * Disks that are full and folders that may not be written: every one is told at once, and what was written can be read.
  */
 
-#include "FullDisk.h"
-#include "RecordingRig.h"
-
-#include <fstream>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#include <vtksys/SystemTools.hxx>
+#include "RecordingFailureRig.h"
 
 using namespace devicetest;
 
@@ -43,83 +35,6 @@ public:
 
 private:
   const bool WasRoot;
-};
-
-bool Exists(const std::string& file)
-{
-  return access(file.c_str(), F_OK) == 0;
-}
-
-std::string Load(const std::string& file)
-{
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-class RecordingFailure : public Recording
-{
-protected:
-  RecordingFailure()
-  {
-    vtksys::SystemTools::RemoveADirectory(this->Folder);
-    vtksys::SystemTools::MakeDirectory(this->Folder);
-  }
-  ~RecordingFailure() override
-  {
-    chmod(this->Folder.c_str(), 0755);
-    vtksys::SystemTools::RemoveADirectory(this->Folder);
-  }
-  std::string In(const char* name) const { return this->Folder + "/" + name; }
-  void ExpectNoStart(const std::string& file, const char* words)
-  {
-    EXPECT_FALSE(this->Device->StartRecording(file.c_str())) << file;
-    ASSERT_EQ(this->Log.Errors.size(), 1U) << file;
-    EXPECT_NE(this->Log.Errors[0].find(file), std::string::npos) << this->Log.Errors[0];
-    this->ExpectError(words);
-    EXPECT_FALSE(Exists(file + ".part"));
-  }
-  /// Records until a disk of so many bytes is full, and expects to be told.
-  void FillTheDisk(const std::string& file, rlim_t bytes)
-  {
-    this->Begin();
-    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
-    const FullDisk full(bytes);
-    // A tip that rests takes few bytes.
-    for (int i = 0; i < 1000 && this->Log.Errors.empty(); ++i)
-    {
-      this->Wander(5);
-    }
-    ASSERT_EQ(this->Log.Errors.size(), 1U);
-    EXPECT_NE(this->Log.Errors[0].find(file), std::string::npos);
-    this->ExpectError("Make room");
-    EXPECT_NE(this->Device->GetStatusText().find("Make room"), std::string::npos);
-    EXPECT_TRUE(this->WaitTicks(10)) << "the servo goes on";
-    EXPECT_TRUE(this->Log.Errors.empty()) << "it is told once";
-    EXPECT_FALSE(this->Device->StopRecording());
-    this->ExpectError(".part");
-    EXPECT_EQ(this->Device->GetStatusText().find("Make room"), std::string::npos);
-  }
-  /// What the file holds is what the filter makes of it.
-  void ExpectReplays(const std::string& file, vtkIdType leastTicks)
-  {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    ASSERT_GE(reader->GetOutput()->GetNumberOfPoints(), leastTicks);
-    this->Filter->SetInputData(1, reader->GetOutput());
-    this->Filter->Update();
-    ASSERT_EQ(
-      this->Filter->GetOutput()->GetNumberOfPoints(), reader->GetOutput()->GetNumberOfPoints());
-    vtkDataArray* const here = this->Filter->GetOutput()->GetPointData()->GetArray("Force");
-    vtkDataArray* const there = reader->GetOutput()->GetPointData()->GetArray("Force");
-    for (vtkIdType i = 0; i < here->GetNumberOfTuples(); ++i)
-    {
-      ASSERT_EQ(std::memcmp(here->GetTuple(i), there->GetTuple(i), 3 * sizeof(double)), 0) << i;
-    }
-  }
-
-  const std::string Folder = testing::TempDir() + "VolumeHapticsFailure" + std::to_string(getpid());
 };
 
 } // namespace
@@ -162,7 +77,7 @@ TEST_F(RecordingFailure, OfTheDiskIsToldAtOnceAndKeepsWhatThereIs)
 {
   const std::string file = this->In("full.vtp");
   std::ofstream(file) << "good";
-  this->FillTheDisk(file, 70000);
+  this->FillTheDisk(file);
   EXPECT_EQ(Load(file), "good") << "a file that is there is replaced by a whole one only";
   const std::string elsewhere = this->In("elsewhere.vtp");
   EXPECT_FALSE(
@@ -176,7 +91,7 @@ TEST_F(RecordingFailure, OfTheDiskIsToldAtOnceAndKeepsWhatThereIs)
 TEST_F(RecordingFailure, OfATableKeepsWhatThereIs)
 {
   const std::string file = this->In("full.csv");
-  this->FillTheDisk(file, 70000);
+  this->FillTheDisk(file);
   EXPECT_FALSE(Exists(file));
   EXPECT_FALSE(Exists(file + ".json"));
   ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), file.c_str()));
@@ -189,7 +104,7 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
   const std::string file = this->In("last.vtp");
   this->Begin();
   ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
-  ASSERT_TRUE(this->WaitTicks(600));
+  this->WanderForTwoGroups(file);
   {
     // What is on the disk already stays there, and nothing comes to it.
     const FullDisk full(1);
@@ -199,64 +114,6 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
   EXPECT_FALSE(Exists(file));
   ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), file.c_str()));
   this->ExpectReplays(file, 512);
-}
-
-TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
-{
-  const std::string file = this->In("killed.vtp");
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    this->Begin();
-    this->Device->StartRecording(file.c_str());
-    this->Wander(150);
-    this->WaitTicks(100);
-    kill(getpid(), SIGKILL);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_FALSE(Exists(file));
-
-  // The next recording of that name neither fails nor takes it away.
-  this->Begin();
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
-  ASSERT_EQ(this->Log.Warnings.size(), 1U);
-  EXPECT_NE(this->Log.Warnings[0].find(file + ".part.1"), std::string::npos)
-    << this->Log.Warnings[0];
-  EXPECT_FALSE(this->Device->RecoverRecording((file + ".part").c_str(), this->In("b.vtp").c_str()));
-  this->ExpectError("under way");
-  ASSERT_TRUE(this->Device->StopRecording());
-  this->Device->Close();
-  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part.1").c_str(), file.c_str()));
-  this->ExpectReplays(file, 512);
-}
-
-TEST_F(RecordingFailure, DoesNotComeFromAForkedChild)
-{
-  const std::string file = this->In("forked.vtp");
-  this->Begin();
-  this->Wander(5);
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
-  ASSERT_TRUE(this->WaitTicks(300));
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    // It neither waits for threads that it does not have, nor ends the recording.
-    this->Device->Close();
-    _exit(this->Log.Errors.empty() ? 0 : 1);
-  }
-  ASSERT_TRUE(this->WaitTicks(300));
-  ASSERT_TRUE(this->Device->StopRecording());
-  int status = 0;
-  const bool ended = Eventually([&] { return waitpid(child, &status, WNOHANG) == child; });
-  if (!ended)
-  {
-    kill(child, SIGKILL);
-    waitpid(child, &status, 0);
-  }
-  EXPECT_TRUE(ended && WIFEXITED(status) && WEXITSTATUS(status) == 0);
-  this->ExpectReplays(file, 600);
 }
 
 TEST_F(RecordingFailure, IsNoneOfTwoThatHaveOneName)

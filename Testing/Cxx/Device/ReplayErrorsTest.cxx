@@ -7,6 +7,9 @@
 
 #include "ReplayRig.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 using namespace devicetest;
 
 TEST_F(Replay, RefusesEverythingElseWithOneClearError)
@@ -46,4 +49,27 @@ TEST_F(Replay, RefusesTablesWithBadNumbers)
   this->ExpectRefused(".csv", head + "0,1,2,3\n0.001,1,2\n");
   this->ExpectRefused(".csv", head + "0,1,2,3\n0.001,one,2,3\n");
   this->ExpectRefused(".csv", "a,b\n1,2\n3,4\n");
+}
+
+TEST_F(Replay, RefusesWhatIsNoFile)
+{
+  // To open a pipe that nothing writes to, or to read a device to its end, takes for ever.
+  for (const char* const ending : { ".vtp", ".csv" })
+  {
+    const std::string name = this->File("NoFile") + ending;
+    const auto refuse = [&](const char* words)
+    {
+      EXPECT_FALSE(this->Device->Open(("replay:" + name).c_str())) << name;
+      ASSERT_EQ(this->Log.Errors.size(), 1U);
+      EXPECT_NE(this->Log.Errors[0].find(name), std::string::npos) << this->Log.Errors[0];
+      this->ExpectError(words);
+      unlink(name.c_str());
+    };
+    ASSERT_EQ(mkfifo(name.c_str(), 0600), 0);
+    refuse("is a pipe");
+    ASSERT_EQ(symlink("/dev/zero", name.c_str()), 0);
+    refuse("is a device");
+    ASSERT_EQ(symlink("/", name.c_str()), 0);
+    refuse("is a folder");
+  }
 }

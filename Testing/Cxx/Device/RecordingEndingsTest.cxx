@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Programs that die while they record, and children that are forked meanwhile.
+ */
+
+#include "RecordingFailureRig.h"
+
+#include <csignal>
+#include <sys/wait.h>
+
+using namespace devicetest;
+
+TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
+{
+  const std::string file = this->In("killed.vtp");
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    this->Begin();
+    this->Device->StartRecording(file.c_str());
+    this->WanderForTwoGroups(file);
+    kill(getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_FALSE(Exists(file));
+
+  // The next recording of that name neither fails nor takes it away.
+  this->Begin();
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_EQ(this->Log.Warnings.size(), 1U);
+  EXPECT_NE(this->Log.Warnings[0].find(file + ".part.1"), std::string::npos)
+    << this->Log.Warnings[0];
+  EXPECT_FALSE(this->Device->RecoverRecording((file + ".part").c_str(), this->In("b.vtp").c_str()));
+  this->ExpectError("under way");
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->Device->Close();
+  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part.1").c_str(), file.c_str()));
+  this->ExpectReplays(file, 512);
+}
+
+TEST_F(RecordingFailure, DoesNotComeFromAForkedChild)
+{
+  const std::string file = this->In("forked.vtp");
+  this->Begin();
+  this->Wander(5);
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->WaitTicks(300));
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    // It neither waits for threads that it does not have, nor ends the recording.
+    this->Device->Close();
+    _exit(this->Log.Errors.empty() ? 0 : 1);
+  }
+  ASSERT_TRUE(this->WaitTicks(300));
+  ASSERT_TRUE(this->Device->StopRecording());
+  int status = 0;
+  const bool ended = Eventually([&] { return waitpid(child, &status, WNOHANG) == child; });
+  if (!ended)
+  {
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+  }
+  EXPECT_TRUE(ended && WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  this->ExpectReplays(file, 600);
+}
