@@ -72,7 +72,7 @@ vtkTable* HapticForceHistory::Plot(double span)
     std::array<double, Curves> high = from->Forces;
     std::array<bool, Curves> isFalling = {}; // the smallest comes after the largest
     auto to = from;
-    for (; to != this->States.end() && intervalOf(*to) == interval; ++to)
+    do
     {
       for (int c = 0; c < Curves; ++c)
       {
@@ -81,7 +81,8 @@ vtkTable* HapticForceHistory::Plot(double span)
         low[c] = std::min(low[c], force);
         high[c] = std::max(high[c], force);
       }
-    }
+      ++to;
+    } while (to != this->States.end() && intervalOf(*to) == interval);
     const double times[2] = { from->Time, (to - 1)->Time };
     for (int i = 0; i < 2; ++i)
     {

@@ -38,6 +38,12 @@ struct Tissue
   double From;
   double To;
 };
+
+/** VTK's clamp lets NaN through: the default then. */
+double GetShownSpan(double span)
+{
+  return std::isnan(span) ? 5.0 : span;
+}
 } // namespace
 
 struct vtkHapticHeadUpDisplay::vtkInternals
@@ -121,7 +127,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     this->Internals->History.Add({ columns[0]->GetComponent(i, 0),
                                    { columns[1]->GetComponent(i, 0), columns[2]->GetComponent(i, 0),
                                      columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } },
-      this->TimeSpan);
+      GetShownSpan(this->TimeSpan));
   }
 }
 
@@ -165,7 +171,7 @@ vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
 {
   // Not the one that is drawn, which has to stay as it is.
   auto& d = *this->Internals;
-  d.PlotTable->DeepCopy(d.History.Plot(this->TimeSpan));
+  d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));
   return d.PlotTable;
 }
 
@@ -272,9 +278,9 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   // In a renderer in software the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now - d.Drawn >= std::chrono::milliseconds(50);
-  const bool isStale = isDue &&
-    d.Chart.Show(
-      d.History.Plot(this->TimeSpan), this->TimeSpan, this->GetForceRange(), this->GetPlotTitle());
+  const double span = GetShownSpan(this->TimeSpan);
+  const bool isStale =
+    isDue && d.Chart.Show(d.History.Plot(span), span, this->GetForceRange(), this->GetPlotTitle());
   if (isStale)
   {
     d.Drawn = now;

@@ -21,6 +21,12 @@ namespace
 constexpr double FineFactor = 0.2;
 /// What + and - make of the workspace.
 constexpr double ScaleFactor = 1.25;
+
+/// Without a window there are no such events, and VTK's own styles would crash.
+bool HasWindow(vtkRenderWindowInteractor* interactor)
+{
+  return interactor && interactor->GetRenderWindow();
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -57,7 +63,7 @@ void vtkInteractorStyleHaptic::MoveInDepth(double steps)
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseMove()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -71,7 +77,13 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   }
   if (!this->LeadsTip())
   {
-    this->Superclass::OnMouseMove();
+    // The superclass asks the window of the renderer for its size: a renderer that was taken out of it meanwhile, or
+    // that the application has named, may have none.
+    this->FindPokedRenderer(now[0], now[1]);
+    if (this->CurrentRenderer && this->CurrentRenderer->GetRenderWindow())
+    {
+      this->Superclass::OnMouseMove();
+    }
     return;
   }
   if (this->Interactor->GetControlKey())
@@ -88,7 +100,7 @@ void vtkInteractorStyleHaptic::OnMouseMove()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnLeftButtonDown()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -111,7 +123,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonDown()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnLeftButtonUp()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -120,8 +132,11 @@ void vtkInteractorStyleHaptic::OnLeftButtonUp()
   if (d.EditorHasMouse)
   {
     d.EditorHasMouse = false;
-    d.Editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]);
-    this->Draw(true);
+    if (d.Editor) // else it was taken away meanwhile
+    {
+      d.Editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, at[0], at[1]);
+      this->Draw(true);
+    }
   }
   else if (this->LeadsTip())
   {
@@ -136,7 +151,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonUp()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -153,7 +168,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnRightButtonDown()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -164,7 +179,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnRightButtonUp()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -176,7 +191,7 @@ void vtkInteractorStyleHaptic::OnRightButtonUp()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseWheelForward()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -187,7 +202,7 @@ void vtkInteractorStyleHaptic::OnMouseWheelForward()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -198,7 +213,7 @@ void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyPress()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -280,7 +295,7 @@ void vtkInteractorStyleHaptic::OnKeyPress()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyRelease()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }
@@ -296,7 +311,7 @@ void vtkInteractorStyleHaptic::OnKeyRelease()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnChar()
 {
-  if (!this->Interactor)
+  if (!HasWindow(this->Interactor))
   {
     return;
   }

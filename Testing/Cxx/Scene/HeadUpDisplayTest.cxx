@@ -91,6 +91,14 @@ TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
   EXPECT_EQ(this->DisplayLog.Errors.size(), 1U);
   EXPECT_EQ(this->Display->GetNumberOfStates(), 7);
 
+  this->DisplayLog.Errors.clear();
+  this->Display->SetTimeSpan(std::nan(""));
+  this->Display->Clear();
+  this->Display->AddStates(scenetest::MakeStates(0.0, 8.0, [](double) { return 1.0; }));
+  EXPECT_NEAR(this->Display->GetNumberOfStates(), 5000, 1) << "as by default";
+  EXPECT_EQ(this->Largest(1), 1.0);
+  this->Display->SetTimeSpan(5.0);
+
   // Forces as of a function with absurd values: the axis stays one.
   for (const double force : { std::nan(""), HUGE_VAL, 1e308 })
   {

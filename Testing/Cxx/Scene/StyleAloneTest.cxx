@@ -118,6 +118,41 @@ void CallStyle(Parts& parts)
 }
 } // namespace
 
+TEST(StyleAlone, DragsInARendererWithoutAWindow)
+{
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> shown;
+  vtkNew<vtkRenderer> elsewhere;
+  window->AddRenderer(shown);
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(window);
+  vtkNew<vtkInteractorStyleHaptic> style;
+  interactor->SetInteractorStyle(style);
+  interactor->Initialize();
+  style->SetDefaultRenderer(elsewhere);
+  for (const int shift : { 0, 1 }) // 1: the environment is turned by the right button
+  {
+    interactor->SetEventInformation(20, 20, 0, shift);
+    style->OnLeftButtonDown();
+    style->OnRightButtonDown();
+    interactor->SetEventInformation(25, 30, 0, shift);
+    style->OnMouseMove();
+    style->OnRightButtonUp();
+    style->OnLeftButtonUp();
+  }
+  // Nor without an interactor's window, and with an editor that goes while it has the mouse.
+  vtkNew<vtkGenericRenderWindowInteractor> bare;
+  vtkNew<vtkInteractorStyleHaptic> other;
+  bare->SetInteractorStyle(other);
+  other->OnLeftButtonDown();
+  other->OnLeftButtonUp();
+  vtkNew<vtkHapticFunctionEditor> editor;
+  style->SetFunctionEditor(editor);
+  style->OnLeftButtonDown();
+  style->SetFunctionEditor(nullptr);
+  style->OnLeftButtonUp();
+}
+
 TEST(StyleAlone, ReturnsWhateverIsMissing)
 {
   enum
