@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every public method of every class, called in any order with anything, returns or says an error: see chaos.py."""
+
+import os
+
+import chaos
+import pytest
+import volumehaptics.vtkVolumeHaptics as module
+
+# How many, each of how many calls: `VOLUMEHAPTICS_CHAOS=1000x2000` for a long search.
+SEEDS, CALLS = map(int, os.environ.get("VOLUMEHAPTICS_CHAOS", "10x1000").split("x"))
+
+
+def test_every_method_is_known():
+    """The documentation of the wrapped classes says the arguments of each of their methods."""
+    classes = [cls for cls in vars(module).values() if isinstance(cls, type) and cls.__name__.startswith("vtk")]
+    assert len(classes) >= 15
+    for cls in classes:
+        for name, choices in chaos.methods(cls, module).items():
+            assert choices or name not in vars(cls), f"{cls.__name__}.{name} has no C++ signature"
+    device = chaos.methods(module.vtkHapticDevice, module)
+    assert device["SetVirtualTip"] == [["double", "double", "double"], ["const double [3]"]]
+    assert device["SetVolumeHaptics"] == [["vtkVolumeHapticsFilter *"]] and device["Open"] == [["const char *"]]
+    assert device["DrainStates"] == [["vtkTable *", "int"]] and device["Arm"] == [[]]
+    assert "IsA" not in device and "Update" in chaos.methods(module.vtkHapticStateSource, module)
+
+
+@pytest.mark.parametrize("fault, words", (
+    ("crash", "signal 11"), ("hang", "Timeout"), ("force", "above its limit of 4.0 N"), ("silence", "without text")))
+def test_what_goes_wrong_is_found(tmp_path, fault, words):
+    """A search that finds nothing proves nothing."""
+    trouble = chaos.run_seed(7, 20, tmp_path, "--fault", fault, "--slowest", "5")
+    assert trouble.startswith("seed 7: ") and words in trouble and f"going wrong: {fault}" in trouble, trouble
+
+
+def test_any_calls_in_any_order(tmp_path):
+    troubles = list(chaos.run_seeds(range(SEEDS), CALLS, os.cpu_count() or 1, tmp_path))
+    assert not troubles, "\n\n".join(troubles)
