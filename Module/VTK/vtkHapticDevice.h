@@ -330,6 +330,7 @@ private:
   void Halt();
   void AnnounceDisarmed();
   void TellRecordingTrouble();
+  bool BeginRecording(const std::string& name);
   bool EndRecording(bool isAnnounced);
 
   struct vtkInternals;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <sstream>
 
 using namespace VolumeHaptics;
@@ -135,8 +136,24 @@ void vtkHapticDevice::SetAttentionTime(double seconds)
 bool vtkHapticDevice::StartRecording(const char* file)
 {
   const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  auto& d = *this->Internals;
   const std::string name = file ? file : "";
+  try
+  {
+    return this->BeginRecording(name);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Internals->RecordingFile.clear();
+    vtkErrorMacro(<< "There is not enough memory to begin the recording " << Printable(name)
+                  << ", which takes some 5 MB. Close what else needs memory.");
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::BeginRecording(const std::string& name)
+{
+  auto& d = *this->Internals;
   if (!FindRecordable(this, d.Holder, name))
   {
     return false;
@@ -166,9 +183,9 @@ bool vtkHapticDevice::StartRecording(const char* file)
     vtkErrorMacro(<< error);
     return false;
   }
+  session->StartRecording(std::move(recording));
   d.RecordingFile = name;
   d.IsRecordingTroubleTold = false;
-  session->StartRecording(std::move(recording));
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning);

@@ -5,6 +5,7 @@
  * Where memory runs out there is one error, and no end of the process.
  */
 
+#include "../TemporaryFolder.h"
 #include "ApiRig.h"
 
 #include <vtkExecutive.h>
@@ -149,5 +150,13 @@ TEST_F(Memory, RunsOutInPublish)
   EXPECT_EQ(device->GetMethodText(), "Proxy, PRECISE");
   this->Filter->Modified();
   EXPECT_TRUE(device->Publish());
+
+  const std::string file = TemporaryPath("memory.vtp");
+  IsScarceFrom(2 << 10);
+  EXPECT_FALSE(device->StartRecording(file.c_str()));
+  IsPlenty();
+  Expect(log, { "not enough memory", "memory.vtp" });
+  EXPECT_TRUE(device->StartRecording(file.c_str()));
+  EXPECT_TRUE(device->StopRecording());
   EXPECT_TRUE(log.Errors.empty());
 }
