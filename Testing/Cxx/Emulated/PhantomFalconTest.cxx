@@ -21,9 +21,13 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   std::ofstream(firmware, std::ios::binary) << std::string(4000, 'F');
   this->Device->SetFirmwareFile(firmware);
 
+  // Its loader does not answer until what is going on was seen: else the image may be there before anything was read.
+  this->Falcon.Break(FalconFault::NoGreeting);
   ASSERT_TRUE(this->Device->Open("falcon"));
   ASSERT_TRUE(this->Device->Start());
-  EXPECT_TRUE(this->Hand.Says("irmware")) << this->Device->GetStatusText();
+  EXPECT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("Firmware of falcon"); }))
+    << this->Device->GetStatusText();
+  this->Falcon.Break(FalconFault::None);
   ASSERT_NO_FATAL_FAILURE(this->Home());
   EXPECT_EQ(this->Falcon.GetImage(), std::vector<std::uint8_t>(4000, 'F'));
   const vtkIdType from = this->Device->GetTick();

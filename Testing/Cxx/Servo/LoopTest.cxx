@@ -30,10 +30,9 @@ protected:
   /// Over so many ticks, in which the path goes through contact.
   bool StaysZero(RunningLoop&, std::uint64_t ticks)
   {
-    this->Device.LargestForce.store(0.0);
-    const std::uint64_t end = this->Device.Writes.load() + ticks;
-    return Eventually([&] { return this->Device.Writes.load() > end; }) &&
-      this->Device.LargestForce.load() == 0.0;
+    const std::uint64_t from = this->Device.Writes.load();
+    return Eventually([&] { return this->Device.Writes.load() > from + ticks; }) &&
+      this->Device.LastPush.load() <= from;
   }
   SafetyFault FaultOf(RunningLoop& loop)
   {
@@ -91,9 +90,10 @@ TEST_F(Servo, WithoutAModelThereIsNoForce)
 {
   RunningLoop loop(this->Device);
   this->Activate(loop);
-  loop->Publish(nullptr);
-  EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() == 0.0; }));
-  EXPECT_TRUE(this->StaysZero(loop, 3500));
+  // Not merely out of contact: the loop has seen it.
+  const std::uint64_t generation = loop->Publish(nullptr);
+  EXPECT_TRUE(Eventually([&] { return loop->GetAcknowledged() >= generation; }));
+  EXPECT_TRUE(this->IsCut(loop));
 }
 
 TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
@@ -103,7 +103,13 @@ TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
   RunningLoop loop(this->Device, 5000.0, limits);
   this->Activate(loop);
   this->Device.Frozen.store(true);
-  EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() == 0.0; }));
+  // Not merely out of contact: it has been still for too long.
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      loop->ReadState();
+      return loop->GetState().Stale && this->Device.Force.load() == 0.0;
+    }));
   EXPECT_TRUE(this->StaysZero(loop, 1000));
   EXPECT_EQ(this->FaultOf(loop), SafetyFault::None);
   EXPECT_TRUE(loop->GetState().Stale);

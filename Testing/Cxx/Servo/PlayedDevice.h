@@ -51,11 +51,16 @@ public:
   DeviceState Write(const Vector3& force) noexcept override
   {
     const double norm = Norm(force);
+    const std::uint64_t number = this->Writes.load() + 1; // only this thread counts
     this->LargestGrowth = std::max(this->LargestGrowth, GrowthOf(this->Last, force));
     this->Last = force;
     this->LargestForce.store(std::max(this->LargestForce.load(), norm));
     this->Force.store(norm);
-    this->Writes.fetch_add(1);
+    if (norm > 0.0)
+    {
+      this->LastPush.store(number);
+    }
+    this->Writes.store(number);
     return this->WriteLost.load() ? DeviceState::Lost : DeviceState::Running;
   }
 
@@ -66,6 +71,9 @@ public:
   std::atomic<bool> WriteLost{ false };
   std::atomic<std::uint64_t> Reads{ 0 };
   std::atomic<std::uint64_t> Writes{ 0 };
+  std::atomic<std::uint64_t> LastPush{
+    0
+  };                                ///< the number of the last write of a force that was not zero
   std::atomic<double> Force{ 0.0 }; ///< the norm of the last one
   std::atomic<double> LargestForce{ 0.0 };
   double LargestGrowth = 0.0; ///< in a tick, N; once the loop has ended
