@@ -133,16 +133,16 @@ public:
   ///@{
   /**
    * Around work that keeps the owner's thread from looking after the hand, such as computing a mesh. BeginLongWork
-   * lets the force fade within 50 ms (100 where it turns meanwhile), which it waits for, invokes vtkCommand::StartEvent
-   * and has GetStatusText say "Force is off while", and the given words ("the surface is meshed"). After EndLongWork,
-   * which invokes vtkCommand::EndEvent, the force rises from the tip over half a second, unless the device was disarmed
-   * meanwhile, has a fault or is not armed at all; Arm during the work takes effect after it. AttentionTime does not
-   * count meanwhile. Pairs nest, and the force comes back with the last EndLongWork; without that it stays off.
+   * lets the force fade within 50 ms (100 if it turns meanwhile), waits for that, invokes vtkCommand::StartEvent, and
+   * GetStatusText says "Force is off while" and the given words ("the surface is meshed"). EndLongWork invokes
+   * vtkCommand::EndEvent, and the force rises over half a second from where the tip is then, unless the device was
+   * disarmed meanwhile or has a fault. Arm during the work takes effect after it. AttentionTime does not count
+   * meanwhile. Pairs nest, and the force comes back with the last EndLongWork; without that it stays off.
    *
-   * Work that is expected to take less than so many seconds as a quarter, or than an eighth of AttentionTime, leaves
-   * the force as it is: a hand would feel nothing but a flicker. The device does this by itself where StartRecording
-   * hashes and Publish meshes a large volume; a pipeline before the filter that takes longer is the application's to
-   * announce.
+   * If expectedSeconds is below 0.25, and below an eighth of AttentionTime, the force stays on: the hand would feel
+   * but a flicker, and a computer that is eight times slower than expected is no fault. The device announces by itself
+   * that StartRecording hashes, and Publish meshes, a large volume. A pipeline before the filter that takes seconds is
+   * the application's to announce.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();

@@ -176,6 +176,7 @@ double vtkHapticFunctionEditor::EstimateUpdateTime()
 void vtkHapticFunctionEditor::Update()
 {
   auto& d = *this->Internals;
+  const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may let go of it
   // Observers may render meanwhile: that shows the chart as it is.
   if (!d.IsCounting && !d.Chart.ShowsData(d.Image, d.GetComponent()))
   {

@@ -15,7 +15,9 @@ namespace
 {
 volatile std::sig_atomic_t HasSignal = 0;
 
-class PhantomSignal : public PhantomFalcon
+class PhantomSignal
+  : public PhantomFalcon
+  , public testing::WithParamInterface<int>
 {
 protected:
   PhantomSignal()
@@ -25,19 +27,22 @@ protected:
 };
 } // namespace
 
-TEST_F(PhantomSignal, GoesOnOnceTheDeviceHasGotZero)
+TEST_P(PhantomSignal, GoesOnOnceTheDeviceHasGotZero)
 {
   // As an application's own handler, which was there before the device.
-  std::signal(SIGTERM, [](int) { HasSignal = 1; });
+  HasSignal = 0;
+  std::signal(this->GetParam(), [](int) { HasSignal = 1; });
   ASSERT_TRUE(this->Device->Open("falcon"));
   ASSERT_TRUE(this->Device->Start());
   ASSERT_NO_FATAL_FAILURE(this->Home());
   ASSERT_NO_FATAL_FAILURE(this->Press(0.0, 0.0, 0.006));
   EXPECT_NE(this->Falcon.GetCommands(), Numbers{});
-  std::raise(SIGTERM);
+  std::raise(this->GetParam());
   ASSERT_TRUE(Eventually([] { return HasSignal != 0; }));
   EXPECT_EQ(this->Falcon.GetCommands(), Numbers{});
   EXPECT_TRUE(this->Hand.WaitTicks(100));
   EXPECT_EQ(this->Falcon.GetCommands(), Numbers{}) << "and none comes back";
   EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }
+
+INSTANTIATE_TEST_SUITE_P(Signals, PhantomSignal, testing::Values(SIGTERM, SIGSEGV, SIGABRT));
