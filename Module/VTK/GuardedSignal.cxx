@@ -3,6 +3,8 @@
 #if defined(__unix__)
 #include "GuardedSignal.h"
 
+#include <algorithm>
+
 namespace VolumeHaptics
 {
 namespace
@@ -66,27 +68,17 @@ void GuardedSignal::Install(Deliverer deliverer, Crasher crasher) noexcept
   sigaction(this->Number, &action, nullptr);
 }
 
-void GuardedSignal::Uninstall() noexcept
+void GuardedSignal::PutBack(int count) noexcept
 {
   struct sigaction now = {};
   sigaction(this->Number, nullptr, &now);
-  if (this->IsOurs(now))
+  if (!this->IsOurs(now) || !this->Count.compare_exchange_strong(count, std::max(0, count - 1)))
   {
-    this->PutBack();
+    return;
   }
-}
-
-void GuardedSignal::PutBack() noexcept
-{
   struct sigaction action = {};
   action.sa_handler = SIG_DFL;
-  const int at = this->Count.load() - 1;
-  if (at >= 0)
-  {
-    action = this->Before[at];
-    this->Count.store(at);
-  }
-  sigaction(this->Number, &action, nullptr);
+  sigaction(this->Number, count > 0 ? &this->Before[count - 1] : &action, nullptr);
 }
 
 bool ComesAgain(int number, const siginfo_t& info) noexcept

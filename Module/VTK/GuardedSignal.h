@@ -39,10 +39,13 @@ public:
 
   /** Puts the handler of the manner in front, unless it is there. */
   void Install(Deliverer deliverer, Crasher crasher) noexcept;
-  /** Puts back what was there, unless something else has been put in front meanwhile. */
-  void Uninstall() noexcept;
-  /** Puts back what was there. From a signal handler. */
-  void PutBack() noexcept;
+  /** How many handlers there are to be met: another number after each PutBack. */
+  int CountBefore() const noexcept { return this->Count.load(); }
+  /**
+   * Puts back what was there when so many were to be met, unless that has been done, or something else was put in front
+   * meanwhile. From signal handlers, of several threads at once.
+   */
+  void PutBack(int count) noexcept;
 
 private:
   static constexpr int Most = 8;

@@ -156,7 +156,8 @@ extern "C" void OnDelivered(int number)
   {
     // A forked child shares the pipe, but the devices and the thread at its other end are the
     // parent's. The signal comes again when this handler returns.
-    FindSignal(number).PutBack();
+    GuardedSignal& signal = FindSignal(number);
+    signal.PutBack(signal.CountBefore());
     raise(number);
   }
   errno = keep;
@@ -166,8 +167,10 @@ extern "C" void OnDelivered(int number)
 extern "C" void OnCrash(int number, siginfo_t* info, void*)
 {
   const int keep = errno;
+  GuardedSignal& signal = FindSignal(number);
+  const int count = signal.CountBefore();
   QuenchByWatcher();
-  FindSignal(number).PutBack();
+  signal.PutBack(count);
   if (!ComesAgain(number, *info))
   {
     raise(number);
@@ -188,7 +191,7 @@ void Uninstall()
 {
   for (GuardedSignal& signal : Signals)
   {
-    signal.Uninstall();
+    signal.PutBack(signal.CountBefore());
   }
 }
 

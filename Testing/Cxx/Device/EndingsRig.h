@@ -24,6 +24,7 @@ struct LastingDevice
 {
   std::atomic<double> Sent{ 0.0 }; ///< N, the norm of the last force
   std::atomic<bool> IsQuenched{ false };
+  std::atomic<bool> IsPressed{ false };
   std::atomic<bool> CrashesInRead{ false };
   std::atomic<bool> CrashesInQuench{ false };
   std::atomic<bool> HadForce{ false };
@@ -71,11 +72,9 @@ public:
       WriteToNowhere();
     }
     this->Time += period;
-    sample.Tip = { 0.007, 0.007, 0.009 + 0.001 * std::sin(10.0 * this->Time) };
-    if (this->Time < 0.1)
-    {
-      sample.Tip.Z = 0.005; // in front of what is felt
-    }
+    // In front of what is felt, and then in it.
+    const double depth = Lasting->IsPressed ? 0.009 + 0.001 * std::sin(10.0 * this->Time) : 0.005;
+    sample.Tip = { 0.007, 0.007, depth };
     sample.Fresh = true;
     return VolumeHaptics::DeviceState::Running;
   }
@@ -123,6 +122,8 @@ protected:
   {
     const rlimit none{ 0, 0 };
     setrlimit(RLIMIT_CORE, &none);
+    Lasting->IsPressed = false;
+    Lasting->HadForce = false;
     this->Device->SetServoRate(rate);
     this->Device->SetMaximumForceRate(1e4);
     const bool isFelt = this->Device->Open("lasting:0") && this->Device->Start() &&
@@ -133,6 +134,7 @@ protected:
           return this->Device->GetTipPosition()[2] == 5.0;
         });
     this->Device->Arm();
+    Lasting->IsPressed = true;
     Lasting->HadForce = isFelt && Eventually([] { return Lasting->GetForce() > 0.2; });
   }
   static void Forget()
