@@ -97,8 +97,6 @@ public:
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
   /** 1, or 2 where the second axis can be told from the first. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
-  /** Whether both axes have a bit that enables them, and both are used. */
-  bool CanEnableSecondAxis() const noexcept { return this->Axes > 1 && this->AxisEnable[1].Known; }
   /** The device has no second axis that a hand could move: a wheel whose descriptor is that of a stick. */
   void UseOneAxis() noexcept { this->Axes = 1; }
 

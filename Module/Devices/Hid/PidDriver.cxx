@@ -71,7 +71,7 @@ std::string PidDriver::FindObjection(const HidPlace& place)
   PidDevice device;
   HidStick stick;
   std::string error;
-  return MapBoth(place, device, stick, error) && device.CanEnableSecondAxis() ? TwoAxes : "";
+  return MapBoth(place, device, stick, error) && device.GetNumberOfAxes() > 1 ? TwoAxes : "";
 }
 
 PidDriver::PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale)
@@ -105,7 +105,7 @@ std::vector<HidPlace> PidDriver::Choose(std::string& error) const
     HidStick stick;
     if ((this->Wanted.Any || isNamed) && MapBoth(place, device, stick, reason))
     {
-      if (device.CanEnableSecondAxis())
+      if (device.GetNumberOfAxes() > 1)
       {
         error = place.GetLabel() + " can't be used: " + TwoAxes + ".";
       }

@@ -4,10 +4,10 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
- * Only devices of one axis get forces, such as wheels. Of those with two that can be enabled one by one, published
- * firmwares do not agree about which way an effect pushes the second: OpenFFBoard's of 2021 (commit 021d967) gives y the
- * share of x, that of 2024 goes by another angle for each axis whose bit is set, and pushes y backwards without one. They
- * are refused.
+ * Only devices of one axis get forces, such as wheels. Published firmwares do not agree about which way an effect pushes
+ * the second axis of a stick: OpenFFBoard's of 2021 (commit 021d967) gives y the share of x, that of 2024 goes by another
+ * angle for each axis whose bit is set, and pushes y backwards without one. All sticks of two axes are refused, also
+ * those that go by directions alone.
  *
  * A stick's axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's own
  * y axis points towards the hand. Its effects end by themselves within 0.1 s of the last sign of the host. Many

@@ -110,26 +110,30 @@ TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
 
 TEST(PidSticks, OfTwoAxesAreRefusedBeforeAnythingIsSent)
 {
-  StickModel model(2);
-  const EmulatedHid hid(model);
-  const std::vector<DeviceListing> all = ListDevices();
-  ASSERT_EQ(all.size(), 1U);
-  EXPECT_EQ(all[0].Id, "pid:1209:ffb0");
-  EXPECT_TRUE(Has(all[0].State, "refused: it has two axes")) << all[0].State;
-  for (const char* id : { "pid", "pid:1209:ffb0" })
+  for (const bool hasAxisBits : { true, false })
   {
-    const std::string error = ErrorOf(id);
-    EXPECT_TRUE(Has(error, ("FFB Stick (" + hid.GetNode() + ") can't be used").c_str())) << error;
-    EXPECT_TRUE(Has(error, "two axes")) << error;
-    EXPECT_TRUE(Has(error, "Use a wheel, or another device of one axis")) << error;
+    SCOPED_TRACE(hasAxisBits ? "axes that can be enabled" : "directions alone");
+    StickModel model(2, hasAxisBits);
+    const EmulatedHid hid(model);
+    const std::vector<DeviceListing> all = ListDevices();
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(all[0].Id, "pid:1209:ffb0");
+    EXPECT_TRUE(Has(all[0].State, "refused: it has two axes")) << all[0].State;
+    for (const char* id : { "pid", "pid:1209:ffb0" })
+    {
+      const std::string error = ErrorOf(id);
+      EXPECT_TRUE(Has(error, ("FFB Stick (" + hid.GetNode() + ") can't be used").c_str())) << error;
+      EXPECT_TRUE(Has(error, "two axes")) << error;
+      EXPECT_TRUE(Has(error, "Use a wheel, or another device of one axis")) << error;
+    }
+    EXPECT_EQ(model.GetResets(), 0);
+    // A wheel beside it is opened.
+    StickModel wheel;
+    const EmulatedHid second(wheel);
+    HidBench bench;
+    ASSERT_TRUE(bench.Open("pid")) << bench.Error;
+    EXPECT_TRUE(Has(bench.Device->GetName(), second.GetNode().c_str())) << bench.Device->GetName();
   }
-  EXPECT_EQ(model.GetResets(), 0);
-  // A wheel beside it is opened.
-  StickModel wheel;
-  const EmulatedHid second(wheel);
-  HidBench bench;
-  ASSERT_TRUE(bench.Open("pid")) << bench.Error;
-  EXPECT_TRUE(Has(bench.Device->GetName(), second.GetNode().c_str())) << bench.Device->GetName();
 }
 
 TEST_P(PidRefusals, AreSaid)

@@ -45,8 +45,10 @@ public:
   static constexpr double FullScale = 4.0; ///< N, of both axes at a magnitude of 10000
   static constexpr double Travel = 0.05;   ///< m, of the handle at the end of an axis
 
-  explicit StickModel(int axes = 1)
+  /** Without bits that enable its axes, a device goes by the direction alone. */
+  explicit StickModel(int axes = 1, bool hasAxisBits = true)
     : Axes(axes)
+    , HasAxisBits(hasAxisBits)
   {
   }
 
@@ -88,6 +90,7 @@ private:
   void Report();
 
   const int Axes;
+  const bool HasAxisBits;
   mutable std::mutex Guard;
   EmulatedHand Hand;
   std::map<int, Effect> Effects;

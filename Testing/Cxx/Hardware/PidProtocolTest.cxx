@@ -55,16 +55,17 @@ TEST(PidProtocol, GoesByDirectionsWhereAxesCannotBeEnabled)
     (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x80, 0x00 }));
 }
 
-TEST(PidProtocol, SaysWhetherItsAxesCanBeEnabledOneByOne)
+TEST(PidProtocol, HasTheAxesThatItUses)
 {
-  PidDevice device = Mapped({});
-  EXPECT_TRUE(device.CanEnableSecondAxis());
-  device.UseOneAxis();
-  EXPECT_EQ(device.GetNumberOfAxes(), 1);
-  EXPECT_FALSE(device.CanEnableSecondAxis());
-  Stick stick;
-  stick.HasAxesEnable = false;
-  EXPECT_FALSE(Mapped(stick).CanEnableSecondAxis());
+  for (const bool hasAxesEnable : { true, false })
+  {
+    Stick stick;
+    stick.HasAxesEnable = hasAxesEnable;
+    PidDevice device = Mapped(stick);
+    EXPECT_EQ(device.GetNumberOfAxes(), 2);
+    device.UseOneAxis();
+    EXPECT_EQ(device.GetNumberOfAxes(), 1);
+  }
 }
 
 TEST(PidProtocol, NewtonsBecomeMagnitudesOfAnyRange)
