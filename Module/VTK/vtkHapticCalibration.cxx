@@ -82,6 +82,11 @@ vtkHapticCalibration::~vtkHapticCalibration() = default;
 //------------------------------------------------------------------------------
 void vtkHapticCalibration::AddPoint(const double device[3], const double world[3])
 {
+  if (!device || !world)
+  {
+    vtkErrorMacro("A touched point is three numbers in the device and three in the world.");
+    return;
+  }
   this->DevicePoints->InsertNextPoint(device);
   this->WorldPoints->InsertNextPoint(world);
   this->Modified();

@@ -47,6 +47,11 @@ void vtkHapticDevice::PlaceVirtualTip(double x, double y, double z)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetVirtualTip(const double x[3])
 {
+  if (!x)
+  {
+    vtkErrorMacro("The tip of a virtual device is led to three numbers; it stays where it is.");
+    return;
+  }
   this->SetVirtualTip(x[0], x[1], x[2]);
 }
 

@@ -263,6 +263,11 @@ bool vtkHapticFunctionEditor::DoubleClick(int button, int x, int y)
 void vtkHapticFunctionEditor::GetDisplayPosition(
   double value, double functionValue, double position[2])
 {
+  if (!position)
+  {
+    vtkErrorMacro("There is no array of two numbers to put the position into.");
+    return;
+  }
   this->Internals->Chart.GetPosition(value, functionValue, position);
   int origin[2] = { 0, 0 };
   this->Internals->ToViewport(origin[0], origin[1]);

@@ -115,6 +115,11 @@ void vtkHapticHardware::SetNewtonsPerFullScale(double x, double y)
 //------------------------------------------------------------------------------
 void vtkHapticHardware::SetNewtonsPerFullScale(const double newtons[2])
 {
+  if (!newtons)
+  {
+    vtkErrorMacro("NewtonsPerFullScale is two numbers; it stays as it was.");
+    return;
+  }
   this->SetNewtonsPerFullScale(newtons[0], newtons[1]);
 }
 

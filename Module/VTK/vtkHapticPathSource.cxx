@@ -108,6 +108,11 @@ void vtkHapticPathSource::SetBoxBounds(
 //------------------------------------------------------------------------------
 void vtkHapticPathSource::SetBoxBounds(const double bounds[6])
 {
+  if (!bounds)
+  {
+    vtkErrorMacro("BoxBounds are six numbers; BoxCorner and BoxSize stay as they were.");
+    return;
+  }
   this->SetBoxBounds(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
 }
 

@@ -174,6 +174,11 @@ double vtkHapticRegionPlanner::GetHalfWidth()
 bool vtkHapticRegionPlanner::Plan(
   const double tip[3], const double velocity[3], const int resident[6], int wanted[6])
 {
+  if (!tip || !velocity || !resident || !wanted)
+  {
+    vtkErrorMacro("A plan needs the tip, its velocity, and two extents of six numbers.");
+    return false;
+  }
   WholeGeometry whole;
   std::copy(this->WholeExtent, this->WholeExtent + 6, whole.Extent);
   whole.IndexToWorld.Linear = IndexToWorld(this->Direction, this->Spacing);

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Props that are told to draw where there is nothing to draw to, and editors of absurd sizes.
+ * Props that are told to draw where there is nothing to draw to, arrays that are not there, and editors of absurd sizes.
  */
 
 #include "../Api/ApiRig.h"
 
 #include <vtkContextDevice2D.h> // has the charts drawn with OpenGL
+#include <vtkHapticCalibration.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticFunctionEditor.h>
 #include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticPathSource.h>
+#include <vtkHapticRegionPlanner.h>
 #include <vtkHapticRepresentation.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -53,6 +56,37 @@ TEST(Undrawn, PropsWithoutAWindowThatRenders)
   representation->SetDevice(device);
   representation->SetTrail(MakePath(Line({ 0, 0, 0 }, { 1, 1, 1 }, 5)));
   ExpectNothingDrawn(representation);
+}
+
+TEST(Undrawn, NumbersThatAreMissing)
+{
+  const auto expectError = [](auto* object, auto&& call)
+  {
+    MessageLog log(object);
+    call();
+    ASSERT_EQ(log.Errors.size(), 1U);
+    EXPECT_NE(log.Errors[0].find("number"), std::string::npos) << log.Errors[0];
+  };
+  const double three[3] = { 1.0, 2.0, 3.0 };
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  vtkNew<vtkHapticDevice> device;
+  expectError(device.Get(), [&] { device->SetVirtualTip(nullptr); });
+  expectError(device.Get(), [&] { device->SetNewtonsPerFullScale(nullptr); });
+  vtkNew<vtkHapticPathSource> source;
+  expectError(source.Get(), [&] { source->SetBoxBounds(nullptr); });
+  vtkNew<vtkHapticRegionPlanner> planner;
+  expectError(planner.Get(), [&] { planner->SetDirection(nullptr); });
+  expectError(planner.Get(), [&] { planner->Plan(nullptr, three, extent, extent); });
+  expectError(planner.Get(), [&] { planner->Plan(three, nullptr, extent, extent); });
+  expectError(planner.Get(), [&] { planner->Plan(three, three, nullptr, extent); });
+  expectError(planner.Get(), [&] { planner->Plan(three, three, extent, nullptr); });
+  vtkNew<vtkHapticCalibration> calibration;
+  expectError(calibration.Get(), [&] { calibration->AddPoint(nullptr, three); });
+  expectError(calibration.Get(), [&] { calibration->AddPoint(three, nullptr); });
+  EXPECT_EQ(calibration->GetNumberOfPoints(), 0);
+  vtkNew<vtkHapticFunctionEditor> editor;
+  expectError(editor.Get(), [&] { editor->GetDisplayPosition(1.0, 1.0, nullptr); });
+  expectError(editor.Get(), [&] { editor->SetRectangle(nullptr); });
 }
 
 TEST(Undrawn, EditorsOfAbsurdSizes)
