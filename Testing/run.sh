@@ -7,9 +7,9 @@
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
 # Without --full, a short form of the sanitizer runs and of the fuzzer precedes the tests; with it, all C++
-# tests run under the address and undefined-behaviour sanitizers, those of the device, the scene and the servo
-# also under the thread sanitizer, the fuzzer searches for ten minutes, the benchmarks print their ratios, and
-# the evaluation its whole table.
+# tests and the calls in any order run under the address and undefined-behaviour sanitizers, those of the device,
+# the scene and the servo also under the thread sanitizer, the fuzzer searches for ten minutes, the benchmarks
+# print their ratios, and the evaluation its whole table.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -105,10 +105,10 @@ at_once=(-DCMAKE_UNITY_BUILD=ON)
 # Line numbers are all that the sanitizers' reports need of the debug information, and optimising most of the compiler's
 # time; what is tested stays fast enough with some.
 sanitizer_options=("${linker[@]}" "${at_once[@]}" -DBUILD_TESTING=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
-  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1 -DNDEBUG" -DVolumeHaptics_WRAP_PYTHON=OFF)
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1 -DNDEBUG")
 echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
 cmake -S "$root" -B "$build_dir-sanitize" -G Ninja "${sanitizer_options[@]}" \
-  -DVolumeHaptics_SANITIZE=address,undefined
+  -DVolumeHaptics_SANITIZE=address,undefined -DVolumeHaptics_WRAP_PYTHON=$([ $full = yes ] && echo ON || echo OFF)
 if [ $full = yes ]; then
   cmake --build "$build_dir-sanitize" -j "$jobs"
   run_tests "$build_dir-sanitize" -LE package
@@ -119,7 +119,7 @@ fi
 
 echo "== Building with the thread sanitizer in $build_dir-thread"
 cmake -S "$root" -B "$build_dir-thread" -G Ninja "${sanitizer_options[@]}" \
-  -DVolumeHaptics_SANITIZE=thread
+  -DVolumeHaptics_SANITIZE=thread -DVolumeHaptics_WRAP_PYTHON=OFF
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests

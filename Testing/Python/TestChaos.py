@@ -9,7 +9,7 @@ import pytest
 import volumehaptics.vtkVolumeHaptics as module
 
 # How many, each of how many calls: `VOLUMEHAPTICS_CHAOS=1000x2000` for a long search.
-SEEDS, CALLS = map(int, os.environ.get("VOLUMEHAPTICS_CHAOS", "10x1000").split("x"))
+SEEDS, CALLS = map(int, os.environ.get("VOLUMEHAPTICS_CHAOS", "10x600").split("x"))
 
 
 def test_every_method_is_known():
@@ -27,7 +27,7 @@ def test_every_method_is_known():
 
 
 @pytest.mark.parametrize("fault, words", (
-    ("crash", "signal 11"), ("hang", "Timeout"), ("force", "above its limit of 4.0 N"), ("silence", "without text")))
+    ("crash", "Segmentation fault"), ("hang", "Timeout"), ("force", "above its limit of 4.0 N"), ("silence", "without text")))
 def test_what_goes_wrong_is_found(tmp_path, fault, words):
     """A search that finds nothing proves nothing."""
     trouble = chaos.run_seed(7, 20, tmp_path, "--fault", fault, "--slowest", "5")
@@ -35,5 +35,7 @@ def test_what_goes_wrong_is_found(tmp_path, fault, words):
 
 
 def test_any_calls_in_any_order(tmp_path):
-    troubles = list(chaos.run_seeds(range(SEEDS), CALLS, os.cpu_count() or 1, tmp_path))
+    # The address sanitizer ends a process that asks for more memory than there is, as for paths of 1e8 points.
+    left_out = "PathSource.Set(Speed|PointsPerSecond)" if "VOLUMEHAPTICS_SANITIZED" in os.environ else chaos.NONE
+    troubles = list(chaos.run_seeds(range(SEEDS), CALLS, os.cpu_count() or 1, tmp_path, "--left-out", left_out))
     assert not troubles, "\n\n".join(troubles)
