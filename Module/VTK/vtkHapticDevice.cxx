@@ -366,3 +366,24 @@ void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
   auto& d = *this->Internals;
   d.Holder.DrainStates(d.GetPlacement(), states, reader);
 }
+
+//------------------------------------------------------------------------------
+int vtkHapticDevice::AddReader()
+{
+  auto& readers = this->Internals->Readers;
+  int reader = 0;
+  while (!readers.insert(reader).second)
+  {
+    --reader;
+  }
+  return reader;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::RemoveReader(int reader)
+{
+  if (this->Internals->Readers.erase(reader) != 0)
+  {
+    this->DrainStates(nullptr, reader);
+  }
+}

@@ -26,7 +26,8 @@
  * program, a crash in the thread that talks to the device or with the heap locked that its library needs, a full stack
  * of another thread than the owner's, and loss of power. A handler that a program adds to an armed device comes first.
  * Stiffness and ForceFieldDamping are capped at what the device can hold. During work that keeps the owner's thread
- * for long (BeginLongWork), as StartRecording and Publish have it with large volumes, the force is off.
+ * for long (BeginLongWork), as StartRecording and Publish have it with large volumes, the force is off. A program that
+ * stands still for 2 s without such an announcement loses the force until Arm is called again: see SetAttentionTime.
  *
  * The servo reads the image's own array, without a copy: give the image a new array instead of resizing or
  * refilling one that is being touched.
@@ -234,9 +235,19 @@ public:
    * NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, Residency, and with three
    * components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The first call begins to
    * keep states. Where nobody calls for 100000 ticks, the oldest are dropped. Each reader, by a number of its own,
-   * gets all; nullptr ends it. vtkInteractorStyleHaptic is number 0.
+   * gets all; nullptr ends it. vtkInteractorStyleHaptic is number 0, and further ones on the same device have the
+   * numbers below: see AddReader.
    */
   void DrainStates(vtkTable* states, int reader = 0);
+
+  ///@{
+  /**
+   * A number for DrainStates that AddReader has given to no other reader: 0, or if that is taken, -1, -2 and so on,
+   * until RemoveReader, which ends the reading, too. Numbers above 0 are free for applications to choose from.
+   */
+  int AddReader();
+  void RemoveReader(int reader);
+  ///@}
 
   ///@{
   /**
@@ -260,9 +271,9 @@ public:
 
   ///@{
   /**
-   * Let go where the program stands still, and with it whatever stops the device: armed, and without UpdateState,
-   * DrainStates, Publish, Arm or a new limit for so long (s), the servo fades the force out, and a fault holds
-   * until Arm. 0.05 or more, or 0 (default) for never, as for programs that seldom look.
+   * Let go when the program stands still, and with it whatever stops the device, such as a window that hangs: armed,
+   * and without UpdateState, DrainStates, Publish, Arm or a new limit for so long (s), the servo fades the force out,
+   * and a fault holds until Arm. 0.05 or more, default 2; 0 turns it off, for programs that seldom look.
    */
   void SetAttentionTime(double seconds);
   vtkGetMacro(AttentionTime, double);
@@ -317,7 +328,7 @@ protected:
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
-  double AttentionTime = 0.0;
+  double AttentionTime = 2.0;
   double WantedForce = -1.0; // what SetMaximumForce was given; negative: half of the device's
 
 private:

@@ -18,12 +18,15 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <set>
+
 struct vtkHapticDevice::vtkInternals
 {
   VolumeHaptics::HapticDeviceHolder Holder;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   std::string RecordingFile;
+  std::set<int> Readers;     // of AddReader
   bool IsAnnouncing = false; // while observers are told that it was disarmed
   bool IsRecordingTroubleTold = false;
 

@@ -137,6 +137,7 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   writer->SetInputData(exploration.Tip.Path);
   Demand(writer->Write() != 0, "the planned path can't be written", capture);
   vtkNew<vtkHapticDevice> device;
+  device->SetAttentionTime(0.0); // no hand is held
   Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
   device->SetVolumeHaptics(exploration.Filter);
   device->SetServoRate(exploration.ServoRate);
@@ -165,6 +166,7 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   vtkPolyData* const path = exploration.Tip.Path;
   const MessageCapture capture;
   vtkNew<vtkHapticDevice> device;
+  device->SetAttentionTime(0.0); // no hand is held
   Demand(device->Open("virtual"), "the virtual device does not open", capture);
   device->SetVolumeHaptics(filter);
   device->SetServoRate(exploration.ServoRate);

@@ -29,9 +29,8 @@ protected:
     ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
   }
   /// Nobody looks for a while; a loop that had no processor may need a longer one.
-  bool IsLetGo()
+  bool IsLetGo(std::chrono::milliseconds silence = std::chrono::milliseconds(400))
   {
-    auto silence = std::chrono::milliseconds(400);
     for (int i = 0; i < 5; ++i, silence *= 2)
     {
       std::this_thread::sleep_for(silence);
@@ -79,9 +78,16 @@ TEST_F(Attention, AForceThatNobodyLooksAfterFadesAndIsArmedAnew)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }
 
-TEST_F(Attention, IsNotAskedForUnlessSet)
+TEST_F(Attention, IsAskedForByDefault)
 {
-  EXPECT_EQ(this->Device->GetAttentionTime(), 0.0);
+  EXPECT_EQ(this->Device->GetAttentionTime(), 2.0);
+  this->Press();
+  ASSERT_TRUE(this->IsLetGo(std::chrono::milliseconds(2100))) << this->Device->GetStatusText();
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+}
+
+TEST_F(Attention, IsNotAskedForWithZero)
+{
   this->Device->SetAttentionTime(1e-6);
   EXPECT_EQ(this->Device->GetAttentionTime(), 0.05);
   for (const double never : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
@@ -90,7 +96,7 @@ TEST_F(Attention, IsNotAskedForUnlessSet)
     EXPECT_EQ(this->Device->GetAttentionTime(), 0.0);
   }
   this->Press();
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  std::this_thread::sleep_for(std::chrono::milliseconds(2300));
   this->Device->UpdateState();
   EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT);
 }
