@@ -48,6 +48,7 @@ vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
   {
     this->Internals->Device->RemoveObserver(this->Internals->DisarmObserver);
     this->Internals->Device->RemoveObserver(this->Internals->WorkObserver);
+    this->Internals->Device->RemoveReader(this->Internals->Reader);
   }
   this->SetFunctionEditor(nullptr);
 }
@@ -60,12 +61,16 @@ void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
   {
     if (d.Device)
     {
+      this->LetGo();
       d.Device->RemoveObserver(d.DisarmObserver);
       d.Device->RemoveObserver(d.WorkObserver);
+      d.Device->RemoveReader(d.Reader);
     }
     d.Device = device;
     if (device)
     {
+      d.Reader = device->AddReader();
+      d.Updated = device->GetTime();
       device->AddObserver(vtkCommand::DisableEvent, d.DisarmObserver);
       device->AddObserver(vtkCommand::StartEvent, d.WorkObserver);
       device->AddObserver(vtkCommand::EndEvent, d.WorkObserver);

@@ -156,7 +156,18 @@ public:
    */
   bool UpdateHaptics();
 
-  /** The states that the last update took from the device: see vtkHapticDevice::DrainStates. */
+  /**
+   * Warn of the volumes in the renderer that show the image of the device's filter in a way that is not felt: with a
+   * position, orientation, scale or user matrix, cropping, clipping planes, a mask, a 2-D transfer function, or blanked
+   * points or cells. UpdateHaptics() does so, too. A warning comes once for each volume and reason, and again when a
+   * reason has gone and comes back.
+   */
+  void CheckShownVolumes();
+
+  /**
+   * The states that the last update took from the device: see vtkHapticDevice::DrainStates. Each style gets all of
+   * them, also where several use one device.
+   */
   vtkTable* GetStates();
 
   /**

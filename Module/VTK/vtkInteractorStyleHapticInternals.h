@@ -12,6 +12,7 @@
 #include "HapticChangeTime.h"
 #include "HapticLongWork.h"
 #include "HapticRenderPace.h"
+#include "HapticShownVolumes.h"
 #include "HapticStateWatch.h"
 #include "HapticWindowWatch.h"
 #include "HapticWorkspace.h"
@@ -38,6 +39,9 @@ struct vtkInteractorStyleHaptic::vtkInternals
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkNew<vtkTable> States;
   VolumeHaptics::HapticWindowWatch Window;
+  VolumeHaptics::HapticShownVolumes Volumes;
+  int Reader = 0;       ///< of the device's states
+  double Updated = 0.0; ///< the device's time (s) at the last update
   VolumeHaptics::HapticStateWatch Watch;
   VolumeHaptics::HapticWorkspace Workspace;
 

@@ -9,6 +9,7 @@
 #include "vtkInteractorStyleHapticInternals.h"
 
 #include "vtkCamera.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -17,6 +18,7 @@
 #include "vtkTransform.h"
 
 #include <algorithm>
+#include <utility>
 
 using namespace VolumeHaptics;
 
@@ -252,11 +254,12 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
     }
   }
 
-  const double before = d.Device->GetTime();
-  const bool isNew = d.Device->UpdateState();
-  if (isNew && renderer)
+  bool isNew = d.Device->UpdateState();
+  // Another style with this device may have taken the state before.
+  const double before = std::exchange(d.Updated, d.Device->GetTime());
+  if (d.Updated > before && renderer)
   {
-    this->TurnVolume(renderer, d.Device->GetTime() - before);
+    this->TurnVolume(renderer, d.Updated - before);
   }
   if (this->Clutch && d.IsArmed())
   {
@@ -266,7 +269,8 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
     d.Device->Disarm();
     d.ArmAfterClutch = arms;
   }
-  d.Device->DrainStates(d.States);
+  d.Device->DrainStates(d.States, d.Reader);
+  isNew = isNew || d.States->GetNumberOfRows() > 0;
   if (d.Display)
   {
     d.Display->AddStates(d.States);
@@ -280,7 +284,25 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   {
     this->InvokeEvent(StatesEvent);
   }
-  // What listens to the events may have ended the loop.
+  this->CheckShownVolumes();
+  // An observer of the events may have ended the loop.
   d.Window.Look();
   return isNew;
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::CheckShownVolumes()
+{
+  auto& d = *this->Internals;
+  vtkRenderer* const renderer = this->GetHapticRenderer();
+  vtkVolumeHapticsFilter* const filter = d.Device ? d.Device->GetVolumeHaptics() : nullptr;
+  auto* const image =
+    filter ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
+  if (renderer && image)
+  {
+    for (const std::string& warning : d.Volumes.Check(renderer, image))
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
 }

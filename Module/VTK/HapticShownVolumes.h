@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How the volumes of a scene show the image that is felt: as it is, or changed in a way that the hand does not feel.
+ */
+#ifndef HapticShownVolumes_h
+#define HapticShownVolumes_h
+
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkRenderer;
+class vtkUnsignedCharArray;
+class vtkVolume;
+
+namespace VolumeHaptics
+{
+
+/** Remembers the volumes that it has warned of, so that each difference is told once as long as it lasts. */
+class HapticShownVolumes
+{
+public:
+  /**
+   * A warning for each visible volume of a renderer that shows an image, or another one with the same scalars, in a
+   * way that is not felt. It tells the differences that are new since the last call, and the cures.
+   */
+  std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image);
+
+private:
+  struct Known
+  {
+    vtkWeakPointer<vtkVolume> Volume;
+    unsigned int Differences;
+  };
+  unsigned int FindDifferences(vtkVolume* volume, vtkImageData* image);
+  bool HasBlanks(vtkImageData* image);
+  bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
+
+  std::vector<Known> All;
+  struct Blanks
+  {
+    vtkWeakPointer<vtkUnsignedCharArray> Ghosts;
+    vtkMTimeType Time = 0;
+    bool HasAny = false;
+  };
+  Blanks Last[2]; ///< of points and of cells, as counting them takes a pass over the image
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Volumes that show what is felt in a way that is not felt: one warning for each reason.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPlane.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+using namespace scenetest;
+
+namespace
+{
+class StyleVolumes : public StyleTest
+{
+protected:
+  StyleVolumes()
+  {
+    this->Mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+    this->Mapper->SetInputData(this->Ball);
+    this->Volume->SetMapper(this->Mapper);
+    this->Renderer->AddVolume(this->Volume);
+    this->Device->Open("virtual");
+    this->Device->Start();
+    this->Run(2);
+  }
+  /// How many warnings there are since the last call, the newest of which has the words.
+  std::size_t CountWarnings(const char* words = "")
+  {
+    this->Style->UpdateHaptics();
+    this->Style->UpdateHaptics();
+    const std::size_t count = this->Log.Warnings.size();
+    if (count > 0)
+    {
+      EXPECT_NE(this->Log.Warnings.back().find(words), std::string::npos)
+        << this->Log.Warnings.back();
+      EXPECT_NE(this->Log.Warnings.back().find("Cure:"), std::string::npos);
+    }
+    this->Log.Warnings.clear();
+    return count;
+  }
+
+  vtkSmartPointer<vtkVolumeMapper> Mapper;
+  vtkNew<vtkVolume> Volume;
+};
+
+constexpr const char* Moved = "moved, turned or scaled";
+} // namespace
+
+TEST_F(StyleVolumes, ThatArePlainGiveNone)
+{
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  // Nothing is cut off by these, nor moved.
+  this->Mapper->CroppingOn();
+  this->Mapper->SetCroppingRegionPlanes(-50.0, 50.0, -50.0, 50.0, -50.0, 50.0);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, -50.0);
+  this->Mapper->AddClippingPlane(plane);
+  vtkNew<vtkMatrix4x4> unity;
+  this->Volume->SetUserMatrix(unity);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(this->Ball->GetNumberOfPoints());
+  ghosts->FillValue(0);
+  this->Ball->GetPointData()->AddArray(ghosts);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+}
+
+TEST_F(StyleVolumes, ThatAreMovedWarnOncePerWay)
+{
+  this->Volume->SetPosition(5.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+  EXPECT_EQ(this->CountWarnings(), 0U) << "once";
+  this->Volume->SetPosition(6.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(), 0U) << "the same reason";
+  this->Volume->SetPosition(0.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  this->Volume->RotateZ(10.0);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+  this->Volume->SetOrientation(0.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  this->Volume->SetScale(2.0);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+  this->Volume->SetScale(1.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(0, 0, -1.0);
+  this->Volume->SetUserMatrix(matrix);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+}
+
+TEST_F(StyleVolumes, ThatShowTheSameScalarsInTheSamePlaceGiveNone)
+{
+  // The place of the image as the prop's matrix, as the explorer has it.
+  this->Ball->SetOrigin(-40.0, 3.0, 2.0);
+  double turn[9] = { 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 };
+  this->Ball->SetDirectionMatrix(turn);
+  vtkNew<vtkImageData> plain;
+  plain->ShallowCopy(this->Ball);
+  plain->SetOrigin(0.0, 0.0, 0.0);
+  plain->GetDirectionMatrix()->Identity();
+  plain->SetDirectionMatrix(plain->GetDirectionMatrix()->GetData());
+  this->Mapper->SetInputData(plain);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U) << "shown somewhere else";
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 3; ++row)
+  {
+    matrix->SetElement(row, 3, this->Ball->GetOrigin()[row]);
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix->SetElement(row, column, turn[3 * row + column]);
+    }
+  }
+  this->Volume->SetUserMatrix(matrix);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+}
+
+TEST_F(StyleVolumes, ThatAreCutWarn)
+{
+  this->Mapper->CroppingOn();
+  this->Mapper->SetCroppingRegionPlanes(-10.0, 10.0, -50.0, 50.0, -50.0, 50.0);
+  EXPECT_EQ(this->CountWarnings("crops"), 1U);
+  this->Mapper->CroppingOff();
+  vtkNew<vtkPlane> plane;
+  this->Mapper->AddClippingPlane(plane);
+  EXPECT_EQ(this->CountWarnings("clipping planes"), 1U);
+  this->Mapper->CroppingOn();
+  this->Mapper->SetCroppingRegionFlagsToFence();
+  EXPECT_EQ(this->CountWarnings("crops"), 1U) << "another reason";
+}
+
+TEST_F(StyleVolumes, WithAMaskWarn)
+{
+  vtkNew<vtkImageData> mask;
+  mask->SetDimensions(this->Ball->GetDimensions());
+  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  vtkGPUVolumeRayCastMapper::SafeDownCast(this->Mapper)->SetMaskInput(mask);
+  EXPECT_EQ(this->CountWarnings("mask"), 1U);
+}
+
+TEST_F(StyleVolumes, WithATransferFunctionOfTwoDimensionsWarn)
+{
+  vtkNew<vtkImageData> function;
+  function->SetDimensions(2, 2, 1);
+  function->AllocateScalars(VTK_FLOAT, 4);
+  this->Volume->GetProperty()->SetTransferFunction2D(function);
+  EXPECT_EQ(this->CountWarnings("2-D transfer function"), 1U);
+}
+
+TEST_F(StyleVolumes, WithBlanksWarn)
+{
+  vtkUnsignedCharArray* const points = this->Ball->AllocatePointGhostArray();
+  points->SetValue(1234, vtkDataSetAttributes::HIDDENPOINT);
+  EXPECT_EQ(this->CountWarnings("vtkGhostType"), 1U);
+  points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT); // seen all the same
+  points->Modified();
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  this->Ball->AllocateCellGhostArray()->SetValue(77, vtkDataSetAttributes::HIDDENCELL);
+  EXPECT_EQ(this->CountWarnings("vtkGhostType"), 1U);
+}
+
+TEST_F(StyleVolumes, ThatShowSomethingElseOrNothingGiveNone)
+{
+  this->Volume->SetPosition(5.0, 0.0, 0.0);
+  this->Volume->VisibilityOff();
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  this->Volume->VisibilityOn();
+  this->Mapper->SetInputData(MakeBall());
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  this->Volume->SetMapper(nullptr);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  this->Renderer->RemoveVolume(this->Volume);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+}
+
+TEST_F(StyleVolumes, AreToldApart)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->SetInputData(this->Ball);
+  vtkNew<vtkVolume> other;
+  other->SetMapper(mapper);
+  this->Renderer->AddVolume(other);
+  this->Volume->SetPosition(5.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+  other->SetPosition(5.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+  this->Style->CheckShownVolumes();
+  EXPECT_TRUE(this->Log.Warnings.empty());
+}
