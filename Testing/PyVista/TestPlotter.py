@@ -14,7 +14,7 @@ from volumehaptics.pyvista import add_haptics
 def test_nothing_is_felt_before_the_user_touches(window, hands):
     hand = hands()
     device = hand.device
-    assert device.IsRunning() and device.GetDeviceId() == "virtual"
+    assert device.IsRunning() and device.GetDeviceId() == "virtual" and device.GetAttentionTime() == 10.0
     device.SetVirtualTip(0, 0, 15)  # in the ball
     hand.wait(lambda: device.GetTick() > 100)
     assert device.GetStatus() == vtkHapticDevice.READY and device.GetForce() == (0, 0, 0)

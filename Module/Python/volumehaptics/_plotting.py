@@ -5,13 +5,15 @@
 from __future__ import annotations
 
 import atexit
+import warnings
 import weakref
 from typing import TYPE_CHECKING, Any
 
+from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkVolume
 
-from ._touch import Errors, configure
+from ._touch import Errors, configure, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
     vtkHapticHeadUpDisplay,
@@ -140,6 +142,21 @@ class Haptics:
         weakref.finalize(plotter, close)
 
 
+    def _check_volumes(self) -> list[str]:
+        """How volumes of the scene are not felt as they are shown; what comes later is told with a warning."""
+        with Errors(self.style, event="WarningEvent") as found:
+            self.style.CheckShownVolumes()
+        self.style.AddObserver("WarningEvent", _warn)
+        return found
+
+
+def _warn(_style: vtkInteractorStyleHaptic, _event: str, text: str) -> None:
+    warnings.warn(plain(text), stacklevel=2)
+
+
+_warn.CallDataType = VTK_STRING  # type: ignore[attr-defined]
+
+
 @atexit.register
 def _close_all() -> None:
     for haptics in list(_touchable.values()):
@@ -194,12 +211,14 @@ def add_haptics(
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
-    vtkInteractorStyleHaptic for all keys. It fades out where the plotter's timer stands still for 10 s, and ends
-    when the volume's actor is removed. Closing the plotter stops everything. The plotter's camera keys and mouse
-    remain, except for those that the style lists.
+    vtkInteractorStyleHaptic for all keys. It fades out when the plotter's timer stands still for 10 s, or for the
+    AttentionTime of a device of your own, and ends when the volume's actor is removed. Closing the plotter stops
+    everything. The plotter's camera keys and mouse remain, except for those that the style lists.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
-    can't be touched; the text says why, and what helps. RuntimeError: the device does not open.
+    can't be touched; the text says why, and what helps. RuntimeError: the device does not open. UserWarning: the
+    image is shown in a way that is not felt, such as cropped, masked or blanked: see
+    vtkInteractorStyleHaptic.CheckShownVolumes(). It comes later, too, when the plotter changes.
     """
     if getattr(plotter, "iren", None) is None:
         if not hasattr(plotter, "iren"):
@@ -229,6 +248,8 @@ def add_haptics(
         haptics.representation.SetRadius(SIZE * length)
         haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
+        for text in haptics._check_volumes():
+            warnings.warn(text, stacklevel=2)
     except BaseException:
         haptics.close()  # now: the exception keeps it, in an interactive session until the next one
         raise
@@ -254,7 +275,7 @@ def _start(haptics: Haptics, wanted: str | vtkHapticDevice) -> None:
         device.SetVolumeHaptics(haptics.filter)
         if haptics._owns_device and not device.Open(wanted):
             raise RuntimeError("; ".join(errors))
-        if device.GetAttentionTime() == 0.0:
+        if haptics._owns_device:
             device.SetAttentionTime(ATTENTION)
         if not device.Start():
             raise ValueError("; ".join(errors))

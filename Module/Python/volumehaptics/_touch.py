@@ -18,22 +18,26 @@ if TYPE_CHECKING:
     import numpy as np
 
 
+def plain(text: str) -> str:
+    """A message of VTK's without the file and the line in it, which do not help the caller."""
+    return re.sub(r"^(ERROR|Warning): In .*, line \d+\n.*?\(\w+\): ", "", text).strip()
+
+
 class Errors(list):
-    """What objects complain of in a with statement, instead of on the console.
+    """What objects complain of in a with statement, instead of on the console: errors, or with an event, warnings.
 
     Who is watched and who watches keep each other, and a volume with them, until Python looks for garbage: not longer
     than the statement.
     """
 
-    def __init__(self, *watched: Any) -> None:
+    def __init__(self, *watched: Any, event: str = "ErrorEvent") -> None:
         super().__init__()
 
         def note(_caller, _event, text):
-            # Without the file and the line in it, which are of no help to who calls.
-            self.append(re.sub(r"^ERROR: In .*, line \d+\n.*?\(\w+\): ", "", text).strip())
+            self.append(plain(text))
 
         note.CallDataType = VTK_STRING
-        self._watched = [(one, one.AddObserver("ErrorEvent", note)) for one in watched]
+        self._watched = [(one, one.AddObserver(event, note)) for one in watched]
 
     def __enter__(self) -> Errors:
         return self

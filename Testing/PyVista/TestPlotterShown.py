@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""add_haptics() of volumehaptics.pyvista: it warns of volumes that are not felt as they are shown."""
+
+import warnings
+
+import numpy as np
+import pytest
+import pyvista as pv
+from volumehaptics.pyvista import add_haptics
+from vtkmodules.vtkCommonDataModel import vtkPlane
+
+
+@pytest.fixture
+def scene():
+    """A plotter, an image and the actor that shows it."""
+    plotter = pv.Plotter(off_screen=True)
+    grid = pv.ImageData(dimensions=(17, 17, 17))
+    grid["value"] = 100.0 * grid.points[:, 2]
+    yield plotter, grid, plotter.add_volume(grid, mapper="gpu")
+    plotter.close()
+
+
+def crop(grid, actor):
+    actor.mapper.CroppingOn()
+    actor.mapper.SetCroppingRegionPlanes(0, 8, 0, 16, 0, 16)
+
+
+def clip(grid, actor):
+    plane = vtkPlane()
+    plane.SetOrigin(8, 8, 8)
+    actor.mapper.AddClippingPlane(plane)
+
+
+def mask(grid, actor):
+    inside = pv.ImageData(dimensions=grid.dimensions)
+    inside["mask"] = np.full(grid.n_points, 255, np.uint8)
+    actor.mapper.SetMaskInput(inside)
+
+
+def use_two_dimensions(grid, actor):
+    function = pv.ImageData(dimensions=(2, 2, 1))
+    function["rgba"] = np.ones((4, 4), np.float32)
+    actor.prop.SetTransferFunction2D(function)
+
+
+def blank(grid, actor):
+    shown = pv.wrap(actor.mapper.GetInputDataObject(0, 0))  # PyVista may have copied the grid
+    shown.point_data["vtkGhostType"] = np.full(grid.n_points, 2, np.uint8)
+
+
+def move(grid, actor):
+    actor.SetPosition(1, 2, 3)
+
+
+WAYS = {crop: "crops", clip: "clipping planes", mask: "mask", use_two_dimensions: "2-D transfer function",
+        blank: "vtkGhostType"}
+
+
+@pytest.mark.parametrize("change, words", WAYS.items(), ids=lambda one: getattr(one, "__name__", None))
+def test_volumes_that_are_not_felt_as_shown_warn(scene, change, words):
+    plotter, grid, actor = scene
+    change(grid, actor)
+    with pytest.warns(UserWarning, match=f"{words}.*Cure: ") as caught:
+        haptics = add_haptics(plotter, actor)
+    assert len(caught) == 1 and caught[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        haptics.update()  # it was told
+
+
+def test_moved_volumes_warn_where_the_image_is_given(scene):
+    plotter, grid, actor = scene
+    move(grid, actor)
+    with pytest.raises(ValueError, match="moved, turned or scaled"):
+        add_haptics(plotter, actor)
+    with pytest.warns(UserWarning, match="moved, turned or scaled.*Cure: "):
+        add_haptics(plotter, actor.mapper.GetInputDataObject(0, 0))
+
+
+def test_plain_volumes_do_not_warn_until_they_change(scene):
+    plotter, grid, actor = scene
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        haptics = add_haptics(plotter, actor)
+        haptics.update()
+    for change, words in {clip: "clipping planes", move: "moved"}.items():
+        change(grid, actor)
+        with pytest.warns(UserWarning, match=words) as caught:
+            haptics.update()
+            haptics.update()
+        assert len(caught) == 1
+
+
+def test_warnings_that_are_errors_leave_nothing_behind(scene):
+    plotter, grid, actor = scene
+    crop(grid, actor)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(UserWarning, match="crops"):
+            add_haptics(plotter, actor)
+    with pytest.warns(UserWarning, match="crops"):
+        assert add_haptics(plotter, actor).device.IsRunning()  # the plotter is as it was
