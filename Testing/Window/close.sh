@@ -11,7 +11,7 @@
 #   --rounds N      how often each of the four (default 1)
 #   --expect FILE   what the program writes when it ends; it has to be there anew each time
 #   --size PIXELS   of the window's sides, for machines that draw in software
-#   --picture FILE  a picture of the screen while something is touched
+#   --picture FILE  a picture of the window while something is touched; takes imagemagick
 #   TITLE           of the window, or its beginning
 #
 # Ends with 77 where what it needs is not installed; Testing/run.sh installs it.
@@ -112,6 +112,14 @@ has_ended()
   ! kill -0 "$child" 2> /dev/null
 }
 
+# Something is seen, and it has not changed for a second.
+is_drawn()
+{
+  local before=$folder/before.png
+  import -window "$window" "$before" && sleep 1 && import -window "$window" "$picture" &&
+    [[ "$(identify -format %k "$picture")" -gt 1000 && "$(compare -metric AE "$before" "$picture" null: 2>&1)" == 0 ]]
+}
+
 # The pointer is on the volume: into it, and along its surface.
 touch_volume()
 {
@@ -123,8 +131,7 @@ touch_volume()
   done
   if [[ -n "$picture" ]]
   then
-    sleep 1
-    import -window root "$picture"
+    wait_for "a frame with the hand in it" is_drawn
     picture=""
   fi
   xdotool mousemove_relative -- -6 2 mousemove_relative -- 3 -2
