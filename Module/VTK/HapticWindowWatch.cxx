@@ -83,8 +83,11 @@ public:
       case vtkCommand::ModifiedEvent:
         this->Watch->OnModified();
         break;
-      default:
+      case vtkCommand::StartEvent:
         this->Watch->OnRender();
+        break;
+      default:
+        this->Watch->Look();
     }
   }
   HapticWindowWatch* Watch = nullptr;
@@ -141,6 +144,16 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
     // Before the application's observers, which may take long: to save, or to ask whether to quit.
     interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
     interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
+    // After them, as they may have called TerminateApp(), which is the last thing that the loop does then.
+    for (const unsigned long event :
+      { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,
+        vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
+        vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonReleaseEvent,
+        vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonReleaseEvent,
+        vtkCommand::MouseMoveEvent, vtkCommand::TimerEvent })
+    {
+      interactor->AddObserver(event, this->Events, -VTK_FLOAT_MAX);
+    }
     this->Look();
   }
 }

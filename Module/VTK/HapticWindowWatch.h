@@ -6,8 +6,8 @@
  *
  * VTK has no event for the end of a loop or of a window, and each platform ends them in its own order. So this watches
  * everything that comes early in an end: ExitEvent (the key q, the window manager's close), the interactor's Disable(),
- * and the release of the window's graphics resources, which comes before the window itself is destroyed. Look() notices
- * that TerminateApp() was called.
+ * and the release of the window's graphics resources, which comes before the window itself is destroyed. Look(), which
+ * follows events of keys, mouse and timers, notices that TerminateApp() was called.
  */
 #ifndef HapticWindowWatch_h
 #define HapticWindowWatch_h

@@ -88,6 +88,24 @@ TEST_F(StyleEnds, WithALoopThatTheApplicationEnds)
   EXPECT_FALSE(this->Window->GetMapped()) << "a late frame has opened another window";
 }
 
+TEST_F(StyleEnds, WithALoopThatAKeyOfTheApplicationEnds)
+{
+  vtkNew<vtkCallbackCommand> end;
+  end->SetCallback(
+    [](vtkObject* interactor, unsigned long, void*, void*)
+    {
+      static_cast<vtkRenderWindowInteractor*>(interactor)->SetDone(true);
+    }); // as TerminateApp() since VTK 9.2
+  this->Interactor->AddObserver(vtkCommand::KeyPressEvent, end, -1.0f);
+  this->PushUntilHeld(
+    [this]
+    {
+      this->Style->RemoveAllObservers();
+      this->Press("x");
+      this->ExpectNoForce();
+    });
+}
+
 TEST_F(StyleEnds, WithTheWindow)
 {
   this->PushUntilHeld(
