@@ -25,12 +25,14 @@ Vector3 ClampNorm(const Vector3& v, double most) noexcept
 }
 
 /**
- * The energy (J) that a spring which pulls with a force (N) gives back while it relaxes, if it is felt with no more
- * than `most` (N) of it. Negative if its stiffness (N/m) is not known.
+ * The energy (J) that the spring of an input gives back while it relaxes, if it is felt with no more than `most` (N)
+ * of its pull. The pull goes by the stretch: the force may be clamped already. Negative if the stiffness is not known.
  */
-double FindRecoverable(double force, double most, double stiffness) noexcept
+double FindRecoverable(const SafetyInput& input, double most) noexcept
 {
-  return stiffness > 0.0 ? 0.5 * most * (2.0 * force - most) / stiffness : -1.0;
+  const double k = input.Stiffness;
+  const double pull = std::max(Norm(input.Force), k * input.Stretch);
+  return k > 0.0 ? 0.5 * most * (2.0 * pull - most) / k : -1.0;
 }
 
 } // namespace
@@ -120,7 +122,7 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
   const double step = limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0;
   this->Ramp = std::min(1.0, this->Ramp + step);
   return this->Growth.Apply(share * clamped, input.Tip, limits.MaximumForceRate * input.Period,
-    share * FindRecoverable(Norm(input.Force), Norm(clamped), input.Stiffness));
+    share * FindRecoverable(input, Norm(clamped)));
 }
 
 void SaturateTogether(double* commands, int count, double limit) noexcept

@@ -181,6 +181,7 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   SafetyInput input;
   input.Force = s.Record.Force;
   input.Stiffness = s.Record.Stiffness;
+  input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
   input.Tip = sample.Tip;
   input.Residency = s.Residency;
   input.Period = period;
