@@ -19,7 +19,7 @@ constexpr double LeastPaid = 1.0 / 64.0;
 
 void GrowthLimit::BeginContact() noexcept
 {
-  this->Share = 1.0;
+  this->LeastShare = this->MostShare = 1.0;
   this->Work = 0.0;
   this->Unpaid = 0.0;
 }
@@ -48,10 +48,10 @@ void GrowthLimit::Account(const Vector3& wanted, const Vector3& tip, double reco
   }
   else if (this->HasTip)
   {
-    // The mean of both ends is exact for springs. What was sent is `Share` of it.
+    // The mean of both ends is exact for springs.
     const double work = -0.5 * Dot(this->Wanted + wanted, tip - this->Tip);
     this->Work += work;
-    this->Unpaid += (1.0 - this->Share) * work;
+    this->Unpaid += (1.0 - (work > 0.0 ? this->LeastShare : this->MostShare)) * work;
     if (recoverable >= 0.0 && this->Work > recoverable)
     {
       this->Unpaid *= recoverable / this->Work;
@@ -78,8 +78,11 @@ Vector3 GrowthLimit::Apply(
     const double share = this->Unpaid > 0.0 ? 2.0 * paid / (this->Work + paid) : 1.0;
     const double before = std::max(0.0, Dot(this->Sent, wanted) / norm);
     const double most = std::min(share * norm, before + growth);
-    this->Share = most < norm ? most / norm : 1.0;
-    this->Sent = this->Share < 1.0 ? this->Share * wanted : wanted;
+    const double sent = most < norm ? most / norm : 1.0;
+    const bool moved = !this->HasTip || !IsIdentical(tip, this->Tip);
+    this->LeastShare = moved ? sent : std::min(this->LeastShare, sent);
+    this->MostShare = moved ? sent : std::max(this->MostShare, sent);
+    this->Sent = sent < 1.0 ? sent * wanted : wanted;
   }
   else
   {

@@ -34,6 +34,10 @@
  * which is why p is this function: the sampled loop is as stable with the limit as without. As long as (1) has not
  * held anything back, Paid = Work, s = 1, and F = W to the bit.
  *
+ * A device may report slower than the servo ticks: then the tip stands for some ticks and leaps, while the hand moved
+ * all the time, and s with it. For dPaid the least s since the tip last moved counts where the hand has worked, and the
+ * largest where it gets work back, so that no share is paid for that was not there.
+ *
  * Work that friction, drag and yielding tissue have used up does not come back, and must not hide what is owed to a
  * spring that the tip meets later in the same contact. A source that knows how much energy can come back says so, and
  * Work and Paid are scaled down to that.
@@ -73,9 +77,10 @@ private:
   Vector3 Sent;
   Vector3 Tip;
   bool HasTip = false;
-  double Share = 1.0;  ///< s
-  double Work = 0.0;   ///< J
-  double Unpaid = 0.0; ///< J, Work - Paid: exactly 0 while nothing was held back
+  double LeastShare = 1.0; ///< of s, since the tip last moved
+  double MostShare = 1.0;
+  double Work = 0.0;       ///< J
+  double Unpaid = 0.0;     ///< J, Work - Paid: exactly 0 while nothing was held back
 };
 
 } // namespace VolumeHaptics

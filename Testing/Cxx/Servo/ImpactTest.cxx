@@ -48,6 +48,7 @@ struct Loop
   double MaximumForce = 8.0; ///< N
   double ForceRate = 500.0;  ///< N/s
   std::size_t Delay = 0;     ///< ticks from the stage to the hand
+  int Every = 1;             ///< ticks from one measured tip to the next
   double Stiffness = 0.0;    ///< what the stage is told, N/m
   double LargestGrowth = 0.0;
 
@@ -73,8 +74,9 @@ struct Loop
     bool touched = false;
     for (int i = 0; i < 20000; ++i)
     {
-      input.Tip = body.Place;
-      input.Force = field(body.Place);
+      input.Fresh = i % this->Every == 0;
+      input.Tip = input.Fresh ? body.Place : input.Tip;
+      input.Force = field(input.Tip);
       const Vector3 force = stage.Apply(input, limits);
       this->LargestGrowth = std::max(this->LargestGrowth, Norm(force) - Norm(last));
       last = force;
@@ -158,6 +160,34 @@ TEST(Impact, NoWallReturnsMoreThanWithoutTheLimit)
           EXPECT_LE(left, 1.02 * loop.FlyFreely(body, MakeWall(k)))
             << mass << " kg, " << speed << " m/s, " << k << " N/m, case " << i;
           EXPECT_LE(loop.LargestGrowth, loop.ForceRate * Period * (1.0 + 1e-9));
+        }
+      }
+    }
+  }
+}
+
+TEST(Impact, NoWallReturnsMoreToADeviceThatReportsSlowly)
+{
+  for (const int every : { 2, 4, 8, 10 })
+  {
+    for (const double mass : { 0.05, 0.15, 0.5, 2.0 })
+    {
+      for (const double speed : { 0.1, 0.3, 1.0 })
+      {
+        for (const double k : { 100.0, 300.0, 600.0, 1000.0 })
+        {
+          for (int i = 0; i < 6; ++i)
+          {
+            Loop loop;
+            loop.Every = every;
+            loop.ForceRate = i / 2 == 0 ? 10.0 : i / 2 == 1 ? 100.0 : 500.0;
+            loop.Stiffness = i % 2 == 0 ? 0.0 : k;
+            const Body body = Throw(mass, speed, 0.3 * every);
+            const double left = loop.Fly(body, MakeWall(k));
+            EXPECT_LE(left, 1.02 * loop.FlyFreely(body, MakeWall(k)))
+              << every << " ms, " << mass << " kg, " << speed << " m/s, " << k << " N/m, case "
+              << i;
+          }
         }
       }
     }
