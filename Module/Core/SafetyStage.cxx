@@ -53,12 +53,18 @@ Vector3 SafetyStage::Cut() noexcept
   return {};
 }
 
-Vector3 SafetyStage::Retreat(double period, const SafetyLimits& limits) noexcept
+Vector3 SafetyStage::Retreat(const SafetyInput& input, const SafetyLimits& limits) noexcept
 {
   // However slowly forces may grow, one that nobody controls any more is gone in time.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   const Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
-  const Vector3 next = last - ClampNorm(last, rate * period);
+  Vector3 next = last - ClampNorm(last, rate * input.Period);
+  if (input.Fresh)
+  {
+    // It is known again where the hand is: it gets no push that is not wanted there.
+    const double norm = Norm(last);
+    next = ClampNorm(next, norm > 0.0 ? input.Residency * Dot(input.Force, last) / norm : 0.0);
+  }
   this->Growth.Override(next);
   this->Retreats = this->Stale || Dot(next, next) > 0.0;
   return next;
@@ -114,7 +120,7 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
   }
   if (this->Retreats)
   {
-    return this->Retreat(input.Period, limits);
+    return this->Retreat(input, limits);
   }
 
   const double share = input.Residency * this->Ramp;

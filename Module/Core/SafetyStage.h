@@ -16,8 +16,8 @@
  *
  * Residency and ramp are applied before the slew limit, so that nothing that leaves grows faster than it allows. A
  * fault and disarming cut the force at once. Without fresh samples for WatchdogTime the force retreats: it goes down
- * to zero at MaximumForceRate, in 20 ms at most, also if samples come back meanwhile; after a pause of the loop that
- * long it starts from zero. A force that fades out (ResidentServo::FadeOut) goes down by its share, without a step.
+ * to zero at MaximumForceRate, in 20 ms at most, also if samples come back meanwhile, but is then no more than what
+ * is wanted along it; after a pause of the loop that long it starts from zero. A force that fades out (ResidentServo::FadeOut) goes down by its share, without a step.
  * A fault holds until Arm.
  */
 #ifndef SafetyStage_h
@@ -90,10 +90,12 @@ public:
   SafetyFault GetFault() const noexcept { return this->Fault; }
   /** Whether the last samples are older than the watchdog allows. */
   bool IsStale() const noexcept { return this->Stale; }
+  /** Whether the force goes down to zero, or stays there, since samples did not come. */
+  bool IsRetreating() const noexcept { return this->Retreats; }
 
 private:
   Vector3 Cut() noexcept;
-  Vector3 Retreat(double period, const SafetyLimits& limits) noexcept;
+  Vector3 Retreat(const SafetyInput& input, const SafetyLimits& limits) noexcept;
   double MeasureSpeed(const SafetyInput& input) noexcept;
 
   GrowthLimit Growth;

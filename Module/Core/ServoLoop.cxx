@@ -189,6 +189,7 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   input.Fresh = sample.Fresh;
   // What Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
+  const bool retreated = this->Safety.IsRetreating();
   s.Command = this->Safety.Apply(input, this->Limits.Read());
   // Not before the command is there, too: it may follow late.
   if (this->Servo.IsFadedOut() && Dot(s.Command, s.Command) == 0.0)
@@ -209,9 +210,9 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   {
     s.Device = DeviceState::Lost;
   }
-  if (this->Safety.IsStale())
+  if ((retreated || this->Safety.IsRetreating()) && Dot(s.Command, s.Command) == 0.0)
   {
-    // Nobody knows where the hand went meanwhile.
+    // It is not known where the hand went meanwhile. Not while force is left: it would end in a step.
     this->State.Enabled = false;
   }
 

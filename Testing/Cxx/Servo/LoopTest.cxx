@@ -44,6 +44,37 @@ protected:
   std::shared_ptr<const HapticModel> Model = std::make_shared<HapticModel>(Describe(this->Volume));
   PlayedDevice Device;
 };
+
+/// Rests in the ramp; its samples stop when it is told, and come back as soon as the force falls.
+class DozingDevice : public PlayedDevice
+{
+public:
+  DeviceState Read(double period, DeviceSample& sample) noexcept override
+  {
+    const DeviceState state = PlayedDevice::Read(period, sample);
+    this->Depth = std::min(0.002, this->Depth + (this->IsIn.load() ? 1e-6 : 0.0));
+    sample.Tip = Vector3{ 0.012, 0.012, 0.010 + this->Depth };
+    return state;
+  }
+  DeviceState Write(const Vector3& force) noexcept override
+  {
+    const double fall = this->LastForce - Norm(force);
+    this->LastForce = Norm(force);
+    this->LargestFall.store(std::max(this->LargestFall.load(), fall));
+    if (fall > 0.0)
+    {
+      this->Frozen.store(false);
+    }
+    return PlayedDevice::Write(force);
+  }
+
+  std::atomic<bool> IsIn{ false };
+  std::atomic<double> LargestFall{ 0.0 }; ///< N
+
+private:
+  double Depth = 0.0; // m
+  double LastForce = 0.0;
+};
 } // namespace
 
 TEST_F(Servo, AModelTakesEffectWithinTwoTicks)
@@ -115,6 +146,28 @@ TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
   EXPECT_TRUE(loop->GetState().Stale);
   this->Device.Frozen.store(false);
   EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.5; }));
+}
+
+TEST_F(Servo, SamplesThatComeBackWhileTheForceFallsMakeNoStepAndBeginFromTheTip)
+{
+  DozingDevice device;
+  SafetyLimits limits = QuickLimits();
+  limits.WatchdogTime = 0.3;
+  limits.MaximumForceRate = 500.0;
+  RunningLoop loop(device, 5000.0, limits);
+  loop->Publish(this->Model);
+  loop->Arm();
+  ASSERT_TRUE(
+    Eventually([&] { return loop->ReadState() && loop->GetState().Armed && device.Reads > 200; }));
+  device.IsIn.store(true);
+  ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; })); // 500 N/m
+  device.Frozen.store(true);
+  ASSERT_TRUE(Eventually([&] { return device.Force.load() == 0.0; }));
+  EXPECT_LE(device.LargestFall.load(), limits.MaximumForceRate / 5000.0 * (1.0 + 1e-9));
+  device.LargestForce.store(0.0);
+  const std::uint64_t end = device.Writes.load() + 500;
+  ASSERT_TRUE(Eventually([&] { return device.Writes.load() > end; }));
+  EXPECT_EQ(device.LargestForce.load(), 0.0) << "the proxy is on the tip";
 }
 
 TEST_F(Servo, ADeviceThatIsLostInReadOrWriteStaysCutUntilArmed)

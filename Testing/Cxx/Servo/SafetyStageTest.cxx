@@ -167,6 +167,33 @@ TEST_F(Safety, ARetreatThatHasBegunGoesOnToZeroWithoutAStep)
   }
 }
 
+TEST_F(Safety, ARetreatPushesNoHandThatIsKnownToBeElsewhere)
+{
+  const Vector3 force{ 3.0, 0.0, 0.0 };
+  for (const Vector3& wanted : { Vector3{}, Vector3{ 0.0, 3.0, 0.0 }, Vector3{ -3.0, 0.0, 0.0 },
+         Vector3{ 0.5, 3.0, 0.0 }, Vector3{ 9.0, 0.0, 0.0 } })
+  {
+    this->Input.Fresh = true;
+    this->Stage.Arm();
+    this->Repeat(force, 600);
+    this->Input.Fresh = false;
+    this->Repeat(force, 31);
+    const double left = this->Output.X;
+    ASSERT_LT(left, 3.0);
+    EXPECT_NEAR(this->Apply(wanted).X, left - 0.5, 1e-12) << "as long as it is not known";
+    this->Input.Fresh = true;
+    EXPECT_NEAR(this->Apply(wanted).X, std::min(left - 1.0, std::max(0.0, wanted.X)), 1e-12);
+    EXPECT_EQ(this->Output.Y, 0.0);
+  }
+  this->Stage.Arm();
+  this->Repeat(force, 600);
+  this->Input.Fresh = false;
+  this->Repeat(force, 31);
+  this->Input.Fresh = true;
+  this->Input.Residency = 0.25;
+  EXPECT_NEAR(this->Apply(force).X, 0.75, 1e-12);
+}
+
 TEST_F(Safety, AGapInTheLoopItselfRampsInAgain)
 {
   this->Activate({ 3.0, 0.0, 0.0 });
