@@ -67,6 +67,7 @@ void HapticDeviceHolder::Close()
     this->Backend.reset();
   }
   this->Virtual = nullptr;
+  ++this->Opening;
   // Arming is for the device that is at hand, not for the next one.
   this->ArmWanted = false;
   this->IsReplay = false;

@@ -25,6 +25,8 @@ public:
   bool Open(const std::string& id, const DeviceOptions& options, std::string& error);
   void Close();
   bool IsOpen() const { return this->Backend != nullptr; }
+  /** Another number after each Open or Close. */
+  int GetOpening() const { return this->Opening; }
   const std::string& GetId() const { return this->Id; }
   DeviceLimits GetLimits() const
   {
@@ -110,6 +112,7 @@ private:
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;
+  int Opening = 0;
   VirtualDevice* Virtual = nullptr;
   bool IsReplay = false;
   RecordedTips Replay;

@@ -68,8 +68,6 @@ bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double r
   }
   range[0] = std::clamp(range[0], -FarthestShown, FarthestShown);
   range[1] = std::clamp(range[1], -FarthestShown, FarthestShown);
-  range[0] = std::clamp(range[0], -FarthestShown, FarthestShown);
-  range[1] = std::clamp(range[1], -FarthestShown, FarthestShown);
   constexpr int most = 128;
   const int type = scalars->GetDataType();
   double width = (range[1] - range[0]) / most;

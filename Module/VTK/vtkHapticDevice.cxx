@@ -177,6 +177,18 @@ bool vtkHapticDevice::IsPublished()
 bool vtkHapticDevice::Start()
 {
   auto& d = *this->Internals;
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  if (d.Holder.GetSession())
+  {
+    return true;
+  }
+  const int opening = d.Holder.GetOpening();
+  std::shared_ptr<const HapticModel> model;
+  if (d.Holder.IsOpen() && !d.Bake(this, this->ServoRate, model))
+  {
+    return false;
+  }
+  // Observers of the progress may have started it, closed it or opened another one.
   if (d.Holder.GetSession())
   {
     return true;
@@ -186,9 +198,9 @@ bool vtkHapticDevice::Start()
     vtkErrorMacro("No device is open. Open one first, for example with Open(\"virtual\").");
     return false;
   }
-  std::shared_ptr<const HapticModel> model;
-  if (!d.Bake(this, this->ServoRate, model))
+  if (d.Holder.GetOpening() != opening)
   {
+    vtkErrorMacro("Another device was opened while this one was being started: Start() again.");
     return false;
   }
   const Affine3 placement = model ? model->DeviceToWorld : d.GetPlacement();
@@ -282,8 +294,11 @@ void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
     this->AttentionTime > 0.0 ? std::min(shortest, this->AttentionTime / margin) : shortest;
   auto& holder = this->Internals->Holder;
   holder.Attend();
-  if (holder.BeginWork(what && *what ? what : "the program works", !(expectedSeconds < limit)))
+  const bool isLong = !(expectedSeconds < limit);
+  const bool begins = holder.BeginWork(what && *what ? what : "the program works", isLong);
+  if (begins && this->HasObserver(vtkCommand::StartEvent))
   {
+    const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
     this->InvokeEvent(vtkCommand::StartEvent);
   }
 }
@@ -297,8 +312,9 @@ void vtkHapticDevice::EndLongWork()
     vtkErrorMacro("No long work is under way: BeginLongWork() first.");
     return;
   }
-  if (holder.EndWork())
+  if (holder.EndWork() && this->HasObserver(vtkCommand::EndEvent))
   {
+    const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
     this->InvokeEvent(vtkCommand::EndEvent);
   }
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkInteractorStyleHaptic);
 
@@ -29,8 +30,12 @@ vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   d.TimerObserver->SetCallback([](vtkObject*, unsigned long, void* self, void* id)
     { static_cast<vtkInternals*>(self)->FiredTimer = id ? *static_cast<int*>(id) : 0; });
   d.DisarmObserver->SetClientData(&d);
-  d.DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<vtkInternals*>(self)->ArmAfterClutch = false; });
+  d.DisarmObserver->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void*)
+    {
+      static_cast<vtkInternals*>(self)->ArmAfterClutch = false;
+      static_cast<vtkInternals*>(self)->IsTouchBeginning = false;
+    });
   d.WorkObserver->SetClientData(this);
   d.WorkObserver->SetCallback(
     [](vtkObject* worker, unsigned long event, void* self, void*)
@@ -59,9 +64,9 @@ void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
   auto& d = *this->Internals;
   if (d.Device != device)
   {
+    this->LetGo(); // an observer of it may take the device away, too
     if (d.Device)
     {
-      this->LetGo();
       d.Device->RemoveObserver(d.DisarmObserver);
       d.Device->RemoveObserver(d.WorkObserver);
       d.Device->RemoveReader(d.Reader);
@@ -267,44 +272,85 @@ bool vtkInteractorStyleHaptic::ArmsAfterClutch()
 void vtkInteractorStyleHaptic::SetTouchMode(bool on)
 {
   auto& d = *this->Internals;
+  if (!on)
+  {
+    d.IsTouchBeginning = false;
+  }
   if (on == this->TouchMode)
   {
     return;
   }
-  if (on && (!d.Device || !d.Device->IsRunning()))
+  if (on)
+  {
+    this->BeginTouch();
+    return;
+  }
+  this->TouchMode = false;
+  d.Window.Look();
+  if (d.Device)
+  {
+    d.Device->Disarm();
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::BeginTouch()
+{
+  auto& d = *this->Internals;
+  if (!d.Device || !d.Device->IsRunning())
   {
     vtkErrorMacro("There is nothing to touch with: SetDevice() one that is open and started.");
     return;
   }
-  if (on && !this->Interactor)
+  if (!this->Interactor)
   {
     vtkErrorMacro("There is no window to touch in, as this style has no interactor: call "
                   "SetInteractorStyle() of the one with the window, with this style.");
     return;
   }
-  vtkRenderer* const renderer = this->GetHapticRenderer();
-  if (on && d.IsVirtual() && renderer)
+  if (d.Window.IsClosed())
+  {
+    vtkErrorMacro("The window to touch in was closed: Render() it, which opens it again.");
+    return;
+  }
+  // Observers of the long work may end the loop, disarm, or take the device or the interactor away. Each of these ends
+  // the beginning, too, and nothing is armed then.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> self(this);
+  const vtkSmartPointer<vtkHapticDevice> device = d.Device;
+  const vtkSmartPointer<vtkRenderer> renderer = this->GetHapticRenderer();
+  const bool leadsTip = d.IsVirtual() && renderer;
+  Vector3 start;
+  d.IsTouchBeginning = true;
+  if (leadsTip)
   {
     const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
-    const int* const pointer = this->Interactor->GetEventPosition();
-    Vector3 start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
-    if (vtkVolumeHapticsFilter* filter = d.Device->GetVolumeHaptics())
+    const int pointer[2] = { this->Interactor->GetEventPosition()[0],
+      this->Interactor->GetEventPosition()[1] };
+    start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
+    if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      const LongWork work(d.Device, "the surface is meshed", filter->EstimateBakeTime());
-      FindFirstContact(renderer, pointer, filter, start);
+      const LongWork work(device, "the surface is meshed", filter->EstimateBakeTime());
+      if (d.IsTouchBeginning)
+      {
+        FindFirstContact(renderer, pointer, filter, start);
+      }
     }
-    d.Lead = start;
-    d.Device->PlaceVirtualTip(start.X, start.Y, start.Z);
   }
-  this->TouchMode = on;
   d.Window.Look();
-  if (d.Device && !on)
+  if (!std::exchange(d.IsTouchBeginning, false))
   {
-    d.Device->Disarm();
+    return;
   }
-  else if (d.Device && !this->Clutch)
+  if (leadsTip)
   {
-    d.Device->Arm();
+    d.Lead = start;
+    device->PlaceVirtualTip(start.X, start.Y, start.Z);
+  }
+  this->TouchMode = true;
+  if (!this->Clutch)
+  {
+    device->Arm();
   }
   this->Modified();
 }

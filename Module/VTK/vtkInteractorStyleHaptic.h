@@ -102,7 +102,8 @@ public:
   /**
    * The touch mode. On puts the tip of a virtual device in front of the first surface under the
    * pointer, where there is one, else into the plane of the focal point, and arms. Needs an interactor, and a
-   * device that runs; without them it stays off, with an error. Default off.
+   * device that runs; without them, or in a window that was closed, it stays off, with an error. It also stays off if
+   * the loop is ended, the device is disarmed, or one of them is taken away while the surface is meshed. Default off.
    */
   void SetTouchMode(bool on);
   vtkGetMacro(TouchMode, bool);
@@ -217,6 +218,7 @@ private:
 
   /** Leave the touch mode and disarm, when the window closes or another style takes over. */
   void LetGo();
+  void BeginTouch();
   vtkRenderer* GetHapticRenderer();
   bool PlaceWorkspace(vtkRenderer* renderer);
   double GetEffectiveScale();

@@ -59,6 +59,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   vtkMTimeType Placed = 0;    ///< the camera's time when the workspace was put there
   bool IsPlaced = false;
   bool ArmAfterClutch = false; ///< was armed before, and nobody has disarmed it since
+  bool IsTouchBeginning = false; ///< and nothing has ended it since
   vtkNew<vtkCallbackCommand> DisarmObserver;
   VolumeHaptics::Vector3 ClutchedTip; ///< world
   VolumeHaptics::Vector3 Lead;        ///< world; where the mouse leads the tip

@@ -145,7 +145,7 @@ void vtkInteractorStyleHaptic::FollowWork(vtkObject* worker, bool begins)
       d.DeviceAtRest = nullptr;
       device->EndLongWork();
     }
-    if (begins && d.Device)
+    if (begins && d.Device && d.Editor)
     {
       d.DeviceAtRest = d.Device;
       d.Device->BeginLongWork("the histogram is counted", d.Editor->EstimateUpdateTime());
@@ -154,7 +154,8 @@ void vtkInteractorStyleHaptic::FollowWork(vtkObject* worker, bool begins)
   }
   vtkRenderWindow* const window = this->Interactor ? this->Interactor->GetRenderWindow() : nullptr;
   d.HasHappened = true;
-  if (begins && d.Display && d.IsArmed() && window && !window->CheckInRenderStatus())
+  if (begins && d.Display && worker == d.Device && d.IsArmed() && window &&
+    !window->CheckInRenderStatus())
   {
     this->Draw(true);
   }
@@ -164,7 +165,11 @@ void vtkInteractorStyleHaptic::FollowWork(vtkObject* worker, bool begins)
 bool vtkInteractorStyleHaptic::NextMethod()
 {
   auto& d = *this->Internals;
-  vtkVolumeHapticsFilter* const filter = d.Device ? d.Device->GetVolumeHaptics() : nullptr;
+  // Observers of what follows may take any of these away.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> self(this);
+  const vtkSmartPointer<vtkHapticDevice> device = d.Device;
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter =
+    device ? device->GetVolumeHaptics() : nullptr;
   if (!filter)
   {
     vtkErrorMacro(
@@ -184,9 +189,11 @@ bool vtkInteractorStyleHaptic::NextMethod()
   const bool isPrepared = GetMethodChoice(filter->GetMethod(), filter->GetSolver()).IsPrepared;
   this->Notify(isPrepared ? wanted + " is being prepared ..." : "");
   d.Unfelt.clear();
-  if (d.Device->Publish())
+  const bool isFelt = device->Publish();
+  const bool isOurs = d.Device == device;
+  if (isFelt)
   {
-    d.Published = d.GetChangeTime();
+    d.Published = isOurs ? d.GetChangeTime() : d.Published;
     this->Notify("");
     return true;
   }
@@ -195,7 +202,7 @@ bool vtkInteractorStyleHaptic::NextMethod()
   filter->SetMethod(method);
   filter->SetSolver(solver);
   // The servo has never had anything else, unless there is more to be published.
-  d.Published = wasPublished ? d.GetChangeTime() : 0;
+  d.Published = isOurs && wasPublished ? d.GetChangeTime() : 0;
   vtkErrorMacro(<< wanted << " can't be felt here, for the reason given before; " << before
                 << " goes on.");
   this->Notify(wanted + " can't be felt here: see the messages.\n" + before + " goes on.");
@@ -238,38 +245,57 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   {
     return false;
   }
+  // Observers of what follows may take any of these away.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> self(this);
+  const vtkSmartPointer<vtkHapticDevice> device = d.Device;
+  const vtkSmartPointer<vtkRenderer> renderer = this->GetHapticRenderer();
   // What has changed goes to the servo first, so that it is felt before it is seen.
-  vtkRenderer* const renderer = this->GetHapticRenderer();
   const bool placed = renderer && !this->Clutch && this->PlaceWorkspace(renderer);
+  if (d.Device != device)
+  {
+    return false;
+  }
   const vtkMTimeType time = d.GetChangeTime();
   // Somebody else may have published it.
-  const bool hasChanged = time != d.Published && !d.Device->IsPublished();
+  const bool hasChanged = time != d.Published && !device->IsPublished();
   d.Published = time;
   if (placed || hasChanged)
   {
     // Once, also where it fails: it will not succeed before something changes.
-    if (d.Device->Publish() && hasChanged && d.Display)
+    if (device->Publish() && hasChanged && d.Display)
     {
       d.Display->SetNotice("");
     }
   }
 
-  bool isNew = d.Device->UpdateState();
+  bool isNew = device->UpdateState();
+  if (d.Device != device || !device->IsRunning())
+  {
+    return false;
+  }
   // Another style with this device may have taken the state before.
-  const double before = std::exchange(d.Updated, d.Device->GetTime());
+  const double before = std::exchange(d.Updated, device->GetTime());
   if (d.Updated > before && renderer)
   {
     this->TurnVolume(renderer, d.Updated - before);
+  }
+  if (d.Device != device)
+  {
+    return false;
   }
   if (this->Clutch && d.IsArmed())
   {
     // By a button or a script, or not yet seen as disarmed. The hand moves without the tip, and must not be
     // held.
     const bool arms = d.ArmAfterClutch;
-    d.Device->Disarm();
+    device->Disarm();
+    if (d.Device != device)
+    {
+      return false;
+    }
     d.ArmAfterClutch = arms;
   }
-  d.Device->DrainStates(d.States, d.Reader);
+  device->DrainStates(d.States, d.Reader);
   isNew = isNew || d.States->GetNumberOfRows() > 0;
   if (d.Display)
   {

@@ -8,11 +8,46 @@
 #include "DeviceRig.h"
 
 #include <vtkCommand.h>
+#include <vtkImageAlgorithm.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <functional>
+#include <utility>
 
 using namespace devicetest;
 
 namespace
 {
+/// Has observers that can be told.
+class VolumeSource : public vtkImageAlgorithm
+{
+public:
+  static VolumeSource* New();
+  vtkTypeMacro(VolumeSource, vtkImageAlgorithm);
+
+protected:
+  VolumeSource() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    outputs->GetInformationObject(0)->Set(
+      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->Image->GetExtent(), 6);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkImageData::GetData(outputs)->ShallowCopy(this->Image);
+    return 1;
+  }
+
+private:
+  const vtkSmartPointer<vtkImageData> Image = MakeRamp();
+};
+vtkStandardNewMacro(VolumeSource);
+
 class DeviceObservers : public DeviceTest
 {
 protected:
@@ -118,4 +153,40 @@ TEST_F(DeviceObservers, MayLetGoOfTheLastReference)
     (device.Get()->*act)();
     EXPECT_FALSE(watched);
   }
+}
+
+TEST_F(DeviceObservers, MayStartCloseAndOpenWhatIsBeingStarted)
+{
+  // The source of the volume tells that it is being read, which it is for Start().
+  vtkNew<VolumeSource> source;
+  this->Filter->SetInputConnection(source->GetOutputPort());
+  std::function<void()> act;
+  vtkNew<vtkCallbackCommand> read;
+  read->SetClientData(&act);
+  read->SetCallback([](vtkObject*, unsigned long, void* act, void*)
+    { std::exchange(*static_cast<std::function<void()>*>(act), [] {})(); });
+  source->AddObserver(vtkCommand::EndEvent, read);
+
+  bool hasStarted = false;
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  act = [&] { hasStarted = this->Device->Start(); };
+  source->Modified();
+  EXPECT_TRUE(this->Device->Start());
+  EXPECT_TRUE(hasStarted);
+  EXPECT_TRUE(this->WaitTicks(20));
+  EXPECT_TRUE(this->Log.Errors.empty());
+
+  this->Device->Stop();
+  act = [&] { this->Device->Close(); };
+  source->Modified();
+  EXPECT_FALSE(this->Device->Start());
+  this->ExpectError("No device is open");
+  EXPECT_FALSE(this->Device->IsRunning());
+
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  act = [&] { EXPECT_TRUE(this->Device->Open("virtual")); };
+  source->Modified();
+  EXPECT_FALSE(this->Device->Start());
+  this->ExpectError("Start() again");
+  EXPECT_TRUE(this->Device->Start());
 }

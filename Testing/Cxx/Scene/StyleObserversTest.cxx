@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Observers of long work, as an application adds to show progress, close the window, disarm, or take the device or the
+ * interactor away from the style that works: nothing crashes, and nothing is armed that no window watches.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkGenericRenderWindowInteractor.h>
+
+#include <functional>
+
+using namespace scenetest;
+
+namespace
+{
+class StyleObservers : public StyleTest
+{
+protected:
+  StyleObservers()
+  {
+    this->Generic->SetRenderWindow(this->Window);
+    this->Generic->SetInteractorStyle(this->Style);
+    this->Other->SetVolumeHaptics(this->Filter);
+    this->Filter->SetIsoValue(-1500.0); // a sphere of 45 mm
+    // An eighth of this is long.
+    this->Device->SetAttentionTime(0.05);
+  }
+  ~StyleObservers() override { this->Generic->SetInteractorStyle(nullptr); }
+
+  void Start(bool meshes = true)
+  {
+    meshes ? this->Filter->SetMethodToSurfaceProxy() : this->Filter->SetMethodToForceField();
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Style->UpdateHaptics();
+  }
+  /// Does something once the mesh is about to be made.
+  void AtWork(std::function<void()> act)
+  {
+    this->Act = std::move(act);
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetClientData(this);
+    observer->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*)
+      {
+        auto& test = *static_cast<StyleObservers*>(self);
+        ++test.Calls;
+        test.Act();
+      });
+    this->Device->AddObserver(vtkCommand::StartEvent, observer);
+  }
+  void ExpectLetGo(const char* what)
+  {
+    EXPECT_FALSE(this->Style->GetTouchMode()) << what;
+    this->ExpectDisarmed(this->Device, what);
+  }
+  /// By the states of the servo, as the status is that of a time.
+  void ExpectDisarmed(vtkHapticDevice* device, const char* what)
+  {
+    const vtkIdType end = device->GetTick() + 20;
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        device->UpdateState();
+        return !device->IsRunning() || device->GetTick() >= end;
+      }));
+    EXPECT_NE(device->GetStatus(), vtkHapticDevice::ARMED) << what;
+    EXPECT_NE(device->GetStatus(), vtkHapticDevice::ACTIVE) << what;
+    EXPECT_NE(device->GetStatus(), vtkHapticDevice::FAULT) << what << ": it was armed";
+  }
+
+  vtkNew<vtkGenericRenderWindowInteractor> Generic;
+  vtkNew<vtkHapticDevice> Other;
+  int Calls = 0;
+
+private:
+  std::function<void()> Act;
+};
+} // namespace
+
+TEST_F(StyleObservers, OfTheTouchModeEndIt)
+{
+  const std::pair<const char*, std::function<void()>> ends[] = {
+    { "ExitCallback", [this] { this->Generic->ExitCallback(); } },
+    { "TerminateApp", [this] { this->Generic->TerminateApp(); } },
+    { "Disable", [this] { this->Generic->Disable(); } },
+    { "Disarm", [this] { this->Device->Disarm(); } },
+    { "FadeOut", [this] { this->Device->FadeOut(); } },
+    { "TouchModeOff", [this] { this->Style->TouchModeOff(); } },
+    { "Close", [this] { this->Device->Close(); } },
+    { "no interactor", [this] { this->Generic->SetInteractorStyle(nullptr); } },
+    { "no device", [this] { this->Style->SetDevice(nullptr); } },
+    { "another device", [this] { this->Style->SetDevice(this->Other); } },
+  };
+  std::function<void()> end;
+  this->AtWork([&] { end(); });
+  for (const auto& [what, act] : ends)
+  {
+    this->Generic->SetDone(false);
+    this->Generic->SetInteractorStyle(this->Style);
+    this->Generic->Enable();
+    this->Style->SetDevice(this->Device);
+    this->Filter->Modified();
+    this->Device->Close();
+    ASSERT_NO_FATAL_FAILURE(this->Start());
+    this->Filter->SetIsoValue(this->Filter->GetIsoValue() - 10.0); // to be meshed again
+    end = act;
+    this->Calls = 0;
+    this->Style->TouchModeOn();
+    EXPECT_GT(this->Calls, 0) << what;
+    this->ExpectLetGo(what);
+  }
+  EXPECT_TRUE(this->Log.Errors.empty());
+  // And without an end, it begins.
+  end = [] {};
+  this->Generic->SetInteractorStyle(this->Style);
+  this->Style->SetDevice(this->Device);
+  this->Device->SetAttentionTime(0.0);
+  this->Style->TouchModeOn();
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  EXPECT_TRUE(Eventually(
+    [this]
+    {
+      this->Device->UpdateState();
+      return this->Device->GetStatus() >= vtkHapticDevice::ARMED;
+    }));
+}
+
+TEST_F(StyleObservers, FindNoTouchAfterTheLoopWasEnded)
+{
+  ASSERT_NO_FATAL_FAILURE(this->Start(false));
+  this->Generic->TerminateApp();
+  this->Style->TouchModeOn();
+  this->ExpectLetGo("TerminateApp");
+}
+
+TEST_F(StyleObservers, OfAnUpdateTakeTheDevice)
+{
+  ASSERT_NO_FATAL_FAILURE(this->Start(false));
+  this->AtWork([this] { this->Style->SetDevice(nullptr); });
+  this->Filter->SetMethodToSurfaceProxy();
+  EXPECT_FALSE(this->Style->UpdateHaptics());
+  EXPECT_EQ(this->Calls, 1);
+  EXPECT_FALSE(this->Style->GetDevice());
+}
+
+TEST_F(StyleObservers, OfTheNextMethodTakeTheDevice)
+{
+  ASSERT_NO_FATAL_FAILURE(this->Start(false));
+  this->AtWork([this] { this->Style->SetDevice(nullptr); });
+  EXPECT_TRUE(this->Style->NextMethod());
+  EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::SURFACE_PROXY);
+  EXPECT_EQ(this->Calls, 1);
+  EXPECT_FALSE(this->Style->GetDevice());
+}
+
+TEST_F(StyleObservers, ArmNothingInADeviceThatIsTakenAway)
+{
+  this->Device->SetAttentionTime(0.0);
+  for (const bool another : { false, true })
+  {
+    ASSERT_NO_FATAL_FAILURE(this->Start(false));
+    this->Style->SetDevice(this->Device);
+    this->Style->TouchModeOn();
+    ASSERT_TRUE(this->Style->GetTouchMode());
+    this->Style->SetDevice(another ? this->Other.GetPointer() : nullptr);
+    this->ExpectLetGo("SetDevice");
+    this->Device->Close();
+  }
+  // Where an observer of that, in turn, takes the device away.
+  ASSERT_NO_FATAL_FAILURE(this->Start(false));
+  this->Style->SetDevice(this->Device);
+  this->Style->TouchModeOn();
+  vtkNew<vtkCallbackCommand> take;
+  take->SetClientData(this->Style);
+  take->SetCallback([](vtkObject*, unsigned long, void* style, void*)
+    { static_cast<vtkInteractorStyleHaptic*>(style)->SetDevice(nullptr); });
+  this->Device->AddObserver(vtkCommand::DisableEvent, take);
+  this->Style->SetDevice(this->Other);
+  EXPECT_EQ(this->Style->GetDevice(), this->Other.GetPointer());
+  this->ExpectLetGo("SetDevice");
+}
