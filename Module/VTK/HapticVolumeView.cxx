@@ -52,14 +52,21 @@ bool LocateComponent(
   using SeparateComponents = vtkSOADataArrayTemplate<T>;
   view.Type = ScalarTypeOf<T>();
   holder = scalars;
-  if (SeparateComponents::FastDownCast(scalars))
+  if (auto* const separate = SeparateComponents::FastDownCast(scalars))
   {
     // Where the array itself gives its memory up for another layout, as it may whenever it is rendered, what shares
     // the memory keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
-    holder->ShallowCopy(scalars);
     auto* const soa = SeparateComponents::FastDownCast(holder);
-    if (HasSeparateComponents(soa))
+    const bool isSeparate = HasSeparateComponents(separate);
+    if (isSeparate)
+    {
+      // VTK 9.6 copies nothing to an array that keeps its own components in one memory yet.
+      soa->SetNumberOfComponents(scalars->GetNumberOfComponents());
+      soa->SetArray(0, nullptr, 0, false, true);
+    }
+    soa->ShallowCopy(scalars);
+    if (isSeparate)
     {
       view.Data = soa->GetComponentArrayPointer(component);
       view.Stride[0] = 1;
