@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MemoryLock.h"
 
-#include "ServoClock.h"
+#include "PerProcess.h"
 
 #if defined(__unix__)
 #include <algorithm>
@@ -21,16 +21,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How many locks each page of this process has. */
+/** How many locks each page of a process has. */
 class PageCounts
 {
 public:
-  static PageCounts& Get()
-  {
-    static PageCounts* const counts = new PageCounts; // for locks that outlive the statics
-    return *counts;
-  }
-
   static std::uintptr_t PageOf(const void* address) noexcept
   {
     return reinterpret_cast<std::uintptr_t>(address) / PageSize();
@@ -108,16 +102,18 @@ private:
   std::unordered_map<std::uintptr_t, unsigned> Counts;
 };
 
+PerProcess<PageCounts> CountsOfProcess;
+
 } // namespace
 
 MemoryLock::~MemoryLock()
 {
-  // A forked child inherits no locks, and the mutex perhaps from the middle of another thread's work.
+  // A forked child inherits no locks.
   if (this->Process == ServoClock::GetProcess())
   {
     for (const Pages& pages : this->Locked)
     {
-      PageCounts::Get().Remove(pages.First, pages.Last);
+      CountsOfProcess.Get().Remove(pages.First, pages.Last);
     }
   }
 }
@@ -130,21 +126,27 @@ bool MemoryLock::Add(const void* begin, std::size_t size) noexcept
   }
   const Pages pages{ PageCounts::PageOf(begin),
     PageCounts::PageOf(static_cast<const char*>(begin) + (size - 1)) };
+  const std::int64_t process = ServoClock::GetProcess();
+  if (this->Process != process)
+  {
+    this->Process = process;
+    this->Locked.clear(); // the parent's
+  }
   try
   {
+    PageCounts& counts = CountsOfProcess.Get();
     this->Locked.push_back(pages);
+    const bool granted = counts.Add(pages.First, pages.Last);
+    if (!granted)
+    {
+      this->Locked.pop_back();
+    }
+    return granted;
   }
-  catch (...)
+  catch (...) // no memory to remember them
   {
     return false;
   }
-  this->Process = ServoClock::GetProcess();
-  const bool granted = PageCounts::Get().Add(pages.First, pages.Last);
-  if (!granted)
-  {
-    this->Locked.pop_back();
-  }
-  return granted;
 }
 
 bool MemoryLock::AddStack(std::size_t size) noexcept

@@ -6,7 +6,7 @@
  *
  * Only what is named is locked: mlockall would read every mapped file of the process from the disk, a volume of
  * gigabytes included. Pages that several locks share stay until the last of them is gone (munlock alone does not
- * count). An application that locks its own memory with mlockall loses that for pages that it shares with these locks.
+ * count). A forked child has no locks but its own. An application that locks its own memory with mlockall loses that for pages that it shares with these locks.
  *
  * Not in the servo loop: locking may wait for memory.
  */
@@ -41,7 +41,7 @@ private:
     std::uintptr_t Last = 0;
   };
   std::vector<Pages> Locked;
-  std::int64_t Process = 0;
+  std::int64_t Process = 0; // whose locks they are
 };
 
 } // namespace VolumeHaptics

@@ -11,12 +11,15 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace servotest;
@@ -165,4 +168,73 @@ TEST(ServoMemory, WhatIsNotThereIsRefusedAndLeavesNothingLocked)
   }
   EXPECT_EQ(LockedBytes(), before);
   munmap(hole, 4 * PageSize);
+}
+
+TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
+{
+  std::vector<char> memory(64 * PageSize);
+  // What a child gives back (0 for all is well), or minus the signal that ended it.
+  const auto inChild = [](auto&& body)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      alarm(30);
+      _exit(body());
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  };
+  auto inherited = std::make_unique<MemoryLock>();
+  if (!CanLock || !inherited->Add(memory.data(), memory.size()))
+  {
+    GTEST_SKIP() << "memory can't be locked here";
+  }
+  EXPECT_EQ(inChild(
+              [&]
+              {
+                {
+                  MemoryLock own;
+                  own.Add(memory.data(), memory.size());
+                }
+                return LockedBytes() == 0 ? 0 : 1;
+              }),
+    0);
+  EXPECT_EQ(inChild(
+              [&]
+              {
+                auto own = std::make_unique<MemoryLock>();
+                const bool isLocked = own->Add(memory.data(), memory.size()) &&
+                  inherited->Add(memory.data(), PageSize) && LockedBytes() >= memory.size();
+                own.reset();
+                const bool isKept = LockedBytes() > 0;
+                inherited.reset();
+                return isLocked && isKept && LockedBytes() == 0 ? 0 : 1;
+              }),
+    0);
+  // Another thread may be in the middle of its work at a fork, and is not there to end it.
+  std::atomic<bool> isOver{ false };
+  std::thread other(
+    [&]
+    {
+      while (!isOver)
+      {
+        MemoryLock lock;
+        lock.Add(memory.data(), memory.size());
+      }
+    });
+  int result = 0;
+  for (int i = 0; i < 30 && result == 0; ++i)
+  {
+    result = inChild(
+      [&]
+      {
+        MemoryLock lock;
+        return lock.Add(memory.data(), PageSize) ? 0 : 1;
+      });
+  }
+  isOver = true;
+  other.join();
+  EXPECT_EQ(result, 0);
 }
