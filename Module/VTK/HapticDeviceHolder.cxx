@@ -91,8 +91,9 @@ void HapticDeviceHolder::Start(double rate, const SafetyLimits& limits,
   }
   this->State = {};
   this->Rate = rate;
-  this->Session = std::make_unique<HapticSession>(*this->Backend, rate, limits, std::move(model));
-  GuardSession(this->Session.get());
+  auto session = std::make_unique<HapticSession>(*this->Backend, rate, limits, std::move(model));
+  GuardSession(session.get());
+  this->Session = std::move(session);
   if (this->FindLongWork())
   {
     this->Session->GetLoop().Hold();
@@ -107,6 +108,8 @@ void HapticDeviceHolder::Stop()
 {
   if (this->Session)
   {
+    // A process that ends meanwhile still ends the force.
+    this->Session->End();
     ReleaseSession(this->Session.get());
     this->Session.reset();
     this->ArmWanted = false;
@@ -126,13 +129,13 @@ void HapticDeviceHolder::Attend()
 
 void HapticDeviceHolder::Arm(bool on)
 {
+  if (on && this->Session)
+  {
+    GuardSession(this->Session.get());
+  }
   this->ArmWanted = on;
   if (this->Session)
   {
-    if (on)
-    {
-      GuardSession(this->Session.get());
-    }
     on ? this->Session->GetLoop().Arm() : this->Session->GetLoop().Disarm();
   }
 }

@@ -47,9 +47,14 @@ HapticSession::HapticSession(DeviceBackend& backend, double rate, const SafetyLi
 
 HapticSession::~HapticSession()
 {
-  if (!this->IsOurs())
+  this->End();
+}
+
+void HapticSession::End()
+{
+  if (this->HasEnded.load() || !this->IsOurs())
   {
-    return; // the threads are those of the process that this one was forked from
+    return; // the threads are gone, or those of the process that this one was forked from
   }
   // Our own flags stop the threads; TerminateThread only joins them.
   this->Loop.RequestStop();
@@ -57,6 +62,7 @@ HapticSession::~HapticSession()
   this->Threader->TerminateThread(this->FitterThread);
   this->KeeperStop.store(true);
   this->Threader->TerminateThread(this->KeeperThread);
+  this->HasEnded.store(true);
 }
 
 VTK_THREAD_RETURN_TYPE HapticSession::RunLoop(void* info)
@@ -249,24 +255,52 @@ void HapticSession::Hold() noexcept
   }
 }
 
-void HapticSession::Quench() noexcept
+bool HapticSession::IsQuenched() noexcept
 {
-  this->Loop.Disarm();
-  this->Backend.Quench();
-  // A tick that is under way may still write a force after that. The second one from here has seen
-  // Disarm; a loop that does not get there does not write either.
-  const std::uint64_t end = this->Loop.GetTickCount() + 2;
-  const std::int64_t latest = ServoClock::Now() + MostSilence;
-  const auto wait = [latest](auto&& isDone)
+  if (!this->HasSeenQuench)
   {
-    while (!isDone() && ServoClock::Now() < latest)
+    if (!this->HasEnded.load() && this->Loop.GetTickCount() < this->QuenchedTick)
     {
-      ServoClock::SleepUntil(ServoClock::Now() + QuenchPoll);
+      return false;
     }
+    this->Backend.Quench();
+    this->HasSeenQuench = true;
+  }
+  return this->Backend.IsAtRest();
+}
+
+void HapticSession::Quench(const std::vector<HapticSession*>& sessions) noexcept
+{
+  for (HapticSession* session : sessions)
+  {
+    session->Loop.Disarm();
+  }
+  for (HapticSession* session : sessions)
+  {
+    session->Backend.Quench();
+    // A tick that is under way may still write a force after that. The second one from here has seen
+    // Disarm; a loop that does not get there does not write either.
+    session->QuenchedTick = session->Loop.GetTickCount() + 2;
+    session->HasSeenQuench = false;
+  }
+  const auto areQuenched = [&sessions]
+  {
+    bool all = true;
+    for (HapticSession* session : sessions)
+    {
+      all = session->IsQuenched() && all;
+    }
+    return all;
   };
-  wait([this, end] { return this->Loop.GetTickCount() >= end; });
-  this->Backend.Quench();
-  wait([this] { return this->Backend.IsAtRest(); });
+  const std::int64_t latest = ServoClock::Now() + MostSilence;
+  while (!areQuenched() && ServoClock::Now() < latest)
+  {
+    ServoClock::SleepUntil(ServoClock::Now() + QuenchPoll);
+  }
+  for (HapticSession* session : sessions)
+  {
+    session->HasSeenQuench ? void() : session->Backend.Quench();
+  }
 }
 
 } // namespace VolumeHaptics

@@ -77,8 +77,13 @@ public:
 
   /** Lets the force fade (ServoLoop::Hold) and waits until it is gone, a quarter of a second at most. */
   void Hold() noexcept;
-  /** From any thread: no force once this returns, until armed again. Waits for the loop, shortly. */
-  void Quench() noexcept;
+  /**
+   * From any thread: no force on the devices of all these once this returns, until they are armed again. Each is told
+   * before any is waited for, so that a loop that hangs delays none of the others; 40 ms at most, all together.
+   */
+  static void Quench(const std::vector<HapticSession*>& sessions) noexcept;
+  /** Stops the loop, with zero force sent, and joins the threads, as the destructor does. */
+  void End();
 
 private:
   static VTK_THREAD_RETURN_TYPE RunLoop(void* info);
@@ -86,6 +91,8 @@ private:
   static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
   void Keep();
   void Drain();
+  /** After Quench was begun: whether the device has got it, and no tick is under way that may still write a force. */
+  bool IsQuenched() noexcept;
   /** Lets go of the states that all readers have. Under the mutex. */
   void ForgetStates();
   /** Lets go of the models older than a generation that nobody can ask for any more. */
@@ -99,6 +106,12 @@ private:
   int FitterThread = -1;
   int KeeperThread = -1;
   std::atomic<bool> KeeperStop{ false };
+  std::atomic<bool> HasEnded{ false };
+  ///@{
+  /** Of Quench, which one thread at a time may call: the tick that sees it, and whether that has come. */
+  std::uint64_t QuenchedTick = 0;
+  bool HasSeenQuench = false;
+  ///@}
   std::mutex RecordingMutex; // between the owner and the keeper; the loop never takes it
   std::unique_ptr<HapticRecording> Recording;
   std::uint64_t LostBefore = 0; // ticks, when the recording began

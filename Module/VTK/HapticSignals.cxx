@@ -3,7 +3,7 @@
 #include "HapticSignals.h"
 
 #include "HapticSession.h"
-#include "ServoClock.h"
+#include "PerProcess.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -18,6 +18,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 #endif
@@ -27,8 +28,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** For how long (ms) a process that ends waits for its devices. A session whose loop hangs takes 40. */
-constexpr int LongestWait = 200;
+/**
+ * For how long (ms) a process that ends waits for its devices at most. Sessions whose loops hang take 40; the rest is for
+ * a machine so busy that the watcher does not get to run.
+ */
+constexpr int LongestWait = 2000;
 
 struct Guarded
 {
@@ -36,20 +40,53 @@ struct Guarded
   std::vector<HapticSession*> Sessions;
 };
 
-/** Never destroyed: a signal may come while the process ends. */
-Guarded& GetGuarded()
-{
-  static auto* const guarded = new Guarded;
-  return *guarded;
-}
+PerProcess<Guarded> GuardedOfProcess;
 
-/** The process whose devices these are; a forked child has a copy of everything but those. */
-std::int64_t Owner = 0;
+/**
+ * The process whose devices these are and whose watcher runs; a forked child has a copy of everything but those. The
+ * last that is set.
+ */
+std::atomic<std::int64_t> Owner{ 0 };
 
 bool IsOwner() noexcept
 {
-  return ServoClock::GetProcess() == Owner;
+  return ServoClock::GetProcess() == Owner.load();
 }
+
+#if defined(__unix__)
+
+/**
+ * Of the calling thread, as long as this lives: else a handler on this thread would wait for a watcher that waits for
+ * the mutex of this thread. Crashes of the thread itself are never kept from the handlers before us.
+ */
+class SignalsBlocked
+{
+public:
+  SignalsBlocked() noexcept
+  {
+    sigset_t sent;
+    sigfillset(&sent);
+    for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL })
+    {
+      sigdelset(&sent, crash);
+    }
+    pthread_sigmask(SIG_BLOCK, &sent, &this->Before);
+  }
+  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &this->Before, nullptr); }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+private:
+  sigset_t Before = {};
+};
+
+#else
+
+class SignalsBlocked
+{
+};
+
+#endif
 
 void QuenchAll() noexcept
 {
@@ -57,16 +94,14 @@ void QuenchAll() noexcept
   {
     return; // in a forked child, the devices are the parent's
   }
-  Guarded& guarded = GetGuarded();
+  [[maybe_unused]] const SignalsBlocked blocked{};
+  Guarded& guarded = GuardedOfProcess.Get();
   for (int i = 0; i < LongestWait; ++i)
   {
     const std::unique_lock<std::mutex> lock(guarded.Mutex, std::try_to_lock);
     if (lock)
     {
-      for (HapticSession* session : guarded.Sessions)
-      {
-        session->Quench();
-      }
+      HapticSession::Quench(guarded.Sessions);
       return;
     }
     // The thread that has the lock may be the one that ends the process.
@@ -117,7 +152,6 @@ GuardedSignal& FindSignal(int number) noexcept
 }
 
 int Pipe[2] = { -1, -1 };
-bool IsWatched = false;
 pthread_t Watcher;
 std::atomic<unsigned> Answers{ 0 };
 /** A byte that asks for nothing but an answer; others are signals to deliver. */
@@ -132,7 +166,7 @@ void Ask(unsigned char byte) noexcept
 /** From a signal handler, too: the watcher ends the force, on a stack and without locks of this thread. */
 void QuenchByWatcher() noexcept
 {
-  if (!IsOwner() || !IsWatched || pthread_equal(pthread_self(), Watcher))
+  if (!IsOwner() || pthread_equal(pthread_self(), Watcher))
   {
     return; // who crashes while it ends the force can't do more
   }
@@ -182,8 +216,7 @@ void Install()
 {
   for (GuardedSignal& signal : Signals)
   {
-    // Without a watcher a signal that is to be delivered would be lost.
-    IsWatched ? signal.Install(OnDelivered, OnCrash) : void();
+    signal.Install(OnDelivered, OnCrash);
   }
 }
 
@@ -195,13 +228,13 @@ void Uninstall()
   }
 }
 
-void Watch()
+void Watch(int end)
 {
-  ServoClock::BlockSignals(); // for the threads that handled them before
+  const SignalsBlocked blocked{}; // for the threads that handled them before
   unsigned char byte = NoSignal;
   for (;;)
   {
-    const ssize_t got = read(Pipe[0], &byte, 1);
+    const ssize_t got = read(end, &byte, 1);
     if (got == 1)
     {
       QuenchAll();
@@ -209,7 +242,7 @@ void Watch()
       if (byte != NoSignal)
       {
         {
-          const std::lock_guard<std::mutex> lock(GetGuarded().Mutex);
+          const std::lock_guard<std::mutex> lock(GuardedOfProcess.Get().Mutex);
           Uninstall();
         }
         kill(getpid(), byte);
@@ -222,21 +255,29 @@ void Watch()
   }
 }
 
+/** Throws std::system_error when there is no room for the pipe or the thread, and leaves nothing behind. */
 void StartWatching()
 {
-  IsWatched = false;
   if (pipe(Pipe) != 0)
   {
-    return;
+    throw std::system_error(errno, std::generic_category());
   }
   fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
   fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
   // A handler never blocks: with the pipe full a signal is on its way anyway.
   fcntl(Pipe[1], F_SETFL, O_NONBLOCK);
-  std::thread thread(Watch);
-  Watcher = thread.native_handle();
-  thread.detach();
-  IsWatched = true;
+  try
+  {
+    std::thread thread(Watch, Pipe[0]);
+    Watcher = thread.native_handle();
+    thread.detach();
+  }
+  catch (...)
+  {
+    close(Pipe[0]);
+    close(Pipe[1]);
+    throw;
+  }
 }
 
 /** Of the thread that lives as long as this, if it has none: without it, no handler runs where the stack is full. */
@@ -328,15 +369,15 @@ void GuardSession(HapticSession* session)
   }();
   static_cast<void>(hooked);
   PrepareThread();
-  Guarded& guarded = GetGuarded();
+  [[maybe_unused]] const SignalsBlocked blocked{};
+  Guarded& guarded = GuardedOfProcess.Get();
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
   auto& sessions = guarded.Sessions;
   if (!IsOwner())
   {
     // A forked child has neither its parent's devices nor the thread that watches over them.
-    sessions.clear();
-    Owner = ServoClock::GetProcess();
     StartWatching();
+    Owner = ServoClock::GetProcess();
   }
   if (std::find(sessions.begin(), sessions.end(), session) == sessions.end())
   {
@@ -347,7 +388,8 @@ void GuardSession(HapticSession* session)
 
 void ReleaseSession(HapticSession* session)
 {
-  Guarded& guarded = GetGuarded();
+  [[maybe_unused]] const SignalsBlocked blocked{};
+  Guarded& guarded = GuardedOfProcess.Get();
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
   auto& sessions = guarded.Sessions;
   sessions.erase(std::remove(sessions.begin(), sessions.end(), session), sessions.end());

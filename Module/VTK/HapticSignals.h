@@ -7,8 +7,8 @@
  * While a session is guarded, every signal that would end or stop the process meets a handler of ours first
  * (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which a pipe wakes, quenches every session.
  * SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) are sent again by that thread, for what handled them before.
- * At a crash (SIGSEGV, SIGABRT and the like), the thread that it hit waits for the quenching, 0.2 s at most, and then
- * meets what was there before: another handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM,
+ * At a crash (SIGSEGV, SIGABRT and the like), the thread that it hit waits for the quenching, which takes milliseconds
+ * (2 s at most, if the device's driver hangs or the machine is very busy), and then meets what was there before: another handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM,
  * SIGUSR1 and others that seldom end a process are left alone where they are handled or ignored.
  *
  * std::terminate, exit() and quick_exit() quench, too. Nothing runs in the process after SIGKILL, SIGSTOP, _exit(),
@@ -25,7 +25,9 @@ class HapticSession;
 
 /**
  * From the owner's thread, when a session starts and each time it is armed, since a signal that the
- * process outlives takes the guard away. A session must be released before it is destroyed.
+ * process outlives takes the guard away. A session must be released before it is destroyed. Throws std::system_error or
+ * std::bad_alloc when the process may have no more files, threads or memory: a session that is not guarded yet is not
+ * then, and must not be armed.
  */
 void GuardSession(HapticSession* session);
 void ReleaseSession(HapticSession* session);

@@ -10,11 +10,19 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <exception>
 #include <new>
+#include <system_error>
 
 vtkStandardNewMacro(vtkHapticDevice);
 
 using namespace VolumeHaptics;
+
+namespace
+{
+const char* const CureForNoGuard = ". Close files or end threads of this program, or raise its "
+                                   "limits (ulimit -n, ulimit -u), and try again.";
+}
 
 //------------------------------------------------------------------------------
 vtkHapticDevice::vtkHapticDevice()
@@ -213,6 +221,13 @@ bool vtkHapticDevice::Start()
     vtkErrorMacro("There is not enough memory to start the servo. Close what else needs memory.");
     return false;
   }
+  catch (const std::system_error& error)
+  {
+    vtkErrorMacro(
+      << "The servo does not start, since a crash of this program would leave the force on: "
+      << error.what() << CureForNoGuard);
+    return false;
+  }
   return true;
 }
 
@@ -251,7 +266,15 @@ void vtkHapticDevice::Arm()
     vtkErrorMacro(<< "It can't be armed yet. " << holder.GetStatusText());
     return;
   }
-  holder.Arm(true);
+  try
+  {
+    holder.Arm(true);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< "It is not armed, since a crash of this program would leave the force on: "
+                  << error.what() << CureForNoGuard);
+  }
 }
 
 //------------------------------------------------------------------------------

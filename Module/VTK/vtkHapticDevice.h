@@ -112,7 +112,8 @@ public:
   ///@{
   /**
    * Start the servo, with the filter as it is now (without one the tip just moves), and stop it with zero force.
-   * Start is false, with an error, where no device is open or the filter can't be touched.
+   * Start is false, with an error, where no device is open, the filter can't be touched, or the program may have no more
+   * memory, threads or files, so that a crash would leave the force on.
    */
   bool Start();
   void Stop();

@@ -13,6 +13,7 @@
 #include <DeviceKind.h>
 
 #include <new>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 
@@ -26,6 +27,8 @@ struct LastingDevice
   std::atomic<bool> IsQuenched{ false };
   std::atomic<bool> IsPressed{ false };
   std::atomic<bool> CrashesInRead{ false };
+  std::atomic<bool> IsCrashing{ false };
+  std::atomic<int> TimeToCrash{ 0 }; ///< ms, from the one to the other
   std::atomic<bool> CrashesInQuench{ false };
   std::atomic<bool> HadForce{ false };
   std::atomic<int> Handled{ 0 };
@@ -69,6 +72,8 @@ public:
   {
     if (Lasting->CrashesInRead)
     {
+      Lasting->IsCrashing = true;
+      poll(nullptr, 0, Lasting->TimeToCrash);
       WriteToNowhere();
     }
     this->Time += period;

@@ -10,7 +10,7 @@
 
 #include <cstdlib>
 #include <exception>
-#include <poll.h>
+#include <pthread.h>
 #include <stdexcept>
 #include <sys/time.h>
 
@@ -125,6 +125,81 @@ TEST_F(Endings, ByACrashInTheServoItself)
                 Eventually([] { return false; });
               }),
     -SIGSEGV);
+}
+
+TEST_F(Endings, ByACrashWhileItIsStopped)
+{
+  EXPECT_EQ(this->End(
+              [this]
+              {
+                Lasting->TimeToCrash = 20; // after which nothing but a guard has ended the force
+                Lasting->CrashesInRead = true;
+                Eventually([] { return Lasting->IsCrashing.load(); });
+                this->Device->Stop(); // waits for the servo
+              }),
+    -SIGSEGV);
+}
+
+TEST_F(Endings, ByASignalWhileItIsArmed)
+{
+  // The handler must not wait for what the thread that it interrupts is in the middle of.
+  for (const int signal : { SIGUSR1, SIGABRT })
+  {
+    const auto kills = [&]
+    {
+      const pthread_t owner = pthread_self();
+      std::thread(
+        [=]
+        {
+          poll(nullptr, 0, 20);
+          pthread_kill(owner, signal);
+        })
+        .detach();
+      Eventually(
+        [this]
+        {
+          for (int i = 0; i < 1000; ++i)
+          {
+            this->Device->Arm();
+          }
+          return false;
+        });
+    };
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(this->End(kills), -signal) << strsignal(signal);
+    }
+  }
+}
+
+TEST_F(Endings, AreGuardedOrTheServoDoesNotStart)
+{
+  const auto starts = [this]
+  {
+    const int unused = dup(STDIN_FILENO);
+    close(unused);
+    rlimit files{};
+    getrlimit(RLIMIT_NOFILE, &files);
+    const rlimit few{ static_cast<rlim_t>(unused), files.rlim_max };
+    setrlimit(RLIMIT_NOFILE, &few);
+    EXPECT_TRUE(this->Device->Open("lasting:0"));
+    EXPECT_FALSE(this->Device->Start());
+    this->ExpectError("ulimit -n");
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+    setrlimit(RLIMIT_NOFILE, &files);
+    this->Feel();
+    return HasFailure() ? 1 : 77;
+  };
+  EXPECT_EQ(InChild(
+              [&]
+              {
+                const int result = starts();
+                result == 77 ? WriteToNowhere() : void();
+                return result;
+              }),
+    -SIGSEGV);
+  EXPECT_TRUE(Lasting->HadForce);
+  EXPECT_EQ(Lasting->GetForce(), 0.0);
 }
 
 TEST_F(Endings, ByACrashInWhatEndsTheForce)

@@ -12,12 +12,17 @@
 
 #include <chrono>
 #include <thread>
+#include <vector>
 
 using namespace VolumeHaptics;
 using devicetest::Eventually;
 
 namespace
 {
+class HangingDevice;
+/// The devices that this thread has quenched, in their order; keepers quench on threads of their own.
+thread_local std::vector<const HangingDevice*> Quenched;
+
 /// Hangs in Read for as long as it is told to.
 class HangingDevice : public DeviceBackend
 {
@@ -37,7 +42,11 @@ public:
     return DeviceState::Running;
   }
   DeviceState Write(const Vector3&) noexcept override { return DeviceState::Running; }
-  void Quench() noexcept override { this->Quenches.fetch_add(1); }
+  void Quench() noexcept override
+  {
+    this->Quenches.fetch_add(1);
+    Quenched.push_back(this);
+  }
 
   std::atomic<bool> Hangs{ false };
   std::atomic<int> Reads{ 0 };
@@ -66,9 +75,31 @@ TEST(HapticSession, QuenchOfAHangingLoopReturns)
   ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 20; }));
   session.GetLoop().Arm();
   device.Hangs.store(true);
-  session.Quench();
+  HapticSession::Quench({ &session });
   EXPECT_GE(device.Quenches.load(), 2) << "before and after the wait for the loop";
   device.Hangs.store(false);
   EXPECT_TRUE(Eventually(
     [&] { return session.GetLoop().ReadState() && !session.GetLoop().GetState().Armed; }));
+}
+
+TEST(HapticSession, QuenchTellsAllBeforeItWaitsForOne)
+{
+  HangingDevice devices[3];
+  std::vector<std::unique_ptr<HapticSession>> sessions;
+  std::vector<HapticSession*> all;
+  for (HangingDevice& device : devices)
+  {
+    device.Hangs.store(&device != &devices[2]); // the last is well
+    sessions.push_back(std::make_unique<HapticSession>(device, 1000.0, SafetyLimits{}, nullptr));
+    all.push_back(sessions.back().get());
+  }
+  ASSERT_TRUE(Eventually([&] { return devices[2].Reads.load() > 20; }));
+  Quenched.clear();
+  HapticSession::Quench(all);
+  ASSERT_GE(Quenched.size(), 6U) << "each before and after the wait";
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(Quenched[i], &devices[i]);
+    devices[i].Hangs.store(false);
+  }
 }
