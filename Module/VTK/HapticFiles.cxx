@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticFiles.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <memory>
+#include <random>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -51,22 +51,27 @@ std::size_t CharacterSize(const unsigned char* text, std::size_t left)
   return size;
 }
 
-std::string Describe(int number)
-{
-  return Printable(std::generic_category().message(number));
-}
-
 /** A descriptor that opening a FIFO does not wait for; below zero, with errno, where there is none. */
 int OpenToRead(const std::string& file)
 {
-  return open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  return OpenFile(file, O_RDONLY | O_NONBLOCK);
 }
 
-/** Where links lead to; the name itself where there is nothing yet. */
-std::string FollowLinks(const std::string& file)
+/** Creates a file of a name that nobody can know before, in the folder of another one; below zero, with errno. */
+int CreateBeside(const std::string& file, mode_t mode, std::string& name)
 {
-  const std::unique_ptr<char, void (*)(void*)> real(realpath(file.c_str(), nullptr), std::free);
-  return real ? std::string(real.get()) : file;
+  std::random_device random;
+  int descriptor = -1;
+  constexpr int most = 100; // names; two of 64 bits are hardly ever the same
+  for (int i = 0; i < most && descriptor < 0 && (i == 0 || errno == EEXIST); ++i)
+  {
+    char text[40];
+    std::snprintf(text, sizeof(text), "VolumeHaptics%08x%08x.tmp", random(), random());
+    name = GetFolder(file);
+    name += (name.back() == '/' ? "" : "/") + std::string(text);
+    descriptor = OpenFile(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, mode);
+  }
+  return descriptor;
 }
 
 const char* WhatElse(const struct stat& status)
@@ -77,6 +82,87 @@ const char* WhatElse(const struct stat& status)
 }
 
 } // namespace
+
+std::string DescribeError(int number)
+{
+  return Printable(std::generic_category().message(number));
+}
+
+int OpenFile(const std::string& file, int flags, mode_t mode)
+{
+  int descriptor = -1;
+  do
+  {
+    descriptor = open(file.c_str(), flags | O_CLOEXEC, mode);
+  } while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+int SyncFile(int descriptor)
+{
+  int failure = 0;
+  do
+  {
+    failure = fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+  } while (failure == EINTR);
+  return failure;
+}
+
+int SyncFolder(const std::string& file)
+{
+  const int descriptor = OpenFile(GetFolder(file), O_RDONLY | O_DIRECTORY);
+  if (descriptor < 0)
+  {
+    // Files may be made in a folder that may not be read.
+    return errno == EACCES ? 0 : errno;
+  }
+  const int failure = SyncFile(descriptor);
+  close(descriptor);
+  return failure;
+}
+
+std::string FollowLinks(const std::string& file)
+{
+  std::string name = file;
+  constexpr int most = 40; // links that the system follows, too
+  for (int i = 0; i < most; ++i)
+  {
+    const std::unique_ptr<char, void (*)(void*)> real(realpath(name.c_str(), nullptr), std::free);
+    if (real)
+    {
+      return real.get();
+    }
+    // It does not exist, but a link to it may.
+    char target[4096];
+    const ssize_t size = readlink(name.c_str(), target, sizeof(target));
+    if (size <= 0)
+    {
+      return name;
+    }
+    const std::string next(target, static_cast<std::size_t>(size));
+    name = next[0] == '/' ? next : GetFolder(name) + "/" + next;
+  }
+  return file;
+}
+
+bool IsSameFile(int descriptor, const std::string& file)
+{
+  struct stat here;
+  struct stat there;
+  return fstat(descriptor, &here) == 0 && stat(file.c_str(), &there) == 0 &&
+    here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+}
+
+bool TakePermissions(int descriptor, const struct stat& other)
+{
+  struct stat status;
+  const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
+    fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0 ||
+    (fstat(descriptor, &status) == 0 && status.st_gid == other.st_gid);
+  // Bits that let a program run with the rights of its owner are not for another owner.
+  (void)!fchmod(descriptor, isKept ? other.st_mode & 0777 : (other.st_mode & 0700) | 0600);
+  return isKept;
+}
 
 std::string Printable(const std::string& text)
 {
@@ -123,15 +209,15 @@ std::string ExplainWriteError(int number, const std::string& file)
     case EACCES:
     case EPERM:
     case EROFS:
-      return "you may not write to the folder " + folder + " (" + Describe(number) +
+      return "you may not write to the folder " + folder + " (" + DescribeError(number) +
         "). Choose another one, or change its permissions.";
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "there is no room for it in the folder " + folder + " (" + Describe(number) +
+      return "there is no room for it in the folder " + folder + " (" + DescribeError(number) +
         "). Make room, or choose a folder on another disk.";
     default:
-      return "the system says: " + Describe(number) + ". Choose another file.";
+      return "the system says: " + DescribeError(number) + ". Choose another file.";
   }
 }
 
@@ -148,7 +234,7 @@ bool CheckWritable(const std::string& file, std::string& error)
     }
     if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
     {
-      error = "the file is there and may not be written (" + Describe(errno) +
+      error = "the file is there and may not be written (" + DescribeError(errno) +
         "). Change its permissions, or give another name.";
       return false;
     }
@@ -167,7 +253,7 @@ bool CheckRegular(const std::string& file, std::string& error)
   if (stat(file.c_str(), &status) != 0)
   {
     error = errno == ENOENT || errno == ENOTDIR ? "does not exist"
-                                                : "can't be read (" + Describe(errno) + ")";
+                                                : "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
   if (!S_ISREG(status.st_mode))
@@ -188,7 +274,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   const int descriptor = OpenToRead(file);
   if (descriptor < 0)
   {
-    error = "can't be read (" + Describe(errno) + ")";
+    error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
   struct stat status;
@@ -216,7 +302,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   close(descriptor);
   if (!isGood)
   {
-    error = failure ? "can't be read (" + Describe(failure) + ")" : "is not a file";
+    error = failure ? "can't be read (" + DescribeError(failure) + ")" : "is not a file";
   }
   else if (text.size() > most)
   {
@@ -270,25 +356,19 @@ bool FileReplacement::Open(const std::string& file, std::string& error)
   {
     return false;
   }
-  static std::atomic<unsigned int> count{ 0 };
   this->Target = FollowLinks(file);
-  this->Temporary =
-    this->Target + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".tmp";
+  struct stat status;
+  const bool isOld = stat(this->Target.c_str(), &status) == 0;
   constexpr mode_t everybody = 0666; // less what the user's mask takes
   this->Descriptor =
-    open(this->Temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, everybody);
+    CreateBeside(this->Target, isOld ? status.st_mode & 0600 : everybody, this->Temporary);
   if (this->Descriptor < 0)
   {
     error = ExplainWriteError(errno, this->Target);
     return false;
   }
   this->IsThere = true;
-  struct stat status;
-  if (stat(this->Target.c_str(), &status) == 0)
-  {
-    // A file of somebody else's keeps its permissions as far as that is allowed.
-    (void)!fchmod(this->Descriptor, status.st_mode & 07777);
-  }
+  this->IsInPlace = isOld && !TakePermissions(this->Descriptor, status);
   return true;
 }
 
@@ -333,12 +413,12 @@ bool FileReplacement::Finish(std::string& error)
   if (this->Descriptor >= 0)
   {
     this->Flush();
-    // A disk may be found full as late as here; some file systems can't do it, and say so with EINVAL.
-    if (this->Failure == 0 && fsync(this->Descriptor) != 0 && errno != EINVAL)
+    // A disk may be found full as late as here.
+    if (this->Failure == 0)
     {
-      this->Failure = errno;
+      this->Failure = SyncFile(this->Descriptor);
     }
-    if (close(this->Descriptor) != 0 && this->Failure == 0)
+    if (close(this->Descriptor) != 0 && errno != EINTR && this->Failure == 0)
     {
       this->Failure = errno;
     }
@@ -352,11 +432,54 @@ bool FileReplacement::Finish(std::string& error)
   return this->Failure == 0;
 }
 
+int FileReplacement::CopyInPlace()
+{
+  const int from = OpenToRead(this->Temporary);
+  int failure = from < 0 ? errno : 0;
+  const int to = failure ? -1 : OpenFile(this->Target, O_WRONLY | O_TRUNC);
+  failure = failure == 0 && to < 0 ? errno : failure;
+  std::string buffer(BufferSize, '\0');
+  for (ssize_t got = 1; failure == 0 && got != 0;)
+  {
+    got = read(from, &buffer[0], buffer.size());
+    if (got < 0)
+    {
+      failure = errno == EINTR ? 0 : errno;
+    }
+    else
+    {
+      failure = WriteAll(to, buffer.data(), static_cast<std::size_t>(got));
+    }
+  }
+  failure = failure ? failure : SyncFile(to);
+  for (const int descriptor : { from, to })
+  {
+    if (descriptor >= 0)
+    {
+      close(descriptor);
+    }
+  }
+  return failure;
+}
+
 bool FileReplacement::Commit(std::string& error)
 {
   if (!this->Finish(error))
   {
     return false;
+  }
+  if (this->IsInPlace)
+  {
+    this->Failure = this->CopyInPlace();
+    if (this->Failure != 0)
+    {
+      error = ExplainWriteError(this->Failure, this->Target) + " All of it is in " +
+        Printable(this->Temporary) + ".";
+      this->IsThere = false; // it stays
+      return false;
+    }
+    this->Discard();
+    return true;
   }
   if (rename(this->Temporary.c_str(), this->Target.c_str()) != 0)
   {
@@ -365,7 +488,12 @@ bool FileReplacement::Commit(std::string& error)
     return false;
   }
   this->IsThere = false;
-  return true;
+  this->Failure = SyncFolder(this->Target);
+  if (this->Failure != 0)
+  {
+    error = ExplainWriteError(this->Failure, this->Target);
+  }
+  return this->Failure == 0;
 }
 
 } // namespace VolumeHaptics

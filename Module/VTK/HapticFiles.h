@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <string>
 
+#include <sys/stat.h>
+
 namespace VolumeHaptics
 {
 
@@ -32,6 +34,29 @@ std::string ExplainWriteError(int number, const std::string& file);
 /** False, with the reason and the cure, where a file can't be written, as far as that shows before it is. */
 bool CheckWritable(const std::string& file, std::string& error);
 
+/** Text of an errno. */
+std::string DescribeError(int number);
+
+///@{
+/** open(2) and fsync(2), again where a signal interrupted them. A file system that has no fsync is no error. */
+int OpenFile(const std::string& file, int flags, mode_t mode = 0);
+int SyncFile(int descriptor);
+///@}
+/** Takes the names in the folder of a file to the disk; 0, or the errno. */
+int SyncFolder(const std::string& file);
+
+/** Where links lead to, also where nothing is there yet. */
+std::string FollowLinks(const std::string& file);
+
+/** Whether a name stands for the file that is open. */
+bool IsSameFile(int descriptor, const std::string& file);
+
+/**
+ * Gives a new file the owner, the group and the permissions of another one, as far as the system allows. False where
+ * the group is another one; that one then gets no permissions.
+ */
+bool TakePermissions(int descriptor, const struct stat& other);
+
 /** False, with what it is instead, for everything but regular files: to read a FIFO or a terminal may take for ever. */
 bool CheckRegular(const std::string& file, std::string& error);
 
@@ -41,7 +66,8 @@ bool ReadSmallFile(
 
 /**
  * Writes a file under another name in the same folder, and gives it its own name when all of it is on the disk. So a
- * file that is there stays as it is until then, whatever happens.
+ * file that is there stays as it is until then, whatever happens. Its owner and permissions stay as well; a file whose
+ * group this user may not give to a new one is written in place at the end.
  */
 class FileReplacement
 {
@@ -70,6 +96,8 @@ public:
 private:
   void Flush();
   void Discard();
+  /** Copies the temporary file into the one that is there; 0, or the errno. */
+  int CopyInPlace();
 
   std::string Target;
   std::string Temporary;
@@ -77,6 +105,7 @@ private:
   std::uint64_t Size = 0;
   int Descriptor = -1;
   bool IsThere = false; ///< the temporary file
+  bool IsInPlace = false;
   int Failure = 0;      ///< the errno of the first error
 };
 

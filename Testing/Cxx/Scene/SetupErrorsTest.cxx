@@ -8,6 +8,7 @@
 #include "../Device/FullDisk.h"
 #include "SetupErrorsRig.h"
 
+#include <filesystem>
 #include <limits>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -131,9 +132,61 @@ TEST_F(SetupErrors, Saving)
   ASSERT_EQ(stat(good.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640U);
   unlink(link.c_str());
+  // A link to a file that is not there yet leads to it.
+  const std::string later = File("Later.json");
+  ASSERT_EQ(symlink("Later.json", link.c_str()), 0);
+  EXPECT_TRUE(this->Target.Setup->Save(link.c_str()));
+  EXPECT_EQ(Read(later), this->Good);
+  ASSERT_EQ(lstat(link.c_str(), &status), 0);
+  EXPECT_TRUE(S_ISLNK(status.st_mode));
+  unlink(link.c_str());
   // A setting that could not be loaded again leaves the good file alone.
   this->Target.Filter->SetForceFieldGain(std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(this->Target.Setup->Save(File("Good.json").c_str()));
   this->ExpectError({ "Haptics.ForceFieldGain", "not saved" });
   EXPECT_EQ(Read(File("Good.json")), this->Good);
+}
+
+TEST_F(SetupErrors, SavingKeepsOwnerAndGroup)
+{
+  if (geteuid() != 0)
+  {
+    GTEST_SKIP() << "only root can give files away";
+  }
+  constexpr uid_t alice = 60001;
+  constexpr gid_t staff = 60002;
+  const std::string file = File("Alices.json");
+  const auto expect = [&](mode_t mode)
+  {
+    struct stat status;
+    ASSERT_EQ(stat(file.c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, alice);
+    EXPECT_EQ(status.st_gid, staff);
+    EXPECT_EQ(status.st_mode & 07777, mode);
+  };
+  std::ofstream(file) << "old";
+  ASSERT_EQ(chown(file.c_str(), alice, staff), 0);
+  ASSERT_EQ(chmod(file.c_str(), 04660), 0);
+  EXPECT_TRUE(this->Target.Setup->Save(file.c_str()));
+  expect(0660);
+  EXPECT_EQ(Read(file), this->Good);
+  // One who is neither, but may write, can't give a new file to the group: this one is written in place.
+  std::ofstream(file) << "old and longer than nothing";
+  ASSERT_EQ(chmod(file.c_str(), 0666), 0);
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(std::filesystem::path(file).parent_path());
+  struct stat folder;
+  ASSERT_EQ(stat(".", &folder), 0);
+  ASSERT_EQ(chmod(".", 0777), 0);
+  ASSERT_EQ(seteuid(65534), 0);
+  EXPECT_TRUE(this->Target.Setup->Save("Alices.json"));
+  ASSERT_EQ(seteuid(0), 0);
+  ASSERT_EQ(chmod(".", folder.st_mode & 07777), 0);
+  expect(0666);
+  EXPECT_EQ(Read(file), this->Good);
+  for (const auto& entry : std::filesystem::directory_iterator("."))
+  {
+    EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+  }
+  std::filesystem::current_path(before);
 }
