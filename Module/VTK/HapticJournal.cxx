@@ -78,57 +78,147 @@ bool BlockCompressor::Expand(const std::string& block, void* data, std::size_t s
 namespace
 {
 
-/** Gives a journal that an earlier recording left a name that is free. */
-bool PutAside(const std::string& journal, std::string& error, std::string& renamed)
+enum class JournalPlace
 {
-  const int descriptor = open(journal.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0)
+  Free,    ///< or it is now
+  Unknown, ///< there is one, and no lock tells whether it is being written
+  Taken
+};
+
+constexpr int MostNames = 1000;
+constexpr const char* TooManyNames = "there are too many unfinished recordings of that name beside "
+                                     "it. Remove some, or give another name.";
+
+std::string Numbered(const std::string& journal, int number)
+{
+  return journal + "." + std::to_string(number);
+}
+
+/** Gives a journal that an earlier recording left, and that is open, a name that is free. */
+bool Rename(int descriptor, const std::string& journal, std::string& error, std::string& warning)
+{
+  for (int i = 1; i <= MostNames; ++i)
   {
-    return errno == ENOENT; // else the error of creating it tells more
-  }
-  const bool isFree = flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-  close(descriptor);
-  if (!isFree)
-  {
-    error = "it is being recorded already. Give another name.";
-    return false;
-  }
-  for (int i = 1;; ++i)
-  {
-    const std::string free = journal + "." + std::to_string(i);
-    if (access(free.c_str(), F_OK) != 0 && rename(journal.c_str(), free.c_str()) == 0)
+    const std::string free = Numbered(journal, i);
+    struct stat status;
+    if (lstat(free.c_str(), &status) == 0)
     {
-      renamed = free;
-      return true;
+      continue;
     }
-    constexpr int most = 1000;
-    if (i == most)
+    if (IsSameFile(descriptor, journal) && rename(journal.c_str(), free.c_str()) != 0)
     {
-      error = "there are too many unfinished recordings of that name beside it. Remove some, or "
-              "give another name.";
+      error = "the unfinished recording " + Printable(journal) + " can't be renamed (" +
+        DescribeError(errno) + "). Remove it, or give another name.";
       return false;
     }
+    warning = "An earlier recording of that name was not finished. What there is of it is now in " +
+      Printable(free) +
+      ": make a recording of it with vtkHapticDevice::RecoverRecording, or remove it.";
+    return true;
   }
+  error = TooManyNames;
+  return false;
+}
+
+JournalPlace PutAside(const std::string& journal, std::string& error, std::string& warning)
+{
+  struct stat status;
+  if (lstat(journal.c_str(), &status) != 0)
+  {
+    return JournalPlace::Free; // else the error of creating it tells more
+  }
+  std::string reason;
+  if (!CheckRegular(journal, reason))
+  {
+    error = "the name of its journal, " + Printable(journal) + ", " + reason +
+      ". Remove that, or give another name.";
+    return JournalPlace::Taken;
+  }
+  const int descriptor = OpenFile(journal, O_RDONLY | O_NONBLOCK);
+  if (descriptor < 0)
+  {
+    error = "the unfinished recording " + Printable(journal) + " can't be read (" +
+      DescribeError(errno) + "). Remove it, or give another name.";
+    return JournalPlace::Taken;
+  }
+  JournalPlace place = JournalPlace::Taken;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+  {
+    place = Rename(descriptor, journal, error, warning) ? JournalPlace::Free : JournalPlace::Taken;
+  }
+  else if (errno == EWOULDBLOCK)
+  {
+    error = "it is being recorded already. Give another name.";
+  }
+  else
+  {
+    place = JournalPlace::Unknown;
+  }
+  close(descriptor);
+  return place;
 }
 
 } // namespace
 
-bool JournalWriter::Create(
-  const std::string& journal, const RecordingAbout& about, std::string& error, std::string& renamed)
+bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::string& warning)
 {
-  this->Close();
-  error.clear();
-  if (!PutAside(journal, error, renamed) && !error.empty())
+  const std::string journal = file + JournalEnding;
+  const JournalPlace place = PutAside(journal, error, warning);
+  if (place == JournalPlace::Taken)
   {
     return false;
   }
+  struct stat status;
+  const bool isOld = stat(file.c_str(), &status) == 0;
   constexpr mode_t everybody = 0666; // less what the user's mask takes
-  this->Descriptor = open(journal.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everybody);
-  this->Failure = this->Descriptor < 0 ? errno : 0;
-  if (this->Failure == 0)
+  const mode_t mode = isOld ? status.st_mode & 0600 : everybody;
+  constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW;
+  this->Name = journal;
+  int number = 0;
+  do
   {
-    // Some file systems have no locks; the journal does without.
-    (void)flock(this->Descriptor, LOCK_EX | LOCK_NB);
+    this->Name = place == JournalPlace::Free ? journal : Numbered(journal, ++number);
+    this->Descriptor = OpenFile(this->Name, flags, mode | 0600);
+  } while (this->Descriptor < 0 && errno == EEXIST && place == JournalPlace::Unknown &&
+    number < MostNames);
+  if (this->Descriptor < 0)
+  {
+    error = errno == EEXIST ? place == JournalPlace::Free
+        ? "it is being recorded already. Give another name."
+        : TooManyNames
+                            : ExplainWriteError(errno, this->Name);
+    return false;
+  }
+  // Some file systems have no locks; the journal does without.
+  if (flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    error = "it is being recorded already. Give another name.";
+    return false;
+  }
+  if (isOld)
+  {
+    (void)TakePermissions(this->Descriptor, status);
+  }
+  if (place == JournalPlace::Unknown)
+  {
+    warning = "There is an unfinished recording " + Printable(journal) +
+      ", and its file system has no locks, which would tell whether it is still written. It stays "
+      "as it "
+      "is, and this recording is kept in " +
+      Printable(this->Name) + " until it ends.";
+  }
+  return true;
+}
+
+bool JournalWriter::Create(
+  const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning)
+{
+  this->Close();
+  this->Failure = 0;
+  error.clear();
+  bool isGood = this->OpenNew(file, error, warning);
+  if (isGood)
+  {
     std::string payload(JournalMark, sizeof(JournalMark));
     for (const std::string& text :
       { SignatureOfColumns(), about.DeviceId, about.Settings, about.VolumeHash })
@@ -136,19 +226,26 @@ bool JournalWriter::Create(
       Put(payload, static_cast<std::uint64_t>(text.size()));
       payload += text;
     }
-    this->Failure = this->WriteChunk(AboutChunk, payload);
-    if (this->Failure != 0)
+    isGood = this->WriteChunk(AboutChunk, payload) == 0;
+    if (!isGood)
     {
-      unlink(journal.c_str());
+      error = ExplainWriteError(this->Failure, this->Name);
+      this->Remove();
     }
   }
-  if (this->Failure != 0)
+  if (!isGood)
   {
-    error = ExplainWriteError(this->Failure, journal);
     this->Close();
-    return false;
   }
-  return true;
+  return isGood;
+}
+
+void JournalWriter::Remove()
+{
+  if (this->Descriptor >= 0 && IsSameFile(this->Descriptor, this->Name))
+  {
+    unlink(this->Name.c_str());
+  }
 }
 
 void JournalWriter::Close()

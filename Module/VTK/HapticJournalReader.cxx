@@ -4,9 +4,11 @@
 
 #include "HapticFiles.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace VolumeHaptics
@@ -16,6 +18,30 @@ namespace
 
 /** A chunk is not larger: a group of random numbers, or placements of a group. */
 constexpr std::uint64_t MostPayload = 1 << 24;
+
+bool IsKind(std::uint32_t kind)
+{
+  return kind == AboutChunk || kind == BeginChunk || kind == PlacementsChunk || kind == TicksChunk;
+}
+
+/** Whether a whole chunk begins behind the first byte. */
+bool HoldsChunk(const std::string& bytes)
+{
+  for (std::size_t begin = 1; begin + HeadSize <= bytes.size(); ++begin)
+  {
+    std::size_t at = begin;
+    std::uint32_t kind = 0;
+    std::uint32_t zero = 0;
+    std::uint64_t size = 0;
+    std::uint64_t sum = 0;
+    if (Get(bytes, at, kind) && IsKind(kind) && Get(bytes, at, zero) && Get(bytes, at, size) &&
+      Get(bytes, at, sum) && size <= bytes.size() - at && SumOf(bytes.substr(at, size)) == sum)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 } // namespace
 
@@ -35,6 +61,7 @@ bool JournalReader::ReadAt(std::uint64_t position, void* data, std::size_t size)
     const ssize_t got = pread(this->Descriptor, to, size, static_cast<off_t>(position));
     if (got == 0 || (got < 0 && errno != EINTR))
     {
+      this->Failure = got == 0 ? 0 : errno;
       return false;
     }
     if (got > 0)
@@ -67,20 +94,52 @@ bool JournalReader::Open(const std::string& journal, std::string& error)
   {
     return false;
   }
-  this->Descriptor = open(journal.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  this->Descriptor = OpenFile(journal, O_RDONLY | O_NONBLOCK);
   if (this->Descriptor < 0)
   {
-    error = "can't be read: check that it may be read by you";
+    error = "can't be read (" + DescribeError(errno) + "): check that it may be read by you";
     return false;
   }
-  if (flock(this->Descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  this->IsLocked = flock(this->Descriptor, LOCK_SH | LOCK_NB) == 0;
+  if (!this->IsLocked && errno == EWOULDBLOCK)
   {
     error = "is of a recording that is still under way: stop that one first";
     return false;
   }
+  return this->Scan(error);
+}
+
+bool JournalReader::Open(const JournalWriter& writer, std::string& error)
+{
+  this->Descriptor = fcntl(writer.Descriptor, F_DUPFD_CLOEXEC, 0);
+  if (this->Descriptor < 0)
+  {
+    error = "can't be read (" + DescribeError(errno) + ")";
+    return false;
+  }
+  this->IsLocked = true; // or there are no locks, and the name tells
+  return this->Scan(error);
+}
+
+bool JournalReader::IsAt(const std::string& file) const
+{
+  return this->Descriptor >= 0 && IsSameFile(this->Descriptor, file);
+}
+
+void JournalReader::Remove(const std::string& journal) const
+{
+  if (this->IsLocked && this->IsAt(journal))
+  {
+    unlink(journal.c_str());
+  }
+}
+
+bool JournalReader::Scan(std::string& error)
+{
   std::string payload;
   Chunk chunk;
   error.clear();
+  this->Failure = 0;
   while (this->ReadHead(this->End, chunk))
   {
     payload.resize(chunk.Size);
@@ -93,9 +152,69 @@ bool JournalReader::Open(const std::string& journal, std::string& error)
   }
   if (!this->HasAbout && error.empty())
   {
-    error = "is not the unfinished recording of a vtkHapticDevice";
+    error = this->Failure ? "can't be read (" + DescribeError(this->Failure) + ")"
+                          : "is not the unfinished recording of a vtkHapticDevice";
+  }
+  if (error.empty())
+  {
+    this->FindDamage();
   }
   return error.empty();
+}
+
+void JournalReader::FindDamage()
+{
+  int failure = this->Failure;
+  struct stat status;
+  failure = failure == 0 && fstat(this->Descriptor, &status) != 0 ? errno : failure;
+  const auto size = failure ? this->End : static_cast<std::uint64_t>(status.st_size);
+  if (failure == 0 && this->IsCutOff(size))
+  {
+    return;
+  }
+  failure = failure ? failure : this->Failure;
+  this->Damage = "can't be read beyond byte " + std::to_string(this->End) +
+    (failure ? " (" + DescribeError(failure) + ")"
+             : " of " + std::to_string(size) + ", as bytes there have changed") +
+    ": the " + std::to_string(this->Ticks) + " ticks before are all that can be";
+}
+
+void JournalReader::Expect(std::uint64_t ticks)
+{
+  if (ticks != this->Ticks && this->Damage.empty())
+  {
+    this->Damage = "was cut off by another program: it holds " + std::to_string(this->Ticks) +
+      " of " + std::to_string(ticks) + " ticks";
+  }
+}
+
+bool JournalReader::IsCutOff(std::uint64_t size)
+{
+  // A file that was growing when the power went may end with zeros.
+  constexpr std::uint64_t most = HeadSize + MostPayload;
+  std::string tail(std::min(size - std::min(size, this->End), most), '\0');
+  if (!this->ReadAt(this->End, &tail[0], tail.size()))
+  {
+    return false;
+  }
+  std::string block;
+  for (std::uint64_t position = this->End + tail.size(); position < size; position += block.size())
+  {
+    block.resize(std::min(size - position, most));
+    if (!this->ReadAt(position, &block[0], block.size()) ||
+      block.find_first_not_of('\0') != std::string::npos)
+    {
+      return false;
+    }
+  }
+  tail.resize(tail.find_last_not_of('\0') + 1);
+  if (tail.size() < HeadSize)
+  {
+    return true;
+  }
+  Chunk chunk;
+  return this->ReadHead(this->End, chunk) && IsKind(chunk.Kind) &&
+    tail.size() < HeadSize + chunk.Size && !HoldsChunk(tail);
 }
 
 /** False where a chunk has no place in the order of chunks: what follows is not read. */
@@ -120,7 +239,7 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
   std::uint64_t lost = 0;
   std::uint32_t ticks = 0;
   if (chunk.Kind != TicksChunk || !Get(payload, at, lost) || !Get(payload, at, ticks) ||
-    ticks > GroupSize || this->HasLastGroup || (ticks > 0 && !this->HasBegin))
+    ticks > GroupSize || (ticks > 0 && (this->HasLastGroup || !this->HasBegin)))
   {
     return false;
   }
@@ -140,7 +259,7 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
   }
   this->Ticks += ticks;
   this->Lost = lost;
-  this->HasLastGroup = ticks < GroupSize;
+  this->HasLastGroup = ticks < GroupSize; // only how many were lost may follow
   return true;
 }
 

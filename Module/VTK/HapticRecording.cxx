@@ -4,8 +4,10 @@
 
 #include "HapticFiles.h"
 #include "HapticRecordingFile.h"
+#include "HapticTraceFiles.h"
 
 #include <algorithm>
+#include <system_error>
 
 namespace VolumeHaptics
 {
@@ -33,7 +35,6 @@ PlacementRow ToRow(const Affine3& map)
 
 HapticRecording::HapticRecording()
   : Writer(new JournalWriter)
-  , Threader(vtkSmartPointer<vtkMultiThreader>::New())
 {
 }
 
@@ -41,44 +42,57 @@ HapticRecording::~HapticRecording()
 {
   if (!this->IsOurs())
   {
-    // The journal and its lock are the parent's.
+    // The journal, its lock and the thread are the parent's.
     (void)this->Writer.release();
+    (void)this->WriterThread.release();
     return;
   }
-  this->StopWriter();
+  this->StopWriter(); // the journal is closed with its writer
 }
 
 bool HapticRecording::Start(
   const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning)
 {
   this->File = MakeAbsolute(file);
-  this->Journal = this->File + JournalEnding;
-  std::string renamed;
-  if (!CheckWritable(this->File, error) ||
-    !this->Writer->Create(this->Journal, about, error, renamed))
+  bool isGood = CheckWritable(this->File, error) &&
+    (GetTraceEnding(file) != ".csv" || CheckWritable(this->File + ".json", error)) &&
+    this->Writer->Create(this->File, about, error, warning);
+  if (isGood)
+  {
+    try
+    {
+      this->WriterThread = std::make_unique<std::thread>([this] { this->WriteUntilStopped(); });
+    }
+    catch (const std::system_error& problem)
+    {
+      error = "the system gives no thread to write it (" + Printable(problem.code().message()) +
+        "). End other programs, or raise the limits of threads and memory.";
+      this->Writer->Remove();
+      isGood = false;
+    }
+  }
+  if (!isGood)
   {
     error = "The recording " + Printable(file) + " can't be written: " + error;
-    return false;
   }
-  if (!renamed.empty())
-  {
-    warning = "An earlier recording of that name was not finished. What there is of it is now in " +
-      Printable(renamed) +
-      ": make a recording of it with vtkHapticDevice::RecoverRecording, or remove it.";
-  }
-  this->WriterThread = this->Threader->SpawnThread(&HapticRecording::RunWriter, this);
-  return true;
+  return isGood;
 }
 
 void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model)
 {
   // Ticks come in the order of generations.
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
+  if (this->Failure.load() != 0)
+  {
+    this->Models.clear(); // no tick is recorded any more
+    return;
+  }
   this->Models[generation] = std::move(model);
 }
 
 bool HapticRecording::Append(const ServoSnapshot& snapshot)
 {
+  this->LastGeneration = snapshot.Generation;
   const auto found = this->Models.find(snapshot.Generation);
   if (found == this->Models.end() || !found->second || this->Failure.load() != 0)
   {
@@ -99,21 +113,14 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
       { settings.Caps.Stiffness, settings.Caps.Damping } });
   }
   // A placement for every generation, moved or not: the servo carries its state across each.
-  if (isFirst || snapshot.Generation != this->LastGeneration)
+  if (isFirst || snapshot.Generation != this->PlacedGeneration)
   {
     this->NewPlacements.push_back(ToRow(model.DeviceToWorld));
-    this->LastGeneration = snapshot.Generation;
+    this->PlacedGeneration = snapshot.Generation;
     ++this->LastPlacement;
   }
   this->Waiting.push_back(MakeRecordingRow(model, snapshot, this->LastPlacement, this->Work));
   return true;
-}
-
-VTK_THREAD_RETURN_TYPE HapticRecording::RunWriter(void* info)
-{
-  static_cast<HapticRecording*>(static_cast<vtkMultiThreader::ThreadInfo*>(info)->UserData)
-    ->WriteUntilStopped();
-  return VTK_THREAD_RETURN_VALUE;
 }
 
 void HapticRecording::WriteUntilStopped()
@@ -169,15 +176,11 @@ bool HapticRecording::WriteGroup(bool isEnd)
 
 void HapticRecording::StopWriter()
 {
-  if (this->WriterThread >= 0)
+  if (this->WriterThread)
   {
     this->StopRequested.store(true);
-    this->Threader->TerminateThread(this->WriterThread);
-    this->WriterThread = -1;
-  }
-  if (this->Writer)
-  {
-    this->Writer->Close();
+    this->WriterThread->join();
+    this->WriterThread.reset();
   }
 }
 
@@ -186,7 +189,8 @@ std::string HapticRecording::GetTrouble() const
   const int failure = this->Failure.load();
   return failure == 0 ? std::string()
                       : "The recording " + Printable(this->File) + " ends after " +
-      std::to_string(this->Written.load()) + " ticks: " + ExplainWriteError(failure, this->Journal);
+      std::to_string(this->Written.load()) +
+      " ticks: " + ExplainWriteError(failure, this->Writer->GetName());
 }
 
 bool HapticRecording::Finish(std::string& error)
@@ -199,20 +203,16 @@ bool HapticRecording::Finish(std::string& error)
     return false;
   }
   this->StopWriter();
-  const std::string trouble = this->GetTrouble();
-  std::string reason;
-  const bool isWritten = WriteRecording(this->Journal, this->File, reason);
-  if (!isWritten)
+  // Not by its name, which another program may have given to another file.
+  JournalReader reader;
+  if (!reader.Open(*this->Writer, error))
   {
-    const std::string journal = Printable(this->Journal);
-    error = (trouble.empty() ? reason : trouble) + " What was recorded is kept in " + journal +
-      ": write it with vtkHapticDevice::RecoverRecording(\"" + journal +
-      "\", FILE) to a file of your choice.";
+    error = "The unfinished recording " + Printable(this->Writer->GetName()) + " " + error + ".";
+    return false;
   }
-  else if (!trouble.empty())
-  {
-    error = trouble + " The file holds these ticks.";
-  }
+  reader.Expect(this->Written.load());
+  WriteRecording(reader, this->Writer->GetName(), this->File, this->GetTrouble(), error);
+  this->Writer->Close(); // and gives up the lock, which a recovery needs
   return error.empty();
 }
 

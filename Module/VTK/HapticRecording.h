@@ -14,15 +14,13 @@
 #include "HapticJournal.h"
 #include "ServoClock.h"
 
-#include "vtkMultiThreader.h"
-#include "vtkSmartPointer.h"
-
 #include <atomic>
 #include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace VolumeHaptics
@@ -65,7 +63,6 @@ public:
   bool Finish(std::string& error);
 
 private:
-  static VTK_THREAD_RETURN_TYPE RunWriter(void* info);
   void WriteUntilStopped();
   /** Writes a group that is full, or any if it is the end; false where there is none. */
   bool WriteGroup(bool isEnd);
@@ -73,13 +70,13 @@ private:
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   std::string File;
-  std::string Journal;
   const std::int64_t Process = ServoClock::GetProcess(); // whose thread and journal they are
 
   // The keeper's, and its owner's between two of its calls.
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
   WorkMeter Work;
-  std::uint64_t LastGeneration = 0;
+  std::uint64_t LastGeneration = 0; // of the ticks that came, whether they are recorded or not
+  std::uint64_t PlacedGeneration = 0;
   int LastPlacement = -1;
 
   // Between the keeper and the writer.
@@ -95,8 +92,7 @@ private:
 
   // The writer's. A child process that was forked lets it be: see the destructor.
   std::unique_ptr<JournalWriter> Writer;
-  vtkSmartPointer<vtkMultiThreader> Threader;
-  int WriterThread = -1;
+  std::unique_ptr<std::thread> WriterThread;
 };
 
 } // namespace VolumeHaptics

@@ -24,11 +24,16 @@ class JournalReader;
 /** The field array Units. */
 extern const char* const RecordingUnits;
 
+///@{
 /**
- * Writes the file, by its ending, and removes the journal when the file is on the disk. False, with the reason and
- * the cure, where that fails; both files are then as they were.
+ * Writes the file, by its ending, and removes the journal when all of it is in the file and that is on the disk. False,
+ * with the reason and the cure, where that fails: the journal then stays. Where a part of it can be read, the file gets
+ * that part if no file was there before. The trouble is why the recording itself is not whole.
  */
 bool WriteRecording(const std::string& journal, const std::string& file, std::string& error);
+bool WriteRecording(JournalReader& reader, const std::string& journal, const std::string& file,
+  const std::string& trouble, std::string& error);
+///@}
 
 ///@{
 /** False where the journal can't be read to its end. */

@@ -143,8 +143,8 @@ public:
    *
    * If expectedSeconds is below 0.25, and below an eighth of AttentionTime, the force stays on: the hand would feel
    * but a flicker, and a computer that is eight times slower than expected is no fault. The device announces by itself
-   * that StartRecording hashes, and Publish meshes, a large volume. A pipeline before the filter that takes seconds is
-   * the application's to announce.
+   * that StartRecording hashes, and Publish meshes, a large volume, and that a long recording is written or recovered.
+   * A pipeline before the filter that takes seconds is the application's to announce.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();
@@ -292,16 +292,19 @@ public:
    * 250 bytes a tick, 15 MB a minute at 1 kHz, and while it is written FILE.part takes two thirds of that beside
    * it. StartRecording is false, with an error, where the file can't be written. Where that shows later, as on a
    * full disk, GetStatusText says so from then on, and the next UpdateState gives an error. StopRecording is false,
-   * with an error, unless all ticks are in the file; a file that was there before is replaced only by one that is
-   * whole.
+   * with an error, unless all ticks that were collected are in the file; a file that was there before is replaced only
+   * by one that holds them all. Ticks that a busy machine or a slow disk kept from being collected give a warning, and
+   * are counted in the field array LostTicks.
    */
   bool StartRecording(const char* file);
   bool StopRecording();
   ///@}
   /**
    * Make a .vtp or .csv of the FILE.part that a recording left which StopRecording could not write, or whose program
-   * died: all of it but the last 256 ticks at most. The part is then removed; it stays where this is false, with an
-   * error. Needs neither a device nor a volume.
+   * died: all that the disk took. What a dead program had yet to write is missing, as a rule less than 600 ticks, and up
+   * to 16500 where the disk made it wait. The part is then removed, unless its file system has no locks, which would
+   * tell that no program writes to it. It stays where this is false, with an error; if it can't be read to its end, the
+   * file gets what comes before, if none was there. Needs neither a device nor a volume.
    */
   bool RecoverRecording(const char* part, const char* file);
 

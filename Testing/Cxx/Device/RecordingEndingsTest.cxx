@@ -12,6 +12,15 @@
 
 using namespace devicetest;
 
+namespace
+{
+struct EventCount
+{
+  void Add(vtkObject*, unsigned long, void*) { ++this->Count; }
+  int Count = 0;
+};
+} // namespace
+
 TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
 {
   const std::string file = this->In("killed.vtp");
@@ -38,6 +47,14 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   this->ExpectError("under way");
   ASSERT_TRUE(this->Device->StopRecording());
   this->Device->Close();
+  // Two groups are 512 lines of 20 us each, which a hand under the shortest attention (0.05 s) may notice.
+  EventCount begins;
+  this->Device->AddObserver(vtkCommand::StartEvent, &begins, &EventCount::Add);
+  this->Device->SetAttentionTime(0.05);
+  const std::string copy = this->In("copy.part");
+  vtksys::SystemTools::CopyAFile(file + ".part.1", copy);
+  ASSERT_TRUE(this->Device->RecoverRecording(copy.c_str(), this->In("copy.csv").c_str()));
+  EXPECT_EQ(begins.Count, 1);
   ASSERT_TRUE(this->Device->RecoverRecording((file + ".part.1").c_str(), file.c_str()));
   this->ExpectReplays(file, 512);
 }

@@ -107,7 +107,7 @@ protected:
     }
   }
 
-  const std::string Folder = testing::TempDir() + "VolumeHapticsFailure" + std::to_string(getpid());
+  const std::string Folder = this->File("Failure");
 };
 
 } // namespace devicetest

@@ -7,18 +7,23 @@
 
 #include "RecordingFailureRig.h"
 
+#include <filesystem>
+
 using namespace devicetest;
 
 namespace
 {
 
-/// As long as this lives, permissions count for this process even if it is root's.
+/// As long as this lives, permissions count for this process even if it is root's, and it is in a folder that a user
+/// without rights could perhaps not enter.
 class NobodysRights
 {
 public:
-  NobodysRights()
-    : WasRoot(geteuid() == 0)
+  explicit NobodysRights(const std::string& folder)
+    : Before(std::filesystem::current_path())
+    , WasRoot(geteuid() == 0)
   {
+    std::filesystem::current_path(folder);
     constexpr uid_t nobody = 65534;
     this->IsGood = !this->WasRoot || seteuid(nobody) == 0;
   }
@@ -28,12 +33,14 @@ public:
     {
       (void)!seteuid(0);
     }
+    std::filesystem::current_path(this->Before);
   }
   NobodysRights(const NobodysRights&) = delete;
   NobodysRights& operator=(const NobodysRights&) = delete;
   bool IsGood;
 
 private:
+  const std::filesystem::path Before;
   const bool WasRoot;
 };
 
@@ -49,6 +56,8 @@ TEST_F(RecordingFailure, ShowsAtTheStart)
   this->ExpectNoStart(this->In("folder.vtp"), "is a folder");
   ASSERT_EQ(mkfifo(this->In("pipe.vtp").c_str(), 0644), 0);
   this->ExpectNoStart(this->In("pipe.vtp"), "is a pipe");
+  vtksys::SystemTools::MakeDirectory(this->In("fields.csv.json"));
+  this->ExpectNoStart(this->In("fields.csv"), "is a folder");
   {
     const FullDisk full(0);
     this->ExpectNoStart(this->In("full.vtp"), "Make room");
@@ -57,14 +66,14 @@ TEST_F(RecordingFailure, ShowsAtTheStart)
   chmod(this->In("mine.vtp").c_str(), 0444);
   {
     chmod(this->Folder.c_str(), 0777);
-    const NobodysRights rights;
+    const NobodysRights rights(this->Folder);
     ASSERT_TRUE(rights.IsGood);
-    this->ExpectNoStart(this->In("mine.vtp"), "permissions");
+    this->ExpectNoStart("mine.vtp", "permissions");
   }
   chmod(this->Folder.c_str(), 0555);
   {
-    const NobodysRights rights;
-    this->ExpectNoStart(this->In("new.vtp"), "Choose another one");
+    const NobodysRights rights(this->Folder);
+    this->ExpectNoStart("new.vtp", "Choose another one");
   }
   EXPECT_EQ(Load(this->In("mine.vtp")), "good");
   chmod(this->Folder.c_str(), 0755);
