@@ -123,7 +123,8 @@ cmake -S "$root" -B "$build_dir-thread" -G Ninja "${sanitizer_options[@]}" \
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
-  # Not Signals and Endings: they fork, which the thread sanitizer can't follow in a process with threads.
+  # Not Signals, Endings and RecordingEndings: they fork, which the thread sanitizer can't follow in a process with
+  # threads.
   run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Device|Scene|Servo)[.]' -E 'Signals|Endings'
 else
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsLoopTests
