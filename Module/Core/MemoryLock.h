@@ -4,8 +4,8 @@
  * @file
  * Keeps ranges of memory from being paged out while the servo uses them.
  *
- * Only what is named is locked: mlockall would read every mapped file of the process from the disk, a volume of
- * gigabytes included. Pages that several locks share stay until the last of them is gone (munlock alone does not
+ * Only what is named is locked, such as the loop's own memory, and neither program code nor what back ends use: mlockall
+ * would read every mapped file of the process from the disk, a volume of gigabytes included. Pages that several locks share stay until the last of them is gone (munlock alone does not
  * count). A forked child has no locks but its own. An application that locks its own memory with mlockall loses that for pages that it shares with these locks.
  *
  * Not in the servo loop: locking may wait for memory.

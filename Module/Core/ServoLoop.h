@@ -182,8 +182,9 @@ public:
   };
   Privilege GetRealTimePriority() const noexcept { return this->RealTimePriority.load(); }
   /**
-   * Whether what the loop uses stays in memory while it runs: this object with its buffers, the loop's stack, and the
-   * tables of the models, but neither the samples of a volume nor meshes, which may be larger than the memory.
+   * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the loop's stack, and the
+   * tables of the models. Never locked are the samples of a volume and meshes, which may be larger than the memory, the
+   * program's code, and what a back end and its driver use.
    */
   Privilege GetLockedMemory() const noexcept
   {

@@ -84,9 +84,9 @@ FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
 
 /**
- * An order as it goes to a running device: always with FalconHome. A device that does not get it in every packet is not
- * homed any more, and the bits of homed encoders in its reports mean nothing (libnifalcon,
- * FalconFirmwareNovintSDK.h).
+ * An order as it goes to a running device: always with FalconHome, which libnifalcon, too, sets in every packet as long as
+ * its homing mode is on (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h gives
+ * the bits of homed encoders as "(If homing mode on)": no source says what they mean after a packet without FalconHome.
  */
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 

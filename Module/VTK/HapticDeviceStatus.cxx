@@ -152,7 +152,7 @@ std::string HapticDeviceHolder::DescribeDevice() const
   }
   ServoLoop& loop = this->Session->GetLoop();
   text += std::string(" Real-time priority ") + DescribePrivilege(loop.GetRealTimePriority()) +
-    ", locked memory " + DescribePrivilege(loop.GetLockedMemory()) + ".";
+    ", locking of the servo's own memory " + DescribePrivilege(loop.GetLockedMemory()) + ".";
   return text;
 }
 

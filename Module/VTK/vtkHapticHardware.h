@@ -107,7 +107,9 @@ public:
   ///@{
   /**
    * What a stick's or wheel's forces are at full scale (N) along x and y, which no device tells: measure it
-   * with a spring scale. At most 100; below zero turns the sense, 0 gives no force. A number that is too small
+   * with a spring scale. At most 100; below zero turns the direction, 0 gives no force. Firmwares differ in which way a
+   * positive number pushes, so try it gently first (volumehaptics-device test): if the wall pulls the hand in, give a
+   * negative number. A number that is too small
    * gives too much force. Default 100, so that what is stronger than nearly all of them is still not felt as
    * more than was asked for; weaker ones are hardly felt until this is set. Takes effect with Open.
    */

@@ -35,6 +35,7 @@ TEST_F(DeviceStatus, GoesFromClosedToActiveAndBack)
   this->Device->Arm();
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
   EXPECT_TRUE(this->Says("Real-time priority"));
+  EXPECT_TRUE(this->Says("locking of the servo's own memory"));
   this->Device->Disarm();
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
   this->Device->Stop();

@@ -6,9 +6,10 @@
  * from the published facts alone; every run packet is a millisecond of its time.
  *
  * Homing: libnifalcon/libnifalcon, include/falcon/firmware/FalconFirmwareNovintSDK.h (commit 0cf9f06), gives the three
- * bits of homed encoders as "(If homing mode on)", and its tools send the bit of the homing mode (0x01 in
- * boneyard/c_driver/nifalcon_test_fw.h) with every packet. So a packet without it ends the mode: nothing is homed until
- * the mode is on again and the grip has been at both ends anew.
+ * bits of homed encoders as "(If homing mode on)", and formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp sends the
+ * bit of the homing mode (0x01) with every packet while that is on. No source says what a packet without it does to a
+ * zero that was found. That it is forgotten, until the mode is on again and the grip has been at both ends anew, is the
+ * conservative reading: a driver that leaves the bit out fails here, whatever a real device does.
  */
 #ifndef FalconModel_h
 #define FalconModel_h
