@@ -13,14 +13,15 @@ const std::vector<MethodChoice>& MethodChoices()
 {
   using A = vtkVolumeHapticsAlgorithm;
   constexpr int any = MethodChoice::AnySolver;
-  static const std::vector<MethodChoice> choices = {
+  // Never destroyed: objects that are deleted while the process exits still ask for it.
+  static const auto* const choices = new std::vector<MethodChoice>{
     { A::PROXY, A::PRECISE, "Proxy", "proxy", "Proxy, PRECISE", false },
     { A::PROXY, A::PAPER, "Proxy", "paper", "Proxy, PAPER", false },
     { A::FORCE_FIELD, any, "ForceField", "force-field", "Force field", false },
     { A::SURFACE_PROXY, any, "SurfaceProxy", "surface-proxy", "Surface proxy", true },
     { A::LOCAL_SURFACE, any, "LocalSurface", "local-surface", "Local surface", false },
   };
-  return choices;
+  return *choices;
 }
 
 std::size_t FindMethodChoice(int method, int solver)

@@ -29,9 +29,11 @@ std::size_t TraceColumn::GetWidth() const
   return size * static_cast<std::size_t>(this->Components);
 }
 
+// Both lists are never destroyed: a device that is deleted while the process exits still writes its recording.
+
 const std::vector<TraceColumn>& GetTraceColumns()
 {
-  static const std::vector<TraceColumn> columns = {
+  static const auto* const columns = new std::vector<TraceColumn>{
     { "Time", " (s)", Float64, 1, offsetof(TraceRow, Time) },
     { "Tip", " (world)", Float64, 3, offsetof(TraceRow, Tip) },
     { "Force", " (N)", Float64, 3, offsetof(TraceRow, Force) },
@@ -52,14 +54,14 @@ const std::vector<TraceColumn>& GetTraceColumns()
     { RecordingNames::Renewed, "", UInt8, 1, offsetof(TraceRow, Renewed) },
     { "Energy", " (J)", Float64, 1, offsetof(TraceRow, Energy) },
   };
-  return columns;
+  return *columns;
 }
 
 const std::vector<TraceColumn>& GetRecordingColumns()
 {
-  static const std::vector<TraceColumn> columns = []
+  static const auto* const columns = []
   {
-    std::vector<TraceColumn> all = {
+    auto* const all = new std::vector<TraceColumn>{
       { RecordingNames::DeviceTip, " (m)", Float64, 3, offsetof(RecordingRow, DeviceTip) },
       { "Command", " (N)", Float64, 3, offsetof(RecordingRow, Command) },
       { "Tick", "", ColumnType::Int64, 1, offsetof(RecordingRow, Tick) },
@@ -69,10 +71,10 @@ const std::vector<TraceColumn>& GetRecordingColumns()
       { "Armed", "", UInt8, 1, offsetof(RecordingRow, Armed) },
       { "Fault", "", UInt8, 1, offsetof(RecordingRow, Fault) },
     };
-    const auto add = [&all](TraceColumn column)
+    const auto add = [all](TraceColumn column)
     {
       column.Offset += offsetof(RecordingRow, Trace);
-      all.push_back(column);
+      all->push_back(column);
     };
     for (const TraceColumn& column : GetTraceColumns())
     {
@@ -81,7 +83,7 @@ const std::vector<TraceColumn>& GetRecordingColumns()
     add({ "Proxy", " (world)", Float64, 3, offsetof(TraceRow, Proxy) });
     return all;
   }();
-  return columns;
+  return *columns;
 }
 
 double WorkMeter::Add(const TickRecord& record)

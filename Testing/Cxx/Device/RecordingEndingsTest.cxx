@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Programs that die while they record, and children that are forked meanwhile.
+ * Programs that die or exit while they record, and children that are forked meanwhile.
  */
 
 #include "RecordingFailureRig.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <sys/wait.h>
 
 using namespace devicetest;
@@ -19,6 +20,20 @@ struct EventCount
   void Add(vtkObject*, unsigned long, void*) { ++this->Count; }
   int Count = 0;
 };
+
+/// Closes a device when the process exits, after the destructors of everything that was made in main().
+struct LastOwner
+{
+  ~LastOwner()
+  {
+    if (this->Device)
+    {
+      this->Device->Close();
+    }
+  }
+  vtkHapticDevice* Device = nullptr;
+};
+LastOwner Owner;
 } // namespace
 
 TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
@@ -56,6 +71,25 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   ASSERT_TRUE(this->Device->RecoverRecording(copy.c_str(), this->In("copy.csv").c_str()));
   EXPECT_EQ(begins.Count, 1);
   ASSERT_TRUE(this->Device->RecoverRecording((file + ".part.1").c_str(), file.c_str()));
+  this->ExpectReplays(file, 512);
+}
+
+TEST_F(RecordingFailure, IsNotThatTheProgramExits)
+{
+  const std::string file = this->In("exited.vtp");
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    this->Begin();
+    this->Device->StartRecording(file.c_str());
+    this->WanderForTwoGroups(file);
+    Owner.Device = this->Device;
+    std::exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_FALSE(Exists(file + ".part"));
   this->ExpectReplays(file, 512);
 }
 
