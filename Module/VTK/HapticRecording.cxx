@@ -7,6 +7,7 @@
 #include "HapticTraceFiles.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 
 namespace VolumeHaptics
@@ -54,22 +55,28 @@ bool HapticRecording::Start(
   const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning)
 {
   this->File = MakeAbsolute(file);
-  bool isGood = CheckWritable(this->File, error) &&
-    (GetTraceEnding(file) != ".csv" || CheckWritable(this->File + ".json", error)) &&
-    this->Writer->Create(this->File, about, error, warning);
-  if (isGood)
+  bool isGood = false;
+  try
   {
-    try
+    isGood = CheckWritable(this->File, error) &&
+      (GetTraceEnding(file) != ".csv" || CheckWritable(this->File + ".json", error)) &&
+      this->Writer->Create(this->File, about, error, warning);
+    if (isGood)
     {
       this->WriterThread = std::make_unique<std::thread>([this] { this->WriteUntilStopped(); });
     }
-    catch (const std::system_error& problem)
-    {
-      error = "the system gives no thread to write it (" + Printable(problem.code().message()) +
-        "). End other programs, or raise the limits of threads and memory.";
-      this->Writer->Remove();
-      isGood = false;
-    }
+  }
+  catch (const std::system_error& problem)
+  {
+    error = "the system gives no thread to write it (" + Printable(problem.code().message()) +
+      "). End other programs, or raise the limits of threads and memory.";
+    this->Writer->Remove();
+    isGood = false;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Writer->Remove();
+    throw;
   }
   if (!isGood)
   {
