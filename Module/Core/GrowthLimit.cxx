@@ -9,10 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/**
- * Paid / Work is never taken for less. A tick is a finite step along the curve of (2) and can overshoot its end;
- * from zero the force could not come back.
- */
+/** Paid / Work is never taken for less by (2): from zero the force could not come back. */
 constexpr double LeastPaid = 1.0 / 64.0;
 
 } // namespace
@@ -22,12 +19,13 @@ void GrowthLimit::BeginContact() noexcept
   this->LeastShare = this->MostShare = 1.0;
   this->Work = 0.0;
   this->Unpaid = 0.0;
+  this->Return = 0.0;
 }
 
 void GrowthLimit::Reset() noexcept
 {
   this->BeginContact();
-  this->Wanted = {};
+  this->Source = {};
   this->Sent = {};
   this->HasTip = false;
 }
@@ -38,10 +36,10 @@ void GrowthLimit::Override(const Vector3& force) noexcept
   this->Sent = force;
 }
 
-void GrowthLimit::Account(const Vector3& wanted, const Vector3& tip, double recoverable) noexcept
+void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double recoverable) noexcept
 {
-  const bool turned = Dot(wanted, this->Wanted) <= 0.0;
-  const bool touched = Dot(this->Wanted, this->Wanted) > 0.0;
+  const bool turned = Dot(source, this->Source) <= 0.0;
+  const bool touched = Dot(this->Source, this->Source) > 0.0;
   if (turned && touched)
   {
     this->BeginContact();
@@ -49,7 +47,8 @@ void GrowthLimit::Account(const Vector3& wanted, const Vector3& tip, double reco
   else if (this->HasTip)
   {
     // The mean of both ends is exact for springs.
-    const double work = -0.5 * Dot(this->Wanted + wanted, tip - this->Tip);
+    const double work = -0.5 * Dot(this->Source + source, tip - this->Tip);
+    this->Return = IsIdentical(tip, this->Tip) ? this->Return : std::max(0.0, -work);
     this->Work += work;
     this->Unpaid += (1.0 - (work > 0.0 ? this->LeastShare : this->MostShare)) * work;
     if (recoverable >= 0.0 && this->Work > recoverable)
@@ -63,19 +62,32 @@ void GrowthLimit::Account(const Vector3& wanted, const Vector3& tip, double reco
       this->Work = 0.0;
       this->Unpaid = 0.0;
     }
-    this->Unpaid = std::min(std::max(this->Unpaid, 0.0), (1.0 - LeastPaid) * this->Work);
+    this->Unpaid = std::max(this->Unpaid, 0.0);
   }
 }
 
-Vector3 GrowthLimit::Apply(
-  const Vector3& wanted, const Vector3& tip, double growth, double recoverable) noexcept
+double GrowthLimit::FindMostShare() const noexcept
+{
+  if (!(this->Unpaid > 0.0))
+  {
+    return 1.0;
+  }
+  const double paid = this->Work - this->Unpaid;
+  const double taken = std::max(paid, LeastPaid * this->Work);
+  const double share = 2.0 * taken / (this->Work + taken);
+  // A tick is a finite step along the curve, and the next one may take back as much as this one: no more than is left.
+  const bool isTooMuch = this->Return > 0.0 && share * this->Return > paid;
+  return isTooMuch ? std::max(0.0, paid) / this->Return : share;
+}
+
+Vector3 GrowthLimit::Apply(const Vector3& wanted, const Vector3& tip, double growth,
+  double recoverable, const Vector3& drag) noexcept
 {
   const double norm = Norm(wanted);
   if (norm > 0.0)
   {
-    this->Account(wanted, tip, recoverable);
-    const double paid = this->Work - this->Unpaid;
-    const double share = this->Unpaid > 0.0 ? 2.0 * paid / (this->Work + paid) : 1.0;
+    this->Account(wanted - drag, tip, recoverable);
+    const double share = this->FindMostShare();
     const double before = std::max(0.0, Dot(this->Sent, wanted) / norm);
     const double most = std::min(share * norm, before + growth);
     const double sent = most < norm ? most / norm : 1.0;
@@ -89,7 +101,7 @@ Vector3 GrowthLimit::Apply(
     this->BeginContact();
     this->Sent = {};
   }
-  this->Wanted = wanted;
+  this->Source = wanted - drag;
   this->Tip = tip;
   this->HasTip = true;
   return this->Sent;

@@ -25,8 +25,9 @@
  *
  * Where s = p(r), dr / d(ln Work) = p(r) - r = r (1 - r) / (1 + r), on the way in and out alike: on the way out r
  * runs back along the curve, and with Work reaches 0 but never falls below it. So Paid stays positive: the hand never
- * gets back more than it put in, whatever the wanted force is a function of. On the way in r rises to 1: pressing on
- * brings back what the limit took, and a still hand feels no change. For a spring, where Work = k x^2 / 2, the
+ * gets back more than it put in, whatever the wanted force is a function of, up to the finite step of a tick: the share
+ * is also no more than takes all of Paid where the next tick takes back as much of Work as this one. On the way in r
+ * rises to 1: pressing on brings back what the limit took, and a still hand feels no change. For a spring, where Work = k x^2 / 2, the
  * stiffness of F is
  *
  *   k (p + 2 (p - r) dp/dr) <= k,
@@ -40,7 +41,8 @@
  *
  * Work that friction, drag and yielding tissue have used up does not come back, and must not hide what is owed to a
  * spring that the tip meets later in the same contact. A source that knows how much energy can come back says so, and
- * Work and Paid are scaled down to that.
+ * Work and Paid are scaled down to that. One that knows its drag says so, too, and the account is that of the rest: drag
+ * takes energy at any share. Of forces that tell neither, drag counts as work that can come back.
  */
 #ifndef GrowthLimit_h
 #define GrowthLimit_h
@@ -59,9 +61,10 @@ public:
   /**
    * The force to send for a wanted one (N) with the tip at a place (m), at most `growth` (N) above the last one.
    * `recoverable` (J) is the most that the hand can get back from the wanted force; negative if that is not known.
+   * `drag` (N) is the part of the wanted force that only takes energy.
    */
-  Vector3 Apply(
-    const Vector3& wanted, const Vector3& tip, double growth, double recoverable) noexcept;
+  Vector3 Apply(const Vector3& wanted, const Vector3& tip, double growth, double recoverable,
+    const Vector3& drag = {}) noexcept;
 
   /** Sends this instead of what Apply returned; in a new contact. */
   void Override(const Vector3& force) noexcept;
@@ -70,10 +73,11 @@ public:
   const Vector3& GetForce() const noexcept { return this->Sent; }
 
 private:
-  void Account(const Vector3& wanted, const Vector3& tip, double recoverable) noexcept;
+  void Account(const Vector3& source, const Vector3& tip, double recoverable) noexcept;
   void BeginContact() noexcept;
+  double FindMostShare() const noexcept;
 
-  Vector3 Wanted;
+  Vector3 Source; ///< N, what was wanted without drag
   Vector3 Sent;
   Vector3 Tip;
   bool HasTip = false;
@@ -81,6 +85,7 @@ private:
   double MostShare = 1.0;
   double Work = 0.0;       ///< J
   double Unpaid = 0.0;     ///< J, Work - Paid: exactly 0 while nothing was held back
+  double Return = 0.0;     ///< J, what the hand got back of Work when the tip last moved
 };
 
 } // namespace VolumeHaptics

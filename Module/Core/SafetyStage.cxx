@@ -125,10 +125,12 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
 
   const double share = input.Residency * this->Ramp;
   const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
+  const double norm = Norm(input.Force);
+  const double kept = norm > 0.0 ? share * Norm(clamped) / norm : 0.0;
   const double step = limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0;
   this->Ramp = std::min(1.0, this->Ramp + step);
   return this->Growth.Apply(share * clamped, input.Tip, limits.MaximumForceRate * input.Period,
-    share * FindRecoverable(input, Norm(clamped)));
+    share * FindRecoverable(input, Norm(clamped)), kept * input.Drag);
 }
 
 void SaturateTogether(double* commands, int count, double limit) noexcept

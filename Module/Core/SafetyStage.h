@@ -57,6 +57,7 @@ struct SafetyInput
   Vector3 Force;          ///< N, as computed
   double Stiffness = 0.0; ///< N/m, of the spring that the force is the pull of; 0 if there is none
   double Stretch = 0.0;   ///< m, of that spring, whose pull may have been clamped already
+  Vector3 Drag;           ///< N, the part of the force that only takes energy, if that is known
   Vector3 Tip;            ///< m
   double Residency = 1.0; ///< 0 to 1; the share of the force that is to be felt
   double Period = 1e-3;   ///< s, nominal: what the slew limit and the ramp go by

@@ -182,6 +182,8 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   input.Force = s.Record.Force;
   input.Stiffness = s.Record.Stiffness;
   input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
+  // Where the data are missing, the force is that of an earlier tick.
+  input.Drag = model && !s.Awaiting ? FindDrag(*model, s.Before.PreviousTip, s.Record) : Vector3{};
   input.Tip = sample.Tip;
   input.Residency = s.Residency;
   input.Period = period;

@@ -39,15 +39,26 @@ Vector3 StepPaper(const Vector3& start, const SplitLag& lag, TickRecord& record)
   return proxy;
 }
 
+Vector3 FieldPush(const HapticModel& model, const TickRecord& record) noexcept
+{
+  return (-model.Settings.ForceFieldGain * record.GradientMagnitude) * record.Normal;
+}
+
+Vector3 FieldDrag(
+  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
+{
+  const Vector3 velocity = (1.0 / model.Settings.TickPeriod) * (record.Tip - previousTip);
+  const double damping = Law::Capped(model.Settings.ForceFieldDamping, model.Settings.Caps.Damping);
+  return -damping * velocity;
+}
+
 /** Eq. 1, at the tip; there is no proxy. */
 void StepForceField(
   const HapticModel& model, const Vector3& previousTip, TickRecord& record) noexcept
 {
   record.Stiffness = record.Friction = record.Viscosity = record.SurfaceStrength = 0.0;
-  const Vector3 push = (-model.Settings.ForceFieldGain * record.GradientMagnitude) * record.Normal;
-  const Vector3 velocity = (1.0 / model.Settings.TickPeriod) * (record.Tip - previousTip);
-  const double damping = Law::Capped(model.Settings.ForceFieldDamping, model.Settings.Caps.Damping);
-  const Vector3 drag = -damping * velocity;
+  const Vector3 push = FieldPush(model, record);
+  const Vector3 drag = FieldDrag(model, previousTip, record);
   record.NormalForce = Norm(push);
   record.DragForce = Norm(drag);
   record.Force = push + drag;
@@ -130,6 +141,20 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
     const double norm = Norm(record.Force);
     record.Force = norm > limit ? (limit / norm) * record.Force : record.Force;
   }
+}
+
+Vector3 FindDrag(
+  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
+{
+  const bool isField = model.Settings.Method == HapticMethod::ForceField;
+  if (!isField || !(record.DragForce > 0.0))
+  {
+    return {};
+  }
+  const Vector3 drag = FieldDrag(model, previousTip, record);
+  const double whole = Norm(FieldPush(model, record) + drag);
+  // The force may be clamped.
+  return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
 }
 
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept

@@ -91,6 +91,13 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   const LocalAnswer& answer = LocalAnswer::Simulated()) noexcept;
 
 /**
+ * The part of a tick's force (N) that is drag, which only takes energy; for FORCE_FIELD, zero for the methods that pull
+ * with a spring.
+ */
+Vector3 FindDrag(
+  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;
+
+/**
  * Takes the state from one placement of the device to another. The proxy rests on the volume: when the
  * volume moves under the hand, it goes along. From one region of a volume to another the state stays as it is.
  */

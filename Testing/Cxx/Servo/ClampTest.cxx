@@ -100,3 +100,28 @@ TEST(Clamp, OfTheModelDoesNotMakeAWallActive)
     }
   }
 }
+
+TEST(Clamp, OfTheModelLeavesItsPartOfADrag)
+{
+  // Eq. 1 with C2 = 5 N s/m at 0.1 m/s along x, across a gradient of 100 per mm along z with C1 = 0.01.
+  const TestVolume volume = MakeRamp();
+  HapticModelDescription description = Describe(volume);
+  description.Settings.Method = HapticMethod::ForceField;
+  description.Settings.ForceFieldGain = 0.01;
+  description.Settings.ForceFieldDamping = 5.0;
+  const Vector3 drag{ -0.5, 0.0, 0.0 };
+  for (const double most : { 0.0, 0.5 * std::hypot(1.0, 0.5) })
+  {
+    description.Settings.MaximumForce = most;
+    const HapticModel model(description);
+    ServoState state;
+    TickRecord record;
+    Tick(model, state, { 0.012, 0.012, 0.012 }, record);
+    EXPECT_EQ(Norm(FindDrag(model, state.PreviousTip, record)), 0.0);
+    const Vector3 before = state.PreviousTip;
+    Tick(model, state, { 0.0121, 0.012, 0.012 }, record);
+    const Vector3 expected = most > 0.0 ? 0.5 * drag : drag;
+    EXPECT_LT(Norm(FindDrag(model, before, record) - expected), 1e-6);
+    EXPECT_NEAR(record.Force.X, expected.X, 1e-6);
+  }
+}

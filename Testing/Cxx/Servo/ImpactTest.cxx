@@ -255,6 +255,91 @@ TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
   EXPECT_LE(fly(500.0), 1.05 * fly(1e9));
 }
 
+TEST(Impact, DragDoesNotHideWhatAWallIsOwed)
+{
+  // As friction, of a force that no stiffness is known of: 5 N s/m at 0.1 m/s along x, 0.5 m before the wall.
+  constexpr double k = 3000.0;
+  const Vector3 drag{ -0.5, 0.0, 0.0 };
+  const auto fly = [&](double rate)
+  {
+    SafetyLimits limits;
+    limits.MaximumForce = 8.0;
+    limits.MaximumForceRate = rate;
+    SafetyStage stage;
+    SafetyInput input;
+    input.Elapsed = input.Period = Period;
+    input.Fresh = true;
+    input.Drag = drag;
+    stage.Arm();
+    Body body = Throw(0.15, 0.3, 0.3);
+    for (int i = 0; i < 5000 || body.Place.Z < 0.0 || body.Velocity.Z < 0.0; ++i)
+    {
+      input.Tip.X += 1e-4;
+      input.Tip.Z = body.Place.Z;
+      input.Force = MakeWall(k)(body.Place) + drag;
+      const Vector3 force = stage.Apply(input, limits);
+      if (i >= 5000)
+      {
+        body.Move({ 0.0, 0.0, force.Z });
+      }
+    }
+    return body.Energy();
+  };
+  EXPECT_LE(fly(500.0), 1.02 * fly(1e9));
+}
+
+TEST(Impact, SlowGrowthGivesNothingBackThatWasNotPutIn)
+{
+  // A hand that is moved, quickly compared with the force. At the turn the force is what Paid / Work = 1 / 64 leaves of
+  // it, and may be found to be too much after one tick of the way back.
+  constexpr double k = 1000.0;
+  constexpr double depth = 0.02;
+  constexpr double speed = 0.5;
+  constexpr double oneTick = 2.0 / 65.0 * k * depth * speed * Period;
+  for (const double rate : { 1.0, 2.0, 10.0 })
+  {
+    for (const int rest : { 0, 300 })
+    {
+      SafetyLimits limits;
+      limits.MaximumForce = 8.0;
+      limits.MaximumForceRate = rate;
+      SafetyInput input;
+      input.Elapsed = input.Period = Period;
+      input.Fresh = true;
+      SafetyStage stage;
+      stage.Arm();
+      double given = 0.0;
+      double felt = 0.0;
+      const auto apply = [&](double shift)
+      {
+        input.Tip.Z += shift;
+        input.Force = MakeWall(k)(input.Tip);
+        const double force = stage.Apply(input, limits).Z;
+        given += 0.5 * (felt + force) * shift;
+        felt = force;
+      };
+      const auto move = [&](double way, int ticks)
+      {
+        for (int i = 0; i < ticks; ++i)
+        {
+          apply(way / ticks);
+        }
+      };
+      input.Tip.Z = 0.01;
+      move(0.0, 600);
+      const int ticks = static_cast<int>((depth + 0.01) / (speed * Period));
+      for (int i = 0; i < 5; ++i)
+      {
+        move(-depth - 0.01, ticks);
+        EXPECT_GT(felt, 0.0) << "a wall is there";
+        move(0.0, rest);
+        move(depth + 0.01, ticks);
+      }
+      EXPECT_LE(given, 5.0 * oneTick) << rate << " N/s, " << rest << " ms";
+    }
+  }
+}
+
 TEST(Impact, PressingOnBringsBackWhatTheLimitTook)
 {
   SafetyLimits limits;
