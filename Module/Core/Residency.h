@@ -93,6 +93,7 @@ public:
   /** Lets the share go to zero, data or not, until Recover. */
   void FadeOut() noexcept { this->FadesOut = true; }
   void Recover() noexcept { this->FadesOut = false; }
+  bool IsFadingOut() const noexcept { return this->FadesOut; }
   /** Whether FadeOut has come to its end. */
   bool IsFadedOut() const noexcept { return this->FadesOut && this->Share == 0.0; }
   ///@}

@@ -65,7 +65,9 @@ void ServoLoop::FollowCommands() noexcept
 {
   // First: what was ordered before a release is then seen with it.
   const bool wasHeld = this->Servo.IsHeld();
-  this->Servo.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
+  // A fade that has begun goes on to zero: what is felt begins anew after it.
+  const bool fades = wasHeld && !this->AtRest.load(std::memory_order_relaxed);
+  this->Servo.SetHeld(this->HoldWanted.load(std::memory_order_acquire) || fades);
   if (wasHeld && !this->Servo.IsHeld())
   {
     // The hand went on while it felt nothing: a spring from where it was before would push it back.
@@ -75,8 +77,13 @@ void ServoLoop::FollowCommands() noexcept
   const std::uint64_t command = this->ArmCommand.load(std::memory_order_acquire);
   if (command != this->ArmCommandSeen)
   {
+    const bool isOneOrder = (command >> 2) - (this->ArmCommandSeen >> 2) == 1;
     this->ArmCommandSeen = command;
     const auto order = static_cast<ArmOrder>(command & 3);
+    // Several orders at once may have a Disarm among them, of which the last one says nothing.
+    const Vector3& last = this->Snapshot.Command;
+    const bool flows =
+      isOneOrder && this->Safety.IsArmed() && !this->Servo.IsFadingOut() && Dot(last, last) > 0.0;
     if (order == ArmOrder::FadeOut)
     {
       this->Servo.FadeOut();
@@ -86,7 +93,7 @@ void ServoLoop::FollowCommands() noexcept
       this->Servo.Recover();
       this->IsUnattended = false;
     }
-    if (order == ArmOrder::Arm)
+    if (order == ArmOrder::Arm && !flows)
     {
       // Re-entry after a fault starts from the tip, without force.
       this->State.Enabled = this->State.Enabled && this->Safety.GetFault() == SafetyFault::None;

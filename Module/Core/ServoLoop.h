@@ -96,7 +96,7 @@ public:
     return this->WrittenGeneration.load(std::memory_order_acquire);
   }
 
-  /** Force may flow, after a ramp; forgets a fault. */
+  /** Force may flow, after a ramp; forgets a fault. Changes nothing where force flows already. */
   void Arm() noexcept
   {
     this->Attend();
@@ -119,7 +119,7 @@ public:
   /**
    * While held, no force leaves, whatever else is ordered: it goes to zero as with FadeOut, but stays armed, and
    * nobody has to attend. Released, it rises as after Arm, with the proxy on the tip, if it is armed by then and has
-   * no fault. The owner's.
+   * no fault; not before the fade has come to its end. The owner's.
    */
   void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
   void Release() noexcept

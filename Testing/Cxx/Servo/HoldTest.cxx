@@ -25,7 +25,7 @@ protected:
     ASSERT_TRUE(this->WaitForce());
     loop->SetRecording(true);
     ASSERT_TRUE(Eventually([&] { return loop->Drain(this->Last); }));
-    this->Follow(loop, 50);
+    ASSERT_NO_FATAL_FAILURE(this->Follow(loop, 50));
   }
   bool WaitForce()
   {
@@ -78,11 +78,12 @@ protected:
 TEST_F(Hold, FadesAndComesBackFromTheTipWithARamp)
 {
   RunningLoop loop(this->Device, Rate, this->Limits);
-  this->Press(loop);
+  ASSERT_NO_FATAL_FAILURE(this->Press(loop));
   loop->Hold();
   ASSERT_TRUE(this->WaitRest(loop));
-  this->Follow(loop, static_cast<int>(2.0 * ResidentServo::FadeTime * Rate));
-  this->ExpectNone(loop);
+  ASSERT_NO_FATAL_FAILURE(
+    this->Follow(loop, static_cast<int>(2.0 * ResidentServo::FadeTime * Rate)));
+  ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
   EXPECT_TRUE(this->Last.Armed);
   loop->Release();
   // The first tick that is not held puts the proxy on the tip.
@@ -90,14 +91,14 @@ TEST_F(Hold, FadesAndComesBackFromTheTipWithARamp)
     [&]
     {
       this->Follow(loop, 1);
-      return this->Last.Residency > 0.0;
+      return this->HasFatalFailure() || this->Last.Residency > 0.0;
     }));
   EXPECT_FALSE(this->Last.Before.Enabled);
   EXPECT_EQ(Norm(this->Last.Record.Force), 0.0);
   double largest = 0.0;
   for (int tick = 1; tick < 1000; ++tick)
   {
-    this->Follow(loop, 1);
+    ASSERT_NO_FATAL_FAILURE(this->Follow(loop, 1));
     const double share = std::min(1.0, tick / (this->Limits.RampTime * Rate));
     largest = std::max(largest, Norm(this->Last.Command));
     EXPECT_LE(Norm(this->Last.Command), share * this->Limits.MaximumForce * (1.0 + 1e-9));
@@ -105,15 +106,38 @@ TEST_F(Hold, FadesAndComesBackFromTheTipWithARamp)
   EXPECT_GT(largest, 0.1) << "force is back";
 }
 
+TEST_F(Hold, GoesOnToItsEndIfItIsReleasedMeanwhile)
+{
+  RunningLoop loop(this->Device, Rate, this->Limits);
+  ASSERT_NO_FATAL_FAILURE(this->Press(loop));
+  loop->Hold();
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Follow(loop, 1);
+      return this->HasFatalFailure() || this->Last.Residency < 1.0;
+    }));
+  loop->Release();
+  bool hasRested = false;
+  for (int tick = 0; tick < 600; ++tick)
+  {
+    ASSERT_NO_FATAL_FAILURE(this->Follow(loop, 1));
+    hasRested = hasRested || this->Last.Residency == 0.0;
+  }
+  EXPECT_TRUE(hasRested);
+  EXPECT_EQ(this->Last.Residency, 1.0);
+  EXPECT_TRUE(this->WaitForce());
+}
+
 TEST_F(Hold, NeedsNoAttention)
 {
   RunningLoop loop(this->Device, Rate, this->Limits);
-  this->Press(loop);
+  ASSERT_NO_FATAL_FAILURE(this->Press(loop));
   loop->Hold();
   ASSERT_TRUE(this->WaitRest(loop));
   this->Limits.AttentionTime = 0.01;
   loop->SetLimits(this->Limits);
-  this->ExpectNone(loop); // 0.1 s
+  ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop)); // 0.1 s
   EXPECT_EQ(this->Last.Fault, SafetyFault::None);
   EXPECT_TRUE(this->Last.Armed);
   this->Limits.AttentionTime = 60.0;
@@ -127,12 +151,12 @@ TEST_F(Hold, DoesNotUndoWhatEndsTheForceMeanwhile)
   for (const bool fades : { false, true })
   {
     RunningLoop loop(this->Device, Rate, this->Limits);
-    this->Press(loop);
+    ASSERT_NO_FATAL_FAILURE(this->Press(loop));
     loop->Hold();
     ASSERT_TRUE(this->WaitRest(loop));
     fades ? loop->FadeOut() : loop->Disarm();
     loop->Release();
-    this->ExpectNone(loop);
+    ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
     EXPECT_FALSE(this->Last.Armed);
   }
 }
@@ -140,26 +164,26 @@ TEST_F(Hold, DoesNotUndoWhatEndsTheForceMeanwhile)
 TEST_F(Hold, KeepsAFault)
 {
   RunningLoop loop(this->Device, Rate, this->Limits);
-  this->Press(loop);
+  ASSERT_NO_FATAL_FAILURE(this->Press(loop));
   loop->Hold();
   ASSERT_TRUE(this->WaitRest(loop));
   this->Device.ReadLost.store(true);
-  this->ExpectNone(loop);
+  ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
   this->Device.ReadLost.store(false);
   loop->Release();
-  this->ExpectNone(loop);
+  ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
   EXPECT_EQ(this->Last.Fault, SafetyFault::DeviceLost);
 }
 
 TEST_F(Hold, LetsNothingThroughThatIsArmedMeanwhile)
 {
   RunningLoop loop(this->Device, Rate, this->Limits);
-  this->Press(loop);
+  ASSERT_NO_FATAL_FAILURE(this->Press(loop));
   loop->Disarm();
   loop->Hold();
   ASSERT_TRUE(this->WaitRest(loop));
   loop->Arm();
-  this->ExpectNone(loop);
+  ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
   EXPECT_TRUE(this->Last.Armed);
   loop->Release();
   EXPECT_TRUE(this->WaitForce());

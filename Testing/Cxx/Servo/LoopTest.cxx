@@ -170,6 +170,26 @@ TEST_F(Servo, SamplesThatComeBackWhileTheForceFallsMakeNoStepAndBeginFromTheTip)
   EXPECT_EQ(device.LargestForce.load(), 0.0) << "the proxy is on the tip";
 }
 
+TEST_F(Servo, ArmChangesNothingWhereForceFlows)
+{
+  DozingDevice device;
+  RunningLoop loop(device);
+  loop->Publish(this->Model);
+  loop->Arm();
+  ASSERT_TRUE(
+    Eventually([&] { return loop->ReadState() && loop->GetState().Armed && device.Reads > 200; }));
+  device.IsIn.store(true);
+  ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; }));
+  for (int i = 0; i < 3; ++i)
+  {
+    loop->Arm();
+    const std::uint64_t end = device.Writes.load() + 100;
+    ASSERT_TRUE(Eventually([&] { return device.Writes.load() > end; }));
+  }
+  EXPECT_LT(device.LargestFall.load(), 1e-9);
+  EXPECT_GE(device.Force.load(), 0.99);
+}
+
 TEST_F(Servo, ADeviceThatIsLostInReadOrWriteStaysCutUntilArmed)
 {
   for (std::atomic<bool>* lost : { &this->Device.ReadLost, &this->Device.WriteLost })
