@@ -131,7 +131,7 @@ std::string HapticDeviceHolder::DescribeDevice() const
   {
     text = "Finished: " + this->Id + " has come to its end.";
   }
-  else if (const Work* work = this->FindLongWork(); work && this->ArmWanted)
+  else if (const Work* work = this->FindLongWork(); work && this->ArmWanted && this->State.Armed)
   {
     text = "Force is off while " + work->What + ", and comes back by itself.";
   }

@@ -19,7 +19,7 @@ constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;
 /** How often Quench looks whether the loop has got it (ns). */
 constexpr std::int64_t QuenchPoll = 200000;
-/** For how long Hold waits for a fade (ns), which takes 100 ms where the force turns. */
+/** For how long Hold waits for a fade (ns), which takes 50 ms and may begin late on a busy machine. */
 constexpr std::int64_t LongestFade = 250000000;
 
 template <typename T>

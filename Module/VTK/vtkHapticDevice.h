@@ -122,10 +122,10 @@ public:
 
   ///@{
   /**
-   * Let force through, or not. Arm forgets a fault, and is refused, with an error, while the device is not ready;
-   * Disarm cuts the force at once, FadeOut within 50 ms (100 where the force turns meanwhile), for data that will
-   * not come any more, as of a server that is gone. Stop disarms. Whatever disarms invokes
-   * vtkCommand::DisableEvent, at once.
+   * Let force through, or not. Arm forgets a fault, changes nothing where force flows already, and is refused, with an
+   * error, while the device is not ready; Disarm cuts the force at once, FadeOut within 50 ms, for data that will not
+   * come any more, as of a server that is gone. Stop disarms. Whatever disarms invokes vtkCommand::DisableEvent, at
+   * once.
    */
   void Arm();
   void Disarm();
@@ -135,9 +135,9 @@ public:
   ///@{
   /**
    * Around work that keeps the owner's thread from looking after the hand, such as computing a mesh. BeginLongWork
-   * lets the force fade within 50 ms (100 if it turns meanwhile), waits for that, invokes vtkCommand::StartEvent, and
-   * GetStatusText says "Force is off while" and the given words ("the surface is meshed"). EndLongWork invokes
-   * vtkCommand::EndEvent, and the force rises over half a second from where the tip is then, unless the device was
+   * lets the force fade within 50 ms, waits for that, invokes vtkCommand::StartEvent, and GetStatusText says
+   * "Force is off while" and the given words ("the surface is meshed"). EndLongWork invokes vtkCommand::EndEvent,
+   * and the force rises over half a second from where the tip is then, unless the device was
    * disarmed meanwhile or has a fault. Arm during the work takes effect after it. AttentionTime does not count
    * meanwhile. Pairs nest, and the force comes back with the last EndLongWork; without that it stays off.
    *

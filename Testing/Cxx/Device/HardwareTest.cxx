@@ -109,6 +109,25 @@ TEST_F(DeviceHardware, ComesBackFromALossByTheUserOnly)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }
 
+TEST_F(DeviceHardware, PromisesNoForceOnceAHomingHasEndedIt)
+{
+  this->Begin("played:0");
+  this->Device->Arm();
+  ASSERT_TRUE(this->WaitForce());
+  this->Device->BeginLongWork("the test homes it");
+  EXPECT_TRUE(this->Wait([this] { return this->Says("comes back by itself"); }));
+  EXPECT_TRUE(this->ExpectStage(DeviceStage::Homing, vtkHapticDevice::HOMING, "Homing of"));
+  EXPECT_TRUE(this->WaitTicks(10)); // the loop has seen it
+  this->Played.Stage = DeviceStage::Ready;
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() != vtkHapticDevice::HOMING; }));
+  EXPECT_TRUE(this->WaitTicks(10));
+  EXPECT_FALSE(this->Says("comes back by itself")) << this->Device->GetStatusText();
+  EXPECT_TRUE(this->Says("Arm() lets force"));
+  this->Device->EndLongWork();
+  EXPECT_TRUE(this->WaitTicks(100));
+  EXPECT_EQ(this->Played.Force, 0.0);
+}
+
 TEST_F(DeviceHardware, TellsHowItIsTurned)
 {
   this->Played.Turn = 0.5;
