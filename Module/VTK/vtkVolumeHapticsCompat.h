@@ -64,19 +64,10 @@ bool HasSeparateComponents(Array* array)
 /**
  * Has a window leave its connection to the X server open when it closes. Until VTK 9.2, TerminateApp() closes the
  * window in the middle of the interactor's loop, and the loop then goes on with the connection. A window that was
- * rendered before it had an interactor owns the connection and has closed it by then: a crash.
+ * rendered before it had an interactor owns the connection and has closed it by then: a crash. The connection is closed
+ * when the window is deleted.
  */
-inline void KeepDisplay(vtkRenderWindow* window)
-{
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
-  if (window && window->IsA("vtkXOpenGLRenderWindow") && window->GetGenericDisplayId())
-  {
-    window->SetDisplayId(window->GetGenericDisplayId()); // one that was set is not closed
-  }
-#else
-  static_cast<void>(window);
-#endif
-}
+void KeepDisplay(vtkRenderWindow* window);
 
 } // namespace VolumeHaptics
 

@@ -9,7 +9,10 @@
 
 #include "StyleRig.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 using namespace scenetest;
@@ -220,4 +223,36 @@ TEST_F(StyleEnds, WhereItIsDeletedByWhatHearsOfIt)
       interactor->SetDone(true);
       this->Interactor->TerminateApp();
     });
+}
+
+TEST_F(StyleEnds, WithTheConnectionToTheServer)
+{
+  // A program that opens one window after the other, each rendered before it has an interactor.
+  const auto countOpenFiles = []
+  {
+    using Files = std::filesystem::directory_iterator;
+    return std::distance(Files("/proc/self/fd"), Files());
+  };
+  vtkNew<vtkCallbackCommand> end;
+  end->SetCallback([](vtkObject* interactor, unsigned long, void*, void*)
+    { static_cast<vtkRenderWindowInteractor*>(interactor)->ExitCallback(); });
+  std::ptrdiff_t afterTwo = 0;
+  constexpr int most = 12;
+  for (int i = 0; i < most; ++i)
+  {
+    vtkNew<vtkRenderWindow> window;
+    vtkNew<vtkRenderer> renderer;
+    window->SetSize(40, 40);
+    window->AddRenderer(renderer);
+    window->Render();
+    vtkNew<vtkRenderWindowInteractor> interactor;
+    interactor->SetRenderWindow(window);
+    vtkNew<vtkInteractorStyleHaptic> style;
+    interactor->SetInteractorStyle(style);
+    interactor->AddObserver(vtkCommand::TimerEvent, end);
+    interactor->Start();
+    interactor->SetInteractorStyle(nullptr);
+    afterTwo = i < 2 ? countOpenFiles() : afterTwo;
+  }
+  EXPECT_LE(countOpenFiles(), afterTwo + 2);
 }
