@@ -61,7 +61,10 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; });
   }
-  /// How many states since the last call have no force. None has a fault; a force that ends does not leap.
+  /// The force was there all the time, but for pauses of a busy machine, after which only a new contact is felt.
+  void ExpectForce() { EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused); }
+  /// How many states since the last call have no force. None has a fault; a force that ends does not leap from a tick to
+  /// the next one.
   int CountForceless(bool isArmed = true)
   {
     this->Device->DrainStates(this->States);
@@ -75,7 +78,15 @@ protected:
       EXPECT_EQ(column("Fault")->GetComponent(i, 0), 0.0);
       EXPECT_TRUE(!isArmed || column("Armed")->GetComponent(i, 0) == 1.0);
       // As a fade: by 500 N/s, or within 50 ms.
-      EXPECT_TRUE(!this->HasForce || std::abs(force - this->Force) <= 0.5 + 1e-9) << "row " << i;
+      const double tick = column("Tick")->GetComponent(i, 0);
+      const double time = column("Time")->GetComponent(i, 0);
+      const double period = 1.0 / this->Device->GetServoRate();
+      const bool isNext = tick == this->Tick + 1.0 && time <= this->Time + 1.5 * period;
+      this->HasPaused = this->HasPaused || (this->HasForce && !isNext);
+      EXPECT_TRUE(!this->HasForce || !isNext || std::abs(force - this->Force) <= 0.5 + 1e-9)
+        << "row " << i;
+      this->Tick = tick;
+      this->Time = time;
       this->Force = force;
       this->HasForce = true;
     }
@@ -90,6 +101,9 @@ protected:
   int Starts = 0;
   int Ends = 0;
   double Force = 0.0;
+  double Tick = 0.0;
+  double Time = 0.0;
+  bool HasPaused = false;
   bool HasForce = false;
 };
 } // namespace
@@ -97,7 +111,7 @@ protected:
 TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
 {
   this->Press();
-  EXPECT_EQ(this->CountForceless(), 0);
+  this->ExpectForce();
   this->Device->BeginLongWork("the test sleeps");
   EXPECT_EQ(this->Starts, 1);
   ASSERT_TRUE(this->WaitRest());
@@ -193,10 +207,10 @@ TEST_F(LongWork, ThatIsShortIsNotFelt)
   this->Device->BeginLongWork("the test waits", 0.2);
   ASSERT_TRUE(this->WaitTicks(100));
   EXPECT_FALSE(this->Says("Force is off"));
-  EXPECT_EQ(this->CountForceless(), 0);
+  this->ExpectForce();
   this->Device->EndLongWork();
   ASSERT_TRUE(this->WaitTicks(10));
-  EXPECT_EQ(this->CountForceless(), 0);
+  this->ExpectForce();
   EXPECT_EQ(this->Starts, 0);
   EXPECT_EQ(this->Ends, 0);
   // A program that wants to be watched more closely has less time.
@@ -240,7 +254,7 @@ TEST_F(LongWork, IsMeshingWhatHasManyTriangles)
   this->Press();
   this->Filter->SetIsoValue(1000.0);
   this->Filter->SetMethodToSurfaceProxy();
-  EXPECT_EQ(this->CountForceless(), 0);
+  this->ExpectForce();
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_EQ(this->Starts, 1);
   EXPECT_EQ(this->Ends, 1);
@@ -281,7 +295,7 @@ TEST_F(LongWork, IsHashingALargeVolume)
   this->Filter->SetInputData(0, image);
   this->Filter->GetProperty()->DistinctnessFromNoiseOff();
   this->Press();
-  EXPECT_EQ(this->CountForceless(), 0);
+  this->ExpectForce();
   ASSERT_TRUE(this->Device->StartRecording(this->File("LongWork.vtp").c_str()));
   EXPECT_EQ(this->Starts, 1);
   EXPECT_EQ(this->Ends, 1);
