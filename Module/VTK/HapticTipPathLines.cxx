@@ -13,6 +13,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -42,7 +44,83 @@ private:
   std::vector<std::size_t> Root;
 };
 
+/** How far apart coordinates of one place of a path may be. */
+double FindRounding(vtkPolyData* path)
+{
+  double bounds[6];
+  path->GetPoints()->GetBounds(bounds);
+  constexpr double rounding = 1e-6;
+  return rounding *
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
+/** Calls back with both ends of each edge of the line cells. */
+template <typename F>
+void ForEachEdge(vtkPolyData* path, F&& take)
+{
+  const vtkIdType points = path->GetNumberOfPoints();
+  const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(path->GetLines()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      if (std::min(ids[i - 1], ids[i]) >= 0 && std::max(ids[i - 1], ids[i]) < points)
+      {
+        take(ids[i - 1], ids[i]);
+      }
+    }
+  }
+}
+
 } // namespace
+
+std::pair<long long, long long> FindLeap(vtkPolyData* path)
+{
+  // The points of cells are numbered from 1 on in the order in which they are stored.
+  std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
+  ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
+  vtkIdType count = 0;
+  for (vtkIdType& one : number)
+  {
+    one = one != 0 ? ++count : 0;
+  }
+  std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false); // to the next one
+  ForEachEdge(path,
+    [&](vtkIdType a, vtkIdType b)
+    {
+      if (std::abs(number[a] - number[b]) == 1)
+      {
+        isJoined[std::min(number[a], number[b])] = true;
+      }
+    });
+  const double near = count > 0 ? FindRounding(path) : 0.0;
+  vtkIdType last = -1;
+  for (vtkIdType point = 0; point < path->GetNumberOfPoints(); ++point)
+  {
+    if (number[point] == 0)
+    {
+      continue;
+    }
+    if (last >= 0 && !isJoined[number[last]])
+    {
+      double before[3];
+      double after[3];
+      path->GetPoint(last, before);
+      path->GetPoint(point, after);
+      const bool isOnePlace = std::equal(
+        before, before + 3, after, [near](double a, double b) { return std::abs(a - b) <= near; });
+      if (!isOnePlace)
+      {
+        return { last, point };
+      }
+    }
+    last = point;
+  }
+  return { -1, -1 };
+}
 
 std::size_t CountLines(vtkPolyData* path)
 {
@@ -71,11 +149,7 @@ std::size_t CountLines(vtkPolyData* path)
   }
 
   // Ends meet where they are equal. What continues the cell before may also miss its end by rounding.
-  double bounds[6];
-  path->GetPoints()->GetBounds(bounds);
-  constexpr double rounding = 1e-6;
-  const double near =
-    rounding * std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  const double near = FindRounding(path);
   Junctions junctions(ends.size());
   std::map<std::array<double, 3>, std::size_t> places;
   for (std::size_t i = 0; i < ends.size(); ++i)

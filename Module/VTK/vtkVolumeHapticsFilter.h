@@ -49,7 +49,8 @@
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be a polyline,
- * segments that continue one another, or points alone; several lines are refused. A recording of
+ * segments that continue one another, or points alone; several lines are refused, and lines that join the points in
+ * another order than that in which they are stored. A recording of
  * vtkHapticDevice is replayed tick by tick, to the bit.
  *
  * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of

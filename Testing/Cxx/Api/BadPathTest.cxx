@@ -115,6 +115,37 @@ const BadPath BadPaths[] = {
       return WithLines({ { 0, 1, 2, 3 }, { 1, 4, 5 } });
     },
     { "2 lines" } },
+  // The second line ends where the first begins, but is felt after it.
+  { "SecondBeforeFirst",
+    [] {
+      return WithLines({ { 0, 1, 2, 3 }, { 4, 5, 6, 7, 0 } });
+    },
+    { "tip path", "port 1", "leap from point 3 to point 4", "vtkStripper" } },
+  { "SecondEndsInSpaceWhereTheFirstBegins",
+    []
+    {
+      const auto path = WithLines({ { 0, 1, 2 }, { 3, 4 } });
+      path->GetPoints()->SetPoint(4, path->GetPoint(0));
+      return path;
+    },
+    { "leap from point 2 to point 3" } },
+  // A chain as cutters make it: 0, 2, 1, 3.
+  { "OutOfOrder",
+    [] {
+      return WithLines({ { 0, 2 }, { 2, 1 }, { 1, 3 } });
+    },
+    { "leap from point 0 to point 1" } },
+  { "LineOutOfOrder",
+    [] {
+      return WithLines({ { 0, 2, 1, 3 } });
+    },
+    { "leap from point 0 to point 1" } },
+  // Two loops of a figure of eight, with one point for the middle.
+  { "Eight",
+    [] {
+      return WithLines({ { 0, 1, 2, 0 }, { 0, 3, 4, 0 } });
+    },
+    { "leap from point 2 to point 3" } },
   // A star of six rays: every stroke takes two.
   { "Star",
     [] {

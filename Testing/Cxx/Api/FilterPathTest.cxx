@@ -119,13 +119,14 @@ TEST_F(FilterPath, LinesThatMeetInSpaceAreOnePath)
   lines->InsertNextCell({ 4, 5 });
   path->SetLines(lines);
   this->RunOn(path, 6);
-  // A figure of eight: four ends at one place, and nowhere to leap.
-  const auto eight = MakePath({ { 7, 7, 7 }, { 8, 7, 7 }, { 8, 8, 7 }, { 6, 7, 7 }, { 6, 6, 7 } });
+  // A figure of eight passes its middle twice, with a point each time.
+  const auto eight = MakePath(
+    { { 7, 7, 7 }, { 8, 7, 7 }, { 8, 8, 7 }, { 7, 7, 7 }, { 6, 7, 7 }, { 6, 6, 7 }, { 7, 7, 7 } });
   vtkNew<vtkCellArray> loops;
-  loops->InsertNextCell({ 0, 1, 2, 0 });
-  loops->InsertNextCell({ 0, 3, 4, 0 });
+  loops->InsertNextCell({ 0, 1, 2, 3 });
+  loops->InsertNextCell({ 3, 4, 5, 6 });
   eight->SetLines(loops);
-  this->RunOn(eight, 5);
+  this->RunOn(eight, 7);
 }
 
 TEST_F(FilterPath, PointsAtTicksAreTakenAsTheyAre)
