@@ -16,6 +16,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkExecutive.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -47,6 +48,16 @@ bool IsLaterPiece(vtkInformationVector* outputs)
     output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
+/** Memory ran out in what feeds an input port. */
+struct SourceLacksMemory : std::bad_alloc
+{
+  explicit SourceLacksMemory(int port)
+    : Port(port)
+  {
+  }
+  const int Port;
+};
+
 std::string DescribeLackOfMemory(vtkImageData* image)
 {
   std::ostringstream message;
@@ -62,6 +73,33 @@ std::string DescribeLackOfMemory(vtkImageData* image)
              "takes the most.";
   return message.str();
 }
+
+/** Runs what feeds the image and the surface; false if one of them failed. */
+bool UpdateSources(vtkAlgorithm* filter)
+{
+  bool hasRun = true;
+  for (const int port : { 0, 2 }) // the path, on port 1, is not the servo's
+  {
+    if (vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0))
+    {
+      try
+      {
+        const int output = filter->GetInputConnection(port, 0)->GetIndex();
+        hasRun = source->GetExecutive()->Update(output) != 0 && hasRun;
+      }
+      catch (const std::bad_alloc&)
+      {
+        throw SourceLacksMemory(port);
+      }
+    }
+  }
+  return hasRun;
+}
+
+/// VTK's executive takes a source that threw as running still, and refuses it from then on.
+const char* const FailedSource = " A source of this filter failed: see its errors. If memory ran "
+                                 "out in it before, VTK can't run it again: connect a "
+                                 "new source.";
 } // namespace
 
 vtkStandardNewMacro(vtkVolumeHapticsFilter);
@@ -177,13 +215,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 //------------------------------------------------------------------------------
 void vtkVolumeHapticsFilter::UpdateWhatIsTouched()
 {
-  for (const int port : { 0, 2 }) // the path, on port 1, is not the servo's
-  {
-    if (vtkAlgorithm* const source = this->GetInputAlgorithm(port, 0))
-    {
-      source->Update(this->GetInputConnection(port, 0)->GetIndex());
-    }
-  }
+  UpdateSources(this);
 }
 
 //------------------------------------------------------------------------------
@@ -219,6 +251,15 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
   {
     return this->BakeInput(rate, deviceCaps, deviceToWorld);
   }
+  catch (const SourceLacksMemory& lack)
+  {
+    vtkErrorMacro("There is not enough memory for the source of input port "
+      << lack.Port
+      << " to run. VTK can't run it again after this, not even with more memory: connect a new "
+         "source, "
+      << "of a smaller image or of a region of it.");
+    return nullptr;
+  }
   catch (const std::bad_alloc&)
   {
     vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
@@ -232,12 +273,12 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
   std::string error;
-  this->UpdateWhatIsTouched();
+  const char* const hint = UpdateSources(this) ? "" : FailedSource;
   vtkDataObject* const surface = this->GetInputDataObject(2, 0);
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
   if (!image)
   {
-    vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0.");
+    vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0." << hint);
     return nullptr;
   }
   // Where only the device has moved, as it does with every frame while it follows the camera, what is
@@ -259,7 +300,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   }
   if (!error.empty())
   {
-    vtkErrorMacro(<< VolumeHaptics::Printable(error));
+    vtkErrorMacro(<< VolumeHaptics::Printable(error) << hint);
     return nullptr;
   }
   this->LastBaked = model;
