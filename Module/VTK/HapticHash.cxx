@@ -3,6 +3,7 @@
 #include "HapticHash.h"
 
 #include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 #include "vtksys/MD5.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Measured on a desktop computer of 2023; where the layout is another one each value is asked for. */
+/** Measured on a desktop computer of 2023; where the layout is another one the values are copied. */
 constexpr double SecondsPerByte = 1.6e-9;
 constexpr double SecondsPerValue = 30e-9;
 } // namespace
@@ -47,13 +48,17 @@ std::string HashArray(vtkDataArray* array, const int dimensions[3])
   }
   else
   {
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    // The same bytes as above, a block of tuples at a time.
+    constexpr vtkIdType block = 4096;
+    const auto tuples =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
+    tuples->SetNumberOfComponents(array->GetNumberOfComponents());
+    for (vtkIdType from = 0; from < array->GetNumberOfTuples(); from += block)
     {
-      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-      {
-        const double value = array->GetComponent(i, c);
-        append(&value, sizeof(value));
-      }
+      const vtkIdType size = std::min(block, array->GetNumberOfTuples() - from);
+      tuples->SetNumberOfTuples(size);
+      tuples->InsertTuples(0, size, from, array);
+      append(tuples->GetVoidPointer(0), tuples->GetNumberOfValues() * tuples->GetDataTypeSize());
     }
   }
   char digest[33] = {};

@@ -10,6 +10,8 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
+#include <vtkSOADataArrayTemplate.h>
+#include <vtkUnsignedShortArray.h>
 
 using namespace apitest;
 
@@ -44,5 +46,27 @@ TEST_F(ApiTest, ComponentOfTheProperty)
   {
     this->Property->SetComponent(c);
     EXPECT_EQ(Get(this->Run(51), "Value", 0), expected[c]);
+  }
+}
+
+TEST_F(ApiTest, HashIsOfTheValuesInWhateverLayout)
+{
+  constexpr vtkIdType n = 5 * 9 * 100;
+  vtkNew<vtkUnsignedShortArray> together;
+  vtkNew<vtkSOADataArrayTemplate<unsigned short>> apart;
+  for (vtkDataArray* array :
+    { static_cast<vtkDataArray*>(together), static_cast<vtkDataArray*>(apart) })
+  {
+    array->SetNumberOfComponents(2);
+    array->SetNumberOfTuples(n);
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      array->SetTuple2(i, 2.0 * static_cast<double>(i), 2.0 * static_cast<double>(i) + 1.0);
+    }
+    this->Image->SetDimensions(5, 9, 100);
+    this->Image->GetPointData()->SetScalars(array);
+    // Python: md5(pack("<5i", 5, 9, 100, 2, 5) + pack("<9000H", *range(9000))); VTK_UNSIGNED_SHORT is 5.
+    EXPECT_EQ(this->Filter->HashScalars(), "27ecaeac981c0cb949f77ecbec42617c")
+      << array->GetClassName();
   }
 }
