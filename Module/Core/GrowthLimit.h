@@ -55,7 +55,7 @@ namespace VolumeHaptics
 class GrowthLimit
 {
 public:
-  /** The force was cut, or nobody knows how the tip moved: the next force grows from zero, in a new contact. */
+  /** For a force that was cut, or a tip whose motion is unknown: the next force grows from zero, in a new contact. */
   void Reset() noexcept;
 
   /**

@@ -196,7 +196,7 @@ public:
     const void* Begin = nullptr;
     std::size_t Size = 0; ///< bytes
   };
-  /** What every tick reads, apart from the samples and the mesh. */
+  /** The tables that every tick reads, without the samples and the mesh. */
   std::array<MemoryRange, 5> GetTables() const noexcept;
 
   /** Bytes beyond the image. */

@@ -55,7 +55,7 @@ Vector3 SafetyStage::Cut() noexcept
 
 Vector3 SafetyStage::Retreat(const SafetyInput& input, const SafetyLimits& limits) noexcept
 {
-  // However slowly forces may grow, one that nobody controls any more is gone in time.
+  // A force without fresh samples must be gone in time, however slowly forces may grow.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   const Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
   Vector3 next = last - ClampNorm(last, rate * input.Period);

@@ -211,7 +211,7 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   const bool isAtRest = this->Servo.IsHeld() && Dot(s.Command, s.Command) == 0.0;
   if (isAtRest)
   {
-    // Whoever arms meanwhile must not get the rest of a fade.
+    // If the device is armed during the hold, the force must not begin with the rest of a fade.
     this->Servo.DropShare();
   }
   this->AtRest.store(isAtRest, std::memory_order_release);

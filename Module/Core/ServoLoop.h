@@ -117,9 +117,9 @@ public:
 
   ///@{
   /**
-   * While held, no force leaves, whatever else is ordered: it goes to zero as with FadeOut, but stays armed, and
-   * nobody has to attend. Released, it rises as after Arm, with the proxy on the tip, if it is armed by then and has
-   * no fault; not before the fade has come to its end. The owner's.
+   * While held, no force leaves, whatever else is ordered. It goes to zero as with FadeOut, but the loop stays armed,
+   * and AttentionTime does not count. After Release, and the end of the fade, it rises as after Arm, with the proxy on
+   * the tip, if the loop is armed by then and has no fault. To be called by the owner.
    */
   void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
   void Release() noexcept

@@ -57,7 +57,7 @@ int OpenToRead(const std::string& file)
   return OpenFile(file, O_RDONLY | O_NONBLOCK);
 }
 
-/** Creates a file of a name that nobody can know before, in the folder of another one; below zero, with errno. */
+/** Creates a file with a random name in the folder of another one. Returns its descriptor, or -1 with errno. */
 int CreateBeside(const std::string& file, mode_t mode, std::string& name)
 {
   std::random_device random;

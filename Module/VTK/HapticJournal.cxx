@@ -48,7 +48,7 @@ struct BlockCompressor::Library
 BlockCompressor::BlockCompressor()
   : Used(new Library)
 {
-  // What a tick finds has few patterns: higher levels take longer and save 0.4 percent.
+  // The values of ticks have few patterns: higher levels take longer and save 0.4 percent.
   this->Used->ZLib->SetCompressionLevel(1);
 }
 

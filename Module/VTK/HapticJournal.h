@@ -23,7 +23,7 @@
 namespace VolumeHaptics
 {
 
-/** What stands once in a recording. */
+/** Facts about a whole recording. */
 struct RecordingAbout
 {
   std::string DeviceId;
@@ -31,7 +31,7 @@ struct RecordingAbout
   std::string VolumeHash; ///< of the scalars that were touched
 };
 
-/** What replays it from its first tick on. */
+/** The state and the settings from which a replay begins. */
 struct RecordingBegin
 {
   std::array<double, ServoStateSize> State;

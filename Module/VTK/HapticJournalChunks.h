@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the writer and the reader of a journal agree on.
+ * The format of a journal, for its writer and its reader.
  *
  * A chunk is a head (kind, 0, size and checksum of the payload) and a payload. Payloads:
  * - About: JournalMark, then texts, each after its length: the columns, and those of RecordingAbout;

@@ -18,8 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * What a display is told of a tick, in device space. A tenth of a ServoSnapshot, of which a reader that comes seldom
- * would let hundreds of megabytes pile up.
+ * The values of a tick that displays need, in device space. It has a tenth of the size of a ServoSnapshot: up to
+ * 100000 of them wait for a slow reader.
  */
 struct StateRow
 {

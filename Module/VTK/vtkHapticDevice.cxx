@@ -309,8 +309,8 @@ void vtkHapticDevice::FadeOut()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
 {
-  // What takes no longer than a slow frame needs no notice. A machine eight times slower than expected is
-  // still no fault.
+  // Work that is as short as a slow frame needs no notice. The margin allows for a machine that is eight times
+  // slower than expected.
   constexpr double shortest = 0.25;
   constexpr double margin = 8.0;
   const double limit =

@@ -19,7 +19,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** What a tick takes to be written to a .vtp and to a .csv (s); in the middle of what was measured. */
+/** Time to write a tick to a .vtp and to a .csv (s), as measured. */
 constexpr double SecondsPerTick = 2e-6;
 constexpr double SecondsPerLine = 2e-5;
 

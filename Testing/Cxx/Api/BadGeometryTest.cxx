@@ -63,7 +63,7 @@ const BadImage BadGeometries[] = {
 };
 } // namespace
 
-/// What an error names as its cure is one.
+/// The cure that the error names works.
 TEST(ThinImages, AreFeltWithAsManyPointsAsTheErrorNames)
 {
   for (const auto& [radius, points] : { std::pair(1, 3), std::pair(2, 5), std::pair(4, 9) })

@@ -100,7 +100,7 @@ protected:
       }
     }
   }
-  /// What a filter of the same settings finds that has seen nothing before.
+  /// The ramp of a new filter with the same settings.
   double FindAnew()
   {
     vtkNew<vtkVolumeHapticsFilter> fresh;

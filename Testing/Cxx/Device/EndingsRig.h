@@ -122,7 +122,7 @@ protected:
   }
   ~Endings() override { munmap(Lasting, sizeof(LastingDevice)); }
 
-  /// Force flows, on a servo so slow that whoever does not wait for its next tick is too early.
+  /// Lets force flow. The servo is so slow that an ending which does not wait for its next tick is seen.
   void Feel(double rate = 100.0)
   {
     const rlimit none{ 0, 0 };

@@ -51,7 +51,7 @@ vtkStandardNewMacro(VolumeSource);
 class DeviceObservers : public DeviceTest
 {
 protected:
-  /// What is done at every event, and how often that was.
+  /// Calls a function at every event, and counts the events.
   void AtDisable(std::function<void(vtkHapticDevice*)> act)
   {
     this->Act = std::move(act);

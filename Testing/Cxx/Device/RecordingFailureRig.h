@@ -88,7 +88,7 @@ protected:
     this->ExpectError(".part");
     EXPECT_EQ(this->Device->GetStatusText().find("Make room"), std::string::npos);
   }
-  /// What the file holds is what the filter makes of it.
+  /// The filter replays the file to the same forces.
   void ExpectReplays(const std::string& file, vtkIdType leastTicks)
   {
     vtkNew<vtkXMLPolyDataReader> reader;

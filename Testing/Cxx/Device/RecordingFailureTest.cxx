@@ -115,7 +115,7 @@ TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
   ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
   this->WanderForTwoGroups(file);
   {
-    // What is on the disk already stays there, and nothing comes to it.
+    // The disk is full: the ticks that were written stay, and no others are added.
     const FullDisk full(1);
     this->Device->Close();
   }

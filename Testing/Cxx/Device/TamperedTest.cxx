@@ -37,7 +37,7 @@ protected:
     this->Filter->SetMaximumForce(MaximumForce);
     this->Filter->SetIsoValue(700.0);
   }
-  /// What a hand that wanders left, with contact when it begins and the device moved on the way.
+  /// The recording of a hand that wanders: it begins in contact, and the device is moved on the way.
   vtkSmartPointer<vtkPolyData> Record()
   {
     const std::string file = this->File(("Tampered" + std::to_string(getpid()) + ".vtp").c_str());

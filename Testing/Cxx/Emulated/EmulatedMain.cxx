@@ -20,7 +20,7 @@ UMockdevTestbed* Testbed()
 
 namespace
 {
-/** What umockdev leaves behind: its folder goes with the object only, of which threads may make use until the end. */
+/** Removes umockdev's folder. Deleting the testbed would do so, too, but threads may use it until the end. */
 void RemoveTestbed()
 {
   char* const root = umockdev_testbed_get_root_dir(emulated::Testbed());

@@ -16,7 +16,7 @@
 
 #include <random>
 
-// What draws charts and their text: no header of their modules is included here.
+// Charts and their text need these modules, whose headers are not included here.
 VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
 VTK_MODULE_INIT(vtkRenderingFreeType);
 
@@ -40,7 +40,7 @@ protected:
     this->Device->SetAttentionTime(2.0);
     this->Interactor->Initialize();
 
-    // What is shown in every frame, and with what force.
+    // Keeps the text and the force of every frame.
     vtkNew<vtkCallbackCommand> look;
     look->SetClientData(this);
     look->SetCallback(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the slew limit limits: by how much a force is longer than what was there before in its direction.
+ * The growth of a force, which the slew limit bounds: its length minus the part of the force before along it.
  */
 #ifndef Growth_h
 #define Growth_h

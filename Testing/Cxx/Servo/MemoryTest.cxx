@@ -173,7 +173,7 @@ TEST(ServoMemory, WhatIsNotThereIsRefusedAndLeavesNothingLocked)
 TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
 {
   std::vector<char> memory(64 * PageSize);
-  // What a child gives back (0 for all is well), or minus the signal that ended it.
+  // Returns the exit status of a child process, or minus the signal that ended it.
   const auto inChild = [](auto&& body)
   {
     const pid_t child = fork();
