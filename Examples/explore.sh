@@ -67,10 +67,10 @@ build_all()
 
 explore()
 {
-  # VTK's X11 windows crash on a display that is set and cannot be used, so this is asked beforehand, apart.
+  # VTK's X11 windows crash on a display that can't be used, so a separate process tests it first.
   if [[ -n "${DISPLAY:-}" ]] && ! quietly display.log "$program" --check-display 2> /dev/null
   then
-    say "The display $DISPLAY is of no use ($build/display.log): going on without it"
+    say "The display $DISPLAY can't be used (see $build/display.log): going on without it"
     unset DISPLAY
   fi
   if [[ -z "${DISPLAY:-}" ]]

@@ -26,9 +26,8 @@ const char* Explain(SafetyFault fault)
       return "Force cut off: the device was lost. Once it is back, with Home() or with Open() and "
              "Start(), Arm() again.";
     case SafetyFault::Unattended:
-      return "Force let go of: the program that shows and stops the device stood still for longer "
-             "than "
-             "its AttentionTime. Now that it answers again, Arm() again.";
+      return "Force let go of: the program did not call the device for longer than AttentionTime. "
+             "Arm() again. If the program is often busy for that long, raise AttentionTime.";
     case SafetyFault::None:
       break;
   }

@@ -111,7 +111,7 @@ bool Rename(int descriptor, const std::string& journal, std::string& error, std:
         DescribeError(errno) + "). Remove it, or give another name.";
       return false;
     }
-    warning = "An earlier recording of that name was not finished. What there is of it is now in " +
+    warning = "An earlier recording of that name was not finished. Its ticks are now in " +
       Printable(free) +
       ": make a recording of it with vtkHapticDevice::RecoverRecording, or remove it.";
     return true;
@@ -202,9 +202,8 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
   if (place == JournalPlace::Unknown)
   {
     warning = "There is an unfinished recording " + Printable(journal) +
-      ", and its file system has no locks, which would tell whether it is still written. It stays "
-      "as it "
-      "is, and this recording is kept in " +
+      ", and its file system has no locks, which would tell whether a program still writes to it. "
+      "It stays as it is, and this recording is kept in " +
       Printable(this->Name) + " until it ends.";
   }
   return true;

@@ -34,25 +34,25 @@ struct Difference
 
 const Difference Differences[] = {
   { 1,
-    "It is moved, turned or scaled in the scene, but felt where the image is. Cure: change the "
-    "origin, spacing and direction matrix of the image instead, as with "
+    "It is moved, turned or scaled in the scene, but felt at the place of its image. Cure: change "
+    "the origin, spacing and direction matrix of the image instead, for example with "
     "vtkImageChangeInformation." },
   { 2,
-    "Its mapper crops it, but what is cropped away is felt. Cure: feel a part of the image, as of "
-    "vtkExtractVOI, or set Cropping off." },
+    "Its mapper crops it, but the hidden part is still felt. Cure: touch a part of the image, for "
+    "example the output of vtkExtractVOI, or call CroppingOff()." },
   { 4,
-    "Its mapper has clipping planes, but what they cut off is felt. Cure: feel a part of the "
-    "image, as of vtkExtractVOI, or remove the clipping planes." },
+    "Its mapper has clipping planes, but the part that they hide is still felt. Cure: touch a part "
+    "of the image, for example the output of vtkExtractVOI, or remove the clipping planes." },
   { 8,
-    "Its mapper has a mask input, which changes what is seen, but not what is felt. Cure: give the "
-    "voxels outside the mask a value that is not felt, as with vtkImageMask, or remove the mask." },
+    "Its mapper has a mask input, but voxels that it hides are still felt. Cure: give them a "
+    "value that is not felt, for example with vtkImageMask, or remove the mask." },
   { 16,
-    "Its property has a 2-D transfer function, which says what is seen, but not what is felt. "
-    "Cure: SetTransferFunctionModeTo1D(), or SetVisibilityFrom() of the haptic property with a "
-    "volume property whose opacity says what is to be felt." },
+    "Its property has a 2-D transfer function, but voxels that this hides are still felt. Cure: "
+    "SetTransferFunctionModeTo1D(), or SetVisibilityFrom() of the haptic property with a volume "
+    "property whose 1-D opacity hides the same values." },
   { 32,
-    "Points or cells of the image are blanked (array vtkGhostType), but felt. Cure: give them a "
-    "value that is not felt, or remove the array." },
+    "Points or cells of the image are blanked (array vtkGhostType), but still felt. Cure: give "
+    "them a value that is not felt, or remove the array." },
 };
 
 /** Whether corners of an image are in other places in a scene than in the world. */
@@ -155,7 +155,8 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
     }
     if (!text.empty())
     {
-      warnings.push_back("A volume that shows what is felt is not felt as it is shown." + text);
+      warnings.push_back(
+        "A volume in the renderer is felt differently from how it is shown." + text);
     }
     now.push_back({ volume, differences });
   }

@@ -135,15 +135,13 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
   }
   if (const auto [from, to] = FindLeap(path); to >= 0)
   {
-    error = "The points of the tip path, on input port 1, are stored in another order than that of "
-            "its lines: the "
-            "stylus would leap from point " +
+    error = "The points of the tip path, on input port 1, are stored in another order than its "
+            "lines join them: the stylus would leap from point " +
       std::to_string(from) + " to point " + std::to_string(to) +
       ", which no line joins. Store the points in the order of the line: for example, join the "
-      "lines with "
-      "vtkStripper, with JoinContiguousSegmentsOn(), and use the Points of the one cell that this "
-      "gives. Or remove "
-      "the line cells, if the leaps are wanted: the points are then felt one after the other.";
+      "lines with vtkStripper, with JoinContiguousSegmentsOn(), and use the Points of the one "
+      "cell that this gives. Or, if the leaps are wanted, remove the line cells: the points are "
+      "then felt one after the other.";
     return false;
   }
   if (path->GetPointData()->HasArray(RecordingNames::DeviceTip))

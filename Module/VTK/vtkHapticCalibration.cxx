@@ -84,7 +84,8 @@ void vtkHapticCalibration::AddPoint(const double device[3], const double world[3
 {
   if (!device || !world)
   {
-    vtkErrorMacro("A touched point is three numbers in the device and three in the world.");
+    vtkErrorMacro("AddPoint() needs three numbers of the device and three of the world, but got a "
+                  "null pointer.");
     return;
   }
   this->DevicePoints->InsertNextPoint(device);

@@ -208,7 +208,7 @@ bool vtkHapticDevice::Start()
   }
   if (d.Holder.GetOpening() != opening)
   {
-    vtkErrorMacro("Another device was opened while this one was being started: Start() again.");
+    vtkErrorMacro("The device was closed or replaced while it was being started: Start() again.");
     return false;
   }
   const Affine3 placement = model ? model->DeviceToWorld : d.GetPlacement();
@@ -218,7 +218,8 @@ bool vtkHapticDevice::Start()
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro("There is not enough memory to start the servo. Close what else needs memory.");
+    vtkErrorMacro(
+      "There is not enough memory to start the servo. Close other programs that need memory.");
     return false;
   }
   catch (const std::system_error& error)
@@ -272,8 +273,9 @@ void vtkHapticDevice::Arm()
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< "It is not armed, since a crash of this program would leave the force on: "
-                  << error.what() << CureForNoGuard);
+    vtkErrorMacro(
+      << "The device is not armed, since a crash of this program would leave the force on: "
+      << error.what() << CureForNoGuard);
   }
 }
 

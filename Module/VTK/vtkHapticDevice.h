@@ -20,14 +20,18 @@
  * own maximum, and grows by at most MaximumForceRate; after Arm and after every gap it rises from zero over half
  * a second. A tip that is not finite, that moves faster than a hand can hold the device, or a device that is lost,
  * cuts the force and latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
- * zero. Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, and crashes and other signals that end or
- * stop the process send zero force; handlers that were there before run after that. Where zero can't be sent, a device
- * without a watchdog of its own keeps its last force: SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of another
- * program, a crash in the thread that talks to the device or with the heap locked that its library needs, a full stack
- * of another thread than the owner's, and loss of power. A handler that a program adds to an armed device comes first.
- * Stiffness and ForceFieldDamping are capped at what the device can hold. During work that keeps the owner's thread
- * for long (BeginLongWork), as StartRecording and Publish have it with large volumes, the force is off. A program that
- * stands still for 2 s without such an announcement loses the force until Arm is called again: see SetAttentionTime.
+ * zero. Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, a crash and the other signals that end or
+ * stop the process send zero force. Signal handlers that the program installed before Arm run after that; those that it
+ * installs later run first. Stiffness and ForceFieldDamping are capped at what the device can hold.
+ *
+ * Zero force can't be sent on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of another program, loss of power, a
+ * crash in the thread that talks to the device, a crash that leaves the heap locked if the device's library needs it,
+ * or a stack overflow in a thread other than the owner's. A device without a watchdog of its own then keeps its last
+ * force: see vtkHapticHardware.
+ *
+ * While the owner's thread is busy with long work, the force is off: see BeginLongWork, which StartRecording and
+ * Publish call by themselves for large volumes. If the program does not call the device for 2 s without having
+ * announced such work, the force fades and stays off until Arm is called again: see SetAttentionTime.
  *
  * The servo reads the image's own array, without a copy: give the image a new array instead of resizing or
  * refilling one that is being touched.
@@ -87,11 +91,12 @@ public:
 
   /**
    * Bring the filter's image up to date and hand the servo a snapshot of everything: image, materials, settings,
-   * DeviceToWorld. Used from the next tick on; a force that grows with it does so at MaximumForceRate. Without a
-   * running servo only checks. False, with an error, where the input can't be touched; the servo then goes on with what it has.
+   * DeviceToWorld. Used from the next tick on; if that makes the force larger, it grows at MaximumForceRate. If
+   * the servo does not run, Publish only checks. False, with an error, if the input can't be touched; the servo then
+   * keeps the last snapshot.
    */
   bool Publish();
-  /** Whether it was tried, with Publish or Start, since the filter, its image or its surface changed last. */
+  /** Whether Publish or Start was called, with or without success, since the filter, image or surface last changed. */
   bool IsPublished();
 
   ///@{
@@ -112,8 +117,8 @@ public:
   ///@{
   /**
    * Start the servo, with the filter as it is now (without one the tip just moves), and stop it with zero force.
-   * Start is false, with an error, where no device is open, the filter can't be touched, or the program may have no more
-   * memory, threads or files, so that a crash would leave the force on.
+   * Start is false, with an error, if no device is open, if the filter can't be touched, or if the system gives the
+   * program no more memory, threads or files: a crash would then leave the force on.
    */
   bool Start();
   void Stop();
@@ -122,10 +127,10 @@ public:
 
   ///@{
   /**
-   * Let force through, or not. Arm forgets a fault, changes nothing where force flows already, and is refused, with an
-   * error, while the device is not ready; Disarm cuts the force at once, FadeOut within 50 ms, for data that will not
-   * come any more, as of a server that is gone. Stop disarms. Whatever disarms invokes vtkCommand::DisableEvent, at
-   * once.
+   * Let force through, or not. Arm clears a fault, changes nothing if force flows already, and is refused, with an
+   * error, while the device is not ready. Disarm cuts the force at once. FadeOut ends it within 50 ms, for example when
+   * the connection to the server that sends the data is lost. Stop disarms. Every way to disarm invokes
+   * vtkCommand::DisableEvent at once.
    */
   void Arm();
   void Disarm();
@@ -134,17 +139,19 @@ public:
 
   ///@{
   /**
-   * Around work that keeps the owner's thread from looking after the hand, such as computing a mesh. BeginLongWork
-   * lets the force fade within 50 ms, waits for that, invokes vtkCommand::StartEvent, and GetStatusText says
-   * "Force is off while" and the given words ("the surface is meshed"). EndLongWork invokes vtkCommand::EndEvent,
-   * and the force rises over half a second from where the tip is then, unless the device was
-   * disarmed meanwhile or has a fault. Arm during the work takes effect after it. AttentionTime does not count
-   * meanwhile. Pairs nest, and the force comes back with the last EndLongWork; without that it stays off.
+   * Call these before and after work that keeps the owner's thread busy, such as computing a mesh. BeginLongWork fades
+   * the force out within 50 ms, waits for that, and invokes vtkCommand::StartEvent. Meanwhile GetStatusText says "Force
+   * is off while" and the given words, such as "the surface is meshed" (nullptr: "the program works"), and
+   * AttentionTime does not count. EndLongWork invokes vtkCommand::EndEvent, and the force rises over half a second,
+   * with the proxy on the tip at first, unless the device was disarmed meanwhile or has a fault. Arm during the work
+   * takes effect after it. Pairs nest: the force comes back with the last EndLongWork, and stays off if that is
+   * missing.
    *
-   * If expectedSeconds is below 0.25, and below an eighth of AttentionTime, the force stays on: the hand would feel
-   * but a flicker, and a computer that is eight times slower than expected is no fault. The device announces by itself
-   * that StartRecording hashes, and Publish meshes, a large volume, and that a long recording is written or recovered.
-   * A pipeline before the filter that takes seconds is the application's to announce.
+   * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of AttentionTime (unless that
+   * is 0), the force stays on: fading would disturb more than so short a pause, and the margin of eight allows for a
+   * slow computer. StartRecording calls these by itself to hash a large volume, Publish to mesh it, and StopRecording
+   * and RecoverRecording to write a long recording. If the pipeline before the filter takes seconds, the application
+   * has to call them.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();
@@ -235,16 +242,16 @@ public:
    * Every state since the last call, oldest first, as rows of a table that is overwritten: columns Time (s), Tick,
    * NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, Residency, and with three
    * components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The first call begins to
-   * keep states. Where nobody calls for 100000 ticks, the oldest are dropped. Each reader, by a number of its own,
-   * gets all; nullptr ends it. vtkInteractorStyleHaptic is number 0, and further ones on the same device have the
-   * numbers below: see AddReader.
+   * keep states; a reader that does not call for 100000 ticks loses the oldest. Readers are told apart by number, and
+   * each gets all states; nullptr as the table ends the reading. The first vtkInteractorStyleHaptic of a device has
+   * number 0, further ones have -1, -2 and so on: see AddReader.
    */
   void DrainStates(vtkTable* states, int reader = 0);
 
   ///@{
   /**
-   * A number for DrainStates that AddReader has given to no other reader: 0, or if that is taken, -1, -2 and so on,
-   * until RemoveReader, which ends the reading, too. Numbers above 0 are free for applications to choose from.
+   * AddReader reserves a number for DrainStates: 0, or if that is taken, -1, -2 and so on. RemoveReader gives it back
+   * and ends the reading. Applications may use numbers above 0 without reserving them.
    */
   int AddReader();
   void RemoveReader(int reader);
@@ -262,9 +269,10 @@ public:
 
   ///@{
   /**
-   * Largest growth of force (N/s), 1 or more. Default 500. A force that falls or turns falls at once: held back, it
-   * would push the hand off a stiff wall with more energy than the hand brought along. For the same reason a wall that
-   * is struck so fast that its force was held back stays softer until the tip leaves it or presses on.
+   * Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that becomes smaller does so
+   * at once, and one that turns takes its new direction at once. A limit on these, too, would push the hand off a stiff
+   * wall with more energy than the hand put in. For the same reason, a wall that was hit so fast that its force was
+   * limited stays softer until the tip leaves it or presses deeper.
    */
   void SetMaximumForceRate(double rate);
   vtkGetMacro(MaximumForceRate, double);
@@ -272,9 +280,10 @@ public:
 
   ///@{
   /**
-   * Let go when the program stands still, and with it whatever stops the device, such as a window that hangs: armed,
-   * and without UpdateState, DrainStates, Publish, Arm or a new limit for so long (s), the servo fades the force out,
-   * and a fault holds until Arm. 0.05 or more, default 2; 0 turns it off, for programs that seldom look.
+   * How long (s) an armed device keeps its force if the program stands still, since a window that hangs can't stop the
+   * device. If the program calls none of UpdateState, DrainStates, Publish and Arm and sets no limit for that long, the
+   * servo fades the force out, and a fault holds until Arm. 0.05 or more, default 2; 0 turns it off, for programs that
+   * call the device rarely. Work between BeginLongWork and EndLongWork does not count.
    */
   void SetAttentionTime(double seconds);
   vtkGetMacro(AttentionTime, double);
@@ -288,23 +297,25 @@ public:
    * changed while it was made. Needs a running servo and a filter. A region (vtkHapticRegionFilter) is not
    * recorded, nor published during a recording: no one image could replay it.
    *
-   * Meanwhile the ticks go to FILE.part, in memory there are never more than the last seconds. A .vtp takes 220 to
-   * 250 bytes a tick, 15 MB a minute at 1 kHz, and while it is written FILE.part takes two thirds of that beside
-   * it. StartRecording is false, with an error, where the file can't be written. Where that shows later, as on a
-   * full disk, GetStatusText says so from then on, and the next UpdateState gives an error. StopRecording is false,
-   * with an error, unless all ticks that were collected are in the file; a file that was there before is replaced only
-   * by one that holds them all. Ticks that a busy machine or a slow disk kept from being collected give a warning, and
-   * are counted in the field array LostTicks.
+   * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A .vtp takes 220 to
+   * 250 bytes a tick (15 MB a minute at 1 kHz), and FILE.part up to about two thirds of that, beside the .vtp while it
+   * is written. StartRecording is false, with an error, if the file can't be written. If writing fails later,
+   * for example because the disk is full, the next UpdateState gives an error, and GetStatusText says so from then on.
+   *
+   * StopRecording is false, with an error, unless the file holds all ticks that were collected. It replaces an existing
+   * file only with a complete one. If a busy machine or a slow disk kept ticks from being collected, StopRecording
+   * gives a warning, and the field array LostTicks has their number.
    */
   bool StartRecording(const char* file);
   bool StopRecording();
   ///@}
   /**
-   * Make a .vtp or .csv of the FILE.part that a recording left which StopRecording could not write, or whose program
-   * died: all that the disk took. What a dead program had yet to write is missing, as a rule less than 600 ticks, and up
-   * to 16500 where the disk made it wait. The part is then removed, unless its file system has no locks, which would
-   * tell that no program writes to it. It stays where this is false, with an error; if it can't be read to its end, the
-   * file gets what comes before, if none was there. Needs neither a device nor a volume.
+   * Make a .vtp or .csv of a FILE.part that was left because StopRecording failed or the program died. The file gets
+   * all ticks that reached the disk; after a crash usually less than 600 of the last ones are missing, and up to 16500
+   * if the disk was slow. FILE.part is then removed, except on a file system without locks, where another program might
+   * still write to it. False, with an error, and FILE.part is kept, if that fails. If FILE.part can't be read to its
+   * end, that is an error, too, but the ticks before the damage are written unless the file exists already. Needs
+   * neither a device nor a volume.
    */
   bool RecoverRecording(const char* part, const char* file);
 

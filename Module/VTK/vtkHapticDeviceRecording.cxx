@@ -52,8 +52,8 @@ HapticSession* FindRecordable(
   }
   else if (!session->GetLatestModel()->Resident.IsWhole())
   {
-    error = "A region of a larger volume can't be recorded: what is felt hangs on every "
-            "region that comes and when, which no single image could replay. Connect the whole "
+    error = "A region of a larger volume can't be recorded: the forces depend on when each region "
+            "arrived, so that no single image could replay them. Connect the whole "
             "volume to the filter and Publish() it, or keep the states with DrainStates().";
   }
   if (error)
@@ -155,7 +155,7 @@ bool vtkHapticDevice::StartRecording(const char* file)
   {
     this->Internals->RecordingFile.clear();
     vtkErrorMacro(<< "There is not enough memory to begin the recording " << Printable(name)
-                  << ", which takes some 5 MB. Close what else needs memory.");
+                  << ", which takes about 5 MB. Close other programs that need memory.");
     return false;
   }
 }
@@ -252,7 +252,7 @@ bool vtkHapticDevice::RecoverRecording(const char* part, const char* file)
   if (from.size() <= std::strlen(JournalEnding))
   {
     vtkErrorMacro(
-      "There is no recording to recover. Give the name of the FILE.part that one left.");
+      "There is no recording to recover: give the name of an unfinished recording, FILE.part.");
     return false;
   }
   const std::string to = file ? file : "";

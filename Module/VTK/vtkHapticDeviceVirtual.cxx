@@ -49,7 +49,8 @@ void vtkHapticDevice::SetVirtualTip(const double x[3])
 {
   if (!x)
   {
-    vtkErrorMacro("The tip of a virtual device is led to three numbers; it stays where it is.");
+    vtkErrorMacro(
+      "SetVirtualTip() needs three numbers, but got a null pointer; the tip stays where it is.");
     return;
   }
   this->SetVirtualTip(x[0], x[1], x[2]);

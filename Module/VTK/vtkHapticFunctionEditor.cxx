@@ -135,7 +135,7 @@ void vtkHapticFunctionEditor::SetRectangle(const int rectangle[4])
 {
   if (!rectangle)
   {
-    vtkErrorMacro("Rectangle is four numbers; it stays as it was.");
+    vtkErrorMacro("Rectangle needs four numbers, but got a null pointer; it stays as it was.");
     return;
   }
   this->SetRectangle(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
@@ -265,7 +265,7 @@ void vtkHapticFunctionEditor::GetDisplayPosition(
 {
   if (!position)
   {
-    vtkErrorMacro("There is no array of two numbers to put the position into.");
+    vtkErrorMacro("GetDisplayPosition() needs an array of two numbers, but got a null pointer.");
     return;
   }
   this->Internals->Chart.GetPosition(value, functionValue, position);

@@ -117,7 +117,7 @@ public:
   ///@{
   /**
    * Lower left corner, width and height in pixels of the viewport; 120 x 90 or more is readable.
-   * The corner is -16384 to 16384, width and height are 1 to 16384. Default (10, 10, 300, 200).
+   * Corner coordinates are clamped to -16384 to 16384, width and height to 1 to 16384. Default (10, 10, 300, 200).
    */
   void SetRectangle(int x, int y, int width, int height);
   void SetRectangle(const int rectangle[4]) VTK_SIZEHINT(4);
@@ -126,9 +126,10 @@ public:
 
   ///@{
   /**
-   * Count the histogram anew if the data have changed, with vtkCommand::StartEvent before it and vtkCommand::EndEvent
-   * after. Events of the mouse and rendering do that, too. EstimateUpdateTime says how long it will take, about (s, on
-   * a desktop computer), 0 where it is up to date. vtkInteractorStyleHaptic lets the force fade for a long one.
+   * Update computes the histogram again if the data have changed, and invokes vtkCommand::StartEvent before and
+   * vtkCommand::EndEvent after that. Mouse events and rendering call it, too. EstimateUpdateTime returns about how long
+   * (s) it will take on a desktop computer, 0 if the histogram is up to date. If that is long,
+   * vtkInteractorStyleHaptic fades the force out meanwhile.
    */
   void Update();
   double EstimateUpdateTime();

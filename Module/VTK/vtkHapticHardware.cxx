@@ -117,7 +117,8 @@ void vtkHapticHardware::SetNewtonsPerFullScale(const double newtons[2])
 {
   if (!newtons)
   {
-    vtkErrorMacro("NewtonsPerFullScale is two numbers; it stays as it was.");
+    vtkErrorMacro(
+      "NewtonsPerFullScale needs two numbers, but got a null pointer; it stays as it was.");
     return;
   }
   this->SetNewtonsPerFullScale(newtons[0], newtons[1]);

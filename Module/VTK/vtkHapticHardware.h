@@ -8,23 +8,23 @@
  *
  *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
  *                      FirmwareFile after it was plugged in, and is homed by hand.
- *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand whenever it is opened. A
- *                      Polhem is refused, as it has another geometry.
+ *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand each time it is opened.
+ *                      The Polhem is refused, since its geometry is different.
  *   pid[:VVVV:PPPP]    force-feedback wheels and other devices of one axis (HID usage page 0x0F), through hidapi, by USB
- *                      vendor and product; NewtonsPerFullScale says what their forces are. Sticks of two axes are
- *                      refused: their firmwares do not agree about which way a force pushes the second axis.
+ *                      vendor and product (hexadecimal). Set NewtonsPerFullScale to their force. Sticks of two axes
+ *                      are refused: their firmwares disagree on the direction of the force along the second axis.
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no force.
  *
  * N counts from 0; left out, it is the first one. None of this was verified on physical hardware yet: all
  * of it runs against emulated devices, which answer as public descriptions of the protocols say. Vendors'
  * own libraries are added with AddDeviceKind.
  *
- * Where the program crashes, there is only what devices do by themselves: WoodenHaptics lets go after half a
- * second, a stick's effects end within a tenth. No such watchdog is known of the Falcon: it may keep its last
- * force until it is switched off.
+ * If the program can't send zero force any more, as after SIGKILL (see vtkHapticDevice), only the watchdog of the
+ * device itself ends the force: WoodenHaptics lets go after half a second, a wheel within a tenth of a second. No
+ * watchdog is known of the Falcon: it may keep its last force until it is switched off.
  *
  * On Linux a user needs permission: the udev rules 70-volume-haptics.rules that are installed with this
- * library give it to whoever sits at the computer. Where it is missing, ListDevices and Open say the rule.
+ * library give it to the user who sits at the computer. If it is missing, ListDevices and Open say the rule.
  */
 #ifndef vtkHapticHardware_h
 #define vtkHapticHardware_h
@@ -106,12 +106,12 @@ public:
 
   ///@{
   /**
-   * What a stick's or wheel's forces are at full scale (N) along x and y, which no device tells: measure it
-   * with a spring scale. At most 100; below zero turns the direction, 0 gives no force. Firmwares differ in which way a
-   * positive number pushes, so try it gently first (volumehaptics-device test): if the wall pulls the hand in, give a
-   * negative number. A number that is too small
-   * gives too much force. Default 100, so that what is stronger than nearly all of them is still not felt as
-   * more than was asked for; weaker ones are hardly felt until this is set. Takes effect with Open.
+   * The force (N) of a force-feedback wheel at full scale. Only the first number (x) is used, since devices of two axes
+   * are refused. No device reports its force: measure it with a spring scale. -100 to 100; a negative number reverses
+   * the direction, 0 gives no force. Firmwares differ in the direction, so try it gently first (volumehaptics-device
+   * test): if the wall pulls the hand in, give a negative number. A number that is too small gives too much force.
+   * Default 100, more than nearly all devices have, so that none pushes harder than was asked for; weaker ones are
+   * hardly felt until this is set. Takes effect with Open.
    */
   void SetNewtonsPerFullScale(double x, double y);
   void SetNewtonsPerFullScale(const double newtons[2]) VTK_SIZEHINT(2);

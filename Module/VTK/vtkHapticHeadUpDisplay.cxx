@@ -118,7 +118,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     if (!std::isfinite(columns[0]->GetComponent(i, 0)) ||
       std::any_of(columns, columns + 5, isShort))
     {
-      vtkErrorMacro(<< "The states have no finite Time, or not all columns, in row " << i
+      vtkErrorMacro(<< "The table of states lacks a column or a finite Time in row " << i
                     << ". Pass the table of vtkHapticDevice::DrainStates as it is.");
       return;
     }

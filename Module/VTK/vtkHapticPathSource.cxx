@@ -110,7 +110,8 @@ void vtkHapticPathSource::SetBoxBounds(const double bounds[6])
 {
   if (!bounds)
   {
-    vtkErrorMacro("BoxBounds are six numbers; BoxCorner and BoxSize stay as they were.");
+    vtkErrorMacro(
+      "SetBoxBounds() needs six numbers, but got a null pointer; the box stays as it was.");
     return;
   }
   this->SetBoxBounds(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);

@@ -92,8 +92,8 @@ public:
   /**
    * What a Distinctness without points stands for. On (default): a ramp that keeps the noise of the image
    * that is touched from being felt, 0 up to 3.4 times the noise of its gradient and 1 from twice that on;
-   * the noise is estimated from the flattest blocks of the image, again when the image or its array is Modified(),
-   * which has to be called after the values were changed in place. 1 where the image has no noise. Off: 1.
+   * the noise is estimated from the flattest blocks of the image, and again after the image or its array is
+   * Modified(): call that after you changed values in place. 1 if the image has no noise. Off: 1.
    * NoiseRamp has the two gradient magnitudes (scalar units per world unit) of the ramp that was set last,
    * when a filter with this property last ran or was published; 0, 0 where none was.
    */

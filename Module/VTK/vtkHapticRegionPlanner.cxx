@@ -106,7 +106,8 @@ void vtkHapticRegionPlanner::SetDirection(const double direction[9])
 {
   if (!direction)
   {
-    vtkErrorMacro("Direction is nine numbers, row by row; it stays as it was.");
+    vtkErrorMacro(
+      "Direction needs nine numbers, row by row, but got a null pointer; it stays as it was.");
     return;
   }
   if (!std::equal(direction, direction + 9, this->Direction))
@@ -176,7 +177,8 @@ bool vtkHapticRegionPlanner::Plan(
 {
   if (!tip || !velocity || !resident || !wanted)
   {
-    vtkErrorMacro("A plan needs the tip, its velocity, and two extents of six numbers.");
+    vtkErrorMacro(
+      "Plan() needs a tip, a velocity and two extents of six numbers, but got a null pointer.");
     return false;
   }
   WholeGeometry whole;

@@ -88,14 +88,14 @@ public:
   ///@}
 
   /**
-   * Write the file. One that is there is replaced when all of the new one is on the disk, and stays as it is where
-   * that fails. False, with an error, where the folder is missing, may not be written or has no room, or a setting
-   * could not be loaded again, such as NaN.
+   * Write the file. An existing file is replaced only after all of the new one is on the disk; if that fails, it stays
+   * as it is. False, with an error, if the folder is missing, not writable or full, or if a setting could not be loaded
+   * again, such as NaN.
    */
   bool Save(const char* file);
 
   /**
-   * Read the file, of at most 16 MiB. False, with an error and no change, where it can't be used.
+   * Read the file (16 MiB at most). False, with an error and no change, if it can't be used.
    */
   bool Load(const char* file);
 

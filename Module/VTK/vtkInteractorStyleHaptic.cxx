@@ -305,13 +305,14 @@ void vtkInteractorStyleHaptic::BeginTouch()
   }
   if (!this->Interactor)
   {
-    vtkErrorMacro("There is no window to touch in, as this style has no interactor: call "
-                  "SetInteractorStyle() of the one with the window, with this style.");
+    vtkErrorMacro("The touch mode needs a window, but this style has no interactor: pass the style "
+                  "to SetInteractorStyle() of the window's interactor.");
     return;
   }
   if (d.Window.IsClosed())
   {
-    vtkErrorMacro("The window to touch in was closed: Render() it, which opens it again.");
+    vtkErrorMacro(
+      "The touch mode needs a window, but it was closed: Render() it to open it again.");
     return;
   }
   // Observers of the long work may end the loop, disarm, or take the device or the interactor away. Each of these ends

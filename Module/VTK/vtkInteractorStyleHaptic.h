@@ -38,13 +38,14 @@
  *
  * Mouse events over the function editor go to the editor.
  *
- * Where the device has to be without force for a while (vtkHapticDevice::BeginLongWork), the style draws before, so
- * that the head-up display says why. It announces the histogram of a large volume to the device by itself.
+ * When the force goes off for long work (vtkHapticDevice::BeginLongWork), the style renders first, so that the head-up
+ * display says why. It calls BeginLongWork by itself for the function editor's histogram of a large volume.
  *
  * Force ends with the window. The style leaves the touch mode and disarms when the interactor's loop ends (the keys
  * q and e, the window manager's close, TerminateApp()), before any other observer of ExitEvent is called; when the
- * window is finalized; and when the interactor is disabled, deleted or given another style. VTK does not tell when a
- * widget of a toolkit is hidden: an application that hides one calls SetTouchMode(false), or the interactor's Disable().
+ * window is finalized; and when the interactor is disabled, deleted or given another style. VTK does not report that a
+ * toolkit's widget is hidden: before an application hides one, it has to call the interactor's Disable(), or
+ * SetTouchMode(false) and the device's Disarm().
  *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same for
  * the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera goes the other way.
@@ -100,10 +101,10 @@ public:
 
   ///@{
   /**
-   * The touch mode. On puts the tip of a virtual device in front of the first surface under the
-   * pointer, where there is one, else into the plane of the focal point, and arms. Needs an interactor, and a
-   * device that runs; without them, or in a window that was closed, it stays off, with an error. It also stays off if
-   * the loop is ended, the device is disarmed, or one of them is taken away while the surface is meshed. Default off.
+   * The touch mode, default off. On puts the tip of a virtual device in front of the first surface under the pointer,
+   * or if there is none, into the plane of the focal point, and arms. It stays off, with an error, without an
+   * interactor, without a device that runs, or if the window was closed. It also stays off if, while the surface is
+   * meshed, the loop ends, the device is disarmed, or the device or the interactor is removed.
    */
   void SetTouchMode(bool on);
   vtkGetMacro(TouchMode, bool);
@@ -143,11 +144,10 @@ public:
   /**
    * Feel the same place with the next method of the device's filter, in the order of
    * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on; a force that grows does so at the
-   * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made the hand feels what it felt, or nothing if
-   * that takes longer than a moment (vtkHapticDevice::BeginLongWork); the head-up display says so before. Where the
-   * method can't be felt, as with an
-   * IsoValue that does not occur, this is false, with an error; the method from before stays, and the next
-   * call passes the other one over.
+   * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous method, or no
+   * force if the mesh takes long (vtkHapticDevice::BeginLongWork); the head-up display says so before. If the method
+   * can't be felt, for example since IsoValue does not occur in the image, this is false, with an error; the
+   * previous method stays, and the next call skips the other one.
    */
   bool NextMethod();
 
@@ -158,16 +158,16 @@ public:
   bool UpdateHaptics();
 
   /**
-   * Warn of the volumes in the renderer that show the image of the device's filter in a way that is not felt: with a
-   * position, orientation, scale or user matrix, cropping, clipping planes, a mask, a 2-D transfer function, or blanked
-   * points or cells. UpdateHaptics() does so, too. A warning comes once for each volume and reason, and again when a
-   * reason has gone and comes back.
+   * Warn if a visible volume in the renderer shows the image of the device's filter differently from how it is felt:
+   * with a position, orientation, scale or user matrix, cropping, clipping planes, a mask, a 2-D transfer function, or
+   * blanked points or cells. UpdateHaptics() does so, too. There is one warning for each volume and reason, and another
+   * one if a reason goes away and comes back.
    */
   void CheckShownVolumes();
 
   /**
    * The states that the last update took from the device: see vtkHapticDevice::DrainStates. Each style gets all of
-   * them, also where several use one device.
+   * them, even if several styles use one device.
    */
   vtkTable* GetStates();
 

@@ -417,7 +417,7 @@ int vtkVolumeHapticsFilter::TouchPath(
     model = walk.Tick(model, record);
     if (tips.IsRecording && !::IsFinite(record))
     {
-      vtkErrorMacro("The recording on port 1 leads to numbers that are not finite in tick "
+      vtkErrorMacro("The recording on port 1 gives numbers that are not finite in tick "
         << i << ": it was changed, or made with another volume. Record again.");
       return 0;
     }

@@ -48,10 +48,10 @@
  * proxy is on the tip, and force comes back in the same way.
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
- * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be a polyline,
- * segments that continue one another, or points alone; several lines are refused, and lines that join the points in
- * another order than that in which they are stored. A recording of
- * vtkHapticDevice is replayed tick by tick, to the bit.
+ * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
+ * segments that continue one another, or points without cells. Several separate lines are an error, and so are lines
+ * that join the points in another order than they are stored. A recording of vtkHapticDevice is replayed tick by
+ * tick, to the bit.
  *
  * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of
  * the isosurface at IsoValue. Polygons and strips count; with point normals the force is shaded.
@@ -142,9 +142,9 @@ public:
 #ifndef __VTK_WRAP__
   ///@{
   /**
-   * How long (s), about, HashScalars() and Bake() would take now on a desktop computer, without the pipeline before
-   * this filter: Bake() has nothing to do that takes time but the mesh of SURFACE_PROXY, when that has to be made. In
-   * C++ only.
+   * About how long (s) HashScalars() and Bake() would take now on a desktop computer, not counting the pipeline before
+   * this filter. Bake() takes time only to make the mesh of SURFACE_PROXY, and 0 if the mesh is up to date. In C++
+   * only.
    */
   double EstimateHashTime();
   double EstimateBakeTime();

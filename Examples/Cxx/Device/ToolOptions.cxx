@@ -17,7 +17,7 @@ ID is what list shows: falcon[:N], wooden[:N], pid[:VVVV:PPPP], spacemouse[:N]; 
 
   --firmware FILE     the image for a Novint Falcon that has none (else $VOLUMEHAPTICS_FALCON_FIRMWARE)
   --homing-time S     how long each step of homing may take (120)
-  --newtons X[,Y]     what a stick's force is at full scale, N (100)
+  --newtons X         a force-feedback wheel's force at full scale, N; negative reverses it (100)
   --axis x|y|z        across which the wall of test stands (z; x for a stick or a wheel)
   --rate HZ           ticks of the servo per second, 100 to 10000 (1000)
   --seconds S         end after that time (monitor, test: when interrupted; record: 10)

@@ -236,8 +236,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --up AXIS         where the top is: +z (default), ...
   --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt
                     there is recorded in live.vtp and shown in the pictures
-  --check-display   open a window that is not shown, and nothing else: exit status 0 if pictures can be
-                    drawn on the display; VTK may crash if not
+  --check-display   do nothing but test whether the display can draw pictures: exit status 0 if it can;
+                    if not, VTK may crash
   --help            this text
 
 Exit status: 0 done, 1 the computation failed, 2 the input or an option is wrong, 3 no display.

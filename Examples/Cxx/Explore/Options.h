@@ -14,7 +14,7 @@ namespace Explore
 struct Options
 {
   bool Help = false;
-  bool CheckDisplay = false; // and nothing else
+  bool CheckDisplay = false; // test the display and do nothing else
   bool Live = false; // in real time through the servo loop, too
   std::string VolumePath;
   std::string Folder = "explore-pictures";

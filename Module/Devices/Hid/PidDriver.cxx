@@ -32,8 +32,8 @@ bool MapBoth(const HidPlace& place, PidDevice& device, HidStick& stick, std::str
 }
 
 const char* const TwoAxes =
-  "it has two axes, and the firmwares of such devices do not agree about which way they push "
-  "the second, which could drive the hand away. Use a wheel, or another device of one axis";
+  "it has two axes, and firmwares disagree on the direction of the force along the second one, "
+  "which could push the hand away. Use a wheel, or another device of one axis";
 
 } // namespace
 

@@ -91,10 +91,9 @@ std::vector<HidPlace> WoodenDriver::Choose(std::string& error) const
       : !other.empty()
       ? other +
         " can't be used: its linkage, encoders and rest pose are not those of a WoodenHaptics, so "
-        "that places and "
-        "forces would be wrong. Plug in a WoodenHaptics instead."
-      : "No WoodenHaptics is plugged in. Plug it in and switch it on; its product name has to say "
-        "what it is, as other devices share its numbers 16c0:0486.";
+        "that positions and forces would be wrong. Plug in a WoodenHaptics instead."
+      : "No WoodenHaptics is plugged in. Plug it in and switch it on; its product name has to "
+        "contain \"WoodenHaptics\", since other devices have the same USB ids, 16c0:0486.";
     return {};
   }
   return { places[static_cast<std::size_t>(this->Number)] };

@@ -143,7 +143,7 @@ class Haptics:
 
 
     def _check_volumes(self) -> list[str]:
-        """How volumes of the scene are not felt as they are shown; what comes later is told with a warning."""
+        """Says how volumes are felt differently from how they are shown, and warns of later differences."""
         with Errors(self.style, event="WarningEvent") as found:
             self.style.CheckShownVolumes()
         self.style.AddObserver("WarningEvent", _warn)
@@ -211,14 +211,14 @@ def add_haptics(
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
-    vtkInteractorStyleHaptic for all keys. It fades out when the plotter's timer stands still for 10 s, or for the
-    AttentionTime of a device of your own, and ends when the volume's actor is removed. Closing the plotter stops
+    vtkInteractorStyleHaptic for all keys. It fades out when the plotter's timer stands still for 10 s (for a
+    device that you pass, its own AttentionTime), and ends when the volume's actor is removed. Closing the plotter stops
     everything. The plotter's camera keys and mouse remain, except for those that the style lists.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
     can't be touched; the text says why, and what helps. RuntimeError: the device does not open. UserWarning: the
-    image is shown in a way that is not felt, such as cropped, masked or blanked: see
-    vtkInteractorStyleHaptic.CheckShownVolumes(). It comes later, too, when the plotter changes.
+    image is shown differently from how it is felt, for example cropped, masked or blanked: see
+    vtkInteractorStyleHaptic.CheckShownVolumes(). The warning also comes if the plotter changes later.
     """
     if getattr(plotter, "iren", None) is None:
         if not hasattr(plotter, "iren"):

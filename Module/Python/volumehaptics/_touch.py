@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def plain(text: str) -> str:
-    """A message of VTK's without the file and the line in it, which do not help the caller."""
+    """A message of VTK without the source file and line, which do not help the caller."""
     return re.sub(r"^(ERROR|Warning): In .*, line \d+\n.*?\(\w+\): ", "", text).strip()
 
 
