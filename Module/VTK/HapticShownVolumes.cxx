@@ -48,8 +48,8 @@ const Difference Differences[] = {
     "value that is not felt, for example with vtkImageMask, or remove the mask." },
   { 16,
     "Its property has a 2-D transfer function, but voxels that this hides are still felt. Cure: "
-    "SetTransferFunctionModeTo1D(), or SetVisibilityFrom() of the haptic property with a volume "
-    "property whose 1-D opacity hides the same values." },
+    "SetTransferFunctionMode(vtkVolumeProperty::TF_1D), or SetVisibilityFrom() of the haptic "
+    "property with a volume property whose 1-D opacity hides the same values." },
   { 32,
     "Points or cells of the image are blanked (array vtkGhostType), but still felt. Cure: give "
     "them a value that is not felt, or remove the array." },

@@ -9,6 +9,7 @@ import pytest
 import pyvista as pv
 from volumehaptics.pyvista import add_haptics
 from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
 
 @pytest.fixture
@@ -42,6 +43,7 @@ def use_two_dimensions(grid, actor):
     function = pv.ImageData(dimensions=(2, 2, 1))
     function["rgba"] = np.ones((4, 4), np.float32)
     actor.prop.SetTransferFunction2D(function)
+    actor.prop.SetTransferFunctionMode(vtkVolumeProperty.TF_2D)  # which VTK 9.6 does not do by itself
 
 
 def blank(grid, actor):
