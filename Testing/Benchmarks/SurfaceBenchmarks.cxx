@@ -79,7 +79,14 @@ void Slide(benchmark::State& bench, const BallVolume& volume, const ModelChoice&
     Tick(*model, state, tip.Next(), record);
     benchmark::DoNotOptimize(record);
   }
-  if (bench.iterations() > 1000 && record.Contact != ContactState::Sliding)
+  // A round more, as the proxy may stick for single ticks on the edges of flat triangles.
+  std::size_t sliding = 0;
+  for (std::size_t i = 0; i < tips.size(); ++i)
+  {
+    Tick(*model, state, tip.Next(), record);
+    sliding += record.Contact == ContactState::Sliding ? 1 : 0;
+  }
+  if (10 * sliding < 9 * tips.size())
   {
     bench.SkipWithError("the proxy does not slide");
   }
