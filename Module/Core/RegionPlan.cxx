@@ -30,6 +30,24 @@ struct Cube
   double PerUnit[3]; // index steps
 };
 
+/** Round a place (world) or, where that is not finite, the middle of the volume. */
+Cube FindCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
+{
+  const Vector3 at = inverse * (centre - whole.IndexToWorld.Offset);
+  const double place[3] = { at.X, at.Y, at.Z };
+  Cube cube;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double first = whole.Extent[2 * a];
+    const double last = whole.Extent[2 * a + 1];
+    const double steps = Norm(inverse.Row[a]);
+    cube.Centre[a] =
+      std::isfinite(place[a]) ? std::clamp(place[a], first, last) : 0.5 * (first + last);
+    cube.PerUnit[a] = std::isfinite(steps) ? std::min(steps, Longest) : 1.0;
+  }
+  return cube;
+}
+
 double CountVoxels(const int extent[6]) noexcept
 {
   const auto count = [&](int a) { return double{ extent[2 * a + 1] + 1.0 } - extent[2 * a]; };
@@ -97,44 +115,37 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   }
   const Matrix3 inverse = Inverse(whole.IndexToWorld.Linear);
   const double speed = Norm(velocity);
-  const double most = Length(needs.MaximumSpeed);
-  // A speed that is not finite is none.
-  const double share = speed > most ? most / speed : 1.0;
-  const double time =
-    std::isfinite(speed) ? share * std::min(Length(needs.Latency), MostLatency) : 0.0;
-  const Vector3 way = std::isfinite(speed) ? time * velocity : Vector3{};
-  const Vector3 at = inverse * (tip + way - whole.IndexToWorld.Offset);
-  const double place[3] = { at.X, at.Y, at.Z };
-  Cube cube;
-  for (int a = 0; a < 3; ++a)
+  const double needed = Length(needs.SpringLength) + Length(needs.Reach) + Length(needs.Band);
+  const auto place = [&](double halfWidth)
   {
-    const double first = whole.Extent[2 * a];
-    const double last = whole.Extent[2 * a + 1];
-    const double steps = Norm(inverse.Row[a]);
-    cube.Centre[a] =
-      std::isfinite(place[a]) ? std::clamp(place[a], first, last) : 0.5 * (first + last);
-    cube.PerUnit[a] = std::isfinite(steps) ? std::min(steps, Longest) : 1.0;
-  }
+    const double time = std::min(Length(needs.Latency), MostLatency);
+    const double way = std::min(speed, Length(needs.MaximumSpeed)) * time;
+    const double ahead = std::min(way, std::max(halfWidth - needed, 0.0));
+    // A speed that is not finite is none.
+    const Vector3 shift = std::isfinite(speed) && speed > 0.0 ? (ahead / speed) * velocity : Vector3{};
+    return FindCube(whole, inverse, tip + shift);
+  };
   const double limit = needs.MostVoxels > LeastVoxels ? needs.MostVoxels : LeastVoxels;
-  const double half = FindHalfWidth(needs);
+  double half = FindHalfWidth(needs);
   const bool isWhole = CountVoxels(whole.Extent) <= limit;
-  if (!isWhole && Cut(whole, cube, half, wanted) > limit)
+  if (!isWhole && Cut(whole, place(half), half, wanted) > limit)
   {
     double low = 0.0;
     double high = half;
     for (int i = 0; i < MostHalvings; ++i)
     {
       const double middle = 0.5 * (low + high);
-      (Cut(whole, cube, middle, wanted) > limit ? high : low) = middle;
+      (Cut(whole, place(middle), middle, wanted) > limit ? high : low) = middle;
     }
-    Cut(whole, cube, low, wanted);
+    half = low;
+    Cut(whole, place(half), half, wanted);
   }
   if (!resident || IsEmpty(resident))
   {
     return true;
   }
+  const Cube cube = place(half);
   const bool isSame = std::equal(wanted, wanted + 6, resident);
-  const double needed = Length(needs.SpringLength) + Length(needs.Reach) + Length(needs.Band);
   const double now = FindRoom(whole, cube, resident) - needed;
   const double then = FindRoom(whole, cube, wanted) - needed;
   // Where a cut region has no room at all, the one with more of it still is the better.

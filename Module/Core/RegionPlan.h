@@ -12,7 +12,8 @@
  * round where it is while the next one is on its way: T_N/k is how far the proxy lags behind the
  * tip, r how far around both is read, b the band over which the residency falls (Residency.h). The
  * cube stands where the tip will be when it comes, x + t v (|v| is at most v_max), and is clipped
- * to the volume.
+ * to the volume. Where h is cut, it is no farther ahead than h - T_N/k - r - b: a hand that stops
+ * still has its data.
  *
  * A region is asked for once it is worth it. The room of a region is how far that place is from its
  * nearest border that is not the volume's own, less T_N/k + r + b; when the resident region gives

@@ -12,8 +12,8 @@
  *   h = v_max t + T_N/k + r + b
  *
  * world units round x + t v, the place where the tip will be when it comes; clipped to the whole,
- * and cut to MaximumVoxels. Where the whole has no more voxels than that, it is the whole. It is
- * fetched as soon as the resident one leaves the tip less than half the room that the wanted one
+ * and cut to MaximumVoxels. A region that is cut is only as far ahead as leaves a hand that stops
+ * its data. Where the whole has no more voxels than that, it is the whole. It is fetched as soon as the resident one leaves the tip less than half the room that the wanted one
  * would, so that a resting hand fetches nothing.
  *
  *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);

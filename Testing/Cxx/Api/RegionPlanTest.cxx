@@ -73,6 +73,33 @@ TEST_F(Plan, AlwaysGivesARegionOfTheWhole)
   }
 }
 
+TEST_F(Plan, LeavesAHandThatStopsItsData)
+{
+  this->Planner->SetWholeExtent(0, 999, 0, 999, 0, 999);
+  this->Planner->SetMaximumVoxels(44 * 44 * 44);
+  const double needed = 13.0; // world units, of the 22 that a region has to each side
+  this->Planner->SetSpringLength(4.0);
+  this->Planner->SetReach(5.0);
+  this->Planner->SetBand(4.0);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(100.0, 900.0);
+  std::uniform_real_distribution<double> speed(-500.0, 500.0);
+  for (int i = 0; i < 1000; ++i)
+  {
+    this->Planner->ResetLatency();
+    this->Planner->AddLatency(1e-3 * double(random() % 500));
+    const double tip[3] = { place(random), place(random), place(random) };
+    const double velocity[3] = { speed(random), speed(random), speed(random) };
+    const int none[6] = { 0, -1, 0, -1, 0, -1 };
+    this->Planner->Plan(tip, velocity, none, this->Wanted);
+    for (int a = 0; a < 3; ++a)
+    {
+      ASSERT_LE(this->Wanted[2 * a], tip[a] - needed);
+      ASSERT_GE(this->Wanted[2 * a + 1], tip[a] + needed);
+    }
+  }
+}
+
 TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
 {
   EXPECT_EQ(this->Planner->GetLatency(), 0.1) << "the first counts whole";
