@@ -227,7 +227,7 @@ bool vtkHapticDevice::EndRecording(bool isAnnounced)
   {
     vtkWarningMacro(<< lost << " ticks are missing from the recording " << Printable(file)
                     << ": the machine was too busy to collect them. Its forces can't be replayed "
-                       "beyond the first gap.");
+                       "beyond the first gap. Record to a local disk, with less else running.");
   }
   std::string error;
   std::unique_ptr<LongWork> work;

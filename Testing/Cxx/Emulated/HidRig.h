@@ -91,6 +91,26 @@ public:
     return Eventually([&] { return (*this)->GetTickCount() >= end; });
   }
 
+  /**
+   * Leads a hand to the surface, and in until it feels what is expected. Where a busy machine let the servo stand still
+   * meanwhile, the force began anew from inside: once more.
+   */
+  template <typename Approach, typename Enter, typename IsFelt>
+  bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)
+  {
+    bool felt = false;
+    for (int attempt = 0; attempt < 20 && !felt; ++attempt)
+    {
+      approach();
+      enter();
+      for (int i = 0; i < 2000 && !(felt = isFelt()); ++i)
+      {
+        this->WaitForTicks(1);
+      }
+    }
+    return felt;
+  }
+
   /// Cut, said, and not back by arming it.
   void ExpectLost(const char* text)
   {

@@ -60,7 +60,7 @@ protected:
         std::abs(this->Falcon.GetForce()[2] - force) < 0.05;
     };
     bool felt = false;
-    for (int attempt = 0; attempt < 5 && !felt; ++attempt)
+    for (int attempt = 0; attempt < 20 && !felt; ++attempt)
     {
       ASSERT_TRUE(this->LeadTo(x, y, SkinHeight + 0.01));
       ASSERT_TRUE(this->LeadTo(x, y, end));

@@ -90,6 +90,8 @@ class PhantomHand
 public:
   PhantomHand(const Phantom& phantom, int outward, double sign)
   {
+    // Tests look after one device, and then after the other one.
+    this->Device->SetAttentionTime(0.0);
     this->Device->SetVolumeHaptics(phantom.Filter);
     this->Device->SetDeviceToWorld(phantom.Place(outward, sign));
   }

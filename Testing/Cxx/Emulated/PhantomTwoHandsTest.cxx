@@ -28,7 +28,7 @@ protected:
   bool FeelsStick()
   {
     bool felt = false;
-    for (int attempt = 0; attempt < 5 && !felt; ++attempt)
+    for (int attempt = 0; attempt < 20 && !felt; ++attempt)
     {
       this->Stick.SetGoal(-0.01, 0.0);
       Eventually([&] { return this->Stick.GetTip()[0] < -0.008; });

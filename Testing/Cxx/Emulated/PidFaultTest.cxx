@@ -102,7 +102,8 @@ TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
   };
   EXPECT_TRUE(Eventually(push));
   EXPECT_TRUE(this->IsQuiet()) << "the servo fell silent";
-  EXPECT_GT(this->Model.CountPlaying(), 0) << "with no magnitude, and ready for the next force";
+  EXPECT_TRUE(Eventually([&] { return this->Model.CountPlaying() > 0; }))
+    << "with no magnitude, and ready for the next force";
   EXPECT_TRUE(Eventually(push));
   this->Bench.Device->Quench();
   EXPECT_TRUE(this->IsQuiet());

@@ -34,12 +34,15 @@ protected:
     this->Bench.Start(this->Ground.Model);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
     this->Bench->Arm();
-    this->Model.SetGoal(Wall + 0.01, 0.0);
     const double force = -FloorStiffness * BalancedDepth(0.01);
-    EXPECT_TRUE(Eventually(
-      [&] {
-        return IsNear(this->Model.GetForce(), { force, 0.0, 0.0 }, 0.05);
-      }))
+    EXPECT_TRUE(this->Bench.Press(
+      [&]
+      {
+        this->Model.SetGoal(Wall - 0.005, 0.0);
+        Eventually([&] { return this->Model.GetTip()[0] < Wall - 0.004; });
+      },
+      [&] { this->Model.SetGoal(Wall + 0.01, 0.0); },
+      [&] { return IsNear(this->Model.GetForce(), { force, 0.0, 0.0 }, 0.05); }))
       << this->Model.GetForce()[0];
   }
 
