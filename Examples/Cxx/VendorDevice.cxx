@@ -4,7 +4,7 @@
 // How a device that needs its vendor's library becomes one of vtkHapticDevice's: a back end, a kind, and two
 // lines in the application. The "library" here is a stand-in with the shape that such libraries share, so that
 // the example runs as it is: put your vendor's calls in the place of VendorLibrary's.
-#include <DeviceKind.h>
+#include <Devices/Common/DeviceKind.h>
 #include <vtkHapticDevice.h>
 #include <vtkNew.h>
 

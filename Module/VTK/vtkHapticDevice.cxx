@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticDevice.h"
 
-#include "HapticFiles.h"
-#include "HapticMethods.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Baking/HapticMethods.h"
 #include "vtkHapticDeviceInternals.h"
 
 #include "vtkCommand.h"

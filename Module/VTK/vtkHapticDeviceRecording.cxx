@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkHapticDevice that limits, records and measures.
-#include "HapticFiles.h"
-#include "HapticRecordingFile.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticRecordingFile.h"
 #include "vtkHapticDeviceInternals.h"
 
 #include "vtkDataArray.h"

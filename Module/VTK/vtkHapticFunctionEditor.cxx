@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticFunctionEditor.h"
 
-#include "HapticDrawing.h"
-#include "HapticFunctionChart.h"
-#include "HapticHistogram.h"
+#include "VTK/Charts/HapticDrawing.h"
+#include "VTK/Charts/HapticFunctionChart.h"
+#include "VTK/Charts/HapticHistogram.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticHardware.h"
 
-#include "DeviceRegistry.h"
+#include "Devices/Common/DeviceRegistry.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticHeadUpDisplay.h"
 
-#include "HapticDrawing.h"
-#include "HapticForceChart.h"
-#include "HapticForceHistory.h"
-#include "HapticOverlayPicture.h"
+#include "VTK/Charts/HapticDrawing.h"
+#include "VTK/Charts/HapticForceChart.h"
+#include "VTK/Charts/HapticForceHistory.h"
+#include "VTK/Charts/HapticOverlayPicture.h"
 
 #include "vtkContextActor.h"
 #include "vtkContextDevice2D.h"

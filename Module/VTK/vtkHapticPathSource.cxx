@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticPathSource.h"
 
-#include "HapticCurve.h"
-#include "HapticFiles.h"
-#include "HapticTraceFiles.h"
+#include "VTK/Trace/HapticCurve.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticTraceFiles.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -38,7 +38,7 @@
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #ifndef __VTK_WRAP__
-#include "WholeSamples.h"
+#include "Core/Field/WholeSamples.h"
 
 #include <string> // for std::string
 #include <vector> // for std::vector

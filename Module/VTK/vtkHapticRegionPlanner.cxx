@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionPlanner.h"
 
-#include "HapticFunctions.h"
-#include "HapticRegion.h"
-#include "LocalSurface.h"
-#include "RegionPlan.h"
-#include "Residency.h"
+#include "VTK/Baking/HapticFunctions.h"
+#include "VTK/Baking/HapticRegion.h"
+#include "Core/Solvers/LocalSurface/LocalSurface.h"
+#include "Core/Regions/RegionPlan.h"
+#include "Core/Field/ResidentBox.h"
+#include "Core/Regions/Residency.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRepresentation.h"
 
-#include "HapticDrawing.h"
-#include "HapticPart.h"
+#include "VTK/Charts/HapticDrawing.h"
+#include "VTK/Scene/HapticPart.h"
 #include "vtkHapticStateSource.h"
 #include "vtkVolumeHapticsCompat.h"
 

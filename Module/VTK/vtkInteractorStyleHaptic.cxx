@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInteractorStyleHaptic.h"
 
-#include "HapticViewRay.h"
+#include "VTK/Scene/HapticViewRay.h"
 #include "vtkInteractorStyleHapticInternals.h"
 
 #include "vtkCamera.h"

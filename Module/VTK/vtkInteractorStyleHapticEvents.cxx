@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkInteractorStyleHaptic that listens to mouse and keys.
-#include "HapticViewRay.h"
+#include "VTK/Scene/HapticViewRay.h"
 #include "vtkInteractorStyleHapticInternals.h"
 
 #include "vtkImageData.h"

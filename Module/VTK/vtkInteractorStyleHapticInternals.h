@@ -9,13 +9,13 @@
 
 #include "vtkInteractorStyleHaptic.h"
 
-#include "HapticChangeTime.h"
-#include "HapticLongWork.h"
-#include "HapticRenderPace.h"
-#include "HapticShownVolumes.h"
-#include "HapticStateWatch.h"
-#include "HapticWindowWatch.h"
-#include "HapticWorkspace.h"
+#include "VTK/Session/HapticChangeTime.h"
+#include "VTK/Session/HapticLongWork.h"
+#include "VTK/Scene/HapticRenderPace.h"
+#include "VTK/Scene/HapticShownVolumes.h"
+#include "VTK/Scene/HapticStateWatch.h"
+#include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/HapticWorkspace.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkHapticDevice.h"

@@ -4,8 +4,8 @@
 // The part of vtkInteractorStyleHaptic that its timer drives: from the servo and back, and when to draw.
 #include "vtkInteractorStyleHaptic.h"
 
-#include "HapticMethods.h"
-#include "HapticViewRay.h"
+#include "VTK/Baking/HapticMethods.h"
+#include "VTK/Scene/HapticViewRay.h"
 #include "vtkInteractorStyleHapticInternals.h"
 
 #include "vtkCamera.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsAlgorithm.h"
 
-#include "HapticMethods.h"
+#include "VTK/Baking/HapticMethods.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"

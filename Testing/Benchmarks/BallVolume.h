@@ -7,7 +7,7 @@
 #ifndef BallVolume_h
 #define BallVolume_h
 
-#include "HapticModel.h"
+#include "Core/Model/HapticModel.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

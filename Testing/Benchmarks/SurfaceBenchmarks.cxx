@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 #include "Motion.h"
-#include "ServoTick.h"
-#include "SurfaceMesh.h"
+#include "Core/Servo/ServoTick.h"
+#include "Core/Model/SurfaceMesh.h"
 
 #include <vtkFlyingEdges3D.h>
 #include <vtkIdList.h>

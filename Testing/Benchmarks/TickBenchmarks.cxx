@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 #include "Motion.h"
-#include "ServoTick.h"
+#include "Core/Servo/ServoTick.h"
 
 #include <benchmark/benchmark.h>
 

@@ -7,7 +7,7 @@
 #ifndef Evaluation_Field_h
 #define Evaluation_Field_h
 
-#include "ServoTick.h"
+#include "Core/Servo/ServoTick.h"
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ZWidth.h"
 
-#include "VirtualDevice.h"
+#include "Devices/Virtual/VirtualDevice.h"
 
 using namespace VolumeHaptics;
 

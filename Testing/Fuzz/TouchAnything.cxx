@@ -3,7 +3,8 @@
 #include "TouchAnything.h"
 
 #include "Dealer.h"
-#include "ServoTick.h"
+#include "Core/Servo/ServoTick.h"
+#include "Core/Solvers/ServoStateNumbers.h"
 
 using namespace VolumeHaptics;
 

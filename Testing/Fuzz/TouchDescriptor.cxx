@@ -3,10 +3,10 @@
 #include "TouchDescriptor.h"
 
 #include "Dealer.h"
-#include "HidStick.h"
-#include "PidDialogue.h"
-#include "SpaceMouse.h"
-#include "WoodenHaptics.h"
+#include "Devices/Pid/HidStick.h"
+#include "Devices/Pid/PidDialogue.h"
+#include "Devices/SpaceMouse/SpaceMouse.h"
+#include "Devices/WoodenHaptics/WoodenHaptics.h"
 
 #include <algorithm>
 #include <cmath>

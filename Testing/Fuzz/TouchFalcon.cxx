@@ -3,9 +3,9 @@
 #include "TouchFalcon.h"
 
 #include "Dealer.h"
-#include "FalconHoming.h"
-#include "FalconLoader.h"
-#include "FalconStream.h"
+#include "Devices/Falcon/FalconHoming.h"
+#include "Devices/Falcon/FalconLoader.h"
+#include "Devices/Falcon/FalconStream.h"
 
 #include <algorithm>
 #include <cmath>

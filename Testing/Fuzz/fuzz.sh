@@ -17,12 +17,13 @@ require_packages clang libclang-rt-14-dev
 targets=(TouchAnything TouchDescriptor TouchFalcon)
 mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off -fsanitize=fuzzer-no-link,address,undefined
-  -fno-sanitize-recover=all -I"$root/Module/Core" -I"$root/Module/Devices")
+  -fno-sanitize-recover=all -I"$root/Module")
 # The kernels are many: optimised they take minutes.
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
-  "$root/Module/Core/FieldKernelsBaseline.cxx" &
+  "$root/Module/Core/Field/FieldKernelsBaseline.cxx" &
 objects=()
-for source in "$root"/Module/{Core,Devices}/*.cxx; do
+# Without what needs a device library.
+while read -r source; do
   file=$(basename "$source" .cxx)
   if [[ $file != FieldKernels* ]]; then
     while [[ $(jobs -rp | wc -l) -ge $(nproc) ]]; do
@@ -31,7 +32,8 @@ for source in "$root"/Module/{Core,Devices}/*.cxx; do
     clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
-done
+done < <(find "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -name '*Driver.cxx' \
+  -not -name '*Kind.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 # One after the other, so that a failure is seen.
 for job in $(jobs -p); do
   wait "$job"

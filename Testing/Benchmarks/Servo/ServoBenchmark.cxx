@@ -8,8 +8,8 @@
  */
 
 #include "../../Cxx/Core/CoreScene.h"
-#include "ServoClock.h"
-#include "ServoLoop.h"
+#include "Core/Servo/ServoClock.h"
+#include "Core/Servo/ServoLoop.h"
 
 #include <chrono>
 #include <cmath>

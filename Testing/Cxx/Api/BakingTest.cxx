@@ -6,7 +6,7 @@
  * curved pieces to within 0.01 % of the piece's height, whatever vtkPiecewiseFunction offers.
  */
 
-#include "HapticFunctions.h"
+#include "VTK/Baking/HapticFunctions.h"
 #include "RandomFunctions.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #ifndef AllScalarTypes_h
 #define AllScalarTypes_h
 
-#include "FieldSampler.h"
+#include "Core/Field/FieldSampler.h"
 
 namespace coretest
 {

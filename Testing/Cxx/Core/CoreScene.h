@@ -7,7 +7,7 @@
 #ifndef CoreScene_h
 #define CoreScene_h
 
-#include "ServoTick.h"
+#include "Core/Servo/ServoTick.h"
 #include "TestVolume.h"
 
 namespace coretest

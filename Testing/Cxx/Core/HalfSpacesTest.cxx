@@ -5,7 +5,7 @@
  * The nearest point that half-spaces allow, beside what alternating projections find.
  */
 
-#include "HalfSpaces.h"
+#include "Core/Math/HalfSpaces.h"
 #include "MeshScene.h"
 
 #include <gtest/gtest.h>

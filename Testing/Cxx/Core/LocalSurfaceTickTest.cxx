@@ -6,6 +6,7 @@
  */
 
 #include "LocalSurfaceRig.h"
+#include "Core/Solvers/ServoStateNumbers.h"
 #include "SurfaceRig.h"
 
 using namespace coretest;

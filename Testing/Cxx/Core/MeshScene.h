@@ -7,7 +7,7 @@
 #ifndef MeshScene_h
 #define MeshScene_h
 
-#include "SurfaceMesh.h"
+#include "Core/Model/SurfaceMesh.h"
 
 #include <memory>
 #include <random>

@@ -7,7 +7,7 @@
 #ifndef PolylineChecks_h
 #define PolylineChecks_h
 
-#include "PiecewiseTable.h"
+#include "Core/Math/PiecewiseTable.h"
 
 #include <gtest/gtest.h>
 

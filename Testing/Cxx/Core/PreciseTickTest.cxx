@@ -7,7 +7,8 @@
  */
 
 #include "CoreScene.h"
-#include "PreciseSolver.h"
+#include "Core/Solvers/Precise/PreciseSolver.h"
+#include "Core/Solvers/ServoStateNumbers.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #ifndef Slanted_h
 #define Slanted_h
 
-#include "Vector3.h"
+#include "Core/Math/Vector3.h"
 
 namespace coretest
 {

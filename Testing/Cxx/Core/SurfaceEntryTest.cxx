@@ -8,7 +8,7 @@
 #include "MeshScene.h"
 #include "SurfaceRig.h"
 
-#include "SurfaceProxy.h"
+#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 
 using namespace coretest;
 

@@ -5,7 +5,7 @@
  * The tree of boxes beside what is found the long way, and that it takes no more time than it is given.
  */
 
-#include "SurfaceProxy.h"
+#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 #include "SurfaceRig.h"
 
 #include <set>

@@ -7,7 +7,7 @@
 
 #include "RecordingRig.h"
 
-#include "DeviceBackend.h"
+#include "Core/Servo/DeviceBackend.h"
 
 using namespace devicetest;
 

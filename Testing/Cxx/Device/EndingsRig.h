@@ -10,7 +10,7 @@
 
 #include "SignalsRig.h"
 
-#include <DeviceKind.h>
+#include <Devices/Common/DeviceKind.h>
 
 #include <new>
 #include <poll.h>

@@ -7,7 +7,7 @@
 #ifndef PlayedHardware_h
 #define PlayedHardware_h
 
-#include <DeviceKind.h>
+#include <Devices/Common/DeviceKind.h>
 #include <vtkHapticDevice.h>
 
 #include <atomic>

@@ -9,8 +9,8 @@
 
 #include "../TemporaryFolder.h"
 
-#include "HapticRecording.h"
-#include "HapticRecordingFile.h"
+#include "VTK/Trace/HapticRecording.h"
+#include "VTK/Trace/HapticRecordingFile.h"
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>

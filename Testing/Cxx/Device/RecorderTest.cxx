@@ -7,8 +7,8 @@
 
 #include "RecorderRig.h"
 
-#include "HapticFiles.h"
-#include "HapticSession.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Session/HapticSession.h"
 
 using namespace recordertest;
 

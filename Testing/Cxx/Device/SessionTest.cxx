@@ -6,7 +6,7 @@
  */
 
 #include "Eventually.h"
-#include "HapticSession.h"
+#include "VTK/Session/HapticSession.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "../Servo/PlayedDevice.h"
 #include "../TemporaryFolder.h"
-#include "DeviceRegistry.h"
+#include "Devices/Common/DeviceRegistry.h"
 #include "EmulatedUsb.h"
 #include "FalconModel.h"
 

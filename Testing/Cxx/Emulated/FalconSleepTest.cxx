@@ -5,7 +5,7 @@
  * The computer falls asleep while force flows, and wakes up.
  */
 
-#include "../../../Module/Devices/Usb/FalconDriver.h"
+#include "Devices/Falcon/FalconDriver.h"
 #include "FalconRig.h"
 
 using namespace emulated;

@@ -9,7 +9,7 @@
 
 #include "../Core/SurfaceRig.h"
 #include "../Servo/PlayedDevice.h"
-#include "DeviceRegistry.h"
+#include "Devices/Common/DeviceRegistry.h"
 #include "EmulatedHand.h"
 #include "EmulatedHid.h"
 

@@ -7,7 +7,7 @@
 #ifndef DescriptorRig_h
 #define DescriptorRig_h
 
-#include "HidReportDescriptor.h"
+#include "Devices/Transport/Hid/HidReportDescriptor.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
  * A forked child's copy of an open device: it neither waits for the parent's thread nor ends the parent's connection.
  */
 
-#include "HardwareDevice.h"
+#include "Devices/Common/HardwareDevice.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
  * Kinds of devices: which are known, how ids are read, and what is said where a device can't be had.
  */
 
-#include "DeviceRegistry.h"
-#include "SpaceMouse.h"
-#include "VirtualDevice.h"
+#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/SpaceMouse/SpaceMouse.h"
+#include "Devices/Virtual/VirtualDevice.h"
 
 #include <gtest/gtest.h>
 

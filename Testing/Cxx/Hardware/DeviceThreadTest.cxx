@@ -5,7 +5,7 @@
  * The life of a device's thread: begun by Open, ended by Close and by the end of the device.
  */
 
-#include "HardwareDevice.h"
+#include "Devices/Common/HardwareDevice.h"
 
 #include <gtest/gtest.h>
 

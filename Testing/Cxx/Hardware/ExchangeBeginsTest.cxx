@@ -5,7 +5,7 @@
  * After a device was not ready, the servo is told that the hand begins anew.
  */
 
-#include "HardwareExchange.h"
+#include "Devices/Common/HardwareExchange.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #ifndef ExchangeRig_h
 #define ExchangeRig_h
 
-#include "HardwareExchange.h"
+#include "Devices/Common/HardwareExchange.h"
 
 #include <gtest/gtest.h>
 

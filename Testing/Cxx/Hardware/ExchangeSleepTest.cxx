@@ -4,7 +4,7 @@
 /**
  * A computer that was asleep loses the device; a thread that is held up between two clocks does not.
  */
-#include "HardwareExchange.h"
+#include "Devices/Common/HardwareExchange.h"
 
 #include <gtest/gtest.h>
 

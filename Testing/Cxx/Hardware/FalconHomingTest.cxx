@@ -5,7 +5,7 @@
  * From switched on to ready, and what keeps it from there.
  */
 
-#include "FalconHoming.h"
+#include "Devices/Falcon/FalconHoming.h"
 #include "FalconWorkspace.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #ifndef FalconLoaderRig_h
 #define FalconLoaderRig_h
 
-#include "FalconLoader.h"
+#include "Devices/Falcon/FalconLoader.h"
 
 #include <gtest/gtest.h>
 

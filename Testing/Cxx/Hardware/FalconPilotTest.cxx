@@ -5,7 +5,7 @@
  * When a device is believed, and what it is sent then and otherwise.
  */
 
-#include "FalconPilot.h"
+#include "Devices/Falcon/FalconPilot.h"
 #include "FalconWorkspace.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
  * Run packets to the byte, both ways, and what is no packet.
  */
 
-#include "FalconProtocol.h"
+#include "Devices/Falcon/FalconProtocol.h"
 
 #include <gtest/gtest.h>
 

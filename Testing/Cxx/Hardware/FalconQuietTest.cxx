@@ -6,8 +6,8 @@
  */
 
 #include "../Servo/ThreadWatch.h"
-#include "FalconHoming.h"
-#include "FalconStream.h"
+#include "Devices/Falcon/FalconHoming.h"
+#include "Devices/Falcon/FalconStream.h"
 #include "FalconWorkspace.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
  * Reports out of transfers: status bytes, packets in pieces, and what lies between them.
  */
 
-#include "FalconStream.h"
+#include "Devices/Falcon/FalconStream.h"
 
 #include <gtest/gtest.h>
 

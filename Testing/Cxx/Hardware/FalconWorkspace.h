@@ -7,7 +7,7 @@
 #ifndef FalconWorkspace_h
 #define FalconWorkspace_h
 
-#include "FalconKinematics.h"
+#include "Devices/Falcon/FalconKinematics.h"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
  * Values go into reports, and come out of them, bit by bit.
  */
 
-#include "HidField.h"
+#include "Devices/Transport/Hid/HidField.h"
 
 #include <gtest/gtest.h>
 

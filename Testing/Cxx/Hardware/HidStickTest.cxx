@@ -5,7 +5,7 @@
  * Sticks and wheels say where they are.
  */
 
-#include "HidStick.h"
+#include "Devices/Pid/HidStick.h"
 #include "DescriptorRig.h"
 
 using namespace hardwaretest;

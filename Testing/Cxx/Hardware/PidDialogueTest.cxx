@@ -5,7 +5,7 @@
  * A force-feedback device is made ready step by step, or it is said why not; then it is kept alive.
  */
 
-#include "PidDialogue.h"
+#include "Devices/Pid/PidDialogue.h"
 #include "PidRig.h"
 
 using namespace hardwaretest;

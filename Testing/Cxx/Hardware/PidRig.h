@@ -9,7 +9,7 @@
 #define PidRig_h
 
 #include "DescriptorRig.h"
-#include "PidProtocol.h"
+#include "Devices/Pid/PidProtocol.h"
 
 namespace hardwaretest
 {

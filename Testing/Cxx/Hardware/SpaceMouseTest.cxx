@@ -5,7 +5,7 @@
  * Six-axis mice: their packets, and which devices are some.
  */
 
-#include "SpaceMouse.h"
+#include "Devices/SpaceMouse/SpaceMouse.h"
 
 #include <gtest/gtest.h>
 

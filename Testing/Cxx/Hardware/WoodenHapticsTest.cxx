@@ -5,7 +5,7 @@
  * WoodenHaptics' packets, kinematics and currents.
  */
 
-#include "WoodenHaptics.h"
+#include "Devices/WoodenHaptics/WoodenHaptics.h"
 
 #include <gtest/gtest.h>
 

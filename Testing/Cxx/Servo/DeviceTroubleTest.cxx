@@ -5,8 +5,8 @@
  * What can happen to the back ends: frozen, unplugged, quenched, at their end.
  */
 
-#include "ReplayDevice.h"
-#include "VirtualDevice.h"
+#include "Devices/Replay/ReplayDevice.h"
+#include "Devices/Virtual/VirtualDevice.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #ifndef Growth_h
 #define Growth_h
 
-#include "Vector3.h"
+#include "Core/Math/Vector3.h"
 
 #include <algorithm>
 

@@ -10,7 +10,7 @@
  * z^2 - (2 - k T^2 / 2m) z + 1 + k T^2 / 2m, so that in a tick the energy grows by 1 + k T^2 / 2m.
  */
 
-#include "SafetyStage.h"
+#include "Core/Servo/SafetyStage.h"
 
 #include <gtest/gtest.h>
 

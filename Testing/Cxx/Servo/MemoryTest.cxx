@@ -6,7 +6,7 @@
  * kernel says: mincore(2), and VmLck of /proc/self/status.
  */
 
-#include "MemoryLock.h"
+#include "Core/Servo/MemoryLock.h"
 #include "PlayedDevice.h"
 
 #include <gtest/gtest.h>

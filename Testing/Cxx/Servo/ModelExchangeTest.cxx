@@ -5,7 +5,7 @@
  * Who keeps a model, and that nobody is left with one that is freed.
  */
 
-#include "ModelExchange.h"
+#include "Core/Servo/ModelExchange.h"
 #include "../Core/LocalSurfaceRig.h"
 
 #include <thread>

@@ -10,7 +10,7 @@
 #include "../Core/CoreScene.h"
 #include "../Device/Eventually.h"
 #include "Growth.h"
-#include "ServoLoop.h"
+#include "Core/Servo/ServoLoop.h"
 
 #include <gtest/gtest.h>
 

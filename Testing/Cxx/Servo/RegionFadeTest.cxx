@@ -7,7 +7,7 @@
 
 #include "Growth.h"
 #include "RegionRig.h"
-#include "SafetyStage.h"
+#include "Core/Servo/SafetyStage.h"
 
 #include <cmath>
 

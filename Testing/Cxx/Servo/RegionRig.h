@@ -8,6 +8,7 @@
 #define RegionRig_h
 
 #include "../Core/CoreScene.h"
+#include "Core/Servo/ResidentServo.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #define SafetyRig_h
 
 #include "Growth.h"
-#include "SafetyStage.h"
+#include "Core/Servo/SafetyStage.h"
 
 #include <gtest/gtest.h>
 

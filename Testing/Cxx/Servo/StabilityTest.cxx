@@ -8,7 +8,7 @@
 
 #include "../Core/CoreScene.h"
 #include "SampledLoop.h"
-#include "VirtualDevice.h"
+#include "Devices/Virtual/VirtualDevice.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
  * Percentiles from fixed buckets, to 1/8.
  */
 
-#include "TimeHistogram.h"
+#include "Core/Servo/TimeHistogram.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
  * Every value from one thread to another, in order, and a count of those that found no room.
  */
 
-#include "TraceRing.h"
+#include "Core/Servo/TraceRing.h"
 #include "SealedValue.h"
 
 #include <gtest/gtest.h>

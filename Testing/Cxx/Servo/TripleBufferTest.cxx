@@ -5,7 +5,7 @@
  * The latest value, whole, from one thread to another.
  */
 
-#include "TripleBuffer.h"
+#include "Core/Servo/TripleBuffer.h"
 #include "SealedValue.h"
 
 #include <gtest/gtest.h>

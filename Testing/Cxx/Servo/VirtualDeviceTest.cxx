@@ -5,7 +5,7 @@
  * The device without hardware does what its settings say, tick by tick.
  */
 
-#include "VirtualDevice.h"
+#include "Devices/Virtual/VirtualDevice.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
  * A simulated device in a simulated hand moves as the closed form says.
  */
 
-#include "VirtualDevice.h"
+#include "Devices/Virtual/VirtualDevice.h"
 
 #include <gtest/gtest.h>
 

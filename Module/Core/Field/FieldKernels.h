@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The sampling kernels, as templates. Included by one translation unit per instruction set only.
+ *
+ * Nothing here may call an inline function with external linkage (of the standard library or of
+ * Vector3.h): the linker keeps one copy of those, and it could be the one with AVX2 in it.
+ */
+#ifndef FieldKernels_h
+#define FieldKernels_h
+
+#include "Core/Field/LinearKernels.h"
+#include "Core/Field/SeparableSum.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Taps and weights of the uniform cubic B-spline. */
+template <bool WithGradient>
+VOLUME_HAPTICS_INLINE void LocateSpline(
+  const FieldView& view, double x, double y, double z, Footprint<4>& foot)
+{
+  // Coefficients of 1, t, t^2 and t^3, a lane for each tap; the slope's follow from them.
+  constexpr double sixth = 1.0 / 6.0;
+  const Pack4 c0 = { sixth, 4.0 * sixth, sixth, 0.0 };
+  const Pack4 c1 = { -0.5, 0.0, 0.5, 0.0 };
+  const Pack4 c2 = { 0.5, -1.0, 0.5, 0.0 };
+  const Pack4 c3 = { -sixth, 0.5, -0.5, sixth };
+  const Pack4 d2 = { 1.0, -2.0, 1.0, 0.0 };
+  const Pack4 d3 = { -0.5, 1.5, -1.5, 0.5 };
+  const double position[3] = { x, y, z };
+  for (int a = 0; a < 3; ++a)
+  {
+    const Axis axis = Locate(position[a], view.First[a], view.Last[a]);
+    const double t = axis.Fraction;
+    const double t2 = t * t;
+    foot.First[a] = axis.Cell - 1;
+    StorePack4((c0 + t * c1) + t2 * (c2 + t * c3), foot.Weights[a]);
+    if constexpr (WithGradient)
+    {
+      StorePack4((c1 + t * d2) + t2 * d3, foot.Weights[a] + 4);
+    }
+  }
+}
+
+template <typename T>
+double SplineValue(const FieldView& view, double x, double y, double z) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<false>(view, x, y, z, foot);
+  return Separable<T, 4, false>(view.Volume, foot, nullptr);
+}
+
+template <typename T>
+ValuePair SplinePair(
+  const FieldView& view, double x, double y, double z, double dx, double dy, double dz) noexcept
+{
+  Footprint<4> feet[2];
+  LocateSpline<false>(view, x + dx, y + dy, z + dz, feet[0]);
+  LocateSpline<false>(view, x - dx, y - dy, z - dz, feet[1]);
+  return { Separable<T, 4, false>(view.Volume, feet[0], nullptr),
+    Separable<T, 4, false>(view.Volume, feet[1], nullptr) };
+}
+
+template <typename T>
+FieldSample SplineGradient(const FieldView& view, double x, double y, double z) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<true>(view, x, y, z, foot);
+  FieldSample sample;
+  sample.Value = Separable<T, 4, true>(view.Volume, foot, &sample.Gradient);
+  return sample;
+}
+
+/** First tap and weights of the Gaussian along one axis, from the kernel's table. */
+VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
+  const FieldView& view, int axis, double position, int taps, double* weights)
+{
+  constexpr int intervals = GradientKernel::Intervals;
+  const KernelView& kernel = view.Kernel;
+  const Axis place =
+    Locate(position * intervals, view.First[axis] * intervals, view.Last[axis] * intervals);
+  const auto interval = static_cast<std::uint64_t>(place.Cell);
+  const double t = place.Fraction;
+  const double t2 = t * t;
+  const int count = 2 * taps;
+  const double* const c =
+    kernel.Table + (interval % intervals) * GradientKernel::Coefficients * count;
+  for (int i = 0; i < count; i += 4)
+  {
+    const auto term = [&](int power) { return LoadPack4(c + power * count + i); };
+    const Pack4 low = term(0) + t * term(1);
+    const Pack4 middle = term(2) + t * term(3);
+    const Pack4 high = term(4) + t * term(5);
+    StorePack4(low + t2 * (middle + t2 * high), weights + i);
+  }
+  return static_cast<std::int64_t>(interval / intervals) - kernel.Radius;
+}
+
+template <typename T, int N>
+FieldSample GaussianGradient(const FieldView& view, double x, double y, double z) noexcept
+{
+  Footprint<N> foot;
+  const double position[3] = { x, y, z };
+  for (int a = 0; a < 3; ++a)
+  {
+    foot.First[a] = LocateGaussian(view, a, position[a], N, foot.Weights[a]);
+  }
+  FieldSample sample;
+  sample.Value = Separable<T, N, true>(view.Volume, foot, &sample.Gradient);
+  return sample;
+}
+
+/** The same for any number of taps, in plain loops. */
+template <typename T>
+FieldSample WideGaussianGradient(const FieldView& view, double x, double y, double z) noexcept
+{
+  constexpr int most = GradientKernel::MaximumTaps;
+  const int taps = view.Kernel.Taps;
+  const double position[3] = { x, y, z };
+  alignas(32) double weights[3][2 * most];
+  std::int64_t offset[3][most];
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::int64_t first = LocateGaussian(view, a, position[a], taps, weights[a]);
+    for (int i = 0; i < taps; ++i)
+    {
+      offset[a][i] = ClampedOffset(view.Volume, a, first + i);
+    }
+  }
+  FieldSample sample;
+  for (int k = 0; k < taps; ++k)
+  {
+    double planeValue = 0.0;
+    double planeX = 0.0;
+    double planeY = 0.0;
+    for (int j = 0; j < taps; ++j)
+    {
+      const T* const from = static_cast<const T*>(view.Volume.Data) + offset[2][k] + offset[1][j];
+      double rowValue = 0.0;
+      double rowX = 0.0;
+      for (int i = 0; i < taps; ++i)
+      {
+        const bool counts = weights[0][i] != 0.0 && weights[1][j] != 0.0 && weights[2][k] != 0.0;
+        const double tap = counts ? static_cast<double>(from[offset[0][i]]) : 0.0;
+        rowValue += weights[0][i] * tap;
+        rowX += weights[0][taps + i] * tap;
+      }
+      planeValue += weights[1][j] * rowValue;
+      planeX += weights[1][j] * rowX;
+      planeY += weights[1][taps + j] * rowValue;
+    }
+    sample.Value += weights[2][k] * planeValue;
+    sample.Gradient.X += weights[2][k] * planeX;
+    sample.Gradient.Y += weights[2][k] * planeY;
+    sample.Gradient.Z += weights[2][taps + k] * planeValue;
+  }
+  return sample;
+}
+
+template <typename T>
+FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
+{
+  switch (estimator)
+  {
+    case GradientEstimator::CentralDifference:
+      return { TrilinearValue<T>, TrilinearPair<T>, CentralDifference<T> };
+    case GradientEstimator::CubicBSpline:
+      return { SplineValue<T>, SplinePair<T>, SplineGradient<T> };
+    case GradientEstimator::Gaussian:
+      break;
+  }
+  switch (taps)
+  {
+    case 4:
+      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 4> };
+    case 6:
+      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 6> };
+    case 8:
+      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 8> };
+    default:
+      return { TrilinearValue<T>, TrilinearPair<T>, WideGaussianGradient<T> };
+  }
+}
+
+/** The functions of this translation unit's instruction set. */
+FieldFunctions SelectFieldFunctions(const VolumeView& view, GradientEstimator estimator, int taps)
+{
+  switch (view.Type)
+  {
+    case ScalarType::Int8:
+      return FunctionsFor<std::int8_t>(estimator, taps);
+    case ScalarType::UInt8:
+      return FunctionsFor<std::uint8_t>(estimator, taps);
+    case ScalarType::Int16:
+      return FunctionsFor<std::int16_t>(estimator, taps);
+    case ScalarType::UInt16:
+      return FunctionsFor<std::uint16_t>(estimator, taps);
+    case ScalarType::Int32:
+      return FunctionsFor<std::int32_t>(estimator, taps);
+    case ScalarType::UInt32:
+      return FunctionsFor<std::uint32_t>(estimator, taps);
+    case ScalarType::Int64:
+      return FunctionsFor<std::int64_t>(estimator, taps);
+    case ScalarType::UInt64:
+      return FunctionsFor<std::uint64_t>(estimator, taps);
+    case ScalarType::Float32:
+      return FunctionsFor<float>(estimator, taps);
+    case ScalarType::Float64:
+      break;
+  }
+  return FunctionsFor<double>(estimator, taps);
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

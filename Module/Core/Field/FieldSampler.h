@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Values and gradients of a volume at continuous positions.
+ *
+ * The kernels are compiled once per instruction set, each in a translation unit of its own, and
+ * chosen at run time: code around them (and VTK) stays baseline. All variants carry out the same
+ * operations in the same order, without fused multiply-add, so that a trace does not depend on the
+ * processor.
+ */
+#ifndef FieldSampler_h
+#define FieldSampler_h
+
+#include "Core/Field/GradientKernel.h"
+#include "Core/Math/Vector3.h"
+#include "Core/Field/VolumeView.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+struct FieldSample
+{
+  /** The estimator's own (smoothed) value; the gradient is its derivative with CubicBSpline and
+   * GaussianWeights::OwnDerivative, else only a measure of scale. */
+  double Value = 0.0;
+  /** Per step of the index, along the index axes. */
+  Vector3 Gradient;
+};
+
+/** What a kernel samples and with which weights; borrows both. */
+struct FieldView
+{
+  VolumeView
+    Volume; ///< with Data where the volume's first sample would be, of which it may only be a region
+  KernelView Kernel;
+  double First[3] = { 0.0, 0.0,
+    0.0 }; ///< the smallest and the largest index along each axis that are there
+  double Last[3] = { 0.0, 0.0, 0.0 };
+};
+
+/** Values on both sides of a position, which a tick always needs together. */
+struct ValuePair
+{
+  double Ahead;
+  double Behind;
+};
+
+// Positions are passed as numbers, which travel in registers.
+using ValueFunction = double (*)(const FieldView&, double x, double y, double z) noexcept;
+using PairFunction = ValuePair (*)(
+  const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
+using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
+
+/** The kernels for one scalar type and one estimator. */
+struct FieldFunctions
+{
+  ValueFunction Value = nullptr;
+  PairFunction Pair = nullptr;
+  GradientFunction Gradient = nullptr;
+};
+
+enum class InstructionSet : std::uint8_t
+{
+  Baseline,
+  AVX2
+};
+
+/** The best instruction set that was compiled in and that this processor has. */
+InstructionSet DetectInstructionSet();
+
+/** A volume and an estimator, ready to be sampled. Borrows the samples and the kernel's table. */
+class FieldSampler
+{
+public:
+  FieldSampler() = default;
+  FieldSampler(const VolumeView& view, const GradientKernel& kernel,
+    InstructionSet instructions = DetectInstructionSet());
+
+  /** V at a continuous index, clamped to the samples that are there; BorderValue where a sample is not finite. */
+  double Value(const Vector3& index) const noexcept
+  {
+    return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
+  }
+
+  /** V at index + offset and at index - offset, for less than the cost of both. */
+  ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
+  {
+    const ValuePair pair =
+      this->Functions.Pair(this->View, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+    return { this->Checked(pair.Ahead), this->Checked(pair.Behind) };
+  }
+
+  /** Value and gradient at a continuous index, which must lie inside; may be NaN. */
+  FieldSample Gradient(const Vector3& index) const noexcept
+  {
+    return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
+  }
+
+  /** Whether a continuous index lies within the bounding box of the volume's samples, there or not. */
+  bool IsInside(const Vector3& index) const noexcept
+  {
+    const double* const last = this->Border;
+    return index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 && index.X <= last[0] &&
+      index.Y <= last[1] && index.Z <= last[2];
+  }
+
+  /** How many voxels an index lies within the volume's border along the axis where it is nearest. */
+  double DistanceToBorder(const Vector3& index) const noexcept
+  {
+    const double* const last = this->Border;
+    const double x = std::min(index.X, last[0] - index.X);
+    const double y = std::min(index.Y, last[1] - index.Y);
+    const double z = std::min(index.Z, last[2] - index.Z);
+    return std::min(std::min(x, y), z);
+  }
+
+  /** The samples, as they were given. */
+  const VolumeView& GetView() const noexcept { return this->Given; }
+
+private:
+  double Checked(double value) const noexcept
+  {
+    return std::isfinite(value) ? value : this->View.Volume.BorderValue;
+  }
+
+  FieldView View;
+  VolumeView Given;
+  double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
+  FieldFunctions Functions;
+};
+
+} // namespace VolumeHaptics
+
+#endif

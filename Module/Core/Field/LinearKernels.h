@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where a position lies along an axis, and what is interpolated linearly. The rules of FieldKernels.h
+ * hold here too.
+ */
+#ifndef LinearKernels_h
+#define LinearKernels_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Math/Pack4.h"
+
+#include <type_traits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The largest whole number below a position that is not negative. */
+VOLUME_HAPTICS_INLINE double Floor(double position)
+{
+#if defined(__SSE4_1__)
+  return __builtin_floor(position); // one instruction there, a call elsewhere
+#else
+  return static_cast<double>(static_cast<std::int64_t>(position));
+#endif
+}
+
+/** The sample at or before a position along an axis, and how far behind it the position is. */
+struct Axis
+{
+  std::int64_t Cell;
+  double Fraction;
+};
+
+/** Positions outside [first, last] are clamped; first is not negative. */
+VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
+{
+  const double inside = position > first ? (position < last ? position : last) : first;
+  const double cell = Floor(inside);
+  return { static_cast<std::int64_t>(cell), inside - cell };
+}
+
+/** The same with a sample behind the cell: the last sample is the end of the cell before it. */
+VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last)
+{
+  const double inside = position > first ? (position < last ? position : last) : first;
+  const double whole = Floor(inside);
+  const double cell = whole < last ? whole : last - 1.0;
+  return { static_cast<std::int64_t>(cell), inside - cell };
+}
+
+template <typename T>
+VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y, double z)
+{
+  const Axis ax = LocateCell(x, view.First[0], view.Last[0]);
+  const Axis ay = LocateCell(y, view.First[1], view.Last[1]);
+  const Axis az = LocateCell(z, view.First[2], view.Last[2]);
+  const std::int64_t sx = view.Volume.Stride[0];
+  const std::int64_t sy = view.Volume.Stride[1];
+  const std::int64_t sz = view.Volume.Stride[2];
+  const T* const p =
+    static_cast<const T*>(view.Volume.Data) + ax.Cell * sx + ay.Cell * sy + az.Cell * sz;
+  // Both samples along x of both lines of a plane.
+  const auto plane = [&](const T* q)
+  {
+    if (sx == 1)
+    {
+      return LoadPairs(q, q + sy);
+    }
+    const T taps[4] = { q[0], q[sx], q[sy], q[sy + sx] };
+    return LoadPack4(taps);
+  };
+  const Pack4 near = plane(p);
+  const Pack4 lines = near + az.Fraction * (plane(p + sz) - near);
+  const double a = lines[0] + ay.Fraction * (lines[2] - lines[0]);
+  const double b = lines[1] + ay.Fraction * (lines[3] - lines[1]);
+  const double value = a + ax.Fraction * (b - a);
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    if (!IsNumber(value))
+    {
+      // A sample that is not a number but has no weight does not count.
+      const double wx[2] = { 1.0 - ax.Fraction, ax.Fraction };
+      const double wy[2] = { 1.0 - ay.Fraction, ay.Fraction };
+      const double wz[2] = { 1.0 - az.Fraction, az.Fraction };
+      double sum = 0.0;
+      for (int i = 0; i < 8; ++i)
+      {
+        const double weight = wx[i & 1] * wy[(i >> 1) & 1] * wz[i >> 2];
+        const T tap = p[(i & 1) * sx + ((i >> 1) & 1) * sy + (i >> 2) * sz];
+        sum += weight == 0.0 ? 0.0 : weight * static_cast<double>(tap);
+      }
+      return sum;
+    }
+  }
+  return value;
+}
+
+template <typename T>
+double TrilinearValue(const FieldView& view, double x, double y, double z) noexcept
+{
+  return Trilinear<T>(view, x, y, z);
+}
+
+template <typename T>
+ValuePair TrilinearPair(
+  const FieldView& view, double x, double y, double z, double dx, double dy, double dz) noexcept
+{
+  return { Trilinear<T>(view, x + dx, y + dy, z + dz), Trilinear<T>(view, x - dx, y - dy, z - dz) };
+}
+
+template <typename T>
+FieldSample CentralDifference(const FieldView& view, double x, double y, double z) noexcept
+{
+  const double r = view.Kernel.Radius;
+  const double scale = 0.5 / r;
+  const double x0 = Trilinear<T>(view, x - r, y, z);
+  const double x1 = Trilinear<T>(view, x + r, y, z);
+  const double y0 = Trilinear<T>(view, x, y - r, z);
+  const double y1 = Trilinear<T>(view, x, y + r, z);
+  const double z0 = Trilinear<T>(view, x, y, z - r);
+  const double z1 = Trilinear<T>(view, x, y, z + r);
+  return { (x0 + x1 + y0 + y1 + z0 + z1) / 6.0,
+    Vector3{ scale * (x1 - x0), scale * (y1 - y0), scale * (z1 - z0) } };
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

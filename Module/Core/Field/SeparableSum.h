@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The sum over N^3 taps of a separable kernel. The rules of FieldKernels.h hold here too.
+ */
+#ifndef SeparableSum_h
+#define SeparableSum_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Math/Pack4.h"
+
+#include <type_traits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Weights of N taps along each axis, and where the first taps stand. */
+template <int N>
+struct Footprint
+{
+  /** N smoothing weights, then N derivative weights. */
+  alignas(32) double Weights[3][2 * N];
+  std::int64_t First[3];
+};
+
+/**
+ * Two rows of N samples, N even: whole packs of each, and one pack of what is left over of both.
+ * The leftover of a sum of rows holds two partial sums.
+ */
+template <int N>
+struct RowPair
+{
+  static constexpr int Whole = N / 4;
+  static constexpr bool HasRest = N % 4 != 0;
+  Pack4 Even[Whole];
+  Pack4 Odd[Whole];
+  Pack4 Rest;
+};
+
+template <int N>
+struct RowSum
+{
+  Pack4 Whole[N / 4] = {};
+  Pack4 Rest = {};
+};
+
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& rows)
+{
+  constexpr int whole = RowPair<N>::Whole;
+  for (int p = 0; p < whole; ++p)
+  {
+    rows.Even[p] = LoadPack4(even + 4 * p);
+    rows.Odd[p] = LoadPack4(odd + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    rows.Rest = LoadPairs(even + 4 * whole, odd + 4 * whole);
+  }
+}
+
+/** sum += weights[0] even row + weights[1] odd row. */
+template <int N>
+VOLUME_HAPTICS_INLINE void AddRows(
+  const RowPair<N>& rows, const double* weights, bool isFirst, RowSum<N>& sum)
+{
+  for (int p = 0; p < RowPair<N>::Whole; ++p)
+  {
+    const Pack4 both = weights[0] * rows.Even[p] + weights[1] * rows.Odd[p];
+    sum.Whole[p] = isFirst ? both : sum.Whole[p] + both;
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    const Pack4 each = { weights[0], weights[0], weights[1], weights[1] };
+    sum.Rest = isFirst ? each * rows.Rest : sum.Rest + each * rows.Rest;
+  }
+}
+
+/** sum += weight * other. */
+template <int N>
+VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, double weight, RowSum<N>& sum)
+{
+  for (int p = 0; p < RowPair<N>::Whole; ++p)
+  {
+    sum.Whole[p] = sum.Whole[p] + weight * other.Whole[p];
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    sum.Rest = sum.Rest + weight * other.Rest;
+  }
+}
+
+template <int N>
+VOLUME_HAPTICS_INLINE double DotRow(const RowSum<N>& sum, const double* weights)
+{
+  Pack4 products = sum.Whole[0] * LoadPack4(weights);
+  for (int p = 1; p < RowPair<N>::Whole; ++p)
+  {
+    products = products + sum.Whole[p] * LoadPack4(weights + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    const double a = weights[N - 2];
+    const double b = weights[N - 1];
+    products = products + sum.Rest * Pack4{ a, b, a, b };
+  }
+  return (products[0] + products[2]) + (products[1] + products[3]);
+}
+
+/**
+ * The sum over the N^3 taps behind `corner`, and, where wanted, the gradient's. Rows lie along x:
+ * they are combined over y and z first, as packs, and weighted along x last.
+ */
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
+  const Footprint<N>& foot, Vector3* gradient)
+{
+  RowSum<N> sum;
+  RowSum<N> sumY;
+  RowSum<N> sumZ;
+  for (int k = 0; k < N; ++k)
+  {
+    RowSum<N> smooth;
+    RowSum<N> slope;
+    const T* const from = corner + k * plane;
+#pragma GCC unroll 8
+    for (int j = 0; j < N; j += 2)
+    {
+      RowPair<N> rows;
+      LoadRows<T, N>(from + j * line, from + (j + 1) * line, rows);
+      AddRows<N>(rows, foot.Weights[1] + j, j == 0, smooth);
+      if constexpr (WithGradient)
+      {
+        AddRows<N>(rows, foot.Weights[1] + N + j, j == 0, slope);
+      }
+    }
+    AddScaled<N>(smooth, foot.Weights[2][k], sum);
+    if constexpr (WithGradient)
+    {
+      AddScaled<N>(slope, foot.Weights[2][k], sumY);
+      AddScaled<N>(smooth, foot.Weights[2][N + k], sumZ);
+    }
+  }
+  if constexpr (WithGradient)
+  {
+    gradient->X = DotRow<N>(sum, foot.Weights[0] + N);
+    gradient->Y = DotRow<N>(sumY, foot.Weights[0]);
+    gradient->Z = DotRow<N>(sumZ, foot.Weights[0]);
+  }
+  return DotRow<N>(sum, foot.Weights[0]);
+}
+
+/** Offset of a tap along an axis; taps beyond the samples that are there replicate the last one. */
+VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axis, std::int64_t tap)
+{
+  // Not VolumeView's own functions: see FieldKernels.h.
+  const std::int64_t least = view.First[axis];
+  const std::int64_t last = least + view.Dimensions[axis] - 1;
+  return (tap < least ? least : (tap < last ? tap : last)) * view.Stride[axis];
+}
+
+/**
+ * The sum over a copy of the taps: at the border, where those beyond it replicate it; between other
+ * components; and around samples that are not numbers, which count only where they have a weight.
+ */
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_OUTLINE double SumCopy(
+  const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
+{
+  std::int64_t offset[3][N];
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int i = 0; i < N; ++i)
+    {
+      offset[a][i] = ClampedOffset(view, a, foot.First[a] + i);
+    }
+  }
+  T block[N * N * N];
+  T* to = block;
+  for (int k = 0; k < N; ++k)
+  {
+    for (int j = 0; j < N; ++j)
+    {
+      const T* const from = static_cast<const T*>(view.Data) + offset[2][k] + offset[1][j];
+      const bool counts = foot.Weights[2][k] != 0.0 && foot.Weights[1][j] != 0.0;
+      for (int i = 0; i < N; ++i)
+      {
+        *to++ = counts && foot.Weights[0][i] != 0.0 ? from[offset[0][i]] : T(0);
+      }
+    }
+  }
+  return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
+}
+
+/** More rows than the processor sees ahead of the sum: cold, they are to be on their way all at once. */
+template <typename T>
+VOLUME_HAPTICS_INLINE void PrefetchRows(
+  const T* corner, int count, std::int64_t line, std::int64_t plane)
+{
+  for (int k = 0; k < count; ++k)
+  {
+    for (int j = 0; j < count; ++j)
+    {
+      VOLUME_HAPTICS_PREFETCH(corner + k * plane + j * line);
+    }
+  }
+}
+
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_INLINE double Separable(
+  const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
+{
+  const std::int64_t* const n = view.Dimensions;
+  const std::int64_t* const stride = view.Stride;
+  const std::int64_t* const first = foot.First;
+  const auto fits = [&](int a)
+  { return first[a] >= view.First[a] && first[a] + N <= view.First[a] + n[a]; };
+  if (stride[0] == 1 && fits(0) && fits(1) && fits(2))
+  {
+    const T* const corner =
+      static_cast<const T*>(view.Data) + first[0] + first[1] * stride[1] + first[2] * stride[2];
+    if constexpr (N > 4)
+    {
+      PrefetchRows(corner, N, stride[1], stride[2]);
+    }
+    const double value = SumBlock<T, N, WithGradient>(corner, stride[1], stride[2], foot, gradient);
+    if (!std::is_floating_point_v<T> || IsNumber(value))
+    {
+      return value;
+    }
+  }
+  return SumCopy<T, N, WithGradient>(view, foot, gradient);
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

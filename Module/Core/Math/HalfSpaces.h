@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The nearest point that some half-spaces allow: where a proxy would go that touches several faces at once.
+ */
+#ifndef HalfSpaces_h
+#define HalfSpaces_h
+
+#include "Core/Math/Vector3.h"
+
+#include <array>
+
+namespace VolumeHaptics
+{
+
+/** The points y with normal . y >= bound. */
+struct HalfSpace
+{
+  Vector3 Normal; ///< unit
+  double Bound;
+};
+
+/** A few half-spaces, of those that were met on the way. */
+class HalfSpaces
+{
+public:
+  static constexpr int Most = 16;
+
+  void Clear() noexcept { this->Count = 0; }
+  int GetCount() const noexcept { return this->Count; }
+
+  /** Leaves out what another one implies all but exactly, and what does not fit in. */
+  void Add(const HalfSpace& space) noexcept;
+
+  /**
+   * The point of all half-spaces that is nearest to a goal, by an active set of three at most. `fallback`
+   * where there is none.
+   */
+  Vector3 Nearest(const Vector3& goal, const Vector3& fallback) const noexcept;
+
+private:
+  std::array<HalfSpace, Most> Spaces;
+  int Count = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Triangles in the world, and which of them are near: an immutable tree of boxes.
+ *
+ * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. They take what
+ * they look at from a budget of boxes, and return false where that does not do.
+ */
+#ifndef SurfaceMesh_h
+#define SurfaceMesh_h
+
+#include "Core/Math/SweptSphere.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class SurfaceMesh
+{
+public:
+  using Indices = std::array<std::int32_t, 3>;
+
+  /**
+   * Triangles of indices into points (world units), and unit normals of the points, for shading; or none.
+   * Triangles without an area, or with a corner that is not finite, are left out.
+   */
+  SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
+    std::vector<Vector3> normals);
+
+  std::int64_t GetNumberOfTriangles() const noexcept
+  {
+    return static_cast<std::int64_t>(this->Triangles.size());
+  }
+  bool HasNormals() const noexcept { return !this->Normals.empty(); }
+  std::size_t GetMemorySize() const noexcept;
+
+  Triangle GetTriangle(std::int32_t i) const noexcept
+  {
+    const Indices& corners = this->Triangles[i];
+    return { { this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]] } };
+  }
+  /** The interpolated normal at a point of a triangle, not quite of unit length. */
+  Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
+
+  /** The most boxes that a query takes for the surroundings of some hundred triangles, from all over the mesh. */
+  int EstimateVisits(double distance) const noexcept;
+
+  /** Calls visit(i) for all triangles of which the boxes are within a distance of a position. */
+  template <typename Visitor>
+  bool VisitNear(
+    const Vector3& position, double distance, int& budget, Visitor&& visit) const noexcept
+  {
+    const double center[3] = { position.X, position.Y, position.Z };
+    const auto isNear = [&](const Box& box)
+    {
+      bool is = true;
+      for (int a = 0; a < 3; ++a)
+      {
+        is = is && box.Low[a] <= center[a] + distance && box.High[a] >= center[a] - distance;
+      }
+      return is;
+    };
+    return this->Visit(isNear, budget, visit);
+  }
+
+  /**
+   * Calls visit(i) for the triangles that a sphere may meet on a way; visit returns up to which share of the way
+   * (0 to 1) others are still of interest.
+   */
+  template <typename Visitor>
+  bool VisitAlong(const Vector3& start, const Vector3& way, double radius, int& budget,
+    Visitor&& visit) const noexcept
+  {
+    const double from[3] = { start.X, start.Y, start.Z };
+    const double inverse[3] = { 1.0 / way.X, 1.0 / way.Y, 1.0 / way.Z };
+    double last = 1.0;
+    const auto isOnTheWay = [&](const Box& box)
+    {
+      double enter = 0.0;
+      double leave = last;
+      for (int a = 0; a < 3; ++a)
+      {
+        const double low = box.Low[a] - radius - from[a];
+        const double high = box.High[a] + radius - from[a];
+        if (std::isinf(inverse[a]))
+        {
+          leave = low <= 0.0 && high >= 0.0 ? leave : -1.0;
+          continue;
+        }
+        const double t0 = low * inverse[a];
+        const double t1 = high * inverse[a];
+        enter = std::max(enter, std::min(t0, t1));
+        leave = std::min(leave, std::max(t0, t1));
+      }
+      return enter <= leave;
+    };
+    return this->Visit(isOnTheWay, budget, [&](std::int32_t i) { last = visit(i); });
+  }
+
+private:
+  /** Rounded outward. */
+  struct Box
+  {
+    float Low[3];
+    float High[3];
+  };
+  struct Node
+  {
+    Box Bounds;
+    std::int32_t First; ///< triangle of a leaf; else the child beside which the other stands
+    std::int32_t Count; ///< triangles of a leaf; else 0
+  };
+
+  static constexpr int LeafSize = 4;
+  /** Halved as it is, a tree of 2^31 triangles is not deeper. */
+  static constexpr int Deepest = 64;
+
+  void Build();
+  Box MakeBox(std::int32_t first, std::int32_t count) const;
+  static Box MakeBox(const Triangle& triangle);
+
+  template <typename Filter, typename Visitor>
+  bool Visit(Filter&& filter, int& budget, Visitor&& visit) const noexcept
+  {
+    std::int32_t waiting[Deepest];
+    int count = 0;
+    if (!this->Nodes.empty())
+    {
+      waiting[count++] = 0;
+    }
+    while (count > 0)
+    {
+      const Node& node = this->Nodes[waiting[--count]];
+      budget -= 1 + node.Count;
+      if (budget < 0)
+      {
+        return false;
+      }
+      if (!filter(node.Bounds))
+      {
+        continue;
+      }
+      if (node.Count == 0)
+      {
+        waiting[count++] = node.First + 1;
+        waiting[count++] = node.First;
+      }
+      for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
+      {
+        if (filter(this->Boxes[i]))
+        {
+          visit(i);
+        }
+      }
+    }
+    return true;
+  }
+
+  std::vector<Vector3> Points;
+  std::vector<Vector3> Normals;
+  std::vector<Indices> Triangles; ///< in the order of the leaves
+  std::vector<Box> Boxes;         ///< of the triangles
+  std::vector<Node> Nodes;
+};
+
+} // namespace VolumeHaptics
+
+#endif

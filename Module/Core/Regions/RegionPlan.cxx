@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Regions/RegionPlan.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** World units; longer lengths are this long. */
+constexpr double Longest = 1e12;
+/** A region of fewer samples along an axis is of no use, where the volume has more. */
+constexpr double LeastWidth = 16.0;
+constexpr int MostHalvings = 60;
+constexpr double LeastRoom = 0.5;
+constexpr double RisingShare = 0.5;
+constexpr double FallingShare = 0.1;
+
+double Length(double value) noexcept
+{
+  // False for NaN.
+  return value > 0.0 ? std::min(value, Longest) : 0.0;
+}
+
+struct Cube
+{
+  double Centre[3];  // index
+  double PerUnit[3]; // index steps
+};
+
+/** Round a place (world) or, where that is not finite, the middle of the volume. */
+Cube FindCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
+{
+  const Vector3 at = inverse * (centre - whole.IndexToWorld.Offset);
+  const double place[3] = { at.X, at.Y, at.Z };
+  Cube cube;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double first = whole.Extent[2 * a];
+    const double last = whole.Extent[2 * a + 1];
+    const double steps = Norm(inverse.Row[a]);
+    cube.Centre[a] =
+      std::isfinite(place[a]) ? std::clamp(place[a], first, last) : 0.5 * (first + last);
+    cube.PerUnit[a] = std::isfinite(steps) ? std::min(steps, Longest) : 1.0;
+  }
+  return cube;
+}
+
+double CountVoxels(const int extent[6]) noexcept
+{
+  const auto count = [&](int a) { return double{ extent[2 * a + 1] + 1.0 } - extent[2 * a]; };
+  return count(0) * count(1) * count(2);
+}
+
+/**
+ * The part of a volume within a half-width (world units), by indices; never empty. How many voxels
+ * it has.
+ */
+double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int region[6]) noexcept
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    const double first = whole.Extent[2 * a];
+    const double last = whole.Extent[2 * a + 1];
+    const double half = std::max(halfWidth * cube.PerUnit[a], 0.5 * LeastWidth - 1.0);
+    const double low = std::clamp(std::floor(cube.Centre[a] - half), first, last);
+    const double high = std::clamp(std::ceil(cube.Centre[a] + half), first, last);
+    region[2 * a] = static_cast<int>(low);
+    region[2 * a + 1] = static_cast<int>(high);
+  }
+  return CountVoxels(region);
+}
+
+bool IsEmpty(const int extent[6]) noexcept
+{
+  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
+}
+
+/** How far (world units) a place is from where a region ends and the volume goes on. */
+double FindRoom(const WholeGeometry& whole, const Cube& cube, const int region[6]) noexcept
+{
+  double room = Longest;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double perUnit = std::max(cube.PerUnit[a], 1.0 / Longest);
+    if (region[2 * a] > whole.Extent[2 * a])
+    {
+      room = std::min(room, (cube.Centre[a] - region[2 * a]) / perUnit);
+    }
+    if (region[2 * a + 1] < whole.Extent[2 * a + 1])
+    {
+      room = std::min(room, (region[2 * a + 1] - cube.Centre[a]) / perUnit);
+    }
+  }
+  return room;
+}
+
+} // namespace
+
+double FindHalfWidth(const RegionNeeds& needs) noexcept
+{
+  return Length(needs.MaximumSpeed) * std::min(Length(needs.Latency), MostLatency) +
+    Length(needs.SpringLength) + Length(needs.Reach) + Length(needs.Band);
+}
+
+bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
+  const Vector3& velocity, const int resident[6], int wanted[6]) noexcept
+{
+  std::copy(whole.Extent, whole.Extent + 6, wanted);
+  if (IsEmpty(whole.Extent))
+  {
+    return false;
+  }
+  const Matrix3 inverse = Inverse(whole.IndexToWorld.Linear);
+  const double speed = Norm(velocity);
+  const double needed = Length(needs.SpringLength) + Length(needs.Reach) + Length(needs.Band);
+  const auto place = [&](double halfWidth)
+  {
+    const double time = std::min(Length(needs.Latency), MostLatency);
+    const double way = std::min(speed, Length(needs.MaximumSpeed)) * time;
+    const double ahead = std::min(way, std::max(halfWidth - needed, 0.0));
+    // A speed that is not finite is none.
+    const Vector3 shift = std::isfinite(speed) && speed > 0.0 ? (ahead / speed) * velocity : Vector3{};
+    return FindCube(whole, inverse, tip + shift);
+  };
+  const double limit = needs.MostVoxels > LeastVoxels ? needs.MostVoxels : LeastVoxels;
+  double half = FindHalfWidth(needs);
+  const bool isWhole = CountVoxels(whole.Extent) <= limit;
+  if (!isWhole && Cut(whole, place(half), half, wanted) > limit)
+  {
+    double low = 0.0;
+    double high = half;
+    for (int i = 0; i < MostHalvings; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      (Cut(whole, place(middle), middle, wanted) > limit ? high : low) = middle;
+    }
+    half = low;
+    Cut(whole, place(half), half, wanted);
+  }
+  if (!resident || IsEmpty(resident))
+  {
+    return true;
+  }
+  const Cube cube = place(half);
+  const bool isSame = std::equal(wanted, wanted + 6, resident);
+  const double now = FindRoom(whole, cube, resident) - needed;
+  const double then = FindRoom(whole, cube, wanted) - needed;
+  // Where a cut region has no room at all, the one with more of it still is the better.
+  const double enough = then > 0.0 ? LeastRoom * then : then - 0.5 * needed;
+  return !isSame && now < enough;
+}
+
+double SmoothLatency(double latency, double measured) noexcept
+{
+  if (!(measured >= 0.0) || !std::isfinite(measured))
+  {
+    return latency;
+  }
+  const double sample = std::min(measured, MostLatency);
+  const double share = sample > latency ? RisingShare : FallingShare;
+  return latency + share * (sample - latency);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Regions/Residency.h"
+
+#include "Core/Solvers/LocalSurface/LocalSurface.h"
+#include "Core/Solvers/ServoState.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The diagonal of a cube. */
+constexpr double Diagonal = 1.7320508075688772;
+
+/**
+ * How many index steps a way of length 1, in the space that a matrix begins in, is along each axis
+ * at most.
+ */
+Vector3 StepsPerLength(const Matrix3& toIndex) noexcept
+{
+  return { Norm(toIndex.Row[0]), Norm(toIndex.Row[1]), Norm(toIndex.Row[2]) };
+}
+
+/** How far (world units) a local surface is looked for around a place, without what is ahead. */
+double LocalDistance(const HapticModel& model) noexcept
+{
+  return Diagonal * LocalReach * LargestColumn(model.IndexToWorld.Linear);
+}
+
+} // namespace
+
+Vector3 FindReadReach(const HapticModel& model) noexcept
+{
+  const HapticSettings& settings = model.Settings;
+  const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
+  const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * perMeter;
+  const double radius = model.Kernel.Radius;
+  const Vector3 spare{ ResidencySpare, ResidencySpare, ResidencySpare };
+  const Vector3 kernel = Vector3{ radius, radius, radius } + spare;
+  if (settings.Method == HapticMethod::SurfaceProxy)
+  {
+    return settings.ProxyRadius * perUnit + spare;
+  }
+  if (settings.Method == HapticMethod::LocalSurface)
+  {
+    const double bend = radius * LargestColumn(model.IndexToWorld.Linear);
+    return (LocalDistance(model) + bend) * perUnit + kernel;
+  }
+  return Most(model.KernelLength * perMeter + spare, kernel);
+}
+
+double FindResidency(const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
+{
+  const HapticSettings& settings = model.Settings;
+  const bool readsMesh = settings.Method == HapticMethod::SurfaceProxy && !settings.HasIsoSurface;
+  // A tip that is nowhere is the tick's to judge.
+  if (model.Resident.IsWhole() || readsMesh || !IsFinite(tip))
+  {
+    return 1.0;
+  }
+  const Vector3 at = model.DeviceToIndex(tip);
+  Vector3 low = at;
+  Vector3 high = at;
+  Vector3 margin = FindReadReach(model);
+  const auto include = [&](const Vector3& index)
+  {
+    low = Least(low, index);
+    high = Most(high, index);
+  };
+  if (state.Enabled && settings.Method != HapticMethod::ForceField)
+  {
+    include(model.DeviceToIndex(state.Proxy));
+    include(model.DeviceToIndex(state.PreviousTip));
+    if (settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Precise)
+    {
+      include(model.DeviceToIndex(state.Precise.ReachedTip));
+    }
+    if (settings.Method == HapticMethod::LocalSurface)
+    {
+      const LocalQuestion& asked = state.Local.Asked;
+      include(model.DeviceToIndex(model.WorldToDevice(asked.Where)));
+      const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
+      // The nearest place of a surface that is met ahead may lie on any side.
+      const double most = LocalReachAhead * LargestColumn(model.IndexToWorld.Linear);
+      const double ahead = std::fmin(Norm(asked.Ahead), most) - LocalDistance(model);
+      margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * perMeter;
+    }
+  }
+  return model.Resident.Find(low, high, margin);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The narrow interface between the servo and a haptic device.
+ *
+ * A back end knows nothing of volumes, solvers or VTK: it says where the tip is and takes a force.
+ * Positions and forces are in the device's space: metres, newtons, a right-handed frame of the
+ * device's own. Vendor libraries are added by deriving from this class.
+ */
+#ifndef DeviceBackend_h
+#define DeviceBackend_h
+
+#include "Core/Model/ForceCaps.h"
+#include "Core/Math/Vector3.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** What a device can stand. */
+struct DeviceLimits
+{
+  double MaximumForce = 0.0;     ///< N
+  double MaximumStiffness = 0.0; ///< N/m; 0 where the device does not limit it
+  double MaximumDamping = 0.0;   ///< N s/m; 0 where the device does not limit it
+  double MaximumSpeed = 0.0;     ///< m/s, above which the hand has lost the stylus; 0 for no limit
+  double Damping = 0.0;          ///< N s/m, the device's own friction b; 0 where it is not known
+  double WorkspaceRadius = 0.0;  ///< m
+};
+
+/**
+ * What a device can hold at a tick period (s): its own limits, and a stiffness of 2 b / period, above
+ * which a sampled spring feeds energy in.
+ */
+inline ForceCaps CapsOf(const DeviceLimits& limits, double period) noexcept
+{
+  const double sampled = 2.0 * limits.Damping / period;
+  return { TighterCap(limits.MaximumStiffness, sampled), limits.MaximumDamping };
+}
+
+/** What a device reports in a tick. */
+struct DeviceSample
+{
+  Vector3 Tip;               ///< m
+  std::uint32_t Buttons = 0; ///< bit 0 is the main one
+  bool Fresh = false;        ///< measured since the last Read
+  bool Begins = false;       ///< the stylus is taken up here; where it was before means nothing
+  Vector3 Turn; ///< rad/s: how fast the hand asks the view to turn; zero for most devices
+};
+
+enum class DeviceState : std::uint8_t
+{
+  Running,  ///< reads and writes go through
+  NotReady, ///< not homed or not loaded yet: no position, and arming has no effect
+  Finished, ///< there is nothing more to come, such as at the end of a replay
+  Lost      ///< unplugged or broken; the back end has to be opened again
+};
+
+/** How far a device is from taking forces. */
+enum class DeviceStage : std::uint8_t
+{
+  Firmware, ///< its firmware is being loaded
+  Homing,   ///< its encoders wait for the hand
+  Ready,
+  Lost ///< unplugged or broken
+};
+
+/** Where a device stands, for people. */
+struct DeviceCondition
+{
+  DeviceStage Stage = DeviceStage::Ready;
+  std::array<char, 320>
+    Text{}; ///< what is asked of the hand, or what is wrong and the cure; may be empty
+};
+
+class DeviceBackend
+{
+public:
+  DeviceBackend() = default;
+  virtual ~DeviceBackend() = default;
+  DeviceBackend(const DeviceBackend&) = delete;
+  DeviceBackend& operator=(const DeviceBackend&) = delete;
+
+  ///@{
+  /**
+   * Outside the servo loop. Open returns false, with the reason and the cure, where the device
+   * can't be had; Close sends zero force first. A device that has to be homed opens at once, and
+   * is NotReady until it is.
+   */
+  virtual bool Open(std::string& error) = 0;
+  virtual void Close() = 0;
+  virtual std::string GetName() const = 0;
+  virtual DeviceLimits GetLimits() const = 0;
+  /** At any time, from the owner's thread. */
+  virtual DeviceCondition GetCondition() { return {}; }
+  /** Look for the zero of the encoders again, as after they lost it: NotReady until then. */
+  virtual void Home() noexcept {}
+  /** Bits of what the device can light up; below zero (the default) it shows its own condition. */
+  virtual void SetLights(int) noexcept {}
+  ///@}
+
+  ///@{
+  /**
+   * Once a tick each, in the servo loop: no lock, no allocation, no exception, and no wait beyond a
+   * fraction of the period. Read comes first.
+   */
+  virtual DeviceState Read(double period, DeviceSample& sample) noexcept = 0;
+  virtual DeviceState Write(const Vector3& force) noexcept = 0;
+  ///@}
+
+  /**
+   * From any thread, when the servo thread does not answer: no force from now on until Write is
+   * called again.
+   */
+  virtual void Quench() noexcept = 0;
+  /** From any thread, after Quench: whether the device has been told. */
+  virtual bool IsAtRest() const noexcept { return true; }
+};
+
+} // namespace VolumeHaptics
+
+#endif

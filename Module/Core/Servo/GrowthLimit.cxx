@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Servo/GrowthLimit.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Paid / Work is never taken for less by (2): from zero the force could not come back. */
+constexpr double LeastPaid = 1.0 / 64.0;
+
+} // namespace
+
+void GrowthLimit::BeginContact() noexcept
+{
+  this->LeastShare = this->MostShare = 1.0;
+  this->Work = 0.0;
+  this->Unpaid = 0.0;
+  this->Return = 0.0;
+}
+
+void GrowthLimit::Reset() noexcept
+{
+  this->BeginContact();
+  this->Source = {};
+  this->Sent = {};
+  this->HasTip = false;
+}
+
+void GrowthLimit::Override(const Vector3& force) noexcept
+{
+  this->Reset();
+  this->Sent = force;
+}
+
+void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double recoverable) noexcept
+{
+  const bool turned = Dot(source, this->Source) <= 0.0;
+  const bool touched = Dot(this->Source, this->Source) > 0.0;
+  if (turned && touched)
+  {
+    this->BeginContact();
+  }
+  else if (this->HasTip)
+  {
+    // The mean of both ends is exact for springs.
+    const double work = -0.5 * Dot(this->Source + source, tip - this->Tip);
+    this->Return = IsIdentical(tip, this->Tip) ? this->Return : std::max(0.0, -work);
+    this->Work += work;
+    this->Unpaid += (1.0 - (work > 0.0 ? this->LeastShare : this->MostShare)) * work;
+    if (recoverable >= 0.0 && this->Work > recoverable)
+    {
+      this->Unpaid *= recoverable / this->Work;
+      this->Work = recoverable;
+    }
+    if (!(this->Work > 0.0))
+    {
+      // The hand has got back all that it could put in: what else comes is the wanted force's own.
+      this->Work = 0.0;
+      this->Unpaid = 0.0;
+    }
+    this->Unpaid = std::max(this->Unpaid, 0.0);
+  }
+}
+
+double GrowthLimit::FindMostShare() const noexcept
+{
+  if (!(this->Unpaid > 0.0))
+  {
+    return 1.0;
+  }
+  const double paid = this->Work - this->Unpaid;
+  const double taken = std::max(paid, LeastPaid * this->Work);
+  const double share = 2.0 * taken / (this->Work + taken);
+  // A tick is a finite step along the curve, and the next one may take back as much as this one: no more than is left.
+  const bool isTooMuch = this->Return > 0.0 && share * this->Return > paid;
+  return isTooMuch ? std::max(0.0, paid) / this->Return : share;
+}
+
+Vector3 GrowthLimit::Apply(const Vector3& wanted, const Vector3& tip, double growth,
+  double recoverable, const Vector3& drag) noexcept
+{
+  const double norm = Norm(wanted);
+  if (norm > 0.0)
+  {
+    this->Account(wanted - drag, tip, recoverable);
+    const double share = this->FindMostShare();
+    const double before = std::max(0.0, Dot(this->Sent, wanted) / norm);
+    const double most = std::min(share * norm, before + growth);
+    const double sent = most < norm ? most / norm : 1.0;
+    const bool moved = !this->HasTip || !IsIdentical(tip, this->Tip);
+    this->LeastShare = moved ? sent : std::min(this->LeastShare, sent);
+    this->MostShare = moved ? sent : std::max(this->MostShare, sent);
+    this->Sent = sent < 1.0 ? sent * wanted : wanted;
+  }
+  else
+  {
+    this->BeginContact();
+    this->Sent = {};
+  }
+  this->Source = wanted - drag;
+  this->Tip = tip;
+  this->HasTip = true;
+  return this->Sent;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Servo/ModelExchange.h"
+
+#include "Core/Model/HapticModel.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+ModelExchange::ModelExchange()
+{
+  this->Kept.push_back(std::make_unique<const PublishedModel>());
+  this->Next.store(this->Kept.back().get());
+}
+
+ModelExchange::~ModelExchange() = default;
+
+std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
+{
+  auto published = std::make_unique<PublishedModel>();
+  if (model)
+  {
+    for (const HapticModel::MemoryRange& table : model->GetTables())
+    {
+      if (!published->Lock.Add(table.Begin, table.Size))
+      {
+        this->LockRefused.store(true, std::memory_order_relaxed);
+      }
+    }
+  }
+  published->Model = std::move(model);
+  published->Generation = ++this->Generation;
+  this->Kept.push_back(std::move(published));
+  this->Next.store(this->Kept.back().get());
+  this->Collect();
+  return this->Generation;
+}
+
+void ModelExchange::Collect()
+{
+  const std::uint64_t inUse = this->GetAcknowledged();
+  // After Next was written: who holds an older model by now is seen here, and who does not yet sees Next.
+  const PublishedModel* const held = this->Held.load();
+  const auto isFree = [&](const std::unique_ptr<const PublishedModel>& kept)
+  { return kept->Generation < inUse && kept.get() != held; };
+  this->Kept.erase(std::remove_if(this->Kept.begin(), this->Kept.end(), isFree), this->Kept.end());
+}
+
+const HapticModel* ModelExchange::Hold() noexcept
+{
+  const PublishedModel* latest = nullptr;
+  do
+  {
+    latest = this->Next.load();
+    this->Held.store(latest);
+  } while (this->Next.load() != latest);
+  return latest->Model.get();
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Models from the thread that publishes them to the servo and to the fitter of local surfaces.
+ *
+ * A model is published by swapping a pointer. The servo acknowledges the generation that it uses from
+ * then on; the fitter says which one it holds. Only the publishing thread frees, what neither uses.
+ */
+#ifndef ModelExchange_h
+#define ModelExchange_h
+
+#include "Core/Servo/MemoryLock.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+class HapticModel;
+
+/** What the pointer that is swapped points to. */
+struct PublishedModel
+{
+  std::shared_ptr<const HapticModel> Model;
+  std::uint64_t Generation = 0;
+  MemoryLock Lock; ///< on the model's tables
+};
+
+class ModelExchange
+{
+public:
+  ModelExchange();
+  ~ModelExchange();
+  ModelExchange(const ModelExchange&) = delete;
+  ModelExchange& operator=(const ModelExchange&) = delete;
+
+  ///@{
+  /** The publishing thread's side. */
+  std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
+  /** Frees the models that nobody uses. */
+  void Collect();
+  /** From any thread: whether the tables of a model could not be kept in memory. */
+  bool IsLockRefused() const noexcept { return this->LockRefused.load(std::memory_order_relaxed); }
+  /** The generation that the servo has seen. */
+  std::uint64_t GetAcknowledged() const noexcept
+  {
+    return this->Acknowledged.load(std::memory_order_acquire);
+  }
+  ///@}
+
+  ///@{
+  /** The servo's side: the latest model, which stays until a later one is acknowledged. */
+  const PublishedModel* GetLatest() const noexcept
+  {
+    return this->Next.load(std::memory_order_acquire);
+  }
+  void Acknowledge(std::uint64_t generation) noexcept
+  {
+    this->Acknowledged.store(generation, std::memory_order_release);
+  }
+  ///@}
+
+  ///@{
+  /** The fitter's side: the latest model, which stays until it lets go. */
+  const HapticModel* Hold() noexcept;
+  void LetGo() noexcept { this->Held.store(nullptr); }
+  ///@}
+
+private:
+  std::atomic<const PublishedModel*> Next;
+  std::atomic<std::uint64_t> Acknowledged{ 0 };
+  std::atomic<const PublishedModel*> Held{ nullptr };
+  std::atomic<bool> LockRefused{ false };
+  std::vector<std::unique_ptr<const PublishedModel>> Kept; // the publisher's, oldest first
+  std::uint64_t Generation = 0;                            // the publisher's
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The servo loop: one tick after the other at a fixed rate, on a thread of its own.
+ *
+ * What goes in and out never makes the loop wait:
+ * - a model is published by swapping a pointer (ModelExchange.h);
+ * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
+ * - the latest state leaves through a triple buffer, every state through a ring while recording;
+ * - commands (arm, disarm, fade out, stop), limits and when the owner was last heard of are single atomics.
+ *
+ * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter to
+ * the slow loop; ReadState to one reader; Drain to one recorder; everything else to the owner (the GUI
+ * thread).
+ */
+#ifndef ServoLoop_h
+#define ServoLoop_h
+
+#include "Core/Servo/DeviceBackend.h"
+#include "Core/Servo/LocalSurfaceFitter.h"
+#include "Core/Servo/MemoryLock.h"
+#include "Core/Servo/ModelExchange.h"
+#include "Core/Servo/ResidentServo.h"
+#include "Core/Servo/SafetyStage.h"
+#include "Core/Servo/ServoTick.h"
+#include "Core/Servo/TimeHistogram.h"
+#include "Core/Servo/TraceRing.h"
+#include "Core/Servo/TripleBuffer.h"
+
+#include <atomic>
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+/** Everything about one tick, for displays and recordings. */
+struct ServoSnapshot
+{
+  TickRecord Record;            ///< what the tick computed, before the safety stage
+  ServoState Before;            ///< the state that the tick started from; not enabled: f = 0
+  Vector3 Command;              ///< N, what went to the device
+  double Time = 0.0;            ///< s since the loop started
+  std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
+  std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
+  std::uint64_t Seal = 0;       ///< a checksum of the rest: see IsWhole
+  std::uint32_t Buttons = 0;
+  Vector3 Turn; ///< rad/s, see DeviceSample
+  bool Armed = false;
+  bool Stale = false;
+  bool Awaiting = false;  ///< force was held back since data were not there
+  double Residency = 1.0; ///< the share of Record.Force that went to the safety stage
+  SafetyFault Fault = SafetyFault::None;
+  DeviceState Device = DeviceState::Running;
+};
+
+/** A checksum over the numbers of a snapshot, without the seal itself. */
+std::uint64_t ComputeSeal(const ServoSnapshot& snapshot) noexcept;
+/** False where a snapshot mixes two ticks, which the hand-off must never let happen. */
+inline bool IsWhole(const ServoSnapshot& snapshot) noexcept
+{
+  return snapshot.Seal == ComputeSeal(snapshot);
+}
+
+class ServoLoop
+{
+public:
+  /** The back end must be open, and outlive the loop. */
+  ServoLoop(DeviceBackend& backend, double rate);
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
+
+  /** The worker: returns after RequestStop, with zero force sent. */
+  void Run() noexcept;
+  /** The slow worker, without which LOCAL_SURFACE finds no surface: returns after RequestStop, too. */
+  void RunFitter() noexcept { this->Fitter.Run(); }
+  void RequestStop() noexcept
+  {
+    this->StopRequested.store(true, std::memory_order_release);
+    this->Fitter.RequestStop();
+  }
+
+  /** Uses a model from the next tick on; nullptr stops touching. Returns its generation. */
+  std::uint64_t Publish(std::shared_ptr<const HapticModel> model)
+  {
+    return this->Models.Publish(std::move(model));
+  }
+  /** Frees the models that the loop no longer uses. */
+  void Collect() { this->Models.Collect(); }
+  /** The generation that the loop has seen. */
+  std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
+
+  /** No state that is yet to be read or drained is of an older generation. */
+  std::uint64_t GetWrittenGeneration() const noexcept
+  {
+    return this->WrittenGeneration.load(std::memory_order_acquire);
+  }
+
+  /** Force may flow, after a ramp; forgets a fault. Changes nothing where force flows already. */
+  void Arm() noexcept
+  {
+    this->Attend();
+    this->Command(ArmOrder::Arm);
+  }
+  /** No force from the next tick on. */
+  void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
+  /** The force goes to zero within ResidentServo::FadeTime; then as Disarm. */
+  void FadeOut() noexcept
+  {
+    // What is disarmed, or is about to be, has nothing to fade.
+    if ((this->ArmCommand.load(std::memory_order_relaxed) & 3) !=
+      static_cast<std::uint64_t>(ArmOrder::Disarm))
+    {
+      this->Command(ArmOrder::FadeOut);
+    }
+  }
+
+  ///@{
+  /**
+   * While held, no force leaves, whatever else is ordered. It goes to zero as with FadeOut, but the loop stays armed,
+   * and AttentionTime does not count. After Release, and the end of the fade, it rises as after Arm, with the proxy on
+   * the tip, if the loop is armed by then and has no fault. To be called by the owner.
+   */
+  void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
+  void Release() noexcept
+  {
+    this->Attend();
+    this->HoldWanted.store(false, std::memory_order_release);
+  }
+  /** Whether it is held and has sent zero. */
+  bool IsAtRest() const noexcept { return this->AtRest.load(std::memory_order_acquire); }
+  ///@}
+
+  /**
+   * The owner is there. Where SafetyLimits::AttentionTime is set and neither this nor Arm is called for that long
+   * while armed, the force fades out as with FadeOut, and SafetyFault::Unattended holds until Arm.
+   */
+  void Attend() noexcept;
+
+  void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
+
+  bool ReadState() noexcept { return this->Latest.Update(); }
+  const ServoSnapshot& GetState() const noexcept { return this->Latest.Read(); }
+
+  void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
+  bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
+  std::uint64_t GetLostRecords() const noexcept { return this->Trace.GetLost(); }
+
+  /** Ticks executed since the start: a heartbeat for watchdogs. */
+  std::uint64_t GetTickCount() const noexcept
+  {
+    return this->TickCount.load(std::memory_order_relaxed);
+  }
+
+  ///@{
+  /** Time keeping since the last ResetStatistics. */
+  const TimeHistogram& GetTickCost() const noexcept { return this->TickCost; }
+  const TimeHistogram& GetWakeLatency() const noexcept { return this->WakeLatency; }
+  /** Ticks in which the solver spent its budget (PreciseSolver.h). */
+  std::uint64_t GetUnfinishedTicks() const noexcept
+  {
+    return this->UnfinishedTicks.load(std::memory_order_relaxed);
+  }
+  /** Ticks whose force was held back since data were not there (Residency.h). */
+  std::uint64_t GetAbsentTicks() const noexcept
+  {
+    return this->AbsentTicks.load(std::memory_order_relaxed);
+  }
+  std::uint64_t GetMissedTicks() const noexcept
+  {
+    return this->MissedTicks.load(std::memory_order_relaxed);
+  }
+  double GetTickRate() const noexcept { return this->TickRate.load(std::memory_order_relaxed); }
+  void ResetStatistics() noexcept { this->ResetRequested.store(true, std::memory_order_release); }
+  ///@}
+
+  enum class Privilege : std::uint8_t
+  {
+    Unknown,
+    Granted,
+    Refused
+  };
+  Privilege GetRealTimePriority() const noexcept { return this->RealTimePriority.load(); }
+  /**
+   * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the loop's stack, and the
+   * tables of the models. Never locked are the samples of a volume and meshes, which may be larger than the memory, the
+   * program's code, and what a back end and its driver use.
+   */
+  Privilege GetLockedMemory() const noexcept
+  {
+    const Privilege own = this->LockedMemory.load();
+    return own == Privilege::Granted && this->Models.IsLockRefused() ? Privilege::Refused : own;
+  }
+
+private:
+  enum class ArmOrder : std::uint8_t
+  {
+    Disarm = 0,
+    Arm = 1,
+    FadeOut = 2
+  };
+  /** From any thread. */
+  void Command(ArmOrder order) noexcept
+  {
+    std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
+    while (!this->ArmCommand.compare_exchange_weak(
+      last, ((last >> 2) + 1) << 2 | static_cast<std::uint64_t>(order), std::memory_order_release))
+    {
+    }
+  }
+  void AskForRealTime(MemoryLock& lock) noexcept;
+  void FollowModel() noexcept;
+  void FollowCommands() noexcept;
+  void FollowAttention(std::int64_t now) noexcept;
+  void TickOnce(std::int64_t start, double elapsed) noexcept;
+  void CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept;
+
+  DeviceBackend& Backend;
+  const std::int64_t Period; // ns
+
+  ModelExchange Models;
+  LocalSurfaceFitter Fitter{ this->Models };
+  std::atomic<std::uint64_t> WrittenGeneration{ 0 };
+
+  std::atomic<bool> StopRequested{ false };
+  std::atomic<bool> Recording{ false };
+  std::atomic<bool> ResetRequested{ false };
+  std::atomic<bool> HoldWanted{ false };
+  std::atomic<bool> AtRest{ false };
+  std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bits an ArmOrder
+  std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
+  TripleBuffer<SafetyLimits> Limits;
+  TripleBuffer<ServoSnapshot> Latest;
+  TraceRing<ServoSnapshot> Trace;
+
+  // The servo's own.
+  const PublishedModel* Current = nullptr;
+  ServoState State;
+  ResidentServo Servo;
+  bool HasSample = false; ///< a fresh one, ever
+  SafetyStage Safety;
+  ServoSnapshot Snapshot;
+  std::uint64_t ArmCommandSeen = 0;
+  bool IsUnattended = false; ///< why it fades out
+  bool WriteLost = false;
+  std::int64_t StatisticsStart = 0;
+  std::uint64_t StatisticsTicks = 0;
+
+  TimeHistogram TickCost;
+  TimeHistogram WakeLatency;
+  std::atomic<std::uint64_t> TickCount{ 0 };
+  std::atomic<std::uint64_t> MissedTicks{ 0 };
+  std::atomic<std::uint64_t> UnfinishedTicks{ 0 };
+  std::atomic<std::uint64_t> AbsentTicks{ 0 };
+  std::atomic<double> TickRate{ 0.0 };
+  std::atomic<Privilege> RealTimePriority{ Privilege::Unknown };
+  std::atomic<Privilege> LockedMemory{ Privilege::Unknown };
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Servo/ServoTick.h"
+
+#include "Core/Solvers/ForceField/ForceField.h"
+#include "Core/Solvers/Paper/PaperSolver.h"
+#include "Core/Solvers/Precise/PreciseSolver.h"
+#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
+
+namespace VolumeHaptics
+{
+void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
+  const LocalAnswer& answer) noexcept
+{
+  // Also false for NaN.
+  const bool isSomewhere =
+    std::abs(tip.X) < FarthestTip && std::abs(tip.Y) < FarthestTip && std::abs(tip.Z) < FarthestTip;
+  if (!isSomewhere)
+  {
+    record = TickRecord{};
+    record.Tip = tip;
+    record.Proxy = state.Proxy;
+    state.Enabled = false;
+    return;
+  }
+  // What the methods below do not always write.
+  record.Tip = tip;
+  record.Force = Vector3{};
+  record.NormalForce = record.FrictionForce = record.DragForce = 0.0;
+  record.Contact = ContactState::Free;
+  record.IsUnfinished = record.IsRenewed = false;
+
+  const HapticMethod method = model.Settings.Method;
+  if (method == HapticMethod::SurfaceProxy && model.Mesh)
+  {
+    StepSurfaceProxy(model, state, record);
+  }
+  else if (method == HapticMethod::LocalSurface)
+  {
+    StepLocalSurface(model, state, record, answer);
+  }
+  else if (method == HapticMethod::Proxy && model.Settings.Solver == HapticSolver::Precise)
+  {
+    StepPrecise(model, state, record);
+  }
+  else if (method == HapticMethod::ForceField)
+  {
+    StepForceField(model, state, record);
+  }
+  else
+  {
+    StepPaper(model, state, record);
+  }
+  state.Proxy = record.Proxy;
+  state.PreviousTip = tip;
+  state.Enabled = true;
+
+  const double limit = model.Settings.MaximumForce;
+  if (limit > 0.0)
+  {
+    const double norm = Norm(record.Force);
+    record.Force = norm > limit ? (limit / norm) * record.Force : record.Force;
+  }
+}
+
+Vector3 FindDrag(
+  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
+{
+  const bool isField = model.Settings.Method == HapticMethod::ForceField;
+  if (!isField || !(record.DragForce > 0.0))
+  {
+    return {};
+  }
+  const Vector3 drag = FindFieldDamping(model, previousTip, record);
+  const double whole = Norm(FindFieldPush(model, record) + drag);
+  // The force may be clamped.
+  return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
+}
+
+void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept
+{
+  const bool isRegion = !from.Resident.IsWhole() || !to.Resident.IsWhole();
+  if (isRegion && from.BakedNumber == to.BakedNumber &&
+    IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
+  {
+    // Another part of the same: nothing has changed for what is felt.
+    return;
+  }
+  const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
+  state.Proxy = carry(state.Proxy);
+  state.Precise.ReachedTip = carry(state.Precise.ReachedTip);
+  state.Precise.Spring.DropReserve();
+  state.Precise.Stray = PreciseState::Unknown;
+  state.Precise.Gain = 1.0;
+  const HapticSettings& was = from.Settings;
+  const bool isOther = was.Method != to.Settings.Method;
+  if (isOther || was.Solver != to.Settings.Solver)
+  {
+    // Methods and solvers keep but their own state up to date.
+    state.Precise = PreciseState{};
+    state.Precise.ReachedTip = carry(state.PreviousTip);
+  }
+  if (isOther)
+  {
+    const Vector3 outside = EnterSurface(to, state.Proxy);
+    state.Proxy = to.Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
+    StartLocalSurface(to.DeviceToWorld(outside), to.DeviceToWorld(state.PreviousTip), state.Local);
+  }
+  // In another volume the level means nothing.
+  state.Precise.IsHeld = state.Precise.IsHeld && from.BakedNumber == to.BakedNumber;
+}
+
+} // namespace VolumeHaptics

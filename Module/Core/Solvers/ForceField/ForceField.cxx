@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/ForceField/ForceField.h"
+
+#include "Core/Solvers/ServoState.h"
+
+namespace VolumeHaptics
+{
+
+Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept
+{
+  return (-model.Settings.ForceFieldGain * record.GradientMagnitude) * record.Normal;
+}
+
+Vector3 FindFieldDamping(
+  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
+{
+  const Vector3 velocity = (1.0 / model.Settings.TickPeriod) * (record.Tip - previousTip);
+  const double damping = Law::Capped(model.Settings.ForceFieldDamping, model.Settings.Caps.Damping);
+  return -damping * velocity;
+}
+
+void StepForceField(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
+{
+  const Vector3 index = model.DeviceToIndex(record.Tip);
+  const Surface surface = Law::FindSurface(model, index);
+  Law::ReadMaterials(model, index, surface, record);
+  record.Proxy = record.Tip;
+  if (!state.Enabled)
+  {
+    return;
+  }
+  record.Stiffness = record.Friction = record.Viscosity = record.SurfaceStrength = 0.0;
+  const Vector3 push = FindFieldPush(model, record);
+  const Vector3 damping = FindFieldDamping(model, state.PreviousTip, record);
+  record.NormalForce = Norm(push);
+  record.DragForce = Norm(damping);
+  record.Force = push + damping;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The paper's eq. 1: a force against the gradient at the tip, and damping. There is no proxy.
+ */
+#ifndef ForceField_h
+#define ForceField_h
+
+#include "Core/Math/Vector3.h"
+
+namespace VolumeHaptics
+{
+class HapticModel;
+struct ServoState;
+struct TickRecord;
+
+/** One tick from record.Tip; writes all of the record. */
+void StepForceField(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept;
+
+/** The damping force (N) of a tick that began at previousTip. */
+Vector3 FindFieldDamping(
+  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;
+
+/** The force (N) against the gradient. */
+Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

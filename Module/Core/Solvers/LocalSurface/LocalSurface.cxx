@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/LocalSurface/LocalSurface.h"
+
+#include "Core/Model/HapticModel.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** How finely rays look for a crossing (voxels). */
+constexpr double RayStep = 0.5;
+/** Feet nearer to each other than this (voxels) are one; and so are ends of a bracket. */
+constexpr double SameFoot = 1e-3;
+constexpr double SameCrossing = 1e-7;
+/** To either side of a foot, to tell where V rises (voxels). */
+constexpr double RiseStep = 0.25;
+constexpr int MostFeet = 6;
+constexpr int MostHalvings = 60;
+
+/** a b' + b a', times a factor. */
+Symmetric3 Product(const Vector3& a, const Vector3& b, double factor) noexcept
+{
+  return { (2.0 * factor) * Vector3{ a.X * b.X, a.Y * b.Y, a.Z * b.Z },
+    factor * Vector3{ a.Y * b.Z + a.Z * b.Y, a.X * b.Z + a.Z * b.X, a.X * b.Y + a.Y * b.X } };
+}
+
+Symmetric3 Sum(const Symmetric3& a, const Symmetric3& b) noexcept
+{
+  return { a.Diagonal + b.Diagonal, a.Mixed + b.Mixed };
+}
+
+/** The isosurface of a model, in the world. */
+class IsoSurfaceFinder
+{
+public:
+  IsoSurfaceFinder(const HapticModel& model, const LocalQuestion& question) noexcept
+    : Model(model)
+    , Question(question)
+    , IndexToWorld(model.IndexToWorld)
+    , WorldToIndex(Inverse(model.IndexToWorld))
+    , GradientToWorld(Transpose(this->WorldToIndex.Linear))
+    , Voxel(1.0 / LargestColumn(this->GradientToWorld))
+    , IsKnown(Dot(question.Normal, question.Normal) > 0.0)
+  {
+    const SurfaceSide side = model.Settings.Side;
+    const bool isHigh = this->Excess(question.Where) > 0.0;
+    this->Sign = side == SurfaceSide::Lower || (side == SurfaceSide::Both && isHigh) ? -1.0 : 1.0;
+  }
+
+  LocalSurface Find() noexcept
+  {
+    LocalSurface found;
+    if (!IsFinite(this->Question.Where) ||
+      (!this->IsKnown && this->Sign * this->Excess(this->Question.Where) > 0.0))
+    {
+      return found;
+    }
+    Vector3 foot;
+    Vector3 normal;
+    if (!this->FindCrossing(foot) || !this->FindNormal(foot, normal))
+    {
+      return found;
+    }
+    this->FollowFoot(foot, normal);
+    const bool isBoth = this->Model.Settings.Side == SurfaceSide::Both;
+    // The proxy may lie on either side of what holds it, by rounding. And where a structure is thinner than the
+    // kernel, the gradient may be that of what is behind it.
+    const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Question.Normal) < 0.0
+                                                  : this->Sign * this->Rise(foot, normal) < 0.0;
+    if (isTurned)
+    {
+      this->Sign = -this->Sign;
+      normal = -normal;
+    }
+    found.IsThere = true;
+    found.Shape.Centre = foot;
+    found.Shape.Gradient = normal;
+    if (this->Model.Settings.LocalShape == LocalSurfaceShape::Quadric)
+    {
+      found.Shape.Curvature = this->FindCurvature(foot, normal);
+    }
+    return found;
+  }
+
+private:
+  double Excess(const Vector3& x) const noexcept
+  {
+    return this->Model.Field.Value(this->WorldToIndex(x)) - this->Model.Settings.IsoValue;
+  }
+
+  /** Unit, into the structure; false where there is no gradient. */
+  bool FindNormal(const Vector3& x, Vector3& normal) const noexcept
+  {
+    const Vector3 index = this->WorldToIndex(x);
+    if (!this->Model.Field.IsInside(index))
+    {
+      return false;
+    }
+    const Vector3 gradient = this->GradientToWorld * this->Model.Field.Gradient(index).Gradient;
+    const double norm = Norm(gradient);
+    // Also false for NaN.
+    if (!(norm > 0.0 && std::isfinite(norm)))
+    {
+      return false;
+    }
+    normal = (this->Sign / norm) * gradient;
+    return true;
+  }
+
+  /** By how much V rises across a place. */
+  double Rise(const Vector3& x, const Vector3& normal) const noexcept
+  {
+    const Vector3 step = (RiseStep * this->Voxel) * normal;
+    return this->Excess(x + step) - this->Excess(x - step);
+  }
+
+  /** Narrows a crossing between two places, whose excesses have different signs. */
+  Vector3 Narrow(Vector3 a, Vector3 b, double atA) const noexcept
+  {
+    for (int i = 0; i < MostHalvings && Norm(b - a) > SameCrossing * this->Voxel; ++i)
+    {
+      const Vector3 middle = 0.5 * (a + b);
+      const double atMiddle = this->Excess(middle);
+      ((atMiddle > 0.0) == (atA > 0.0) ? a : b) = middle;
+    }
+    return 0.5 * (a + b);
+  }
+
+  /** The first crossing along a way from Where; takes it if it is nearer than the nearest so far. */
+  void LookAlong(const Vector3& way, int steps, double& nearest, Vector3& crossing) const noexcept
+  {
+    const Vector3& start = this->Question.Where;
+    double before = this->Excess(start);
+    for (int i = 1; i <= steps; ++i)
+    {
+      const Vector3 x = start + (static_cast<double>(i) / steps) * way;
+      const Vector3 last = start + (static_cast<double>(i - 1) / steps) * way;
+      if (Norm(last - start) >= nearest)
+      {
+        return;
+      }
+      const double now = this->Excess(x);
+      if ((now > 0.0) != (before > 0.0))
+      {
+        const Vector3 found = this->Narrow(last, x, before);
+        const double distance = Norm(found - start);
+        if (distance < nearest)
+        {
+          nearest = distance;
+          crossing = found;
+        }
+        return;
+      }
+      before = now;
+    }
+  }
+
+  bool FindCrossing(Vector3& crossing) const noexcept
+  {
+    double nearest = HUGE_VAL;
+    constexpr int steps = static_cast<int>(LocalReach / RayStep);
+    for (int direction = 0; direction < 27; ++direction)
+    {
+      const Vector3 offset{ direction % 3 - 1.0, direction / 3 % 3 - 1.0, direction / 9 - 1.0 };
+      if (direction != 13)
+      {
+        this->LookAlong(
+          this->IndexToWorld.Linear * (LocalReach * offset), steps, nearest, crossing);
+      }
+    }
+    const double voxels = Norm(this->WorldToIndex.Linear * this->Question.Ahead);
+    if (nearest == HUGE_VAL && voxels > 0.0 && std::isfinite(voxels))
+    {
+      const double reach = std::min<double>(voxels, LocalReachAhead);
+      this->LookAlong((reach / voxels) * this->Question.Ahead,
+        static_cast<int>(std::ceil(reach / RayStep)), nearest, crossing);
+    }
+    return nearest < HUGE_VAL;
+  }
+
+  /** From a crossing to the point of the surface that is nearest to Where. */
+  void FollowFoot(Vector3& foot, Vector3& normal) const noexcept
+  {
+    const Vector3& start = this->Question.Where;
+    for (int i = 0; i < MostFeet; ++i)
+    {
+      const double along = Dot(foot - start, normal);
+      const Vector3 before = start + (along - this->Voxel) * normal;
+      const Vector3 behind = start + (along + this->Voxel) * normal;
+      const double atBefore = this->Excess(before);
+      if ((atBefore > 0.0) == (this->Excess(behind) > 0.0))
+      {
+        return;
+      }
+      const Vector3 next = this->Narrow(before, behind, atBefore);
+      Vector3 nextNormal;
+      if (Norm(next - start) > Norm(foot - start) || !this->FindNormal(next, nextNormal))
+      {
+        return;
+      }
+      const bool isSame = Norm(next - foot) < SameFoot * this->Voxel;
+      foot = next;
+      normal = nextNormal;
+      if (isSame)
+      {
+        return;
+      }
+    }
+  }
+
+  /** How the normal changes across the foot; 0 where a kernel radius away there is none. */
+  Symmetric3 FindCurvature(const Vector3& foot, const Vector3& normal) const noexcept
+  {
+    const double step = this->Model.Kernel.Radius * LargestColumn(this->IndexToWorld.Linear);
+    // Any two directions at right angles to the normal: away from its largest component.
+    const bool isAlongX = std::abs(normal.X) > 0.7;
+    const Vector3 side = Cross(normal, isAlongX ? Vector3{ 0, 1, 0 } : Vector3{ 1, 0, 0 });
+    const Vector3 first = (1.0 / Norm(side)) * side;
+    const Vector3 axes[2] = { first, Cross(normal, first) };
+    Vector3 change[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      Vector3 ahead;
+      Vector3 behind;
+      if (!this->FindNormal(foot + step * axes[i], ahead) ||
+        !this->FindNormal(foot - step * axes[i], behind))
+      {
+        return {};
+      }
+      change[i] = (0.5 / step) * (ahead - behind);
+    }
+    const double a = Dot(change[0], axes[0]);
+    const double b = Dot(change[1], axes[1]);
+    const double mixed = 0.5 * (Dot(change[0], axes[1]) + Dot(change[1], axes[0]));
+    const Symmetric3 curvature =
+      Sum(Sum(Product(axes[0], axes[0], 0.5 * a), Product(axes[1], axes[1], 0.5 * b)),
+        Product(axes[0], axes[1], mixed));
+    // A bend tighter than the kernel is noise.
+    const double most = std::sqrt(a * a + b * b + 2.0 * mixed * mixed) * step;
+    const double share = std::min(1.0, 1.0 / most);
+    return { share * curvature.Diagonal, share * curvature.Mixed };
+  }
+
+  const HapticModel& Model;
+  const LocalQuestion& Question;
+  const Affine3 IndexToWorld;
+  const Affine3 WorldToIndex;
+  const Matrix3 GradientToWorld;
+  const double Voxel; ///< the smallest spacing
+  const bool IsKnown;
+  double Sign = 1.0; ///< of the gradient, for it to point into the structure
+};
+
+} // namespace
+
+LocalSurface FitLocalSurface(const HapticModel& model, const LocalQuestion& question) noexcept
+{
+  return IsoSurfaceFinder(model, question).Find();
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
+
+#include "Core/Solvers/ServoState.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A surface is no function of place where its slope (1 at its centre) is less. */
+constexpr double LeastSlope = 0.1;
+/** Shares: of the proxy's depth below which it has arrived, and of what friction holds by which it is called all. */
+constexpr double Arrived = 1e-9;
+constexpr double CloseToCone = 1e-9;
+constexpr int MostSteps = 12;
+constexpr int MostReturns = 6;
+constexpr int MostSlips = 16;
+/** A step turns the normal by no more than this (radian), and by no more than this much of what a plane asks. */
+constexpr double MostTurn = 0.5;
+constexpr double LeastStiffening = 0.25;
+/** Times the tip's motion by which a lag changes without a jump. */
+constexpr double MostFollowing = 2.0;
+/** Share of a period that is a whole one but for rounding. */
+constexpr double AlmostOne = 1.0 - 1e-9;
+
+/** Takes a place back to the surface, along its slope; false where there is no way. */
+bool Return(const Quadric& shape, Vector3& x) noexcept
+{
+  for (int i = 0; i < MostReturns; ++i)
+  {
+    const Vector3 slope = shape.Slope(x);
+    const double square = Dot(slope, slope);
+    if (square < LeastSlope * LeastSlope)
+    {
+      return false;
+    }
+    x = x - (shape.Depth(x) / square) * slope;
+  }
+  return true;
+}
+
+/** From a place on the surface to the one that is nearest to the tip (Newton, on the surface). */
+bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
+{
+  for (int i = 0; i < MostSteps; ++i)
+  {
+    const Vector3 slope = shape.Slope(x);
+    const double norm = Norm(slope);
+    const Vector3 lag = tip - x;
+    const double depth = Dot(lag, slope) / norm;
+    const Vector3 way = lag - (depth / norm) * slope;
+    const double length = Norm(way);
+    if (length <= Arrived * std::abs(depth))
+    {
+      return true;
+    }
+    const double bend = Dot(way, shape.Curvature * way) / (length * length * norm);
+    const double step = 1.0 / std::max(LeastStiffening, 1.0 + bend * depth);
+    const double turn = std::abs(bend) * step * length;
+    x += (turn > MostTurn ? step * (MostTurn / turn) : step) * way;
+    if (!Return(shape, x))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Where the tip came through the surface. */
+Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip) noexcept
+{
+  const double before = shape.Depth(from);
+  const double now = shape.Depth(tip);
+  return before < 0.0 && now > 0.0 ? from + (before / (before - now)) * (tip - from) : tip;
+}
+
+/** By how much the tangential part of the lag of a proxy on the surface is more than friction holds (world units). */
+double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
+{
+  const Vector3 slope = shape.Slope(x);
+  const Vector3 normal = (1.0 / Norm(slope)) * slope;
+  const Vector3 lag = tip - x;
+  const double along = Dot(lag, normal);
+  return Norm(lag - along * normal) - friction * std::max(0.0, along);
+}
+
+/** Moves the proxy's place; false where nothing holds it. */
+bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
+{
+  const Quadric& shape = local.Surface.Shape;
+  if (!local.Surface.IsThere || !(shape.Depth(tip) > 0.0))
+  {
+    return false;
+  }
+  Vector3 stuck = local.IsHeld ? local.Place : FindEntry(shape, local.Tip, tip);
+  if (!Return(shape, stuck))
+  {
+    return false;
+  }
+  local.Place = stuck;
+  contact = ContactState::Sticking;
+  double high = 1.0;
+  double atHigh = Slip(shape, tip, stuck, friction);
+  if (atHigh <= 0.0)
+  {
+    return true;
+  }
+  Vector3 goal = stuck;
+  if (!Approach(shape, tip, goal))
+  {
+    return false;
+  }
+  local.Place = goal;
+  contact = ContactState::Sliding;
+  // As far from the goal as friction holds it (Illinois); the last place that it does hold counts.
+  double low = 0.0;
+  double atLow = Slip(shape, tip, goal, friction);
+  const double near = -CloseToCone * atLow;
+  int side = 0;
+  for (int i = 0; i < MostSlips && friction > 0.0 && atLow < -near; ++i)
+  {
+    const double share = low + (high - low) * atLow / (atLow - atHigh);
+    Vector3 x = goal + share * (stuck - goal);
+    if (!Return(shape, x))
+    {
+      break;
+    }
+    const double at = Slip(shape, tip, x, friction);
+    const bool isLow = at <= 0.0;
+    const int now = isLow ? -1 : 1;
+    (isLow ? atHigh : atLow) *= side == now ? 0.5 : 1.0;
+    (isLow ? low : high) = share;
+    (isLow ? atLow : atHigh) = at;
+    local.Place = isLow ? x : local.Place;
+    side = now;
+  }
+  return true;
+}
+
+/** Lets a jump of the lag fade in. */
+void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) noexcept
+{
+  const double period = model.Settings.TickPeriod;
+  local.Fading = local.Fading - jump;
+  // What fades already is not to take longer.
+  local.Fall = std::max(
+    local.Fall, Norm(local.Fading) * period / std::max(model.Settings.RecoveryTime, period));
+}
+
+Vector3 LagOf(const LocalState& local) noexcept
+{
+  return local.IsHeld ? local.Place - local.Tip : Vector3{};
+}
+
+/** Moves the tip and the proxy, with the surface as it is. */
+void Follow(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
+  ContactState& contact) noexcept
+{
+  const double follows = MostFollowing * Norm(tip - local.Tip);
+  const Vector3 before = LagOf(local);
+  local.IsHeld = Hold(tip, friction, local, contact);
+  local.Tip = tip;
+  const Vector3 lag = LagOf(local);
+  const Vector3 jump = lag - before;
+  const double length = Norm(jump);
+  if (length > follows)
+  {
+    Absorb(model, (1.0 - follows / length) * jump, local);
+  }
+  const double left = Norm(local.Fading);
+  const bool isLeft = left > local.Fall;
+  local.Fading = isLeft ? (1.0 - local.Fall / left) * local.Fading : Vector3{};
+  local.Fall = isLeft ? local.Fall : 0.0;
+  // A hand that goes out before a surface has come up whole is not to be pulled in.
+  const double norm = Norm(lag);
+  if (norm > 0.0)
+  {
+    const double inward = -Dot(lag + local.Fading, lag) / norm;
+    const double less = std::clamp(inward, 0.0, follows + local.Fall);
+    local.Fading += (less / norm) * lag;
+  }
+}
+
+/** Takes an answer in, without any change to what is felt. */
+void Renew(const HapticModel& model, const LocalSurface& found, double friction, LocalState& local,
+  ContactState& contact) noexcept
+{
+  const Quadric& shape = found.Shape;
+  // The far side of something thin is not what holds the proxy.
+  const bool isFar = local.IsHeld && found.IsThere &&
+    Dot(local.Surface.Shape.Slope(shape.Centre), shape.Gradient) <= 0.0;
+  const Vector3 before = LagOf(local);
+  local.Surface = isFar ? LocalSurface{} : found;
+  local.IsHeld = Hold(local.Tip, friction, local, contact);
+  Absorb(model, LagOf(local) - before, local);
+}
+
+void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState& local,
+  TickRecord& record) noexcept
+{
+  const double scale = model.WorldUnitsPerMeter;
+  const double norm = Norm(felt);
+  if (norm == 0.0)
+  {
+    return;
+  }
+  const double k = record.Stiffness;
+  record.Proxy = model.WorldToDevice(local.Tip + felt);
+  record.Force = k * (record.Proxy - record.Tip);
+  const Vector3 slope = local.IsHeld ? local.Surface.Shape.Slope(local.Place) : -felt;
+  const Vector3 normal = (1.0 / Norm(slope)) * slope;
+  const double along = -Dot(felt, normal);
+  record.Normal = Transpose(model.DeviceToWorldRotation) * normal;
+  record.NormalForce = k * std::abs(along) / scale;
+  record.FrictionForce = k * Norm(felt + along * normal) / scale;
+}
+
+/** Where the next surface is looked for. */
+void Ask(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
+{
+  const HapticSettings& settings = model.Settings;
+  // The answer comes one period from now, and stays for another.
+  const double ticksAhead = std::max(2.0, 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod));
+  const double near = LocalReach * model.WorldUnitsPerMeter / model.MostVoxelsPerMeter;
+  local.Asked.Where = local.IsHeld ? local.Place : local.Tip;
+  local.Asked.Ahead = ticksAhead * motion;
+  local.Asked.Normal = {};
+  const Quadric& shape = local.Surface.Shape;
+  const Vector3 slope = shape.Slope(local.Asked.Where);
+  // Near a surface that it has not come through it is outside, whatever the value says: behind a plane that is
+  // tangent to a hollow there is some of the structure.
+  if (local.Surface.IsThere && std::abs(shape.Depth(local.Asked.Where)) < near)
+  {
+    local.Asked.Normal = (1.0 / Norm(slope)) * slope;
+  }
+  local.Age = 0;
+  ++local.Number;
+}
+
+} // namespace
+
+void StartLocalSurface(const Vector3& where, const Vector3& tip, LocalState& local) noexcept
+{
+  // An answer to what was asked before is none to this.
+  const std::uint32_t number = local.Number + 1;
+  local = LocalState{};
+  local.Number = number;
+  local.Tip = tip;
+  local.Asked.Where = where;
+}
+
+void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& record,
+  const LocalAnswer& answer) noexcept
+{
+  LocalState& local = state.Local;
+  const HapticSettings& settings = model.Settings;
+  record.Proxy = record.Tip;
+  const bool isFelt = Law::ReadIsoMaterial(model, record);
+  const Vector3 tip = model.DeviceToWorld(record.Tip);
+  if (!state.Enabled)
+  {
+    StartLocalSurface(tip, tip, local);
+    return;
+  }
+  const double friction = record.Friction;
+  const Vector3 motion = tip - local.Tip;
+  Follow(model, tip, friction, local, record.Contact);
+  ++local.Age;
+  record.IsRenewed = answer.IsSimulated
+    ? local.Age * settings.TickPeriod * settings.LocalSurfaceRate >= AlmostOne
+    : answer.Surface != nullptr;
+  if (record.IsRenewed)
+  {
+    const LocalSurface found =
+      answer.IsSimulated ? FitLocalSurface(model, local.Asked) : *answer.Surface;
+    Renew(model, found, friction, local, record.Contact);
+    Ask(model, motion, local);
+  }
+  record.Contact = local.IsHeld && isFelt ? record.Contact : ContactState::Free;
+  if (isFelt)
+  {
+    WriteForces(model, LagOf(local) + local.Fading, local, record);
+  }
+}
+
+} // namespace VolumeHaptics

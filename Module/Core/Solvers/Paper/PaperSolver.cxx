@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/Paper/PaperSolver.h"
+
+#include "Core/Solvers/ServoState.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+Vector3 Advance(const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
+{
+  const double k = record.Stiffness;
+  if (!Law::IsFelt(record))
+  {
+    return record.Tip;
+  }
+  const double threshold = lag.Push > 0.0 ? record.SurfaceStrength : 0.0;
+  if (threshold == 0.0 && record.Viscosity == 0.0)
+  {
+    // Nothing holds the proxy, and the law would bring it to the tip but for rounding.
+    return record.Tip;
+  }
+  const Balance balance = Law::Weigh(record, k, lag);
+  const Vector3 proxy = Law::Move(record, k, lag, balance, start);
+  record.NormalForce = balance.Normal;
+  record.FrictionForce = balance.Friction;
+  record.DragForce = std::min(record.Viscosity, balance.Excess);
+  record.Force = k * (proxy - record.Tip);
+  if (lag.Push > 0.0 && balance.Normal > Law::ForceEpsilon)
+  {
+    record.Contact = balance.IsThrough
+      ? ContactState::Penetrating
+      : (balance.Slides ? ContactState::Sliding : ContactState::Sticking);
+  }
+  return proxy;
+}
+
+} // namespace
+
+void StepPaper(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
+{
+  const Vector3& tip = record.Tip;
+  const Vector3 position = state.Enabled ? state.Proxy : tip;
+  const Vector3 lag = tip - position;
+  const Vector3 index = model.DeviceToIndex(position);
+  Surface surface = Law::FindSurface(model, index);
+  Law::Orient(model, lag, surface);
+  // Before the materials, so that the processor has it by the time they are there.
+  const SplitLag split = Law::Split(lag, surface.Normal);
+  Law::ReadMaterials(model, index, surface, record);
+  record.Proxy = state.Enabled ? Advance(position, split, record) : tip;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The solver as published: one gradient and one look at the material law a tick, sections 3.2 to 3.4 of the paper.
+ */
+#ifndef PaperSolver_h
+#define PaperSolver_h
+
+namespace VolumeHaptics
+{
+class HapticModel;
+struct ServoState;
+struct TickRecord;
+
+/** One tick from record.Tip; writes all of the record. */
+void StepPaper(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/ServoStateNumbers.h"
+
+#include <cmath>
+#include <limits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+template <typename Vector, typename Function>
+void VisitVector(Vector& v, Function&& visit)
+{
+  visit(v.X);
+  visit(v.Y);
+  visit(v.Z);
+}
+
+template <typename Shape, typename Function>
+void VisitQuadric(Shape& shape, Function&& visit)
+{
+  VisitVector(shape.Centre, visit);
+  VisitVector(shape.Gradient, visit);
+  VisitVector(shape.Curvature.Diagonal, visit);
+  VisitVector(shape.Curvature.Mixed, visit);
+}
+
+template <typename State, typename Function>
+void VisitPrecise(State& precise, Function&& visit)
+{
+  VisitVector(precise.ReachedTip, visit);
+  visit(precise.Level);
+  visit(precise.IsHeld);
+  visit(precise.Spring.Tissue);
+  visit(precise.Spring.Tension);
+  visit(precise.Spring.Reserve);
+  visit(precise.Gain);
+  auto& here = precise.Here;
+  VisitVector(here.Normal, visit);
+  visit(here.GradientMagnitude);
+  visit(here.SurfaceValue);
+  visit(here.MediumValue);
+  visit(here.Stiffness);
+  visit(here.Friction);
+  visit(here.Viscosity);
+  visit(here.SurfaceStrength);
+  visit(here.Value);
+  visit(here.Slope);
+  visit(precise.Stray);
+}
+
+template <typename State, typename Function>
+void VisitLocal(State& local, Function&& visit)
+{
+  visit(local.Surface.IsThere);
+  VisitQuadric(local.Surface.Shape, visit);
+  VisitVector(local.Place, visit);
+  visit(local.IsHeld);
+  VisitVector(local.Tip, visit);
+  VisitVector(local.Fading, visit);
+  visit(local.Fall);
+  visit(local.Age);
+  visit(local.Number);
+  VisitVector(local.Asked.Where, visit);
+  VisitVector(local.Asked.Ahead, visit);
+  VisitVector(local.Asked.Normal, visit);
+}
+
+/** False where a number can't be of that type; the value is then one that does no harm. */
+bool Read(double number, double& value)
+{
+  value = number;
+  return std::isfinite(number);
+}
+
+bool Read(double number, bool& value)
+{
+  value = number != 0.0;
+  return number == 0.0 || number == 1.0;
+}
+
+bool Read(double number, std::uint32_t& value)
+{
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  const bool isGood = number >= 0.0 && number <= most && number == std::floor(number);
+  value = isGood ? static_cast<std::uint32_t>(number) : 0;
+  return isGood;
+}
+
+/** Every number of a state, in the order of the structs. */
+template <typename State, typename Function>
+void VisitState(State& state, Function&& visit)
+{
+  VisitVector(state.Proxy, visit);
+  VisitVector(state.PreviousTip, visit);
+  visit(state.Enabled);
+  VisitPrecise(state.Precise, visit);
+  VisitLocal(state.Local, visit);
+}
+
+/** World units, with which FarthestTip is passed even where they are micrometres. */
+constexpr double FarthestPlace = 1e15;
+/** Of a length, for rounding. */
+constexpr double UnitTolerance = 1e-6;
+/** Of newtons, newtons per metre and joules: products of two of them are far from overflow. */
+constexpr double MostOfMaterial = 1e100;
+/** The gain that a solver learns stays within half of 1. */
+constexpr double MostGain = 2.0;
+
+bool IsNear(const Vector3& v, double most)
+{
+  return std::abs(v.X) < most && std::abs(v.Y) < most && std::abs(v.Z) < most;
+}
+
+/** Of a direction; 0 where none is known. */
+bool IsDirection(const Vector3& v)
+{
+  const double square = Dot(v, v);
+  return square == 0.0 || std::abs(square - 1.0) <= UnitTolerance;
+}
+
+bool IsAmount(double x)
+{
+  return x >= 0.0 && x <= MostOfMaterial;
+}
+
+bool IsPossible(const PreciseState& precise)
+{
+  const PassiveSpring& spring = precise.Spring;
+  const Spot& here = precise.Here;
+  return IsNear(precise.ReachedTip, FarthestTip) && IsAmount(spring.Tissue) &&
+    spring.Tension >= 0.0 && spring.Tension <= 1.0 && IsAmount(spring.Reserve) &&
+    precise.Gain > 0.0 && precise.Gain <= MostGain && IsDirection(here.Normal) &&
+    here.GradientMagnitude >= 0.0 && IsAmount(here.Stiffness) && IsAmount(here.Friction) &&
+    IsAmount(here.Viscosity) && IsAmount(here.SurfaceStrength) && precise.Stray >= 0.0;
+}
+
+bool IsPossible(const LocalState& local)
+{
+  const Quadric& shape = local.Surface.Shape;
+  return IsNear(shape.Centre, FarthestPlace) && IsDirection(shape.Gradient) &&
+    IsNear(shape.Curvature.Diagonal, FarthestPlace) &&
+    IsNear(shape.Curvature.Mixed, FarthestPlace) && IsNear(local.Place, FarthestPlace) &&
+    IsNear(local.Tip, FarthestPlace) && IsNear(local.Fading, FarthestPlace) && local.Fall >= 0.0 &&
+    local.Fall < FarthestPlace && IsNear(local.Asked.Where, FarthestPlace) &&
+    IsNear(local.Asked.Ahead, FarthestPlace) && IsDirection(local.Asked.Normal);
+}
+
+} // namespace
+
+std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
+{
+  std::array<double, ServoStateSize> numbers;
+  std::size_t i = 0;
+  VisitState(state, [&](auto value) { numbers[i++] = static_cast<double>(value); });
+  return numbers;
+}
+
+ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept
+{
+  ServoState state;
+  std::size_t i = 0;
+  VisitState(state, [&](auto& value) { Read(numbers[i++], value); });
+  return state;
+}
+
+bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept
+{
+  ServoState state;
+  std::size_t i = 0;
+  bool isGood = true;
+  VisitState(state, [&](auto& value) { isGood = Read(numbers[i++], value) && isGood; });
+  return isGood && IsNear(state.Proxy, FarthestTip) && IsNear(state.PreviousTip, FarthestTip) &&
+    IsPossible(state.Precise) && IsPossible(state.Local);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * States of the servo as plain numbers, for files.
+ */
+#ifndef ServoStateNumbers_h
+#define ServoStateNumbers_h
+
+#include "Core/Solvers/ServoState.h"
+
+#include <array>
+
+namespace VolumeHaptics
+{
+
+constexpr int ServoStateSize = 64;
+
+/** A state for a file: every number of it, in the order of the structs. */
+std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
+ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
+/** False for numbers that no tick leaves, as a file may hold any. */
+bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

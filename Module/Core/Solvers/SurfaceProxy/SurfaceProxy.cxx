@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
+
+#include "Core/Math/HalfSpaces.h"
+#include "Core/Solvers/ServoState.h"
+#include "Core/Model/SurfaceMesh.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Shares of the radius: what counts as touching, what is kept from a triangle, and what is no motion. */
+constexpr double Margin = 3e-3;
+constexpr double Distance = 1e-6;
+constexpr double Still = 1e-5;
+/** In a valley the shadings of its two sides may lead to and fro: after so many passes this is no motion, too. */
+constexpr double ShadedStill = 5e-3;
+constexpr int ManyPasses = 8;
+/** Of the radius, however deep a triangle is in it. */
+constexpr double LeastLeft = 1e-3;
+/** Radii that are gone at once: no more than can be looked at. */
+constexpr double LongestWay = 64.0;
+/** Of the angle between a triangle and its shading. */
+constexpr double LeastCosine = 0.8;
+
+/** Ways that shrink no faster than this are taken whole at once, by their geometric series; or not at all. */
+constexpr double SlowRate = 0.2;
+constexpr double SlowestRate = 0.9;
+
+/** A sphere among triangles, in world units. */
+class Sphere
+{
+public:
+  Sphere(const HapticModel& model, const Vector3& centre) noexcept
+    : Mesh(*model.Mesh)
+    , Radius(model.Settings.ProxyRadius)
+    , IsShaded(model.Settings.ForceShading && this->Mesh.HasNormals())
+    , Centre(centre)
+  {
+  }
+
+  const Vector3& GetCentre() const noexcept { return this->Centre; }
+  bool IsShading() const noexcept { return this->IsShaded; }
+  bool IsTouching() const noexcept { return this->True.GetCount() > 0; }
+  /** Whether there were more triangles than a tick has time for. */
+  bool IsSpent() const noexcept { return this->Budget < 0; }
+
+  /** The nearest point to a goal that what the sphere touches allows. */
+  Vector3 FindSubgoal(const Vector3& goal) noexcept
+  {
+    this->Touch();
+    if (this->Nearest < (1.0 - Margin) * this->Radius)
+    {
+      // What it overlaps, since it began there or the mesh came, it touches with what is left of it.
+      this->Radius = std::max(this->Nearest, LeastLeft * this->Radius);
+      this->Touch();
+    }
+    const Vector3 shaded = this->IsShaded ? this->Shaded.Nearest(goal, goal) : goal;
+    return this->True.Nearest(shaded, this->Centre);
+  }
+
+  /** Goes a way, the first part of a long one, or up to the first triangle. */
+  void Move(const Vector3& whole) noexcept
+  {
+    const Vector3 way = std::min(1.0, LongestWay * this->Radius / Norm(whole)) * whole;
+    double first = Never;
+    const bool isWhole = this->Mesh.VisitAlong(this->Centre, way, this->Radius, this->Budget,
+      [&](std::int32_t i)
+      {
+        first = std::min(
+          first, MeetingTime(this->Mesh.GetTriangle(i), this->Centre, way, this->Radius, first));
+        return std::min(first, 1.0);
+      });
+    if (!isWhole)
+    {
+      return;
+    }
+    const double gap = Distance * this->Radius / Norm(way);
+    this->Centre += (first <= 1.0 ? std::max(0.0, first - gap) : 1.0) * way;
+  }
+
+private:
+  void Touch() noexcept
+  {
+    this->True.Clear();
+    this->Shaded.Clear();
+    this->Nearest = HUGE_VAL;
+    this->Mesh.VisitNear(this->Centre, this->Radius * (1.0 + Margin), this->Budget,
+      [&](std::int32_t i) { this->Touch(i); });
+  }
+
+  void Touch(std::int32_t i) noexcept
+  {
+    const TrianglePoint nearest = NearestPoint(this->Mesh.GetTriangle(i), this->Centre);
+    const Vector3 off = this->Centre - nearest.Position;
+    const double distance = Norm(off);
+    // A centre that is on a triangle has no side: what put it there has to take it away.
+    if (distance > this->Radius * (1.0 + Margin) || distance == 0.0)
+    {
+      return;
+    }
+    this->Nearest = std::min(this->Nearest, distance);
+    const Vector3 normal = (1.0 / distance) * off;
+    // It goes no deeper, but is not thrown out.
+    const double overlap = this->Radius * (1.0 + Distance) - distance;
+    const double missing = overlap > Margin * this->Radius ? 0.0 : overlap;
+    this->True.Add({ normal, Dot(normal, this->Centre) + missing });
+    if (this->IsShaded)
+    {
+      const Vector3 smooth = this->Mesh.GetNormal(i, nearest);
+      const double length = std::copysign(Norm(smooth), Dot(smooth, normal));
+      // At a sharp edge the normals are those of another face.
+      const bool isSmooth = Dot(smooth, normal) / length > LeastCosine;
+      const Vector3 shaded = isSmooth ? (1.0 / length) * smooth : normal;
+      this->Shaded.Add({ shaded, Dot(shaded, this->Centre) + missing });
+    }
+  }
+
+  const SurfaceMesh& Mesh;
+  double Radius; ///< while it overlaps a triangle, its distance
+  const bool IsShaded;
+  int Budget = MaximumVisits;
+  Vector3 Centre;
+  double Nearest = HUGE_VAL; ///< the distance of the nearest triangle that it touches
+  HalfSpaces True;
+  HalfSpaces Shaded;
+};
+
+} // namespace
+
+void StepSurfaceProxy(
+  const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
+{
+  record.Proxy = record.Tip;
+  if (!Law::ReadIsoMaterial(model, record) || !state.Enabled)
+  {
+    return;
+  }
+  const double k = record.Stiffness;
+  const double scale = model.WorldUnitsPerMeter;
+  const double radius = model.Settings.ProxyRadius;
+  const Vector3 goal = model.DeviceToWorld(record.Tip);
+  Sphere sphere(model, model.DeviceToWorld(state.Proxy));
+  bool slides = false;
+  Vector3 held = goal - sphere.GetCentre();
+  double rest = 0.0;
+  double lastExcess = 0.0;
+  record.IsUnfinished = true;
+  for (int pass = 0; pass < MaximumPasses; ++pass)
+  {
+    const Vector3 subgoal = sphere.FindSubgoal(goal);
+    if (sphere.IsSpent())
+    {
+      break;
+    }
+    const Vector3 way = subgoal - sphere.GetCentre();
+    held = goal - subgoal;
+    rest = Norm(way);
+    const double excess = rest - record.Friction * Norm(held);
+    // While it touches. Between, it may fall towards the tip.
+    const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
+    const double still = sphere.IsShading() && pass >= ManyPasses ? ShadedStill : Still;
+    if (excess <= still * radius)
+    {
+      record.IsUnfinished = false;
+      break;
+    }
+    // Not against friction: a way too far is not taken back.
+    const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
+    sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * way);
+    slides = slides || sphere.IsTouching();
+    lastExcess = sphere.IsTouching() ? (isSlow ? 0.0 : excess) : lastExcess;
+  }
+  if (!sphere.IsTouching() && !record.IsUnfinished)
+  {
+    return;
+  }
+  record.Proxy = model.WorldToDevice(sphere.GetCentre());
+  record.Force = k * (record.Proxy - record.Tip);
+  record.NormalForce = k * Norm(held) / scale;
+  record.FrictionForce = k * rest / scale;
+  if (record.NormalForce > Law::ForceEpsilon)
+  {
+    // What holds the proxy back lies along the spring, as far as friction does not.
+    record.Normal = (1.0 / Norm(held)) * (Transpose(model.DeviceToWorldRotation) * held);
+    record.Contact = slides ? ContactState::Sliding : ContactState::Sticking;
+  }
+}
+
+Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept
+{
+  constexpr int steps = 12;
+  const double iso = model.Settings.IsoValue;
+  const bool isLower = model.Settings.Side == SurfaceSide::Lower;
+  const auto isOutside = [&](const Vector3& at)
+  {
+    const double value = model.ValueAtDevice(at);
+    return isLower ? value > iso : value < iso;
+  };
+  if (!model.Settings.HasIsoSurface || isOutside(place))
+  {
+    return place;
+  }
+  const double radius = 1.1 * model.Settings.ProxyRadius / model.WorldUnitsPerMeter;
+  for (int step = 1; step <= steps; ++step)
+  {
+    const double distance = EntryDepth * model.KernelLength * step / steps;
+    for (int i = 0; i < 27; ++i)
+    {
+      // The neighbours of the middle of a cube.
+      const Vector3 direction{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
+      const Vector3 unit = (1.0 / std::max(1.0, Norm(direction))) * direction;
+      if (i != 13 && isOutside(place + distance * unit))
+      {
+        return place + (distance + radius) * unit;
+      }
+    }
+  }
+  return place;
+}
+
+} // namespace VolumeHaptics

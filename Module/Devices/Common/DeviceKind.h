@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A kind of device: how those that are plugged in are listed, and how one is made of its id.
+ *
+ * This is the seam for vendors' libraries: derive a back end from DeviceBackend, and hand a DeviceKind to
+ * vtkHapticDevice::AddDeviceKind. Ids begin with the kind's name, such as "falcon" or "falcon:1".
+ */
+#ifndef DeviceKind_h
+#define DeviceKind_h
+
+#include "Core/Servo/DeviceBackend.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** What a user sets before a device is opened; each kind takes what concerns it. */
+struct DeviceOptions
+{
+  std::string FirmwareFile;  ///< an image to load into a device that has none
+  double HomingTime = 120.0; ///< s, that each step of homing may take
+  std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 }; ///< N, of a stick's x and y
+};
+
+/** A device that is plugged in. */
+struct DeviceListing
+{
+  std::string Id;    ///< what opens it
+  std::string Name;  ///< for people: maker, product, and where it is plugged in
+  std::string State; ///< "available", "in use", or what is in the way and the cure
+};
+
+struct DeviceKind
+{
+  std::string Name; ///< of letters; no other kind's
+  std::function<std::vector<DeviceListing>()> List;
+  /** A back end for an id of this kind, not open yet. Null, with the reason and the cure. */
+  std::function<std::unique_ptr<DeviceBackend>(
+    const std::string& id, const DeviceOptions& options, std::string& error)>
+    Make;
+};
+
+} // namespace VolumeHaptics
+
+#endif

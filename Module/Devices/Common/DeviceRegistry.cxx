@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Common/DeviceRegistry.h"
+
+#include "Devices/Common/BuiltInKinds.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+std::mutex Mutex;
+
+/** Under the mutex. */
+std::vector<DeviceKind>& Kinds()
+{
+  static std::vector<DeviceKind> kinds = GetBuiltInKinds();
+  return kinds;
+}
+
+std::vector<DeviceKind> CopyKinds()
+{
+  const std::lock_guard<std::mutex> lock(Mutex);
+  return Kinds();
+}
+
+bool IsLetter(char c)
+{
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+} // namespace
+
+bool AddDeviceKind(const DeviceKind& kind, std::string& error)
+{
+  const std::string& name = kind.Name;
+  if (name.empty() || !std::all_of(name.begin(), name.end(), IsLetter))
+  {
+    error = "\"" + name + "\" can't be the name of a kind of devices. Use letters only.";
+    return false;
+  }
+  if (!kind.List || !kind.Make)
+  {
+    error = "The kind of devices \"" + name + "\" needs a List and a Make.";
+    return false;
+  }
+  const std::lock_guard<std::mutex> lock(Mutex);
+  std::vector<DeviceKind>& kinds = Kinds();
+  const auto same = [&name](const DeviceKind& other) { return other.Name == name; };
+  if (name == "virtual" || name == "replay" || std::any_of(kinds.begin(), kinds.end(), same))
+  {
+    error = "There are devices of the kind \"" + name + "\" already. Choose another name.";
+    return false;
+  }
+  kinds.push_back(kind);
+  return true;
+}
+
+std::vector<DeviceListing> ListDevices()
+{
+  std::vector<DeviceListing> all;
+  for (const DeviceKind& kind : CopyKinds())
+  {
+    std::vector<DeviceListing> some = kind.List();
+    std::move(some.begin(), some.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+std::unique_ptr<DeviceBackend> MakeDevice(
+  const std::string& id, const DeviceOptions& options, std::string& error)
+{
+  const std::string name = id.substr(0, id.find(':'));
+  std::string known = "\"virtual\", \"replay:FILE\"";
+  for (const DeviceKind& kind : CopyKinds())
+  {
+    if (kind.Name == name)
+    {
+      return kind.Make(id, options, error);
+    }
+    known += ", \"" + kind.Name + "\"";
+  }
+  error = "There is no device \"" + id + "\": the kinds are " + known +
+    ". Give an id that EnumerateDevices() lists.";
+  return nullptr;
+}
+
+int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error)
+{
+  if (id == kind)
+  {
+    return 0;
+  }
+  const std::string digits = id.substr(std::min(id.size(), kind.size() + 1));
+  const bool isNumber = !digits.empty() && digits.size() < 4 &&
+    std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (id.compare(0, kind.size() + 1, kind + ":") != 0 || !isNumber)
+  {
+    error = "\"" + id + "\" is no device id: give \"" + kind + "\" or \"" + kind +
+      ":N\", with N counting from 0.";
+    return -1;
+  }
+  return std::atoi(digits.c_str());
+}
+
+std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product)
+{
+  const bool isUsb = std::string(subsystem) == "usb";
+  char rule[200];
+  std::snprintf(rule, sizeof(rule),
+    "SUBSYSTEM==\"%s\", %s{idVendor}==\"%04x\", %s{idProduct}==\"%04x\", TAG+=\"uaccess\"",
+    subsystem, isUsb ? "ATTR" : "ATTRS", vendor, isUsb ? "ATTR" : "ATTRS", product);
+  return std::string("no permission. Put this line into a file of /etc/udev/rules.d named ") +
+    "70-volume-haptics.rules (one of that name is installed with this library): " + rule +
+    " - then run \"sudo udevadm control --reload\" and plug the device in again.";
+}
+
+} // namespace VolumeHaptics

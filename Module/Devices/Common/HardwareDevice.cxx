@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Common/HardwareDevice.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <exception>
+#include <system_error>
+
+namespace VolumeHaptics
+{
+
+HardwareDevice::HardwareDevice(std::unique_ptr<HardwareDriver> driver)
+  : Driver(std::move(driver))
+{
+}
+
+HardwareDevice::~HardwareDevice()
+{
+  this->Close();
+  if (this->IsAbandoned)
+  {
+    static_cast<void>(this->Driver.release()); // what it would end is the parent's connection
+  }
+}
+
+bool HardwareDevice::Open(std::string& error)
+{
+  this->Close();
+  if (this->IsAbandoned)
+  {
+    error = "The device is in use by the process that this one was forked from. Open() it before "
+            "or after, not in both.";
+    return false;
+  }
+  if (!this->Driver->Connect(error))
+  {
+    return false;
+  }
+  this->Exchange.Begin();
+  try
+  {
+    this->Process = ServoClock::GetProcess();
+    this->Thread = std::thread([this] { this->Run(); });
+  }
+  catch (const std::system_error& e)
+  {
+    error = std::string("No thread could be started for the device: ") + e.what() + ".";
+    this->Driver->Disconnect();
+    return false;
+  }
+  return true;
+}
+
+void HardwareDevice::Run()
+{
+  ServoClock::BlockSignals();
+  ServoClock::RaisePriority();
+  try
+  {
+    this->Driver->Serve(this->Exchange);
+  }
+  catch (const std::exception& e)
+  {
+    // Such as no memory: the device's own watchdog is what is left.
+    this->Exchange.SetCondition(DeviceStage::Lost, e.what());
+  }
+}
+
+void HardwareDevice::Close()
+{
+  if (this->Thread.joinable() && this->Process != ServoClock::GetProcess())
+  {
+    // Neither joined nor detached: it is not here.
+    static_cast<void>(new std::thread(std::move(this->Thread)));
+    this->IsAbandoned = true;
+  }
+  if (this->Thread.joinable())
+  {
+    this->Exchange.Quench();
+    this->Exchange.RequestStop();
+    this->Thread.join();
+    this->Driver->Disconnect();
+  }
+}
+
+} // namespace VolumeHaptics

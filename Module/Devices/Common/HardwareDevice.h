@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A device that is talked to on a thread of its own.
+ */
+#ifndef HardwareDevice_h
+#define HardwareDevice_h
+
+#include "Devices/Common/HardwareExchange.h"
+
+#include <memory>
+#include <thread>
+
+namespace VolumeHaptics
+{
+
+/** What talks to one kind of device. */
+class HardwareDriver
+{
+public:
+  HardwareDriver() = default;
+  virtual ~HardwareDriver() = default;
+  HardwareDriver(const HardwareDriver&) = delete;
+  HardwareDriver& operator=(const HardwareDriver&) = delete;
+
+  virtual std::string GetName() const = 0;
+  virtual DeviceLimits GetLimits() const = 0;
+
+  /** Finds and claims the device, for itself alone. False, with the reason and the cure. */
+  virtual bool Connect(std::string& error) = 0;
+  /**
+   * The device's thread, until the exchange must stop: homes, sends forces, tells positions. Every wait has
+   * a time limit. After a loss it keeps quiet until it is stopped, or homes where that is requested and the
+   * device is there. Sends zero force at its end, where it can.
+   */
+  virtual void Serve(HardwareExchange& exchange) = 0;
+  /** After Serve: lets go of the device. */
+  virtual void Disconnect() noexcept = 0;
+};
+
+class HardwareDevice final : public DeviceBackend
+{
+public:
+  explicit HardwareDevice(std::unique_ptr<HardwareDriver> driver);
+  ~HardwareDevice() override;
+
+  bool Open(std::string& error) override;
+  void Close() override;
+  std::string GetName() const override { return this->Driver->GetName(); }
+  DeviceLimits GetLimits() const override { return this->Driver->GetLimits(); }
+  DeviceCondition GetCondition() override { return this->Exchange.GetCondition(); }
+  void Home() noexcept override { this->Exchange.RequestHome(); }
+  void SetLights(int lights) noexcept override { this->Exchange.SetLights(lights); }
+
+  DeviceState Read(double, DeviceSample& sample) noexcept override
+  {
+    return this->Exchange.Take(sample);
+  }
+  DeviceState Write(const Vector3& force) noexcept override { return this->Exchange.Give(force); }
+  void Quench() noexcept override { this->Exchange.Quench(); }
+  bool IsAtRest() const noexcept override { return this->Exchange.IsAtRest(); }
+
+private:
+  void Run();
+
+  std::unique_ptr<HardwareDriver> Driver;
+  HardwareExchange Exchange;
+  std::thread Thread;
+  std::int64_t Process = 0; // whose thread it is
+  bool IsAbandoned = false; // in a forked child
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Common/HardwareExchange.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#if defined(__linux__)
+#include <sys/eventfd.h>
+#include <time.h>
+#include <unistd.h>
+#endif
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** ns; the clocks themselves differ by less. */
+constexpr std::int64_t ShortestSleep = 50000000;
+
+} // namespace
+
+HardwareExchange::HardwareExchange(Clock asleep)
+  : Asleep(asleep)
+{
+#if defined(__linux__)
+  this->Wake = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+#endif
+}
+
+HardwareExchange::~HardwareExchange()
+{
+#if defined(__linux__)
+  if (this->Wake >= 0)
+  {
+    close(this->Wake);
+  }
+#endif
+}
+
+void HardwareExchange::WakeUp() noexcept
+{
+#if defined(__linux__)
+  const std::uint64_t one = 1;
+  // It only fails where it is readable already.
+  [[maybe_unused]] const auto size = write(this->Wake, &one, sizeof(one));
+#endif
+}
+
+void HardwareExchange::ClearWake() noexcept
+{
+#if defined(__linux__)
+  std::uint64_t count = 0;
+  [[maybe_unused]] const auto size = read(this->Wake, &count, sizeof(count));
+#endif
+}
+
+std::int64_t HardwareExchange::GetTimeAsleep() noexcept
+{
+#if defined(__linux__)
+  timespec whole{};
+  timespec awake{};
+  clock_gettime(CLOCK_BOOTTIME, &whole);
+  clock_gettime(CLOCK_MONOTONIC, &awake);
+  return (whole.tv_sec - awake.tv_sec) * std::int64_t{ 1000000000 } + whole.tv_nsec - awake.tv_nsec;
+#else
+  return 0;
+#endif
+}
+
+void HardwareExchange::Begin() noexcept
+{
+  this->StopRequested.store(false);
+  this->HomeRequested.store(false);
+  this->Quenched.store(true);
+  this->IsUnderWay = false;
+  this->TimesReadySeen = this->TimesReady.load();
+  this->Samples.Update();
+  this->Forces.Update();
+  this->SleptBefore = this->Asleep();
+  for (int again = 0; again < 3; ++again)
+  {
+    this->SleptBefore = std::max(this->SleptBefore, this->Asleep());
+  }
+  this->ClearWake();
+  this->Stage.store(DeviceStage::Homing, std::memory_order_release);
+  this->SetCondition(DeviceStage::Homing, "");
+}
+
+void HardwareExchange::RequestStop() noexcept
+{
+  this->StopRequested.store(true, std::memory_order_release);
+  this->WakeUp();
+}
+
+bool HardwareExchange::TakeHomeRequest() noexcept
+{
+  const bool requested = this->HomeRequested.load(std::memory_order_acquire);
+  if (requested)
+  {
+    this->Stage.store(DeviceStage::Homing, std::memory_order_release);
+    this->SetCondition(DeviceStage::Homing, "");
+    this->HomeRequested.store(false, std::memory_order_release);
+  }
+  return requested;
+}
+
+void HardwareExchange::RefuseHomeRequest(const char* text) noexcept
+{
+  if (this->HomeRequested.load(std::memory_order_acquire))
+  {
+    this->SetCondition(DeviceStage::Lost, text);
+    this->HomeRequested.store(false, std::memory_order_release);
+  }
+}
+
+void HardwareExchange::RequestHome() noexcept
+{
+  this->HomeRequested.store(true);
+  this->WakeUp();
+}
+
+DeviceCondition HardwareExchange::GetCondition() noexcept
+{
+  // Before the condition: the device's thread takes the request back after it has told its own.
+  const bool willHome = this->HomeRequested.load(std::memory_order_acquire);
+  this->Conditions.Update();
+  DeviceCondition condition = this->Conditions.Read();
+  if (willHome)
+  {
+    condition.Stage = DeviceStage::Homing;
+    condition.Text = {};
+  }
+  return condition;
+}
+
+void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcept
+{
+  if (stage != DeviceStage::Lost && this->Stage.load() == DeviceStage::Lost)
+  {
+    return;
+  }
+  DeviceCondition condition;
+  condition.Stage = stage;
+  std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
+  if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
+  {
+    // Before the stage: it may have been ready before, too, when the servo looks.
+    this->TimesReady.fetch_add(1, std::memory_order_release);
+  }
+  this->Stage.store(stage, std::memory_order_release);
+  // After the stage: who arms a device that is said to be ready must not find that the servo thinks otherwise.
+  this->Conditions.Write(condition);
+}
+
+bool HardwareExchange::HasSlept() noexcept
+{
+  const std::int64_t slept = this->Asleep();
+  const bool has = slept - this->SleptBefore > ShortestSleep;
+  // A thread that is held up between the two clocks sees too little, which is no sleep when it sees all again.
+  this->SleptBefore = std::max(this->SleptBefore, slept);
+  if (has)
+  {
+    this->SetCondition(DeviceStage::Lost,
+      "the computer was asleep, and nobody knows where the hand went. Home() and Arm() again.");
+  }
+  return has;
+}
+
+DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
+{
+  const DeviceStage stage = this->Stage.load(std::memory_order_acquire);
+  if (stage != DeviceStage::Ready)
+  {
+    this->IsUnderWay = false;
+    return stage == DeviceStage::Lost ? DeviceState::Lost : DeviceState::NotReady;
+  }
+  const std::uint32_t times = this->TimesReady.load(std::memory_order_acquire);
+  const bool hasMissed = this->IsUnderWay && times != this->TimesReadySeen;
+  this->TimesReadySeen = times;
+  if (hasMissed)
+  {
+    // It was homed between two ticks.
+    this->IsUnderWay = false;
+    return DeviceState::NotReady;
+  }
+  const bool isNew = this->Samples.Update();
+  if (isNew || this->IsUnderWay)
+  {
+    // Buttons stay pressed and turns go on in ticks between two samples.
+    sample = this->Samples.Read();
+    sample.Fresh = isNew;
+    // The hand was elsewhere before, by a zero that may have been another one.
+    sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
+    this->IsUnderWay = true;
+  }
+  return DeviceState::Running;
+}
+
+DeviceState HardwareExchange::Give(const Vector3& force) noexcept
+{
+  this->Forces.Write({ force, ServoClock::Now(), this->TimesReadySeen });
+  this->Quenched.store(false, std::memory_order_release);
+  this->WakeUp();
+  return this->Stage.load(std::memory_order_acquire) == DeviceStage::Lost ? DeviceState::Lost
+                                                                          : DeviceState::Running;
+}
+
+void HardwareExchange::Quench() noexcept
+{
+  this->Quenched.store(true, std::memory_order_release);
+  this->ZeroRounds.store(0, std::memory_order_release);
+  this->WakeUp();
+}
+
+Vector3 HardwareExchange::GetForce() noexcept
+{
+  this->Forces.Update();
+  const TimedForce& latest = this->Forces.Read();
+  const double age =
+    static_cast<double>(ServoClock::Now() - latest.Time) * ServoClock::SecondsPerNanosecond -
+    WatchdogTime;
+  const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;
+  const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
+  // A force from before it was homed was meant for another place.
+  const bool flows = IsFinite(force) && Norm(force) > 0.0 &&
+    latest.TimesReady == this->TimesReady.load(std::memory_order_acquire) &&
+    !this->Quenched.load(std::memory_order_acquire) &&
+    this->Stage.load(std::memory_order_acquire) == DeviceStage::Ready;
+  this->ZeroRounds.store(flows ? 0 : std::min(rounds + 1, 2), std::memory_order_release);
+  return flows ? force : Vector3{};
+}
+
+} // namespace VolumeHaptics

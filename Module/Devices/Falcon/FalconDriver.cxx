@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Falcon/FalconDriver.h"
+
+#include "Devices/Falcon/FalconFirmware.h"
+#include "Devices/Falcon/FalconPilot.h"
+#include "Devices/Falcon/FalconRounds.h"
+#include "Devices/Falcon/FalconSerial.h"
+#include "Core/Servo/ServoClock.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Packets, 50 ms each, after which a device that says nothing has no firmware. */
+constexpr int ProbePackets = 5;
+constexpr std::int64_t QuietTime = 20000000; // ns
+
+const char* const GoneText =
+  "The device was unplugged. Plug it in, then Close(), Open(), Start() and Arm() it again.";
+
+const char* TroubleText(UsbOutcome trouble) noexcept
+{
+  return trouble == UsbOutcome::Stalled
+    ? "The device refused a transfer (a stall). Home() and Arm() again; if that does not help, "
+      "plug it in again."
+    : "A transfer to or from the device failed. Check its cable, then Home() and Arm() again.";
+}
+
+} // namespace
+
+FalconDriver::FalconDriver(int number, DeviceOptions options)
+  : Number(number)
+  , Options(std::move(options))
+  , Name(FalconProduct.Name)
+{
+}
+
+DeviceLimits FalconDriver::GetLimits() const
+{
+  return FalconLimits();
+}
+
+bool FalconDriver::Connect(std::string& error)
+{
+  if (!this->Usb.Open(FalconProduct, this->Number, error))
+  {
+    return false;
+  }
+  this->Name = UsbNameOf(libusb_get_device(this->Usb.GetHandle()), FalconProduct);
+  this->Firmware.clear();
+  FalconSerial serial(this->Usb);
+  bool isFine = serial.Runs(ProbePackets);
+  if (!isFine && serial.GetError() < 0 && serial.GetError() != LIBUSB_ERROR_TIMEOUT)
+  {
+    error =
+      "The " + this->Name + " can't be opened: " + UsbTroubleText(serial.GetError(), FalconProduct);
+  }
+  else if (!isFine)
+  {
+    isFine = ReadFalconFirmware(this->Options.FirmwareFile, this->Firmware, error);
+  }
+  if (!isFine)
+  {
+    this->Usb.Close();
+  }
+  return isFine;
+}
+
+void FalconDriver::Serve(HardwareExchange& exchange)
+{
+  while (!exchange.MustStop())
+  {
+    End end = this->Firmware.empty() ? End::Done : this->Load(exchange);
+    if (end == End::Done)
+    {
+      end = this->Talk(exchange);
+    }
+    if (end == End::Gone)
+    {
+      exchange.SetCondition(DeviceStage::Lost, GoneText);
+    }
+    // A device that is gone does not come back by homing.
+    while (!exchange.MustStop() && (end == End::Gone || !exchange.TakeHomeRequest()))
+    {
+      if (end == End::Gone)
+      {
+        exchange.RefuseHomeRequest(GoneText);
+      }
+      ServoClock::SleepUntil(ServoClock::Now() + QuietTime);
+    }
+  }
+}
+
+FalconDriver::End FalconDriver::Load(HardwareExchange& exchange)
+{
+  FalconSerial serial(this->Usb);
+  std::string trouble;
+  switch (LoadFalcon(serial, this->Firmware, exchange, trouble))
+  {
+    case FalconLoading::Loaded:
+      this->Firmware.clear();
+      return End::Done;
+    case FalconLoading::Gone:
+      return End::Gone;
+    case FalconLoading::Stopped:
+      return End::Failed;
+    case FalconLoading::Failed:
+      break;
+  }
+  const std::string text = "Loading the firmware failed: " + trouble +
+    ". Check that the file is this device's image, switch the device off and on, and Home() to try "
+    "again.";
+  exchange.SetCondition(DeviceStage::Lost, text.c_str());
+  return End::Failed;
+}
+
+FalconDriver::End FalconDriver::Talk(HardwareExchange& exchange)
+{
+  FalconPilot pilot(exchange, this->Options.HomingTime);
+  FalconRounds rounds(this->Usb, exchange);
+  std::int64_t last = ServoClock::Now();
+  while (!exchange.MustStop())
+  {
+    rounds.Wait();
+    if (rounds.GetTrouble() == UsbOutcome::Gone)
+    {
+      return End::Gone;
+    }
+    if (rounds.GetTrouble() > UsbOutcome::Cancelled)
+    {
+      pilot.Lose(TroubleText(rounds.GetTrouble()));
+    }
+    if (exchange.HasSlept())
+    {
+      pilot.Stop();
+    }
+    if (exchange.TakeHomeRequest())
+    {
+      pilot.Restart();
+    }
+    if (rounds.HasReport() || rounds.HasMissed())
+    {
+      const std::int64_t now = ServoClock::Now();
+      const double elapsed = static_cast<double>(now - last) * ServoClock::SecondsPerNanosecond;
+      last = now;
+      rounds.HasReport() ? pilot.Take(rounds.GetReport(), elapsed)
+                         : pilot.Miss(elapsed, rounds.GetGarbage());
+    }
+    if (rounds.IsDue())
+    {
+      rounds.Send(pilot.GetOrder());
+    }
+  }
+  return End::Done;
+}
+
+} // namespace VolumeHaptics

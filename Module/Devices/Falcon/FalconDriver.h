@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A Novint Falcon through libusb. Not verified on hardware.
+ */
+#ifndef FalconDriver_h
+#define FalconDriver_h
+
+#include "Devices/Common/DeviceKind.h"
+#include "Devices/Common/HardwareDevice.h"
+#include "Devices/Transport/Usb/UsbInterface.h"
+
+namespace VolumeHaptics
+{
+
+constexpr UsbProduct FalconProduct = { 0x0403, 0xcb48, "Novint Falcon" };
+
+class FalconDriver final : public HardwareDriver
+{
+public:
+  /** The device of a number in FindUsbDevices. */
+  FalconDriver(int number, DeviceOptions options);
+
+  std::string GetName() const override { return this->Name; }
+  DeviceLimits GetLimits() const override;
+  /** Where the firmware does not run it has to be there to be loaded: Serve does that. */
+  bool Connect(std::string& error) override;
+  void Serve(HardwareExchange& exchange) override;
+  void Disconnect() noexcept override { this->Usb.Close(); }
+
+private:
+  /** What a part of a session ended with. */
+  enum class End
+  {
+    Done,
+    Failed, ///< may be tried again with Home()
+    Gone
+  };
+  End Load(HardwareExchange& exchange);
+  End Talk(HardwareExchange& exchange);
+
+  const int Number;
+  const DeviceOptions Options;
+  std::string Name;
+  UsbInterface Usb;
+  std::vector<std::uint8_t> Firmware; ///< empty where it runs
+};
+
+} // namespace VolumeHaptics
+
+#endif

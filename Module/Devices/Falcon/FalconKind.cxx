@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Common/BuiltInKinds.h"
+#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Falcon/FalconDriver.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+std::vector<DeviceListing> ListFalcons()
+{
+  std::vector<DeviceListing> listings;
+  std::string error;
+  const UsbContext context = MakeUsbContext(error);
+  if (context)
+  {
+    for (const UsbDevice& device : FindUsbDevices(context.get(), FalconProduct))
+    {
+      listings.push_back({ "falcon:" + std::to_string(listings.size()),
+        UsbNameOf(device.get(), FalconProduct), UsbStateOf(device.get(), FalconProduct) });
+    }
+  }
+  return listings;
+}
+
+std::unique_ptr<DeviceBackend> MakeFalcon(
+  const std::string& id, const DeviceOptions& options, std::string& error)
+{
+  const int number = ReadDeviceNumber(id, "falcon", error);
+  if (number < 0)
+  {
+    return nullptr;
+  }
+  return std::make_unique<HardwareDevice>(std::make_unique<FalconDriver>(number, options));
+}
+
+} // namespace
+
+DeviceKind GetFalconKind()
+{
+  return { "falcon", &ListFalcons, &MakeFalcon };
+}
+
+} // namespace VolumeHaptics

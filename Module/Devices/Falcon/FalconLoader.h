@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The dialogue that loads the Novint Falcon's firmware, as a state machine without a transport.
+ *
+ * The firmware is not part of this project and must not be: the user says where the image is. A
+ * device that already runs needs no loading, so probe it first: send FalconRunRequests and a run
+ * packet, and see whether a report comes back.
+ *
+ * Not verified on hardware.
+ */
+#ifndef FalconLoader_h
+#define FalconLoader_h
+
+#include "Devices/Transport/Usb/FtdiSerial.h"
+
+#include <array>
+
+namespace VolumeHaptics
+{
+
+constexpr std::uint16_t FalconGreetingBaud = 0x4138; ///< 9600 baud
+constexpr std::uint16_t FalconLoadingBaud = 0x0015;  ///< about 140 000 baud
+constexpr std::uint16_t FalconRunBaud = 0x0002;
+constexpr std::size_t FalconBlockSize = 62; ///< of the image: what fits beside the status bytes
+constexpr int FalconMostGreetings = 100;
+
+/** What a device is told before run packets go back and forth. */
+constexpr std::array<FtdiRequest, 4> FalconRunRequests = { FtdiLatency(1), FtdiBaud(FalconRunBaud),
+  FtdiPurgeReceive, FtdiPurgeTransmit };
+
+enum class FalconLoaderFault : std::uint8_t
+{
+  None,
+  NoImage,        ///< there is nothing to load
+  Refused,        ///< a request or a write did not go through
+  NoGreeting,     ///< FalconMostGreetings without an answer to the last one
+  WrongGreeting,  ///< the same, and the last answer was another one
+  NoHandshake,    ///< no answer at the loading rate
+  WrongHandshake, ///< another answer
+  NoEcho,         ///< a block of the image did not come back in time
+  WrongEcho       ///< it came back different, or with more behind it
+};
+
+/** In words, for a status. */
+const char* FalconLoaderFaultText(FalconLoaderFault fault) noexcept;
+
+/** What the transport has to do now. */
+struct FalconLoaderStep
+{
+  enum class Kind : std::uint8_t
+  {
+    Request, ///< send Request, then say Done
+    Write,   ///< write Size Bytes, then say Done
+    Read,    ///< read; Size bytes are still due; say Receive or TimeOut
+    Finished,
+    Failed
+  };
+  Kind What = Kind::Failed;
+  FtdiRequest Request = {};
+  const std::uint8_t* Bytes = nullptr;
+  std::size_t Size = 0;
+  bool MayStayOpen = false; ///< a Read whose message is repeated: be quick to say TimeOut
+};
+
+class FalconLoader
+{
+public:
+  /** The image has to stay where it is. */
+  FalconLoader(const std::uint8_t* image, std::size_t size) noexcept;
+
+  FalconLoaderStep GetStep() const noexcept;
+
+  ///@{
+  /** What became of the step; ignored where the step is not one that it answers. */
+  void Done() noexcept;
+  void Refuse() noexcept;
+  /** Bytes without the converter's status: any part of what is due. */
+  void Receive(const std::uint8_t* bytes, std::size_t size) noexcept;
+  void TimeOut() noexcept;
+  ///@}
+
+  FalconLoaderFault GetFault() const noexcept { return this->Fault; }
+  /** How many bytes of the image came back as they were sent. */
+  std::size_t GetConfirmed() const noexcept { return this->Confirmed; }
+
+private:
+  enum class Stage : std::uint8_t
+  {
+    Prepare,
+    Greet,
+    GreetAgain,
+    SpeedUp,
+    Shake,
+    Load,
+    Run,
+    Finished,
+    Failed
+  };
+  struct Requests
+  {
+    const FtdiRequest* First = nullptr;
+    std::size_t Count = 0;
+  };
+  Requests GetRequests() const noexcept;
+  FtdiPayload GetMessage() const noexcept;
+  FtdiPayload GetAnswer() const noexcept;
+  void Enter(Stage stage) noexcept;
+  void Answered() noexcept;
+  void Deviate(
+    FalconLoaderFault greeting, FalconLoaderFault shake, FalconLoaderFault echo) noexcept;
+  void Fail(FalconLoaderFault fault) noexcept;
+
+  FtdiPayload Image;
+  std::size_t NextRequest = 0;
+  std::size_t Offset = 0;  ///< of the block in the image
+  std::size_t Matched = 0; ///< bytes of the answer
+  std::size_t Confirmed = 0;
+  int Greetings = 0;
+  bool Reading = false;
+  Stage Now = Stage::Prepare;
+  FalconLoaderFault Fault = FalconLoaderFault::None;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The Novint Falcon's run packets: 16 bytes to the device, 16 back, about a thousand times a second.
+ *
+ * Byte 0 is '<', byte 15 is '>'; between them every byte is 0x41 and a payload. Bytes 1 to 12 are three
+ * 16-bit numbers of four nibbles each, the low nibble first: motor commands out, encoder counts in.
+ * Byte 13 carries bits. Byte 14 carries nothing that is known: 'A' is sent, and anything is taken.
+ *
+ * Pure functions for the servo loop: no allocation, no exception. Not verified on hardware.
+ */
+#ifndef FalconProtocol_h
+#define FalconProtocol_h
+
+#include "Devices/Falcon/FalconKinematics.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+constexpr std::size_t FalconPacketSize = 16;
+using FalconPacket = std::array<std::uint8_t, FalconPacketSize>;
+
+///@{
+/** The bits of what is sent. Sources disagree on the colours, and no device was at hand to settle it. */
+constexpr std::uint8_t FalconHome =
+  0x01; ///< find the encoders' zero, and keep it: see FalconRunPacket
+constexpr std::uint8_t FalconGreen = 0x02;
+constexpr std::uint8_t FalconBlue = 0x04;
+constexpr std::uint8_t FalconRed = 0x08;
+///@}
+
+///@{
+/** The grip's buttons. */
+constexpr std::uint8_t FalconPlus = 0x01;
+constexpr std::uint8_t FalconForwardButton = 0x02;
+constexpr std::uint8_t FalconCenter = 0x04;
+constexpr std::uint8_t FalconMinus = 0x08;
+///@}
+
+/** FalconReport::Homed where every encoder is. */
+constexpr std::uint8_t FalconAllHomed = 0x07;
+
+/** What is sent to the device. */
+struct FalconOrder
+{
+  FalconCounts Motors{};   ///< commands, see FalconCommandsOf
+  std::uint8_t Lights = 0; ///< FalconHome and colours; other bits are not sent
+};
+
+/** What comes back. */
+struct FalconReport
+{
+  FalconCounts Encoders{};  ///< counts; without meaning before they are homed
+  std::uint8_t Buttons = 0; ///< FalconPlus ... FalconMinus
+  std::uint8_t Homed = 0;   ///< a bit an encoder
+};
+
+/** What is wrong with bytes that should be a packet. */
+enum class FalconFlaw : std::uint8_t
+{
+  None,
+  Length, ///< not 16 bytes
+  Begin,  ///< no '<' at the beginning
+  Nibble, ///< a number's byte is not within 'A' to 'P'
+  Bits,   ///< byte 13 is more than seven bits, or less than 0x41
+  End     ///< no '>' at the end
+};
+
+/** In words, for a status. */
+const char* FalconFlawText(FalconFlaw flaw) noexcept;
+
+/** What is wrong with a byte (0 to 255) at a place (0 to 15) of a packet. */
+FalconFlaw FalconCheck(std::size_t place, std::uint8_t byte) noexcept;
+
+///@{
+/** What the host sends, and what a device sends: an emulated one needs the other half. */
+FalconPacket FalconEncode(const FalconOrder& order) noexcept;
+FalconPacket FalconEncode(const FalconReport& report) noexcept;
+///@}
+
+/**
+ * An order as it goes to a running device: always with FalconHome, which libnifalcon, too, sets in every packet as long as
+ * its homing mode is on (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h gives
+ * the bits of homed encoders as "(If homing mode on)": no source says what they mean after a packet without FalconHome.
+ */
+FalconPacket FalconRunPacket(FalconOrder order) noexcept;
+
+///@{
+/** The first flaw; the result stays as it was where there is one. */
+FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconReport& report) noexcept;
+FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconOrder& order) noexcept;
+///@}
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Run packets there and back with a Novint Falcon, at the servo's pace.
+ *
+ * A packet leaves as soon as the servo gives a force, but never before the last one was answered or its time
+ * is over; without a force one leaves every 2 ms, so that homing goes on and zero is renewed. Receiving
+ * transfers are posted all the time. Everything is made before the first round.
+ */
+#ifndef FalconRounds_h
+#define FalconRounds_h
+
+#include "Devices/Falcon/FalconStream.h"
+#include "Devices/Common/HardwareExchange.h"
+#include "Devices/Transport/Usb/UsbEvents.h"
+#include "Devices/Transport/Usb/UsbTransfer.h"
+
+namespace VolumeHaptics
+{
+
+class FalconRounds final : public UsbTransferOwner
+{
+public:
+  /** How long (ns) an answer may take, and how long the device is left alone at most. */
+  static constexpr std::int64_t AnswerTime = 10000000;
+  static constexpr std::int64_t IdleTime = 2000000;
+
+  /** Both outlive this. */
+  FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
+  /** Sends zero commands where the device is there, and waits for that, within a fraction of a second. */
+  ~FalconRounds();
+
+  /** Waits until something has happened or is due. */
+  void Wait() noexcept;
+
+  ///@{
+  /** What happened in the last Wait. */
+  bool HasReport() const noexcept { return this->Reported; }
+  const FalconReport& GetReport() const noexcept { return this->Report; }
+  /** A packet was not answered in time; GetGarbage says why, or is nullptr. */
+  bool HasMissed() const noexcept { return this->Missed; }
+  const char* GetGarbage() const noexcept;
+  /** The worst that became of a transfer in it, or when one was submitted since the last one. */
+  UsbOutcome GetTrouble() const noexcept { return this->Trouble; }
+  ///@}
+
+  /** Whether to send now. */
+  bool IsDue() const noexcept;
+  void Send(const FalconOrder& order) noexcept;
+
+private:
+  struct Transfers
+  {
+    Transfers(UsbInterface& usb, UsbTransferOwner& owner);
+    bool AreFlying() const noexcept;
+
+    UsbTransfer Out;
+    UsbTransfer First;
+    UsbTransfer Second;
+  };
+
+  void TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noexcept override;
+  bool Submit(UsbTransfer& transfer, std::size_t size) noexcept;
+  void PostReceivers() noexcept;
+  void Note(UsbOutcome outcome) noexcept;
+  bool IsPending() const noexcept { return this->Awaiting || this->Flight->Out.IsFlying(); }
+  template <typename F>
+  void WaitWhile(F&& holds, std::int64_t time) noexcept;
+  void Finish() noexcept;
+
+  UsbInterface& Usb;
+  UsbEvents Events;
+  std::unique_ptr<Transfers> Flight;
+  FalconStream Stream;
+  FalconReport Report;
+  std::uint32_t DroppedBefore = 0; ///< when the last report came
+  std::int64_t SentAt = 0;
+  std::int64_t LimitFrom = 0; ///< what AnswerTime counts from
+  bool Awaiting = false;
+  bool Woken = false;
+  bool Reported = false;
+  bool Missed = false;
+  UsbOutcome TroubleSoFar = UsbOutcome::Done;
+  UsbOutcome Trouble = UsbOutcome::Done;
+  bool OutStalled = false;
+  bool InStalled = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

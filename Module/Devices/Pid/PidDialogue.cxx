@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Pid/PidDialogue.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+// What a device does without its host is not left to a setting: 50 to 100 ms, also for nonsense.
+PidSettings Bounded(PidSettings settings)
+{
+  constexpr double shortest = 0.05;
+  constexpr double longest = 0.1;
+  settings.Duration = std::min(longest, std::max(shortest, settings.Duration));
+  return settings;
+}
+} // namespace
+
+PidDialogue::PidDialogue(const PidDevice& device, const PidSettings& settings)
+  : Device(device)
+  , Settings(Bounded(settings))
+{
+}
+
+PidStep PidDialogue::GetStep(HidReport& report) const
+{
+  const std::int64_t block = this->Blocks[this->Axis];
+  switch (this->Now)
+  {
+    case Stage::FirstReset:
+    case Stage::SecondReset:
+      report = this->Device.Control(PidUsage::DeviceReset);
+      return PidStep::Send;
+    case Stage::Enable:
+      report = this->Device.Control(PidUsage::EnableActuators);
+      return PidStep::Send;
+    case Stage::Pool:
+      report = this->Device.AskPool();
+      return PidStep::Fetch;
+    case Stage::Gain:
+      report = this->Device.FullGain();
+      return PidStep::Send;
+    case Stage::Create:
+      report = this->Device.CreateConstant();
+      return PidStep::Send;
+    case Stage::BlockLoad:
+      report = this->Device.AskBlockLoad();
+      return PidStep::Fetch;
+    case Stage::SetEffect:
+      report = this->Device.SetEffect(block, this->Axis, this->Settings.Duration);
+      return PidStep::Send;
+    case Stage::NoForce:
+      report = this->Device.SetConstant(block, 0.0, 1.0);
+      return PidStep::Send;
+    case Stage::Start:
+      report = this->Device.Operate(block, PidUsage::EffectStart);
+      return PidStep::Send;
+    case Stage::Ready:
+      return PidStep::Ready;
+    default:
+      return PidStep::Failed;
+  }
+}
+
+void PidDialogue::Sent(bool went)
+{
+  if (this->Now >= Stage::Ready || this->Now == Stage::Pool || this->Now == Stage::BlockLoad)
+  {
+    return;
+  }
+  if (!went)
+  {
+    this->Fail("The device does not take force-feedback reports");
+    return;
+  }
+  this->Advance();
+}
+
+void PidDialogue::Fetched(const std::uint8_t* payload, std::size_t size)
+{
+  if (this->Now == Stage::Pool)
+  {
+    const int effects = this->Device.ReadPool(payload, size);
+    if (effects > 0 && effects < this->Device.GetNumberOfAxes())
+    {
+      this->Fail("The device plays fewer effects at a time than it has axes");
+      return;
+    }
+    this->Advance();
+    return;
+  }
+  if (this->Now != Stage::BlockLoad)
+  {
+    return;
+  }
+  switch (this->Device.ReadBlockLoad(payload, size, this->Blocks[this->Axis]))
+  {
+    case BlockLoadStatus::Success:
+      this->Advance();
+      return;
+    case BlockLoadStatus::Full:
+      this->Fail("The device has no room for another effect");
+      return;
+    case BlockLoadStatus::Error:
+      this->Fail("The device can't make a constant force");
+      return;
+    default:
+      if (++this->Polls >= PidDialogue::MaximumPolls)
+      {
+        this->Fail("The device does not say whether it has made the effect");
+      }
+  }
+}
+
+void PidDialogue::Advance()
+{
+  if (this->Now == Stage::Start && this->Axis + 1 < this->Device.GetNumberOfAxes())
+  {
+    ++this->Axis;
+    this->Polls = 0;
+    this->Now = Stage::Create;
+    return;
+  }
+  this->Now = static_cast<Stage>(static_cast<int>(this->Now) + 1);
+  if (this->Now == Stage::Pool && !this->Device.HasPool())
+  {
+    this->Now = Stage::Gain;
+  }
+  if (this->Now == Stage::Gain && !this->Device.HasDeviceGain())
+  {
+    this->Now = Stage::Create;
+  }
+}
+
+void PidDialogue::Fail(std::string error)
+{
+  this->Now = Stage::Failed;
+  this->Error = std::move(error);
+}
+
+PidStream::PidStream(
+  const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue)
+  : Device(device)
+  , Settings(Bounded(settings))
+  , Blocks{ dialogue.GetBlock(0), dialogue.GetBlock(1) }
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    this->Last[axis] = device.SetConstant(this->Blocks[axis], 0.0, 1.0).Bytes;
+  }
+}
+
+bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidReport& report) noexcept
+{
+  const int axes = this->Device.GetNumberOfAxes();
+  for (double& age : this->Ages)
+  {
+    age += elapsed;
+  }
+  // Twice in a duration, so that one report may be late.
+  const double due = 0.5 * this->Settings.Duration;
+  for (int axis = 0; axis < axes; ++axis)
+  {
+    if (this->Ages[axis] >= due)
+    {
+      this->Ages[axis] = 0.0;
+      report = this->Device.Operate(this->Blocks[axis], PidUsage::EffectStart);
+      return true;
+    }
+  }
+  for (int i = 0; i < axes; ++i)
+  {
+    const int axis = (this->Turn + i) % axes;
+    const HidReport magnitude = this->Device.SetConstant(
+      this->Blocks[axis], force[axis], this->Settings.NewtonsPerFullScale[axis]);
+    if (magnitude.Bytes != this->Last[axis])
+    {
+      this->Last[axis] = magnitude.Bytes;
+      this->Turn = (axis + 1) % axes;
+      report = magnitude;
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What goes between the host and a force-feedback stick or wheel, without anything that sends it.
+ *
+ * PidDialogue makes the device ready: reset twice, enable the actuators, read the pool, full gain;
+ * then for each axis create a constant effect, wait for its block, set it with a short duration and
+ * no force, and start it. PidStream says what to send from then on. An effect ends by itself after
+ * its duration unless it is started again, so that the device goes to zero when the host dies.
+ */
+#ifndef PidDialogue_h
+#define PidDialogue_h
+
+#include "Devices/Pid/PidProtocol.h"
+
+namespace VolumeHaptics
+{
+
+enum class PidStep : std::uint8_t
+{
+  Send,  ///< send the report as it is, then call Sent
+  Fetch, ///< get a feature report of this id and size, then call Fetched
+  Ready, ///< all effects run
+  Failed ///< see GetError
+};
+
+class PidDialogue
+{
+public:
+  /** How often the device may say that it has not made an effect yet, with a pause in between. */
+  static constexpr int MaximumPolls = 60;
+  static constexpr double PollPause = 0.005; ///< s, which the caller waits before asking again
+
+  /** The device has to outlive this. */
+  PidDialogue(const PidDevice& device, const PidSettings& settings);
+
+  /** What is to be done now; the same until Sent or Fetched is called. */
+  PidStep GetStep(HidReport& report) const;
+
+  ///@{
+  /** What became of it. A payload of no bytes says that nothing was to be had. */
+  void Sent(bool went);
+  void Fetched(const std::uint8_t* payload, std::size_t size);
+  ///@}
+
+  const std::string& GetError() const { return this->Error; }
+  /** The block of an axis' effect, once ready. */
+  std::int64_t GetBlock(int axis) const noexcept { return this->Blocks[axis]; }
+
+private:
+  enum class Stage : std::uint8_t
+  {
+    FirstReset,
+    SecondReset,
+    Enable,
+    Pool,
+    Gain,
+    Create,
+    BlockLoad,
+    SetEffect,
+    NoForce,
+    Start,
+    Ready,
+    Failed
+  };
+
+  void Advance();
+  void Fail(std::string error);
+
+  const PidDevice& Device;
+  const PidSettings Settings;
+  Stage Now = Stage::FirstReset;
+  int Axis = 0;
+  int Polls = 0;
+  std::array<std::int64_t, 2> Blocks{};
+  std::string Error;
+};
+
+/**
+ * The reports of the servo, one after the other: each axis is started anew in time, and gets its
+ * magnitude whenever that changes. No allocation, no exception.
+ */
+class PidStream
+{
+public:
+  /** The device has to outlive this; the dialogue is ready. */
+  PidStream(const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue);
+
+  /**
+   * Adds the time (s) since the last call and takes the force on the hand (N). False where nothing
+   * needs to be sent.
+   */
+  bool Next(double elapsed, const std::array<double, 2>& force, HidReport& report) noexcept;
+
+private:
+  const PidDevice& Device;
+  const PidSettings Settings;
+  std::array<std::int64_t, 2> Blocks{};
+  std::array<double, 2> Ages{}; ///< s since the last start
+  std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{}; ///< magnitudes sent
+  int Turn = 0; ///< the axis that is asked first
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Pid/PidDriver.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <thread>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** That many repeated packets are no chance: the stick reports at its own rate. */
+constexpr int RepeatsOfStream = 20;
+
+bool MapBoth(const HidPlace& place, PidDevice& device, HidStick& stick, std::string& error)
+{
+  HidReportDescriptor descriptor;
+  const bool isMapped = place.ReadDescriptor(descriptor, error) && device.Map(descriptor, error) &&
+    stick.Map(descriptor, error);
+  if (isMapped && !stick.HasSecondAxis())
+  {
+    device.UseOneAxis();
+  }
+  return isMapped;
+}
+
+const char* const TwoAxes =
+  "it has two axes, and firmwares disagree on the direction of the force along the second one, "
+  "which could push the hand away. Use a wheel, or another device of one axis";
+
+} // namespace
+
+bool PidDriver::ReadNumbers(const std::string& id, Numbers& numbers)
+{
+  if (id == "pid")
+  {
+    numbers = {};
+    return true;
+  }
+  const auto isDigit = [](char c)
+  { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); };
+  const bool isWhole = id.size() == 13 && id.compare(0, 4, "pid:") == 0 && id[8] == ':' &&
+    std::all_of(id.begin() + 4, id.begin() + 8, isDigit) &&
+    std::all_of(id.begin() + 9, id.end(), isDigit);
+  if (isWhole)
+  {
+    numbers.Any = false;
+    numbers.Vendor = static_cast<std::uint16_t>(std::strtoul(id.c_str() + 4, nullptr, 16));
+    numbers.Product = static_cast<std::uint16_t>(std::strtoul(id.c_str() + 9, nullptr, 16));
+  }
+  return isWhole;
+}
+
+bool PidDriver::IsPid(const HidPlace& place)
+{
+  PidDevice device;
+  HidStick stick;
+  std::string error;
+  return MapBoth(place, device, stick, error);
+}
+
+std::string PidDriver::FindObjection(const HidPlace& place)
+{
+  PidDevice device;
+  HidStick stick;
+  std::string error;
+  return MapBoth(place, device, stick, error) && device.GetNumberOfAxes() > 1 ? TwoAxes : "";
+}
+
+PidDriver::PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale)
+  : HidDriver("A force-feedback stick")
+  , Wanted(numbers)
+{
+  this->Settings.NewtonsPerFullScale = newtonsPerFullScale;
+}
+
+DeviceLimits PidDriver::GetLimits() const
+{
+  const std::array<double, 2>& full = this->Settings.NewtonsPerFullScale;
+  DeviceLimits limits;
+  limits.MaximumForce = this->Device.GetNumberOfAxes() > 1
+    ? std::min(std::abs(full[0]), std::abs(full[1]))
+    : std::abs(full[0]);
+  limits.MaximumSpeed = FastestStick;
+  limits.WorkspaceRadius = Travel;
+  return limits;
+}
+
+std::vector<HidPlace> PidDriver::Choose(std::string& error) const
+{
+  std::vector<HidPlace> places;
+  std::string reason;
+  for (const HidPlace& place : FindHidDevices())
+  {
+    const bool isNamed =
+      place.Vendor == this->Wanted.Vendor && place.ProductId == this->Wanted.Product;
+    PidDevice device;
+    HidStick stick;
+    if ((this->Wanted.Any || isNamed) && MapBoth(place, device, stick, reason))
+    {
+      if (device.GetNumberOfAxes() > 1)
+      {
+        error = place.GetLabel() + " can't be used: " + TwoAxes + ".";
+      }
+      else
+      {
+        places.push_back(place);
+      }
+    }
+    else if (isNamed && !this->Wanted.Any)
+    {
+      error = place.GetLabel() + " can't be used: " + reason +
+        ". Choose a device that EnumerateDevices() lists.";
+    }
+  }
+  if (places.empty() && error.empty())
+  {
+    error = this->Wanted.Any
+      ? "No force-feedback stick or wheel is plugged in. Plug it in and switch it on; it has to "
+        "speak HID PID."
+      : "No device with these numbers is plugged in. Plug it in, or give an id that "
+        "EnumerateDevices() lists.";
+  }
+  return places;
+}
+
+bool PidDriver::Prepare(const HidPlace& place, std::string& error)
+{
+  if (!MapBoth(place, this->Device, this->Stick, error))
+  {
+    error = place.GetLabel() + " can't be used: " + error + ". Plug it in anew.";
+    return false;
+  }
+  return true;
+}
+
+void PidDriver::Begin(HardwareExchange& exchange, bool)
+{
+  this->Stream.reset();
+  this->Dialogue.emplace(this->Device, this->Settings);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  this->State = {};
+  this->State.Axes = { unknown, this->Stick.HasSecondAxis() ? unknown : 0.0 };
+  this->IsReady = false;
+  this->LastSize = this->Repeats = 0;
+  this->LastRound = ServoClock::Now();
+  this->Drain();
+  this->Tell(exchange, DeviceStage::Homing, "is being made ready.");
+}
+
+void PidDriver::Work(HardwareExchange& exchange)
+{
+  if (!this->Stream)
+  {
+    this->GoOnWithDialogue(exchange);
+    return;
+  }
+  const bool hasNews = this->Listen(exchange);
+  if (this->IsLost())
+  {
+    return;
+  }
+  if (this->IsSilent(hasNews) && this->Repeats > RepeatsOfStream)
+  {
+    this->Lose(exchange,
+      "does not report where it is any more. Look after its cable and its power, then Home() and "
+      "Arm() again; if that does not help, plug it in anew, then Open() and Start() it.");
+    return;
+  }
+  this->TellPlace(exchange);
+  this->SendForces(exchange);
+}
+
+void PidDriver::GoOnWithDialogue(HardwareExchange& exchange)
+{
+  HidReport report;
+  switch (this->Dialogue->GetStep(report))
+  {
+    case PidStep::Send:
+      if (this->Send(exchange, report))
+      {
+        this->Dialogue->Sent(true);
+      }
+      break;
+    case PidStep::Fetch:
+      this->Fetch(report);
+      break;
+    case PidStep::Ready:
+      this->Stream.emplace(this->Device, this->Settings, *this->Dialogue);
+      this->LastRound = ServoClock::Now();
+      this->IsSilent(true);
+      this->Tell(exchange, DeviceStage::Homing, "has not said yet where it is: move it a little.");
+      break;
+    case PidStep::Failed:
+      this->Lose(exchange,
+        ("can't be made ready. " + this->Dialogue->GetError() +
+          ". End other programs that use it and plug it in anew, then Open() and Start() it.")
+          .c_str());
+      break;
+  }
+}
+
+void PidDriver::Fetch(HidReport& report)
+{
+  const int size = this->Port.GetFeature(report.Bytes.data(), report.Size + 1);
+  const bool came = size > 1;
+  this->Dialogue->Fetched(report.Payload(), came ? static_cast<std::size_t>(size) - 1 : 0);
+  // It may not have made the effect yet.
+  std::this_thread::sleep_for(std::chrono::duration<double>(PidDialogue::PollPause));
+}
+
+bool PidDriver::Listen(HardwareExchange& exchange)
+{
+  std::array<std::uint8_t, LongestReport> bytes;
+  bool hasNews = false;
+  for (int i = 0; i < LongestQueue; ++i)
+  {
+    const int size = this->Read(exchange, bytes.data(), i == 0 ? 1 : 0);
+    if (size <= 0)
+    {
+      return hasNews;
+    }
+    hasNews = true;
+    const char* const wrong =
+      this->Stick.Decode(bytes.data(), static_cast<std::size_t>(size), this->State);
+    if (wrong)
+    {
+      const std::string text = std::string("sent ") + wrong +
+        ". Look after its cable and its firmware, then Home() and Arm() again.";
+      this->Lose(exchange, text.c_str());
+      return hasNews;
+    }
+    const bool repeats = size == this->LastSize &&
+      std::equal(bytes.begin(), bytes.begin() + size, this->LastPacket.begin());
+    this->Repeats = std::min(this->Repeats + (repeats ? 1 : 0), RepeatsOfStream + 1);
+    this->LastPacket = bytes;
+    this->LastSize = size;
+  }
+  return hasNews;
+}
+
+void PidDriver::TellPlace(HardwareExchange& exchange)
+{
+  DeviceSample sample;
+  sample.Tip = { Travel * this->State.Axes[0], -Travel * this->State.Axes[1], 0.0 };
+  sample.Buttons = this->State.Buttons;
+  if (!IsFinite(sample.Tip))
+  {
+    return;
+  }
+  exchange.Tell(sample);
+  if (!this->IsReady)
+  {
+    this->IsReady = true;
+    this->Tell(exchange, DeviceStage::Ready, "");
+  }
+}
+
+void PidDriver::SendForces(HardwareExchange& exchange)
+{
+  const std::int64_t now = ServoClock::Now();
+  double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
+  this->LastRound = now;
+  const Vector3 force = exchange.GetForce();
+  // HID's y axis points towards the hand, and a positive magnitude pushes towards an axis' negative end.
+  const std::array<double, 2> magnitudes{ -force.X, force.Y };
+  // For each axis its start, where that is due, and its magnitude.
+  HidReport report;
+  for (int i = 0; i < 2 * this->Device.GetNumberOfAxes(); ++i)
+  {
+    if (!this->Stream->Next(elapsed, magnitudes, report) || !this->Send(exchange, report))
+    {
+      return;
+    }
+    elapsed = 0.0;
+  }
+}
+
+bool PidDriver::Send(HardwareExchange& exchange, const HidReport& report) noexcept
+{
+  return this->Write(
+    exchange, report.Bytes.data(), report.Size + 1, report.Kind == HidReportKind::Feature);
+}
+
+void PidDriver::Rest() noexcept
+{
+  const HidReport stop = this->Device.Control(PidUsage::StopAllEffects);
+  for (int axis = 0; this->Stream && axis < this->Device.GetNumberOfAxes(); ++axis)
+  {
+    const HidReport zero = this->Device.SetConstant(this->Dialogue->GetBlock(axis), 0.0, 1.0);
+    this->Port.Write(zero.Bytes.data(), zero.Size + 1);
+  }
+  this->Port.Write(stop.Bytes.data(), stop.Size + 1);
+}
+
+void PidDriver::End() noexcept
+{
+  this->Rest();
+  const HidReport reset = this->Device.Control(PidUsage::DeviceReset);
+  this->Port.Write(reset.Bytes.data(), reset.Size + 1);
+}
+
+} // namespace VolumeHaptics

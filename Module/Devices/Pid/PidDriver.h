@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Force-feedback sticks and wheels (HID PID) through hidapi.
+ *
+ * Only devices of one axis get forces, such as wheels. Published firmwares do not agree about which way an effect pushes
+ * the second axis of a stick: OpenFFBoard's of 2021 (commit 021d967) gives y the share of x, that of 2024 goes by another
+ * angle for each axis whose bit is set, and pushes y backwards without one. All sticks of two axes are refused, also
+ * those that go by directions alone.
+ *
+ * A stick's axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's own
+ * y axis points towards the hand. Its effects end by themselves within 0.1 s of the last sign of the host. Many
+ * sticks are silent while they rest, so that the last place is the present one; a stick that repeats itself
+ * is one that is not, and lost where it falls silent.
+ *
+ * The kernel's own PID driver speaks to the same device: where a game runs on it, the two disturb each other.
+ */
+#ifndef PidDriver_h
+#define PidDriver_h
+
+#include "Devices/Transport/Hid/HidDriver.h"
+#include "Devices/Pid/HidStick.h"
+#include "Devices/Pid/PidDialogue.h"
+
+#include <optional>
+
+namespace VolumeHaptics
+{
+
+class PidDriver final : public HidDriver
+{
+public:
+  static constexpr double Travel = 0.05; ///< m, of the tip at the end of an axis
+  /** m/s: whole way in 20 ms. Faster is no hand. */
+  static constexpr double FastestStick = 5.0;
+
+  /** Which devices an id means: every one, or those of a vendor and product. */
+  struct Numbers
+  {
+    bool Any = true;
+    std::uint16_t Vendor = 0;
+    std::uint16_t Product = 0;
+  };
+  /** False for what is not "pid" or "pid:VVVV:PPPP". */
+  static bool ReadNumbers(const std::string& id, Numbers& numbers);
+  /** Whether its report descriptor has what forces need. */
+  static bool IsPid(const HidPlace& place);
+  /** Why forces are refused although it has, and what to do; empty if they are not. */
+  static std::string FindObjection(const HidPlace& place);
+
+  PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
+
+  DeviceLimits GetLimits() const override;
+
+private:
+  std::vector<HidPlace> Choose(std::string& error) const override;
+  bool Prepare(const HidPlace& place, std::string& error) override;
+  void Begin(HardwareExchange& exchange, bool isAnew) override;
+  void Work(HardwareExchange& exchange) override;
+  void Rest() noexcept override;
+  void End() noexcept override;
+
+  void GoOnWithDialogue(HardwareExchange& exchange);
+  void Fetch(HidReport& report);
+  bool Listen(HardwareExchange& exchange);
+  void TellPlace(HardwareExchange& exchange);
+  void SendForces(HardwareExchange& exchange);
+  bool Send(HardwareExchange& exchange, const HidReport& report) noexcept;
+
+  const Numbers Wanted;
+  PidSettings Settings;
+  PidDevice Device;
+  HidStick Stick;
+
+  std::optional<PidDialogue> Dialogue;
+  std::optional<PidStream> Stream; ///< once the dialogue is over
+  HidStick::State State;           ///< axes that have not been heard of are NaN
+  bool IsReady = false;
+  std::array<std::uint8_t, LongestReport> LastPacket{};
+  int LastSize = 0;
+  int Repeats = 0; ///< packets that were what the one before was
+  std::int64_t LastRound = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

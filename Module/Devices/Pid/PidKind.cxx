@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Common/BuiltInKinds.h"
+#include "Devices/Pid/PidDriver.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+std::vector<DeviceListing> ListPid()
+{
+  std::vector<DeviceListing> all;
+  for (const HidPlace& place : FindHidDevices())
+  {
+    if (PidDriver::IsPid(place))
+    {
+      char id[16];
+      std::snprintf(id, sizeof(id), "pid:%04x:%04x", place.Vendor, place.ProductId);
+      const std::string objection = PidDriver::FindObjection(place);
+      all.push_back(
+        { id, place.GetLabel(), objection.empty() ? place.GetState() : "refused: " + objection });
+    }
+  }
+  return all;
+}
+
+std::unique_ptr<DeviceBackend> MakePid(
+  const std::string& id, const DeviceOptions& options, std::string& error)
+{
+  PidDriver::Numbers numbers;
+  if (!PidDriver::ReadNumbers(id, numbers))
+  {
+    error = "\"" + id +
+      "\" is no device id: give \"pid\", or \"pid:VVVV:PPPP\" with the device's vendor and product "
+      "in four hexadecimal digits each.";
+    return nullptr;
+  }
+  for (const double newtons : options.NewtonsPerFullScale)
+  {
+    if (!std::isfinite(newtons))
+    {
+      error = "NewtonsPerFullScale has to be finite: the force in N at the stick's full scale.";
+      return nullptr;
+    }
+  }
+  return std::make_unique<HardwareDevice>(
+    std::make_unique<PidDriver>(numbers, options.NewtonsPerFullScale));
+}
+
+} // namespace
+
+DeviceKind GetPidKind()
+{
+  return { "pid", &ListPid, &MakePid };
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A device whose tip follows a recording, one position a tick.
+ */
+#ifndef ReplayDevice_h
+#define ReplayDevice_h
+
+#include "Core/Servo/DeviceBackend.h"
+
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class ReplayDevice : public DeviceBackend
+{
+public:
+  /** The tips (m, this device's space), and what to call it. Finished after the last one. */
+  ReplayDevice(std::vector<Vector3> tips, std::string name);
+
+  bool Open(std::string& error) override;
+  void Close() override {}
+  std::string GetName() const override { return this->Name; }
+  DeviceLimits GetLimits() const override;
+  DeviceState Read(double period, DeviceSample& sample) noexcept override;
+  DeviceState Write(const Vector3& force) noexcept override;
+  void Quench() noexcept override {}
+
+private:
+  const std::vector<Vector3> Tips;
+  const std::string Name;
+  std::size_t Next = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

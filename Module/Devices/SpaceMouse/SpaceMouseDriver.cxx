@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/SpaceMouse/SpaceMouseDriver.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** s: the tip does not leap where the thread was held up. */
+constexpr double LongestRound = 0.02;
+constexpr std::uint8_t LightReport = 4;
+constexpr std::uint8_t ButtonReport = 3;
+/** Multi-axis controller and joystick, both of which these devices call themselves; not their keyboards. */
+constexpr std::uint16_t DesktopPage = 0x01;
+
+/** From the device's axes to the tip's: right, towards the hand, down become right, up, towards the hand. */
+Vector3 TurnAxes(double x, double y, double z)
+{
+  return { x, -z, y };
+}
+
+} // namespace
+
+SpaceMouseDriver::SpaceMouseDriver(int number)
+  : HidDriver("A SpaceMouse")
+  , Number(number)
+{
+}
+
+bool SpaceMouseDriver::IsSpaceMouse(const HidPlace& place)
+{
+  // Receivers have an interface for a mouse or a keyboard, too: only the one with report 1 of six axes counts.
+  HidReportDescriptor descriptor;
+  std::string error;
+  const auto isTurn = [](const HidField& field)
+  {
+    return field.Kind == HidReportKind::Input && field.Usage >= MakeHidUsage(DesktopPage, 0x33) &&
+      field.Usage <= MakeHidUsage(DesktopPage, 0x35);
+  };
+  return SpaceMouse::IsKnown(place.Vendor, place.ProductId) &&
+    (!place.ReadDescriptor(descriptor, error) ||
+      std::any_of(descriptor.GetFields().begin(), descriptor.GetFields().end(), isTurn));
+}
+
+std::vector<HidPlace> SpaceMouseDriver::Choose(std::string& error) const
+{
+  std::vector<HidPlace> places;
+  for (const HidPlace& place : FindHidDevices())
+  {
+    if (SpaceMouseDriver::IsSpaceMouse(place))
+    {
+      places.push_back(place);
+    }
+  }
+  if (static_cast<std::size_t>(this->Number) >= places.size())
+  {
+    error = places.empty()
+      ? "No SpaceMouse is plugged in. Plug it in, or its receiver, and switch it on."
+      : "There is no SpaceMouse with this number. Count from 0, as EnumerateDevices() does.";
+    return {};
+  }
+  return { places[static_cast<std::size_t>(this->Number)] };
+}
+
+bool SpaceMouseDriver::Prepare(const HidPlace& place, std::string&)
+{
+  HidReportDescriptor descriptor;
+  std::string reason;
+  this->LightSize = place.ReadDescriptor(descriptor, reason)
+    ? descriptor.GetReportSize(HidReportKind::Output, LightReport)
+    : 0;
+  this->LightSize = std::min(this->LightSize, static_cast<std::size_t>(LongestReport - 1));
+  this->IsLit = false;
+  return true;
+}
+
+void SpaceMouseDriver::Begin(HardwareExchange& exchange, bool)
+{
+  this->Drain();
+  this->State = {};
+  this->Tip = {};
+  this->LastRound = this->LastMotion = ServoClock::Now();
+  exchange.Tell({});
+  this->Tell(exchange, DeviceStage::Ready, "");
+}
+
+void SpaceMouseDriver::Work(HardwareExchange& exchange)
+{
+  this->Listen(exchange);
+  if (this->IsLost())
+  {
+    return;
+  }
+  this->Move(exchange);
+  const int lights = exchange.GetLights();
+  this->Light(lights < 0 || (lights & 1) != 0);
+}
+
+void SpaceMouseDriver::Listen(HardwareExchange& exchange)
+{
+  std::uint8_t bytes[LongestReport];
+  for (int i = 0; i < LongestQueue; ++i)
+  {
+    const int size = this->Read(exchange, bytes, i == 0 ? 1 : 0);
+    if (size <= 0)
+    {
+      return;
+    }
+    const char* const wrong =
+      SpaceMouse::Decode(bytes, static_cast<std::size_t>(size), this->State);
+    if (wrong)
+    {
+      const std::string text = std::string("sent ") + wrong +
+        ". It may be a model that is not known yet. Plug it in anew, then Open() and Start() it.";
+      this->Lose(exchange, text.c_str());
+      return;
+    }
+    if (bytes[0] < ButtonReport)
+    {
+      this->LastMotion = ServoClock::Now();
+    }
+  }
+}
+
+void SpaceMouseDriver::Move(HardwareExchange& exchange)
+{
+  const std::int64_t now = ServoClock::Now();
+  const double elapsed = std::min(
+    static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond, LongestRound);
+  this->LastRound = now;
+  if (static_cast<double>(now - this->LastMotion) * ServoClock::SecondsPerNanosecond > HoldTime)
+  {
+    this->State.Axes = {};
+  }
+  const std::array<double, 6>& axes = this->State.Axes;
+  this->Tip += (FullSpeed * elapsed) * TurnAxes(axes[0], axes[1], axes[2]);
+  const double distance = Norm(this->Tip);
+  if (distance > Radius)
+  {
+    this->Tip = (Radius / distance) * this->Tip;
+  }
+  DeviceSample sample;
+  sample.Tip = this->Tip;
+  sample.Buttons = this->State.Buttons;
+  sample.Turn = FullTurn * TurnAxes(axes[3], axes[4], axes[5]);
+  exchange.Tell(sample);
+}
+
+void SpaceMouseDriver::Light(bool on) noexcept
+{
+  if (this->LightSize == 0 || on == this->IsLit)
+  {
+    return;
+  }
+  std::uint8_t report[LongestReport]{ LightReport, static_cast<std::uint8_t>(on ? 1 : 0) };
+  this->IsLit = on;
+  if (!this->Port.Write(report, this->LightSize + 1))
+  {
+    // A light is not worth losing the device for.
+    this->LightSize = 0;
+  }
+}
+
+void SpaceMouseDriver::End() noexcept
+{
+  this->Light(false);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * 3Dconnexion's six-axis mice through hidapi.
+ *
+ * Their cap hardly moves: how hard it is pushed is how fast a virtual tip goes, and how hard it is turned,
+ * how fast the view shall turn. No force can be felt. In the tip's frame x is to the right, y up and z
+ * towards the hand; the devices' own axes are taken to be x to the right, y towards the hand and z down,
+ * with right-handed turns about them, as commonly described but not verified on a device.
+ *
+ * A cap that is held off its rest repeats itself every few milliseconds (16 or less), and one that is let go
+ * says zero once, then nothing. Should that one be lost, the tip stops after half a second without a word.
+ */
+#ifndef SpaceMouseDriver_h
+#define SpaceMouseDriver_h
+
+#include "Devices/Transport/Hid/HidDriver.h"
+#include "Devices/SpaceMouse/SpaceMouse.h"
+
+namespace VolumeHaptics
+{
+
+class SpaceMouseDriver final : public HidDriver
+{
+public:
+  static constexpr double FullSpeed = 0.1; ///< m/s, of the tip at a full push
+  static constexpr double FullTurn = 1.0;  ///< rad/s, at a full turn
+  static constexpr double Radius = 0.1;    ///< m: the tip stays in a ball of this size
+  static constexpr double HoldTime = 0.5;  ///< s, for which a push that is not repeated counts
+
+  explicit SpaceMouseDriver(int number);
+
+  static bool IsSpaceMouse(const HidPlace& place);
+  DeviceLimits GetLimits() const override { return { 0.0, 0.0, 0.0, 0.0, 0.0, Radius }; }
+
+private:
+  std::vector<HidPlace> Choose(std::string& error) const override;
+  bool Prepare(const HidPlace& place, std::string& error) override;
+  void Begin(HardwareExchange& exchange, bool isAnew) override;
+  void Work(HardwareExchange& exchange) override;
+  void Rest() noexcept override {}
+  void End() noexcept override;
+
+  void Listen(HardwareExchange& exchange);
+  void Move(HardwareExchange& exchange);
+  void Light(bool on) noexcept;
+
+  const int Number;
+  std::size_t LightSize = 0; ///< bytes of the report that switches the light; 0: it has none
+  bool IsLit = false;
+  SpaceMouse::State State;
+  Vector3 Tip;
+  std::int64_t LastRound = 0;
+  std::int64_t LastMotion = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Transport/Hid/HidDriver.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
+constexpr int LostPause = 10; // ms
+
+} // namespace
+
+bool HidDriver::Connect(std::string& error)
+{
+  const std::vector<HidPlace> places = this->Choose(error);
+  for (const HidPlace& place : places)
+  {
+    if (this->Port.Open(place, error))
+    {
+      this->Label = place.GetLabel();
+      if (this->Prepare(place, error))
+      {
+        return true;
+      }
+      this->Port.Close();
+      return false;
+    }
+    if (!this->Port.IsInUse())
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+void HidDriver::Serve(HardwareExchange& exchange)
+{
+  /** Also where something throws. */
+  struct AtEnd
+  {
+    HidDriver* Driver;
+    ~AtEnd()
+    {
+      if (!this->Driver->Gone)
+      {
+        this->Driver->Port.TryAgain();
+        this->Driver->End();
+      }
+    }
+  };
+  const AtEnd atEnd{ this };
+  this->Lost = this->Gone = false;
+  this->Restart(exchange, true);
+  while (!exchange.MustStop())
+  {
+    if (exchange.HasSlept())
+    {
+      this->Retreat();
+    }
+    if (exchange.TakeHomeRequest())
+    {
+      if (this->Gone)
+      {
+        this->Tell(exchange, DeviceStage::Lost, Unplugged);
+      }
+      else
+      {
+        this->Restart(exchange, this->Lost);
+      }
+    }
+    if (this->Lost)
+    {
+      this->LookWhetherGone(exchange);
+    }
+    else
+    {
+      this->Work(exchange);
+    }
+  }
+}
+
+void HidDriver::Restart(HardwareExchange& exchange, bool isAnew)
+{
+  this->Lost = false;
+  this->Port.TryAgain();
+  this->IsSilent(true);
+  this->Begin(exchange, isAnew);
+}
+
+void HidDriver::LookWhetherGone(HardwareExchange& exchange) noexcept
+{
+  if (this->Gone)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(LostPause));
+    return;
+  }
+  // Of a device that is pulled out, the system refuses writes a while before it ends reads.
+  std::uint8_t bytes[LongestReport];
+  if (this->Port.Read(bytes, sizeof(bytes), LostPause) < 0)
+  {
+    this->Gone = true;
+    this->Tell(exchange, DeviceStage::Lost, Unplugged);
+  }
+}
+
+bool HidDriver::IsSilent(bool hasNews) noexcept
+{
+  const std::int64_t now = ServoClock::Now();
+  if (hasNews)
+  {
+    this->LastNews = now;
+    this->EmptyReads = 0;
+    return false;
+  }
+  ++this->EmptyReads;
+  constexpr auto longest = static_cast<std::int64_t>(SilenceTime * 1e9);
+  return this->EmptyReads > SilentReads && now - this->LastNews > longest;
+}
+
+int HidDriver::Read(HardwareExchange& exchange, std::uint8_t* bytes, int time) noexcept
+{
+  const int size = this->Port.Read(bytes, LongestReport, time);
+  if (size >= 0)
+  {
+    return size;
+  }
+  this->Gone = true;
+  this->Lose(exchange, Unplugged);
+  return 0;
+}
+
+bool HidDriver::Write(
+  HardwareExchange& exchange, const std::uint8_t* report, std::size_t size, bool isFeature) noexcept
+{
+  if (isFeature ? this->Port.SendFeature(report, size) : this->Port.Write(report, size))
+  {
+    return true;
+  }
+  std::uint8_t bytes[LongestReport];
+  this->Gone = this->Port.Read(bytes, sizeof(bytes), 0) < 0;
+  this->Lose(exchange,
+    this->Gone ? Unplugged
+               : "does not take what is sent to it. Look after its cable, then Home() and Arm() "
+                 "again; if that does not help, plug it in anew, then Open() and Start() it.");
+  return false;
+}
+
+void HidDriver::Drain() noexcept
+{
+  std::uint8_t bytes[LongestReport];
+  for (int i = 0; i<LongestQueue&& this->Port.Read(bytes, sizeof(bytes), 0)> 0; ++i)
+  {
+  }
+}
+
+void HidDriver::Retreat() noexcept
+{
+  this->Lost = true;
+  if (!this->Gone)
+  {
+    this->Rest();
+  }
+}
+
+void HidDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
+{
+  // The servo hears of it before anything is sent, which may take its time.
+  this->Tell(exchange, DeviceStage::Lost, text);
+  this->Retreat();
+}
+
+void HidDriver::Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
+{
+  DeviceCondition condition;
+  std::snprintf(condition.Text.data(), condition.Text.size(), "%s %s", this->Label.c_str(), text);
+  exchange.SetCondition(stage, *text ? condition.Text.data() : "");
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Transport/Hid/HidItemReader.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+// A minimum is signed by the length of its item; a maximum is, too, if the minimum is below zero, else
+// a byte of 0xFF is 255, as devices mean it.
+std::int64_t HidItemReader::Item::Signed() const
+{
+  const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;
+  return this->Size > 0 && this->Data >= span / 2 ? this->Data - span : this->Data;
+}
+
+bool HidItemReader::Fail(std::string error)
+{
+  this->Error = std::move(error);
+  return false;
+}
+
+bool HidItemReader::Read(const std::uint8_t* bytes, std::size_t size)
+{
+  if (size > HidReportDescriptor::MaximumSize)
+  {
+    return this->Fail(
+      "it is longer than " + std::to_string(HidReportDescriptor::MaximumSize) + " bytes");
+  }
+  constexpr unsigned longItem = 0xFE;
+  constexpr unsigned sizes[] = { 0, 1, 2, 4 };
+  for (std::size_t at = 0; at < size;)
+  {
+    this->Position = at;
+    const unsigned prefix = bytes[at];
+    std::size_t length = 1 + sizes[prefix & 3];
+    if (prefix == longItem)
+    {
+      length = at + 1 < size ? 3 + std::size_t{ bytes[at + 1] } : 3;
+    }
+    if (length > size - at)
+    {
+      return this->Fail("the item is cut short: " + std::to_string(length) + " bytes announced, " +
+        std::to_string(size - at) + " left");
+    }
+    Item item{ prefix >> 4, sizes[prefix & 3], 0 };
+    for (unsigned b = 0; prefix != longItem && b < item.Size; ++b)
+    {
+      item.Data |= std::uint32_t{ bytes[at + 1 + b] } << 8 * b;
+    }
+    const unsigned type = prefix >> 2 & 3;
+    if ((type == 0 && !this->Main(item)) || (type == 1 && !this->Global(item)) ||
+      (type == 2 && !this->Local(item)))
+    {
+      return false;
+    }
+    at += length;
+  }
+  this->Position = size;
+  return this->Depth == 0 || this->Fail("a Collection has no End Collection");
+}
+
+bool HidItemReader::Main(const Item& item)
+{
+  if (this->Locals.InAlternatives)
+  {
+    return this->Fail("a main item between delimiters");
+  }
+  bool holds = true;
+  switch (item.Tag)
+  {
+    case 0x8:
+      holds = this->Fields(HidReportKind::Input, item);
+      break;
+    case 0x9:
+      holds = this->Fields(HidReportKind::Output, item);
+      break;
+    case 0xB:
+      holds = this->Fields(HidReportKind::Feature, item);
+      break;
+    case 0xA:
+      holds = this->Collection(item);
+      break;
+    case 0xC:
+      if (this->OpenCollection < 0)
+      {
+        return this->Fail("End Collection without a Collection");
+      }
+      this->OpenCollection = this->Result.Collections[this->OpenCollection].Parent;
+      --this->Depth;
+      break;
+    default:
+      break;
+  }
+  this->Locals = LocalState();
+  return holds;
+}
+
+bool HidItemReader::Collection(const Item& item)
+{
+  if (this->Depth >= HidReportDescriptor::MaximumDepth)
+  {
+    return this->Fail("collections are nested more than " +
+      std::to_string(HidReportDescriptor::MaximumDepth) + " deep");
+  }
+  ++this->Depth;
+  HidCollection collection;
+  collection.Type = static_cast<std::uint8_t>(item.Data);
+  collection.Parent = this->OpenCollection;
+  collection.Usage =
+    this->Locals.List.empty() ? 0 : this->Complete(this->Locals.List.front()).First;
+  this->OpenCollection = static_cast<int>(this->Result.Collections.size());
+  this->Result.Collections.push_back(collection);
+  return true;
+}
+
+bool HidItemReader::Fields(HidReportKind kind, const Item& item)
+{
+  constexpr std::uint32_t constant = 1;
+  constexpr std::uint32_t variable = 2;
+  constexpr std::uint32_t relative = 4;
+  const GlobalState& g = this->Globals;
+  if (g.ReportCount == 0)
+  {
+    return true;
+  }
+  if (this->Result.HasIds && g.ReportId == 0)
+  {
+    return this->Fail("a report without an id where others have one");
+  }
+  if (g.ReportSize < 1 || g.ReportSize > 32)
+  {
+    return this->Fail("fields with a report size of " + std::to_string(g.ReportSize) +
+      " bits; 1 to 32 are possible");
+  }
+  std::uint32_t& bits = this->Result.ReportBits[{ kind, g.ReportId }];
+  const std::uint64_t end = bits + std::uint64_t{ g.ReportCount } * g.ReportSize;
+  if (end > std::uint64_t{ HidReportDescriptor::MaximumReportSize } * 8)
+  {
+    return this->Fail("a report count of " + std::to_string(g.ReportCount) +
+      " makes the report longer than " + std::to_string(HidReportDescriptor::MaximumReportSize) +
+      " bytes");
+  }
+  const std::uint32_t start = bits;
+  bits = static_cast<std::uint32_t>(end);
+  // Data without a usage is padding, too: nobody can tell what it means.
+  if ((item.Data & constant) != 0 || this->Locals.List.empty())
+  {
+    return true;
+  }
+  HidField field;
+  field.Kind = kind;
+  field.ReportId = g.ReportId;
+  field.BitOffset = start;
+  field.BitSize = static_cast<std::uint8_t>(g.ReportSize);
+  field.IsArray = (item.Data & variable) == 0;
+  field.IsRelative = (item.Data & relative) != 0;
+  field.LogicalMinimum = g.LogicalMinimum.Signed();
+  field.IsSigned = field.LogicalMinimum < 0;
+  field.LogicalMaximum = field.IsSigned ? g.LogicalMaximum.Signed() : g.LogicalMaximum.Data;
+  field.PhysicalMinimum = g.PhysicalMinimum.Signed();
+  field.PhysicalMaximum =
+    field.PhysicalMinimum < 0 ? g.PhysicalMaximum.Signed() : g.PhysicalMaximum.Data;
+  field.Unit = g.Unit;
+  field.UnitExponent = g.UnitExponent;
+  field.Collection = this->OpenCollection;
+  if (field.LogicalMinimum > field.LogicalMaximum)
+  {
+    return this->Fail("the logical minimum " + std::to_string(field.LogicalMinimum) +
+      " is above the maximum " + std::to_string(field.LogicalMaximum));
+  }
+  if (this->Result.Fields.size() + g.ReportCount > HidReportDescriptor::MaximumFields)
+  {
+    return this->Fail("a report count of " + std::to_string(g.ReportCount) + " makes more than " +
+      std::to_string(HidReportDescriptor::MaximumFields) + " fields");
+  }
+  this->ListFields(field, g.ReportCount);
+  return true;
+}
+
+void HidItemReader::ListFields(HidField field, std::uint32_t count)
+{
+  if (field.IsArray)
+  {
+    field.FirstChoice = static_cast<std::uint32_t>(this->Result.Choices.size());
+    field.ChoiceRanges = static_cast<std::uint32_t>(this->Locals.List.size());
+    for (const LocalState::Usages& usages : this->Locals.List)
+    {
+      this->Result.Choices.push_back(this->Complete(usages));
+    }
+  }
+  std::size_t list = 0;
+  HidUsageRange range = this->Complete(this->Locals.List[0]);
+  field.Usage = range.First;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    this->Result.Fields.push_back(field);
+    field.BitOffset += field.BitSize;
+    if (field.IsArray)
+    {
+      continue;
+    }
+    // Each variable takes the next usage; where they run out, the last one stands for the rest.
+    if (field.Usage < range.Last)
+    {
+      ++field.Usage;
+    }
+    else if (list + 1 < this->Locals.List.size())
+    {
+      range = this->Complete(this->Locals.List[++list]);
+      field.Usage = range.First;
+    }
+  }
+}
+
+// The page that counts is the last one before the main item, wherever the usage came.
+HidUsageRange HidItemReader::Complete(const LocalState::Usages& usages) const
+{
+  const HidUsage page = usages.HasPage ? 0 : MakeHidUsage(this->Globals.Page, 0);
+  return { page | usages.First, page | usages.Last };
+}
+
+} // namespace VolumeHaptics

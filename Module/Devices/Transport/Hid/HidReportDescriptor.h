@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a HID device says of its reports, after the HID 1.11 specification, 6.2.2.
+ *
+ * Long items and reserved ones are skipped, constant fields (padding) take up their bits and are not
+ * listed, and of alternatives between delimiters the first one counts. Any bytes may come: a device
+ * can be broken or ill-disposed. Parsing allocates, within limits, and belongs outside the servo
+ * loop; what reads and writes fields is in HidField.h.
+ */
+#ifndef HidReportDescriptor_h
+#define HidReportDescriptor_h
+
+#include "Devices/Transport/Hid/HidField.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+struct HidCollection
+{
+  HidUsage Usage = 0;    ///< 0 where it has none
+  std::uint8_t Type = 0; ///< 0 physical, 1 application, 2 logical, and so on
+  int Parent = -1;       ///< in the list of collections; -1: none
+};
+
+/** Usages that follow each other on a page. */
+struct HidUsageRange
+{
+  HidUsage First = 0;
+  HidUsage Last = 0;
+};
+
+class HidReportDescriptor
+{
+public:
+  ///@{
+  /** What is refused beyond; real devices stay far below. */
+  static constexpr std::size_t MaximumSize = 16384; ///< bytes of a descriptor
+  static constexpr int MaximumDepth = 32;           ///< of collections, and of pushed states
+  static constexpr std::size_t MaximumFields = 4096;
+  static constexpr std::size_t MaximumUsages = 1024;       ///< ranges for one main item
+  static constexpr std::uint32_t MaximumReportSize = 4096; ///< bytes of a payload
+  ///@}
+
+  /**
+   * Takes the descriptor in. False, with what is wrong at which byte, and nothing listed, where it
+   * can't be understood.
+   */
+  bool Parse(const std::uint8_t* bytes, std::size_t size, std::string& error);
+
+  ///@{
+  /** Data fields and collections in the order of the descriptor. */
+  const std::vector<HidField>& GetFields() const noexcept { return this->Fields; }
+  const std::vector<HidCollection>& GetCollections() const noexcept { return this->Collections; }
+  ///@}
+
+  /** Whether each report begins with a byte that is its id. */
+  bool UsesReportIds() const noexcept { return this->HasIds; }
+
+  /** Bytes of a payload, padding included, the id not; 0 where there is no such report. */
+  std::size_t GetReportSize(HidReportKind kind, std::uint8_t id) const;
+
+  /** Whether one of the collections around the field has this usage. */
+  bool IsWithin(const HidField& field, HidUsage usage) const noexcept;
+
+  /**
+   * The value of an array that chooses a usage; false where the field is no array or does not list
+   * it.
+   */
+  bool FindChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
+
+private:
+  friend class HidItemReader;
+
+  std::vector<HidField> Fields;
+  std::vector<HidCollection> Collections;
+  std::vector<HidUsageRange> Choices;
+  std::map<std::pair<HidReportKind, std::uint8_t>, std::uint32_t> ReportBits;
+  bool HasIds = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

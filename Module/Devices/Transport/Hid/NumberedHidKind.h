@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Kinds of HID devices that are told apart by a number only.
+ */
+#ifndef NumberedHidKind_h
+#define NumberedHidKind_h
+
+#include "Devices/Common/DeviceKind.h"
+#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/HardwareDevice.h"
+#include "Devices/Transport/Hid/HidPort.h"
+
+namespace VolumeHaptics
+{
+
+/** The devices of a kind whose ids count them: wooden:0, wooden:1. */
+inline std::vector<DeviceListing> ListNumbered(const char* kind, bool (*isSome)(const HidPlace&))
+{
+  std::vector<DeviceListing> all;
+  for (const HidPlace& place : FindHidDevices())
+  {
+    if (isSome(place))
+    {
+      all.push_back(
+        { kind + (":" + std::to_string(all.size())), place.GetLabel(), place.GetState() });
+    }
+  }
+  return all;
+}
+
+/** A kind of such devices, each run by a driver that is made of its number. */
+template <typename Driver>
+DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidPlace&))
+{
+  return { kind, [kind, isSome] { return ListNumbered(kind, isSome); },
+    [kind](const std::string& id, const DeviceOptions&,
+      std::string& error) -> std::unique_ptr<DeviceBackend>
+    {
+      const int number = ReadDeviceNumber(id, kind, error);
+      return number < 0 ? nullptr
+                        : std::make_unique<HardwareDevice>(std::make_unique<Driver>(number));
+    } };
+}
+
+} // namespace VolumeHaptics
+
+#endif

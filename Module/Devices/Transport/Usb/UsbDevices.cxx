@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Transport/Usb/UsbDevices.h"
+
+#include "Devices/Common/DeviceRegistry.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The bus, and the ports from it. */
+std::vector<int> PathOf(libusb_device* device)
+{
+  std::uint8_t ports[7]; // the deepest that USB allows
+  const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
+  std::vector<int> path{ libusb_get_bus_number(device) };
+  path.insert(path.end(), ports, ports + std::max(count, 0));
+  // Two emulated devices may have no ports.
+  path.push_back(libusb_get_device_address(device));
+  return path;
+}
+
+} // namespace
+
+UsbContext MakeUsbContext(std::string& error)
+{
+  libusb_context* context = nullptr;
+  const int result = libusb_init(&context);
+  if (result != LIBUSB_SUCCESS)
+  {
+    error = std::string("The system's USB can't be reached: ") + libusb_strerror(result) + ".";
+    return nullptr;
+  }
+  return UsbContext(context);
+}
+
+std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct& product)
+{
+  std::vector<UsbDevice> found;
+  libusb_device** list = nullptr;
+  const ssize_t count = libusb_get_device_list(context, &list);
+  for (ssize_t i = 0; i < count; ++i)
+  {
+    libusb_device_descriptor descriptor{};
+    if (libusb_get_device_descriptor(list[i], &descriptor) == LIBUSB_SUCCESS &&
+      descriptor.idVendor == product.Vendor && descriptor.idProduct == product.Product)
+    {
+      found.emplace_back(libusb_ref_device(list[i]));
+    }
+  }
+  if (count >= 0)
+  {
+    libusb_free_device_list(list, 1);
+  }
+  std::sort(found.begin(), found.end(),
+    [](const UsbDevice& a, const UsbDevice& b) { return PathOf(a.get()) < PathOf(b.get()); });
+  return found;
+}
+
+std::string UsbNameOf(libusb_device* device, const UsbProduct& product)
+{
+  const std::vector<int> path = PathOf(device);
+  std::string name = product.Name + std::string(" (USB bus ") + std::to_string(path.front());
+  for (std::size_t i = 1; i + 1 < path.size(); ++i)
+  {
+    name += (i == 1 ? ", port " : ".") + std::to_string(path[i]);
+  }
+  return name + ")";
+}
+
+std::string UsbStateOf(libusb_device* device, const UsbProduct& product)
+{
+  libusb_device_handle* handle = nullptr;
+  int result = libusb_open(device, &handle);
+  if (result != LIBUSB_SUCCESS)
+  {
+    return UsbTroubleText(result, product);
+  }
+  // A driver of the kernel is detached when the device is opened.
+  if (libusb_kernel_driver_active(handle, 0) != 1)
+  {
+    result = libusb_claim_interface(handle, 0);
+    if (result == LIBUSB_SUCCESS)
+    {
+      libusb_release_interface(handle, 0);
+    }
+  }
+  libusb_close(handle);
+  return result == LIBUSB_SUCCESS ? "available"
+    : result == LIBUSB_ERROR_BUSY ? "in use"
+                                  : UsbTroubleText(result, product);
+}
+
+std::string UsbTroubleText(int error, const UsbProduct& product)
+{
+  switch (error)
+  {
+    case LIBUSB_ERROR_ACCESS:
+      return PermissionCure("usb", product.Vendor, product.Product);
+    case LIBUSB_ERROR_NO_DEVICE:
+    case LIBUSB_ERROR_NOT_FOUND:
+      return "it is not plugged in any more. Plug it in again.";
+    case LIBUSB_ERROR_BUSY:
+      return "it is in use by another program, or opened a second time by this one. Close it "
+             "there.";
+    default:
+      return std::string("the system refuses it (libusb: ") + libusb_strerror(error) +
+        "). Unplug it, plug it in again, and look into the system's log.";
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Waits for USB transfers and for the servo at once.
+ */
+#ifndef UsbEvents_h
+#define UsbEvents_h
+
+#include "Devices/Common/HardwareExchange.h"
+#include "Devices/Transport/Usb/UsbInterface.h"
+
+#if defined(__linux__)
+#include <poll.h>
+#endif
+
+namespace VolumeHaptics
+{
+
+class UsbEvents
+{
+public:
+  /** Of an open interface. Both outlive this. */
+  UsbEvents(UsbInterface& usb, HardwareExchange& exchange);
+
+  /**
+   * Until transfers have ended, whose owners are told, the exchange wakes up, or for a time (ns). Whether
+   * it woke up; where the system can't say so it waits for a millisecond at most, and it always did.
+   */
+  bool Wait(std::int64_t time) noexcept;
+
+  /** The same for transfers alone. */
+  void WaitForTransfers(std::int64_t time) noexcept;
+
+private:
+  UsbInterface& Usb;
+  HardwareExchange& Exchange;
+#if defined(__linux__)
+  std::vector<pollfd> Watched; ///< the exchange's first
+#endif
+};
+
+} // namespace VolumeHaptics
+
+#endif

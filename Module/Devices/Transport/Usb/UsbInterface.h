@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Interface 0 of an open USB device, claimed for this object alone.
+ */
+#ifndef UsbInterface_h
+#define UsbInterface_h
+
+#include "Devices/Transport/Usb/UsbDevices.h"
+
+#include <cstddef>
+
+namespace VolumeHaptics
+{
+
+class UsbInterface
+{
+public:
+  UsbInterface() = default;
+  ~UsbInterface();
+  UsbInterface(const UsbInterface&) = delete;
+  UsbInterface& operator=(const UsbInterface&) = delete;
+
+  /**
+   * Opens the device of a number in FindUsbDevices, detaches a driver of the kernel until Close, and claims
+   * interface 0. False, with the reason and the cure.
+   */
+  bool Open(const UsbProduct& product, int number, std::string& error);
+  void Close() noexcept;
+  bool IsOpen() const noexcept { return this->Handle != nullptr; }
+
+  ///@{
+  /** Each waits until it is done or the time (ms) is over; the size, or a libusb error below zero. */
+  int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
+    unsigned int time) noexcept;
+  int Transfer(
+    std::uint8_t endpoint, std::uint8_t* bytes, std::size_t size, unsigned int time) noexcept;
+  ///@}
+
+  /** After a stall. */
+  void ClearHalt(std::uint8_t endpoint) noexcept { libusb_clear_halt(this->Handle, endpoint); }
+
+  libusb_context* GetContext() const noexcept { return this->Context.get(); }
+  libusb_device_handle* GetHandle() const noexcept { return this->Handle; }
+
+private:
+  UsbContext Context;
+  libusb_device_handle* Handle = nullptr;
+};
+
+} // namespace VolumeHaptics
+
+#endif

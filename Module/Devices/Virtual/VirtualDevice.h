@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A device without hardware: its tip is led from outside.
+ *
+ * Without dynamics (Mass 0, the default) the tip goes straight to where it is led, at most at
+ * HandSpeed. With a mass it is a device in a hand: m x'' = f + HandStiffness (target - x) - Damping
+ * x', integrated exactly enough over each period with the force held, as a sampled-data system
+ * does. Measured positions can be rounded to an encoder's quantum and forces delayed by ticks, so
+ * that the stability of the closed loop can be studied.
+ */
+#ifndef VirtualDevice_h
+#define VirtualDevice_h
+
+#include "Core/Servo/DeviceBackend.h"
+#include "Core/Servo/TripleBuffer.h"
+
+#include <array>
+#include <atomic>
+
+namespace VolumeHaptics
+{
+
+struct VirtualDynamics
+{
+  static constexpr int MaximumDelay = 16;
+
+  double Mass = 0.0;           ///< kg; 0: no dynamics
+  double Damping = 0.0;        ///< N s/m
+  double HandStiffness = 0.0;  ///< N/m, between the tip and where it is led
+  double EncoderQuantum = 0.0; ///< m; 0: not rounded
+  int ForceDelay = 0;          ///< ticks, 0 to MaximumDelay
+  double HandSpeed = 2.0;      ///< m/s, without dynamics
+};
+
+class VirtualDevice : public DeviceBackend
+{
+public:
+  bool Open(std::string& error) override;
+  void Close() override;
+  std::string GetName() const override { return "virtual"; }
+  DeviceLimits GetLimits() const override { return this->Limits; }
+  DeviceState Read(double period, DeviceSample& sample) noexcept override;
+  DeviceState Write(const Vector3& force) noexcept override;
+  void Quench() noexcept override { this->Quenched.store(true, std::memory_order_release); }
+
+  ///@{
+  /** One thread outside the loop: where the hand leads the tip (m), and which buttons it holds. */
+  void Lead(const Vector3& target) noexcept;
+  /** Takes the stylus up at another position (m), as the first Lead does. */
+  void Place(const Vector3& position) noexcept;
+  void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
+  /** While the loop does not run. */
+  void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
+  const VirtualDynamics& GetDynamics() const noexcept { return this->Dynamics; }
+  /** What another device can stand; while the loop does not run. */
+  void SetLimits(const DeviceLimits& limits) noexcept { this->Limits = limits; }
+  ///@}
+
+  ///@{
+  /** What can happen to a real device: samples stop coming, or it is unplugged. */
+  void Freeze(bool frozen) noexcept { this->Frozen.store(frozen); }
+  void Unplug() noexcept { this->Unplugged.store(true); }
+  ///@}
+
+  /** The force that acts on the hand now; any thread, for one component at a time. */
+  double GetActingForce(int axis) const noexcept
+  {
+    return this->Quenched.load(std::memory_order_acquire) ? 0.0 : this->Acting[axis].load();
+  }
+
+private:
+  static DeviceLimits StrongDesktopDevice();
+  void Integrate(double period, const Vector3& force) noexcept;
+  void Follow(double period) noexcept;
+
+  VirtualDynamics Dynamics;
+  DeviceLimits Limits = StrongDesktopDevice();
+  struct Order
+  {
+    Vector3 Target;
+    std::uint64_t Places = 0; ///< how often the stylus was taken up so far
+  };
+  TripleBuffer<Order> Orders;
+  std::uint64_t Places = 0; ///< of the leading thread
+  std::atomic<std::uint32_t> Buttons{ 0 };
+  std::atomic<bool> Frozen{ false };
+  std::atomic<bool> Unplugged{ false };
+  std::atomic<bool> Quenched{ false };
+  std::array<std::atomic<double>, 3> Acting{};
+
+  // The servo's own.
+  Vector3 Position;
+  Vector3 Velocity;
+  std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
+  int QueueHead = 0;
+  Vector3 Target;
+  std::uint64_t PlacesDone = 0; ///< 0: nobody has taken it up yet
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/WoodenHaptics/WoodenDriver.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** All that are made of this controller's board have the same numbers. */
+constexpr std::uint16_t TeensyVendor = 0x16C0;
+constexpr std::uint16_t TeensyProduct = 0x0486;
+/** The board's second interface carries its log, under the same name. */
+constexpr std::uint16_t LogPage = 0xFFC9;
+
+/** ns, between currents where no packet comes. */
+constexpr std::int64_t SendPeriod = 2000000;
+/** s, after which nobody has watched the hand: what the kernel kept may not be all that was sent. */
+constexpr double LateRound = 0.03;
+
+constexpr const char* AskForRest =
+  "has to be told where its arm is: put the arm into its rest pose, hold it still, and press "
+  "Home().";
+constexpr const char* AskAgain = ", then press Home() and put the arm into its rest pose.";
+
+///@{
+/** Between the arm's axes (towards the hand, right, up) and the device's (right, up, towards the hand). */
+Vector3 ToDevice(const Vector3& arm)
+{
+  return { arm.Y, arm.Z, arm.X };
+}
+
+Vector3 ToArm(const Vector3& device)
+{
+  return { device.Z, device.X, device.Y };
+}
+///@}
+
+/** Whether it has the controller's numbers, and this word in its name, whatever its case. */
+bool IsNamed(const HidPlace& place, const char* word)
+{
+  std::string product = place.Product;
+  std::transform(product.begin(), product.end(), product.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return place.Vendor == TeensyVendor && place.ProductId == TeensyProduct &&
+    place.UsagePage != LogPage && product.find(word) != std::string::npos;
+}
+
+double Since(std::int64_t time)
+{
+  return static_cast<double>(ServoClock::Now() - time) * ServoClock::SecondsPerNanosecond;
+}
+
+} // namespace
+
+WoodenDriver::WoodenDriver(int number)
+  : HidDriver("WoodenHaptics")
+  , Number(number)
+{
+}
+
+bool WoodenDriver::IsWooden(const HidPlace& place)
+{
+  return IsNamed(place, "woodenhaptics") && !IsNamed(place, "polhem");
+}
+
+bool WoodenDriver::IsPolhem(const HidPlace& place)
+{
+  return IsNamed(place, "polhem");
+}
+
+std::vector<HidPlace> WoodenDriver::Choose(std::string& error) const
+{
+  std::vector<HidPlace> places = FindHidDevices();
+  const auto polhem = std::find_if(places.begin(), places.end(), &WoodenDriver::IsPolhem);
+  const std::string other = polhem != places.end() ? polhem->GetLabel() : "";
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [](const HidPlace& place) { return !WoodenDriver::IsWooden(place); }),
+    places.end());
+  if (static_cast<std::size_t>(this->Number) >= places.size())
+  {
+    error = !places.empty()
+      ? "There is no WoodenHaptics with this number. Count from 0, as EnumerateDevices() does."
+      : !other.empty()
+      ? other +
+        " can't be used: its linkage, encoders and rest pose are not those of a WoodenHaptics, so "
+        "that positions and forces would be wrong. Plug in a WoodenHaptics instead."
+      : "No WoodenHaptics is plugged in. Plug it in and switch it on; its product name has to "
+        "contain \"WoodenHaptics\", since other devices have the same USB ids, 16c0:0486.";
+    return {};
+  }
+  return { places[static_cast<std::size_t>(this->Number)] };
+}
+
+bool WoodenDriver::Prepare(const HidPlace& place, std::string& error)
+{
+  HidReportDescriptor descriptor;
+  std::string reason;
+  this->InputSize = this->OutputSize = WoodenHaptics::PacketSize;
+  if (place.ReadDescriptor(descriptor, reason))
+  {
+    this->InputSize = descriptor.GetReportSize(HidReportKind::Input, 0);
+    this->OutputSize = descriptor.GetReportSize(HidReportKind::Output, 0);
+  }
+  const std::size_t most = HidDriver::LongestReport - 1;
+  if (descriptor.UsesReportIds() || this->InputSize < WoodenHaptics::PacketSize ||
+    this->OutputSize < WoodenHaptics::PacketSize ||
+    std::max(this->InputSize, this->OutputSize) > most)
+  {
+    error = place.GetLabel() +
+      " does not exchange packets of 14 bytes, as its report descriptor says. It needs the "
+      "firmware of WoodenHaptics.";
+    return false;
+  }
+  return true;
+}
+
+void WoodenDriver::Begin(HardwareExchange& exchange, bool isAnew)
+{
+  if (!isAnew && this->Now == Phase::Waiting)
+  {
+    this->Now = Phase::Presetting;
+    this->PresetBegin = ServoClock::Now();
+    this->Tell(exchange, DeviceStage::Homing, "is being told that its arm is in the rest pose.");
+    this->Send(exchange, this->Device.EncodeCalibration());
+    return;
+  }
+  this->Now = Phase::Asking;
+  this->HasTip = false;
+  this->Drain();
+  this->LastRound = ServoClock::Now();
+  this->LastSent = 0;
+  this->Tell(exchange, DeviceStage::Homing, "is asked where its arm is.");
+}
+
+void WoodenDriver::Work(HardwareExchange& exchange)
+{
+  const bool isLate = Since(this->LastRound) > LateRound;
+  this->LastRound = ServoClock::Now();
+  this->HasTip = this->HasTip && !isLate;
+  std::uint8_t bytes[LongestReport];
+  bool hasNews = false;
+  for (int i = 0; i < LongestQueue && !this->IsLost(); ++i)
+  {
+    const int size = this->Read(exchange, bytes, i == 0 ? 1 : 0);
+    if (size <= 0)
+    {
+      break;
+    }
+    hasNews = true;
+    this->TakePacket(exchange, bytes, size);
+  }
+  // What was not kept is missing behind what was.
+  this->HasTip = this->HasTip && !isLate;
+  if (!this->IsLost() && this->IsSilent(hasNews))
+  {
+    this->Lose(exchange,
+      "does not answer. Look after its cable and its power, then Home() and Arm() again; if that "
+      "does not help, plug it in anew, then Open() and Start() it.");
+  }
+  if (this->IsLost())
+  {
+    return;
+  }
+  if (hasNews || ServoClock::Now() - this->LastSent >= SendPeriod)
+  {
+    const std::array<double, 3> angles = this->Device.ComputeAngles(this->Input.Counts);
+    const Vector3 force = ToArm(exchange.GetForce());
+    this->Send(
+      exchange, WoodenHaptics::EncodeCurrents(this->Device.ComputeCurrents(angles, force)));
+  }
+}
+
+void WoodenDriver::TakePacket(HardwareExchange& exchange, const std::uint8_t* bytes, int size)
+{
+  if (static_cast<std::size_t>(size) != this->InputSize ||
+    WoodenHaptics::Decode(bytes, WoodenHaptics::PacketSize, this->Input))
+  {
+    this->Lose(exchange,
+      "sent a packet of a wrong size. Look after its cable and its firmware, then Home() and Arm() "
+      "again.");
+    return;
+  }
+  this->FollowHand(exchange);
+  if (!this->IsLost())
+  {
+    this->FollowPhase(exchange);
+  }
+}
+
+void WoodenDriver::FollowHand(HardwareExchange& exchange)
+{
+  const Vector3 tip = this->Device.ComputeTip(this->Device.ComputeAngles(this->Input.Counts));
+  const bool jumps = this->HasTip && Norm(tip - this->Tip) > FarthestStep;
+  this->Tip = tip;
+  this->HasTip = true;
+  if (this->Now == Phase::Ready && this->Input.WantsCalibration)
+  {
+    this->Lose(exchange,
+      (std::string("wants to be calibrated: its calibration button was pressed. Let the arm rest") +
+        AskAgain)
+        .c_str());
+  }
+  else if (this->Now == Phase::Ready && jumps)
+  {
+    this->Lose(exchange,
+      (std::string("reads a jump of its arm that no hand makes, or has lost the zero of its "
+                   "encoders. Look after its "
+                   "power, its encoders and their cables") +
+        AskAgain)
+        .c_str());
+  }
+}
+
+void WoodenDriver::FollowPhase(HardwareExchange& exchange)
+{
+  const bool isSet =
+    this->Now == Phase::Presetting && !this->Input.WantsCalibration && this->IsAtRest();
+  if (this->Now == Phase::Asking)
+  {
+    this->Now = Phase::Waiting;
+    this->Tell(exchange, DeviceStage::Homing, AskForRest);
+  }
+  else if (this->Now == Phase::Presetting && !isSet && Since(this->PresetBegin) > PresetTime)
+  {
+    this->Now = Phase::Waiting;
+    this->Tell(exchange, DeviceStage::Homing,
+      "did not take in where its arm is: hold the arm still in its rest pose, and press Home() "
+      "again.");
+  }
+  if (isSet || this->Now == Phase::Ready)
+  {
+    DeviceSample sample;
+    sample.Tip = ToDevice(this->Tip);
+    exchange.Tell(sample);
+  }
+  if (isSet)
+  {
+    this->Now = Phase::Ready;
+    this->Tell(exchange, DeviceStage::Ready, "");
+  }
+}
+
+bool WoodenDriver::IsAtRest() const noexcept
+{
+  const std::array<std::int16_t, 3>& rest = this->Device.GetGeometry().RestCounts;
+  bool isAtRest = true;
+  for (std::size_t joint = 0; joint < rest.size(); ++joint)
+  {
+    isAtRest = isAtRest && std::abs(this->Input.Counts[joint] - rest[joint]) <= RestTolerance;
+  }
+  return isAtRest;
+}
+
+void WoodenDriver::Send(HardwareExchange& exchange, const WoodenHaptics::Packet& packet)
+{
+  std::uint8_t report[LongestReport]{};
+  std::copy(packet.begin(), packet.end(), report);
+  this->LastSent = ServoClock::Now();
+  this->Write(exchange, report, 1 + this->OutputSize);
+}
+
+void WoodenDriver::Rest() noexcept
+{
+  const std::uint8_t zeros[LongestReport]{};
+  this->Port.Write(zeros, 1 + this->OutputSize);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Baking/HapticFunctions.h"
+
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** As vtkPiecewiseFunction stores a node; midpoint and sharpness shape the piece behind it. */
+struct Node
+{
+  double X;
+  double Y;
+  double Midpoint;
+  double Sharpness;
+};
+
+/** Vertices of a curve strictly between two given ones, added where the chord is too far off. */
+void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
+  int depth, Polyline& line)
+{
+  // Below the documented bounds, since the chord is checked at three places only. A value that is tiny
+  // against the piece's height must be right, too, but for the last digits near zero.
+  constexpr double share = 0.6;
+  const double value = std::min(std::abs(a.Y), std::abs(b.Y));
+  const double tolerance =
+    std::clamp(share * CurveValueTolerance * value, 1e-9 * height, share * CurveTolerance * height);
+  const auto at = [&](double s)
+  {
+    const double x = a.X + s * (b.X - a.X);
+    return Vertex{ x, function->GetValue(x) };
+  };
+  const Vertex middle = at(0.5);
+  const auto isOff = [&](const Vertex& v, double s)
+  { return std::abs(v.Y - (a.Y + s * (b.Y - a.Y))) > tolerance; };
+  const bool split = isOff(middle, 0.5) || isOff(at(0.25), 0.25) || isOff(at(0.75), 0.75);
+  if (!split || depth == 0 || !(a.X < middle.X && middle.X < b.X))
+  {
+    return;
+  }
+  Subdivide(function, a, middle, height, depth - 1, line);
+  line.push_back(middle);
+  Subdivide(function, middle, b, height, depth - 1, line);
+}
+
+/** Where a piece changes from its first to its second half. */
+double FindMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
+{
+  constexpr double margin = 1e-5; // as in vtkPiecewiseFunction
+  const double midpoint = std::clamp(a.Midpoint, margin, 1.0 - margin);
+  return function->GetUseLogScale() && a.X > 0.0 ? a.X * std::pow(b.X / a.X, midpoint)
+                                                 : a.X + midpoint * (b.X - a.X);
+}
+
+/** The piece between two nodes, without its end vertices. */
+void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Polyline& line)
+{
+  // The same limits as in vtkPiecewiseFunction: nearly 0 is linear, nearly 1 is a step.
+  constexpr double linear = 0.01;
+  constexpr double step = 0.99;
+  if (!(a.X < b.X) || a.Y == b.Y)
+  {
+    return;
+  }
+  const double middle = FindMiddle(function, a, b);
+  if (a.Sharpness > step)
+  {
+    // At the step itself the function has its right-hand value already.
+    const double before = std::nextafter(middle, a.X);
+    line.push_back({ before, a.Y });
+    line.push_back({ before, b.Y });
+    return;
+  }
+  if (a.Sharpness < linear && !function->GetUseLogScale())
+  {
+    if (a.Midpoint != 0.5)
+    {
+      line.push_back({ middle, 0.5 * (a.Y + b.Y) });
+    }
+    return;
+  }
+  constexpr int depth = 24; // a logarithmic scale packs decades at the low end
+  const double height = std::abs(b.Y - a.Y);
+  const Vertex kink{ middle, function->GetValue(middle) };
+  Subdivide(function, { a.X, a.Y }, kink, height, depth, line);
+  line.push_back(kink);
+  Subdivide(function, kink, { b.X, b.Y }, height, depth, line);
+}
+
+} // namespace
+
+Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
+{
+  const int size = function ? function->GetSize() : 0;
+  if (size == 0)
+  {
+    return ConstantPolyline(emptyValue);
+  }
+  Polyline line;
+  Node previous{};
+  for (int i = 0; i < size; ++i)
+  {
+    double values[4];
+    function->GetNodeValue(i, values);
+    const Node node{ values[0], values[1], values[2], values[3] };
+    if (i > 0)
+    {
+      AddPiece(function, previous, node, line);
+    }
+    line.push_back({ node.X, node.Y });
+    previous = node;
+  }
+  if (!function->GetClamping())
+  {
+    // vtkPiecewiseFunction counts the first node as outside and the last one as inside.
+    line.insert(line.begin(), { line.front().X, 0.0 });
+    line.push_back({ line.back().X, 0.0 });
+  }
+  return line;
+}
+
+Polyline PositiveMask(const Polyline& line, double scale)
+{
+  const auto flag = [](bool positive) { return positive ? 1.0 : 0.0; };
+  Polyline mask{ { line.front().X, flag(line.front().Y > 0.0) } };
+  for (std::size_t i = 1; i < line.size(); ++i)
+  {
+    const Vertex& a = line[i - 1];
+    const Vertex& b = line[i];
+    if (!(a.X < b.X))
+    {
+      continue;
+    }
+    const bool positive = a.Y > 0.0 || b.Y > 0.0;
+    mask.push_back({ a.X, flag(positive) });
+    if (positive && !(b.Y > 0.0))
+    {
+      // Zero is reached at the node itself.
+      const double before = std::nextafter(b.X, a.X);
+      mask.push_back({ before, 1.0 });
+      mask.push_back({ before, 0.0 });
+    }
+    mask.push_back({ b.X, flag(positive && b.Y > 0.0) });
+  }
+  mask.push_back({ line.back().X, flag(line.back().Y > 0.0) });
+  for (Vertex& vertex : mask)
+  {
+    vertex.X *= scale;
+  }
+  return mask;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From vtkPiecewiseFunction to the polylines that the core bakes.
+ */
+#ifndef HapticFunctions_h
+#define HapticFunctions_h
+
+#include "Core/Math/PiecewiseTable.h"
+
+class vtkPiecewiseFunction;
+
+namespace VolumeHaptics
+{
+
+/** Chord error allowed on a curved piece, as a share of the piece's height, and of the value there. */
+constexpr double CurveTolerance = 1e-4;
+constexpr double CurveValueTolerance = 1e-3;
+
+/**
+ * The function as a polyline: exact where it is linear or a step, within CurveTolerance where it is
+ * curved. A function without points gives the constant `emptyValue`.
+ */
+Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
+
+/** 1 where a polyline is positive, 0 where it is not, with the argument scaled by `scale`. */
+Polyline PositiveMask(const Polyline& line, double scale = 1.0);
+
+} // namespace VolumeHaptics
+
+#endif

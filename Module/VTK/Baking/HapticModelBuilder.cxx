@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Baking/HapticModelBuilder.h"
+
+#include "VTK/Baking/HapticFunctions.h"
+#include "VTK/Baking/HapticNoise.h"
+#include "VTK/Baking/HapticRegion.h"
+#include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/HapticVolumeView.h"
+#include "Core/Model/SurfaceMesh.h"
+#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <limits>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A function of the property, what it is by default, and the values it may have. */
+struct FunctionRule
+{
+  const char* Name;
+  vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
+  Polyline HapticMaterial::*Baked;
+  double Most;
+  const char* Range;
+};
+
+const FunctionRule FunctionRules[] = {
+  { "Stiffness", &vtkHapticProperty::GetStiffness, &HapticMaterial::Stiffness, HUGE_VAL,
+    "0 N/m or more" },
+  { "Friction", &vtkHapticProperty::GetFriction, &HapticMaterial::Friction, HUGE_VAL, "0 or more" },
+  { "SurfaceStrength", &vtkHapticProperty::GetSurfaceStrength, &HapticMaterial::SurfaceStrength,
+    HUGE_VAL, "0 N or more" },
+  { "Viscosity", &vtkHapticProperty::GetViscosity, &HapticMaterial::Viscosity, HUGE_VAL,
+    "0 N or more" },
+  { "Distinctness", &vtkHapticProperty::GetDistinctness, &HapticMaterial::Distinctness, 1.0,
+    "between 0 and 1" },
+};
+
+bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::string& error)
+{
+  for (const FunctionRule& rule : FunctionRules)
+  {
+    Polyline& line = material.*rule.Baked;
+    line = ToPolyline((property->*rule.Get)(), line.front().Y);
+    for (const Vertex& vertex : line)
+    {
+      // Also false for NaN.
+      if (!(vertex.Y >= 0.0 && vertex.Y <= rule.Most && std::isfinite(vertex.Y) &&
+            std::isfinite(vertex.X)))
+      {
+        std::ostringstream message;
+        message << "The function " << rule.Name << " of the haptic property has the value "
+                << vertex.Y << " at " << vertex.X << ": it must be finite and " << rule.Range
+                << ". Correct this point of vtkHapticProperty::Get" << rule.Name << "().";
+        error = message.str();
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/** What the volume property's opacities hide, as masks of the material. */
+void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMaterial& material)
+{
+  vtkVolumeProperty* const volume = property->GetVisibilityFrom();
+  if (!volume)
+  {
+    return;
+  }
+  constexpr int mostComponents = 4; // vtkVolumeProperty's own limit
+  const int component =
+    volume->GetIndependentComponents() ? std::min(property->GetComponent(), mostComponents - 1) : 0;
+  const double* const spacing = image->GetSpacing();
+  const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+  material.ScalarVisibility = PositiveMask(ToPolyline(volume->GetScalarOpacity(component), 1.0));
+  material.GradientVisibility =
+    PositiveMask(ToPolyline(volume->GetGradientOpacity(component), 1.0), 1.0 / average);
+}
+
+/** Keeps noise from being felt where nobody has said from which gradient on there is a surface. */
+void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  const WholeFacts& whole, NoiseOfScalars& estimate, HapticModelDescription& d)
+{
+  Polyline ramp;
+  if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
+  {
+    const double noise = whole.IsThere
+      ? whole.Noise
+      : estimate.Get(image, scalars, d.View, property->GetComponent());
+    ramp = MakeNoiseRamp(noise, HapticModel::MakeKernel(d), d.IndexToWorld);
+  }
+  if (!ramp.empty())
+  {
+    d.Material.Distinctness = ramp;
+  }
+  property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
+}
+
+/** The mesh and the proxy's radius, where the method is one of surfaces. */
+bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
+  const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
+{
+  d.Settings.HasIsoSurface = d.Settings.Method == HapticMethod::LocalSurface;
+  if (d.Settings.Method != HapticMethod::SurfaceProxy)
+  {
+    return true;
+  }
+  if (d.Settings.ProxyRadius == 0.0)
+  {
+    const double* const spacing = image->GetSpacing();
+    d.Settings.ProxyRadius =
+      0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  }
+  d.Settings.HasIsoSurface = options.Surface == nullptr;
+  const std::int64_t* const first = d.View.First;
+  const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue,
+    { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
+    !ResidentBox(d.View).IsWhole() };
+  d.Mesh = options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error);
+  if (!d.Mesh)
+  {
+    return false;
+  }
+  const int touched = d.Mesh->EstimateVisits(d.Settings.ProxyRadius);
+  if (touched > MostTouched)
+  {
+    std::ostringstream message;
+    message
+      << "The ProxyRadius " << d.Settings.ProxyRadius
+      << " of vtkVolumeHapticsFilter is too large for a surface as fine as this: a sphere of it "
+         "may touch some "
+      << touched / 2 << " of its triangles at once, and a tick has time for " << MostTouched / 2
+      << ". Lower ProxyRadius, or connect a coarser surface to input port 2.";
+    error = message.str();
+    return false;
+  }
+  return true;
+}
+
+/** Holds a reference to the array; made and dropped outside the servo thread. */
+std::shared_ptr<const void> ShareArray(vtkDataArray* array)
+{
+  array->Register(nullptr);
+  return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
+}
+
+} // namespace
+
+std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
+  vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
+{
+  HapticModelDescription d;
+  WholeFacts whole;
+  vtkSmartPointer<vtkDataArray> holder;
+  if (!MakeVolumeView(
+        image, scalars, property->GetComponent(), options.KernelRadius, d.View, holder, error) ||
+    !ReadWholeFacts(image, property->GetComponent(), whole, error) ||
+    !MakeIndexToWorld(
+      image, whole.IsThere ? whole.Extent : image->GetExtent(), d.IndexToWorld, error) ||
+    !BakeFunctions(property, d.Material, error))
+  {
+    return nullptr;
+  }
+  if (whole.IsThere)
+  {
+    PlaceInWhole(image, whole, d.View);
+  }
+  const std::int64_t* const n = d.View.Dimensions;
+  const std::int64_t needed = PointsNeeded(options.KernelRadius);
+  if (std::min({ n[0], n[1], n[2] }) < needed)
+  {
+    std::ostringstream message;
+    message << "The kernel is larger than the input image: a KernelRadius of "
+            << options.KernelRadius << " needs " << needed
+            << " points along every axis, and the image is " << n[0] << " x " << n[1] << " x "
+            << n[2] << ". Lower KernelRadius or use a larger image"
+            << (ResidentBox(d.View).IsWhole() ? "." : ", here a larger region of the volume.");
+    error = message.str();
+    return nullptr;
+  }
+  BakeVisibility(property, image, d.Material);
+  d.Samples = ShareArray(holder);
+  d.DeviceToWorld = options.DeviceToWorld;
+  d.Estimator = options.Estimator;
+  d.KernelRadius = options.KernelRadius;
+  d.Settings = options.Settings;
+  d.Settings.Side = static_cast<SurfaceSide>(property->GetSurfaceSide());
+  if (!BakeSurface(image, scalars, property->GetComponent(), options, d, error))
+  {
+    return nullptr;
+  }
+  BakeNoiseRamp(property, image, scalars, whole, *options.Noise, d);
+  const std::string array =
+    std::to_string(property->GetComponent()) + (scalars->GetName() ? scalars->GetName() : "");
+  d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;
+  auto model = std::make_shared<const HapticModel>(d);
+  if (options.Regions)
+  {
+    options.Regions->Note(d, whole, array, model->BakedNumber);
+  }
+  return model;
+}
+
+} // namespace VolumeHaptics

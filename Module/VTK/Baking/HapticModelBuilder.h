@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From vtkImageData and vtkHapticProperty to the core's HapticModel, with every check of the input.
+ */
+#ifndef HapticModelBuilder_h
+#define HapticModelBuilder_h
+
+#include "Core/Model/HapticModel.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkHapticProperty;
+class vtkImageData;
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+class HapticSurface;
+class NoiseOfScalars;
+class RegionSeries;
+
+struct HapticModelOptions
+{
+  GradientEstimator Estimator = GradientEstimator::Gaussian;
+  int KernelRadius = 2;
+  Affine3 DeviceToWorld;
+  HapticSettings
+    Settings; ///< the surface side is taken from the property; a radius of 0 is half a voxel
+  HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
+  vtkPolyData* Surface = nullptr;    ///< or else the isosurface
+  NoiseOfScalars* Noise = nullptr;  ///< required
+  RegionSeries* Regions = nullptr;   ///< of the models before, where the image may be a region
+};
+
+/**
+ * Bakes a model that keeps the scalar array alive. Returns null, and says in `error` which input is
+ * wrong and what cures it, where the input can't be touched.
+ */
+std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
+  vtkHapticProperty* property, const HapticModelOptions& options, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

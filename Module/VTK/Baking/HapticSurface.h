@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The triangles that SURFACE_PROXY touches: those of an isosurface, or given ones.
+ */
+#ifndef HapticSurface_h
+#define HapticSurface_h
+
+#include "Core/Model/SurfaceMesh.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <string>
+#include <tuple>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+struct Affine3;
+
+/** Where an isosurface is looked for. */
+struct IsoSurface
+{
+  vtkImageData* Image;
+  vtkDataArray* Scalars;
+  int Component;
+  double Value;
+  /** Index of the image's first sample, as indexToWorld counts; not 0 for a region of a larger volume. */
+  int First[3] = { 0, 0, 0 };
+  bool MayBeEmpty = false; ///< in a region there may just be none
+};
+
+/** Makes meshes, and keeps the last one for as long as nothing that it came from changes. */
+class HapticSurface
+{
+public:
+  /**
+   * The triangles of a surface in the world or, where it is null, of the isosurface (vtkFlyingEdges3D). Null, with
+   * the cure in `error`, where there are none or a point is not finite.
+   */
+  std::shared_ptr<const SurfaceMesh> Get(
+    vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
+
+  /** How long that takes, about (s): nothing, where it is the last one. */
+  double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
+
+private:
+  /** What it was made of, and when; value and component of an isosurface. */
+  using Key = std::tuple<const void*, const void*, vtkMTimeType, double, int>;
+
+  static Key MakeKey(vtkPolyData* surface, const IsoSurface& iso);
+  bool IsMadeOf(const Key& key) const { return this->Mesh && key == this->MadeOf; }
+
+  std::shared_ptr<const SurfaceMesh> Mesh;
+  Key MadeOf{ nullptr, nullptr, 0, 0.0, 0 };
+};
+
+} // namespace VolumeHaptics
+
+#endif

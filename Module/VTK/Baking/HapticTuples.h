@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Vectors out of arrays.
+ */
+#ifndef HapticTuples_h
+#define HapticTuples_h
+
+#include "Core/Math/Vector3.h"
+
+#include "vtkDataArray.h"
+
+namespace VolumeHaptics
+{
+
+/** Three components of a tuple, from one on. */
+inline Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
+{
+  return { array->GetComponent(tuple, first), array->GetComponent(tuple, first + 1),
+    array->GetComponent(tuple, first + 2) };
+}
+
+} // namespace VolumeHaptics
+
+#endif

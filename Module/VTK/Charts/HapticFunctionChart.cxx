@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Charts/HapticFunctionChart.h"
+
+#include "VTK/Charts/HapticChartText.h"
+#include "VTK/Charts/HapticHistogram.h"
+
+#include "vtkAxis.h"
+#include "vtkBrush.h"
+#include "vtkCommand.h"
+#include "vtkContextMouseEvent.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPen.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int RightBottom = 1; // vtkChartXY's number for the axes of a plot
+
+constexpr double DarkText[3] = { 0.12, 0.13, 0.15 };
+
+/** The next round number. */
+double RoundUp(double value)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : { 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0 })
+  {
+    if (value <= step * decade * (1.0 + 1e-9))
+    {
+      return step * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+
+} // namespace
+
+vtkStandardNewMacro(OpenContextScene);
+
+//------------------------------------------------------------------------------
+HapticFunctionChart::HapticFunctionChart()
+{
+  this->Actor->SetScene(this->Scene);
+  this->Panel->GetBrush()->SetColor(250, 250, 252, 225);
+  this->Panel->GetPen()->SetColor(150, 155, 165, 255);
+  this->Panel->GetMouseOverBrush()->SetColor(250, 250, 252, 225);
+  this->Panel->SetInteractive(false);
+  this->Scene->AddItem(this->Panel);
+  this->Scene->AddItem(this->Chart);
+
+  this->Chart->SetAutoSize(false);
+  this->Chart->SetRenderEmpty(true);
+  this->Chart->SetAutoAxes(false);
+  this->Chart->SetHiddenAxisBorder(10);
+  this->Chart->SetTooltip(nullptr);
+  this->Chart->SetZoomWithMouseWheel(false);
+  this->Chart->SetBarWidthFraction(1.0f);
+  for (const int action : { vtkChart::PAN, vtkChart::ZOOM, vtkChart::ZOOM_AXIS, vtkChart::SELECT,
+         vtkChart::SELECT_RECTANGLE })
+  {
+    this->Chart->SetActionToButton(action, -1);
+  }
+  for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM, vtkAxis::RIGHT, vtkAxis::TOP })
+  {
+    vtkAxis* const axis = this->Chart->GetAxis(side);
+    axis->SetVisible(side == vtkAxis::LEFT || side == vtkAxis::BOTTOM);
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetRange(0.0, 1.0);
+    axis->SetTitle("");
+    axis->GetGridPen()->SetColor(228, 231, 236);
+    axis->GetPen()->SetColor(90, 95, 105);
+    axis->SetNotation(vtkAxis::STANDARD_NOTATION);
+  }
+  this->Chart->GetAxis(vtkAxis::RIGHT)->SetGridVisible(false);
+  this->Chart->GetAxis(vtkAxis::TOP)->SetGridVisible(false);
+
+  // The control points work between 0 and 1. So do the others, on an axis that is not seen: plots
+  // on other axes would be painted before or after all of these. The left axis says what 1 stands
+  // for.
+  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{ this->Bars, this->Curve, this->Points })
+  {
+    this->Chart->AddPlot(plot);
+    this->Chart->SetPlotCorner(plot, RightBottom);
+  }
+  this->Bars->SetColor(196, 202, 212, 255);
+  this->Bars->GetPen()->SetOpacity(0);
+  this->Curve->SetColor(0, 92, 175, 255);
+  this->Curve->SetWidth(2.0f);
+  for (vtkPlot* plot : { static_cast<vtkPlot*>(this->Bars), static_cast<vtkPlot*>(this->Curve) })
+  {
+    plot->SetInteractive(false);
+    plot->SetSelectable(false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::Place(const int rectangle[4])
+{
+  const vtkRectf area(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
+  this->Panel->SetDimensions(area[0], area[1], area[2], area[3]);
+  this->Chart->SetSize(area);
+  const int font = std::clamp(rectangle[3] / 18, 8, 16);
+  SetChartText(this->Chart->GetTitleProperties(), font + 2, DarkText);
+  for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM })
+  {
+    SetChartText(this->Chart->GetAxis(side)->GetTitleProperties(), font, DarkText);
+    SetChartText(this->Chart->GetAxis(side)->GetLabelProperties(), font, DarkText);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticFunctionChart::ShowsData(vtkImageData* image, int component) const
+{
+  return image == this->ShownImage && component == this->ShownComponent &&
+    (!image || image->GetMTime() < this->DataTime);
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::ShowData(vtkImageData* image, int component)
+{
+  if (this->ShowsData(image, component))
+  {
+    return;
+  }
+  this->ShownImage = image;
+  this->ShownComponent = component;
+  this->DataTime.Modified();
+  this->HasData = FillHistogram(image, component, this->BarTable, this->DataRange);
+  this->Bars->SetVisible(this->HasData);
+  const char* name = nullptr;
+  if (this->HasData)
+  {
+    this->Bars->SetInputData(this->BarTable, 0, 1);
+    name = image->GetPointData()->GetScalars()->GetName();
+  }
+  else
+  {
+    this->DataRange[0] = 0.0;
+    this->DataRange[1] = 1.0;
+  }
+  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(name && *name ? name : "Value");
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::ShowFunction(
+  vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged)
+{
+  if (function != this->Points->GetPiecewiseFunction() || &quantity != this->Shown)
+  {
+    this->Points->SetPiecewiseFunction(function);
+    this->Points->SetEmptyValue(quantity.EmptyValue);
+    this->Shown = &quantity;
+  }
+  this->Curve->SetVisible(function != nullptr);
+  this->Points->SetVisible(function != nullptr);
+  const std::string touched = function ? this->Points->DescribeCurrentPoint() : std::string();
+  this->Chart->SetTitle(quantity.Title + (touched.empty() ? touched : ": " + touched));
+  if (function && !dragged)
+  {
+    this->FitAxes(function, quantity);
+  }
+  if (function)
+  {
+    this->DrawCurve(function, quantity);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQuantity& quantity)
+{
+  double from = this->DataRange[0];
+  double to = this->DataRange[1];
+  double highest = function->GetSize() == 0 ? quantity.EmptyValue : 0.0;
+  double ends[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4];
+    function->GetNodeValue(i, node);
+    if (std::abs(node[0]) <= FarthestShown) // false for NaN, too
+    {
+      ends[0] = std::min(ends[0], node[0]);
+      ends[1] = std::max(ends[1], node[0]);
+    }
+    highest = node[1] <= quantity.Most ? std::max(highest, node[1]) : highest;
+  }
+  if (ends[0] <= ends[1])
+  {
+    // Points beyond the data are within reach, as long as the data remain the most of it.
+    const double margin = this->HasData ? 0.5 * (to - from) : VTK_DOUBLE_MAX;
+    from = this->HasData ? std::min(from, std::max(ends[0], from - margin)) : ends[0];
+    to = this->HasData ? std::max(to, std::min(ends[1], to + margin)) : ends[1];
+  }
+  // So narrow an axis would have the same number at all of its ticks.
+  constexpr double precision = 1e-5;
+  const double least =
+    std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
+  if (!(to - from >= least))
+  {
+    from -= std::max(0.5, least);
+    to = from + 2.0 * std::max(0.5, least);
+  }
+  const bool share = quantity.Most == 1.0;
+  const double room = 1.1;
+  const double scale = share || !(highest > 1.0 / FarthestShown)
+    ? quantity.Usual
+    : std::min(RoundUp(room * highest), quantity.Most);
+  if (from != this->Range[0] || to != this->Range[1] || scale != this->Scale)
+  {
+    this->Range[0] = from;
+    this->Range[1] = to;
+    this->Scale = scale;
+    this->Points->SetRange(from, to, scale);
+    this->Chart->GetAxis(vtkAxis::BOTTOM)->SetRange(from, to);
+    this->Chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, scale);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::DrawCurve(vtkPiecewiseFunction* function, const EditedQuantity& quantity)
+{
+  const double from = this->Range[0];
+  const double to = this->Range[1];
+  std::vector<double> places;
+  constexpr int steps = 256;
+  for (int i = 0; i <= steps; ++i)
+  {
+    places.push_back(from + i * (to - from) / steps);
+  }
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4];
+    function->GetNodeValue(i, node);
+    if (node[0] > from && node[0] < to)
+    {
+      places.push_back(node[0]);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  vtkNew<vtkDoubleArray> x, y;
+  x->SetName("value");
+  y->SetName("function");
+  for (const double place : places)
+  {
+    const double value = function->GetSize() == 0 ? quantity.EmptyValue : function->GetValue(place);
+    x->InsertNextValue(place);
+    y->InsertNextValue(HapticControlPointsItem::ToShare(value, this->Scale));
+  }
+  this->CurveTable->Initialize();
+  this->CurveTable->AddColumn(x);
+  this->CurveTable->AddColumn(y);
+  this->Curve->SetInputData(this->CurveTable, 0, 1);
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::SendMouse(int event, int button, int x, int y)
+{
+  const vtkVector2i place(x, y);
+  vtkContextMouseEvent mouse;
+  mouse.SetInteractor(nullptr);
+  mouse.SetButton(button);
+  mouse.SetPos(place.Cast<float>());
+  mouse.SetScenePos(place.Cast<float>());
+  mouse.SetScreenPos(place);
+  mouse.SetLastPos(this->LastMouse.Cast<float>());
+  mouse.SetLastScenePos(this->LastMouse.Cast<float>());
+  mouse.SetLastScreenPos(this->LastMouse);
+  this->LastMouse = place;
+  switch (event)
+  {
+    case vtkCommand::LeftButtonPressEvent:
+      this->Scene->ButtonPressEvent(mouse);
+      break;
+    case vtkCommand::LeftButtonReleaseEvent:
+      this->Scene->ButtonReleaseEvent(mouse);
+      break;
+    case vtkCommand::LeftButtonDoubleClickEvent:
+      this->Scene->DoubleClickEvent(mouse);
+      break;
+    default:
+      this->Scene->MouseMoveEvent(mouse);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::GetPosition(double x, double y, double position[2])
+{
+  vtkAxis* const bottom = this->Chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* const left = this->Chart->GetAxis(vtkAxis::LEFT);
+  const double right = (x - this->Range[0]) / (this->Range[1] - this->Range[0]);
+  const double up = y / this->Scale;
+  position[0] = bottom->GetPoint1()[0] + right * (bottom->GetPoint2()[0] - bottom->GetPoint1()[0]);
+  position[1] = left->GetPoint1()[1] + up * (left->GetPoint2()[1] - left->GetPoint1()[1]);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/HapticShownVolumes.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Each a bit of its own. */
+struct Difference
+{
+  unsigned int Bit;
+  const char* Text;
+};
+
+const Difference Differences[] = {
+  { 1,
+    "It is moved, turned or scaled in the scene, but felt at the place of its image. Cure: change "
+    "the origin, spacing and direction matrix of the image instead, for example with "
+    "vtkImageChangeInformation." },
+  { 2,
+    "Its mapper crops it, but the hidden part is still felt. Cure: touch a part of the image, for "
+    "example the output of vtkExtractVOI, or call CroppingOff()." },
+  { 4,
+    "Its mapper has clipping planes, but the part that they hide is still felt. Cure: touch a part "
+    "of the image, for example the output of vtkExtractVOI, or remove the clipping planes." },
+  { 8,
+    "Its mapper has a mask input, but voxels that it hides are still felt. Cure: give them a "
+    "value that is not felt, for example with vtkImageMask, or remove the mask." },
+  { 16,
+    "Its property has a 2-D transfer function, but voxels that this hides are still felt. Cure: "
+    "SetTransferFunctionMode(vtkVolumeProperty::TF_1D), or SetVisibilityFrom() of the haptic "
+    "property with a volume property whose 1-D opacity hides the same values." },
+  { 32,
+    "Points or cells of the image are blanked (array vtkGhostType), but still felt. Cure: give "
+    "them a value that is not felt, or remove the array." },
+};
+
+/** Whether corners of an image are in other places in a scene than in the world. */
+bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* felt)
+{
+  const int* const here = shown->GetExtent();
+  const int* const there = felt->GetExtent();
+  const double most = 1e-6 * felt->GetLength();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int x = corner & 1;
+    const int y = 2 + (corner >> 1 & 1);
+    const int z = 4 + (corner >> 2 & 1);
+    double seen[4] = { 0.0, 0.0, 0.0, 1.0 };
+    double touched[3];
+    shown->TransformIndexToPhysicalPoint(here[x], here[y], here[z], seen);
+    matrix->MultiplyPoint(seen, seen);
+    felt->TransformIndexToPhysicalPoint(there[x], there[y], there[z], touched);
+    for (int c = 0; c < 3; ++c)
+    {
+      if (!(std::abs(seen[c] - touched[c]) <= most))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/** Whether a mapper's regions leave out a part of an image. */
+bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
+{
+  constexpr int everything = 0x7ffffff;
+  if (!mapper->GetCropping() || mapper->GetCroppingRegionFlags() == everything)
+  {
+    return false;
+  }
+  // The planes are in the image's own coordinates; the middle region is bit 13.
+  double planes[6];
+  double bounds[6];
+  mapper->GetCroppingRegionPlanes(planes);
+  image->GetBounds(bounds);
+  bool isInMiddle = (mapper->GetCroppingRegionFlags() >> 13 & 1) != 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isInMiddle = isInMiddle && planes[2 * axis] <= bounds[2 * axis] &&
+      planes[2 * axis + 1] >= bounds[2 * axis + 1];
+  }
+  return !isInMiddle;
+}
+
+/** Whether a mapper's planes cut off a part of a volume's box. */
+bool IsClipped(vtkVolumeMapper* mapper, vtkVolume* volume)
+{
+  vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
+  const double* const b = volume->GetBounds();
+  for (int i = 0; planes && b && i < planes->GetNumberOfItems(); ++i)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const double x[3] = { b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2 & 1)] };
+      if (planes->GetItem(i)->EvaluateFunction(x[0], x[1], x[2]) < 0.0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool HasTransferFunction2D(vtkVolumeProperty* property)
+{
+  return property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
+}
+
+} // namespace
+
+std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkImageData* image)
+{
+  std::vector<std::string> warnings;
+  std::vector<Known> now;
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    auto* const volume = vtkVolume::SafeDownCast(prop);
+    if (!volume || !volume->GetVisibility())
+    {
+      continue;
+    }
+    const auto known = std::find_if(this->All.begin(), this->All.end(),
+      [volume](const Known& one) { return one.Volume.GetPointer() == volume; });
+    const unsigned int before = known == this->All.end() ? 0 : known->Differences;
+    const unsigned int differences = this->FindDifferences(volume, image);
+    std::string text;
+    for (const Difference& one : Differences)
+    {
+      text += one.Bit & differences & ~before ? std::string(" ") + one.Text : std::string();
+    }
+    if (!text.empty())
+    {
+      warnings.push_back(
+        "A volume in the renderer is felt differently from how it is shown." + text);
+    }
+    now.push_back({ volume, differences });
+  }
+  this->All = std::move(now);
+  return warnings;
+}
+
+unsigned int HapticShownVolumes::FindDifferences(vtkVolume* volume, vtkImageData* image)
+{
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  auto* const shown =
+    mapper ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  if (!shown || (shown != image && (!scalars || shown->GetPointData()->GetScalars() != scalars)))
+  {
+    return 0;
+  }
+  auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  volume->ComputeMatrix();
+  const bool isTrue[] = { IsPlacedElsewhere(volume->GetMatrix(), shown, image),
+    IsCropped(mapper, shown), IsClipped(mapper, volume), gpu && gpu->GetMaskInput(),
+    HasTransferFunction2D(volume->GetProperty()), this->HasBlanks(shown) };
+  unsigned int differences = 0;
+  for (std::size_t i = 0; i < std::size(Differences); ++i)
+  {
+    differences |= isTrue[i] ? Differences[i].Bit : 0;
+  }
+  return differences;
+}
+
+bool HapticShownVolumes::HasBlanks(vtkImageData* image)
+{
+  return this->HasBlanks(image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, 0) ||
+    this->HasBlanks(image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, 1);
+}
+
+bool HapticShownVolumes::HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which)
+{
+  Blanks& last = this->Last[which];
+  if (!ghosts)
+  {
+    return false;
+  }
+  if (last.Ghosts != ghosts || last.Time != ghosts->GetMTime())
+  {
+    const unsigned char* const flags = ghosts->GetPointer(0);
+    last.HasAny = std::any_of(flags, flags + ghosts->GetNumberOfValues(),
+      [hidden](unsigned char flag) { return (flag & hidden) != 0; });
+    last.Ghosts = ghosts;
+    last.Time = ghosts->GetMTime();
+  }
+  return last.HasAny;
+}
+
+} // namespace VolumeHaptics

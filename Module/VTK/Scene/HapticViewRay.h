@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where a pointer on the screen is in the scene, and what can be felt under it.
+ */
+#ifndef HapticViewRay_h
+#define HapticViewRay_h
+
+#include "Core/Math/Vector3.h"
+
+class vtkRenderer;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/** A pixel of the renderer at the depth of a world position. */
+Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3& depth);
+
+/** The unit direction of sight at a world position, away from the viewer. */
+Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
+
+/**
+ * Walks along the line of sight under a pointer, from where it enters the image, with the servo's own
+ * tick, up to the first contact. True with the last free position in front of it; false where nothing
+ * can be felt along the line.
+ */
+bool FindFirstContact(
+  vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/HapticWindowWatch.h"
+
+#include "vtkVolumeHapticsCompat.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkTextureObject.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+/**
+ * A texture without pixels. Before a window is finalized or destroyed, it has each texture in its context release its
+ * resources. VTK does not install the header of the callback behind this, hence the detour.
+ */
+class HapticWindowWatch::Closing final : public vtkTextureObject
+{
+public:
+  vtkTypeMacro(Closing, vtkTextureObject);
+  static Closing* New() { return new Closing; }
+
+  /** The window that is watched from here on; nullptr for none. */
+  void SetWindow(vtkOpenGLRenderWindow* window)
+  {
+    // In the middle of a release, the window removes this from its list after the call.
+    if (window != this->Window && !this->IsInRelease)
+    {
+      this->IsInRelease = true; // leaving a window releases, too, but that is no end
+      this->SetContext(window);
+      this->IsInRelease = false;
+      this->Window = window;
+    }
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    const vtkSmartPointer<Closing> keep(this);
+    this->Superclass::ReleaseGraphicsResources(window);
+    if (this->IsInRelease)
+    {
+      return;
+    }
+    this->IsInRelease = true;
+    this->Window = nullptr;
+    if (this->Watch)
+    {
+      this->Watch->OnRelease();
+    }
+    this->IsInRelease = false;
+    if (this->GetReferenceCount() == 1)
+    {
+      // The style was deleted by an observer, and the watch with it. The window still uses this after the call.
+      static vtkSmartPointer<Closing> last;
+      last = this;
+    }
+  }
+  HapticWindowWatch* Watch = nullptr;
+
+private:
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  bool IsInRelease = false;
+};
+
+/** A class of its own, so that one watch recognises the observers of others. */
+class HapticWindowWatch::Observer final : public vtkCommand
+{
+public:
+  vtkTypeMacro(Observer, vtkCommand);
+  static Observer* New() { return new Observer; }
+  void Execute(vtkObject*, unsigned long event, void*) override
+  {
+    switch (event)
+    {
+      case vtkCommand::ExitEvent:
+        this->Watch->OnExit();
+        break;
+      case vtkCommand::ModifiedEvent:
+        this->Watch->OnModified();
+        break;
+      case vtkCommand::StartEvent:
+        this->Watch->OnRender();
+        break;
+      default:
+        this->Watch->Look();
+    }
+  }
+  HapticWindowWatch* Watch = nullptr;
+
+  /** Whether the application listens to an interactor's ExitEvent: any observer but those of watches. */
+  static bool IsExitTaken(vtkRenderWindowInteractor* interactor)
+  {
+    // Tags are given in ascending order.
+    vtkNew<Observer> last;
+    const unsigned long end = interactor->AddObserver(vtkCommand::NoEvent, last);
+    interactor->RemoveObserver(end);
+    for (unsigned long tag = 1; tag < end; ++tag)
+    {
+      vtkCommand* const command = interactor->GetCommand(tag);
+      if (command && !dynamic_cast<Observer*>(command) &&
+        interactor->HasObserver(vtkCommand::ExitEvent, command))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+HapticWindowWatch::HapticWindowWatch(vtkObject* owner, std::function<void()> end)
+  : Owner(owner)
+  , TellEnd(std::move(end))
+  , Events(vtkSmartPointer<Observer>::New())
+  , WindowClosing(vtkSmartPointer<Closing>::New())
+{
+  this->Events->Watch = this;
+  this->WindowClosing->Watch = this;
+}
+
+HapticWindowWatch::~HapticWindowWatch()
+{
+  this->SetInteractor(nullptr);
+  this->WindowClosing->Watch = nullptr;
+}
+
+void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  if (this->Interactor)
+  {
+    this->Interactor->RemoveObserver(this->Events);
+  }
+  this->OnRender();
+  this->WindowClosing->SetWindow(nullptr);
+  this->Interactor = interactor;
+  if (interactor)
+  {
+    this->IsEnabled = interactor->GetEnabled() != 0;
+    this->IsDone = interactor->GetDone();
+    // Before the application's observers, which may take long: to save, or to ask whether to quit.
+    interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
+    interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
+    // After them, as they may have called TerminateApp(), which is the last thing that the loop does then.
+    for (const unsigned long event :
+      { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,
+        vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
+        vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonReleaseEvent,
+        vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonReleaseEvent,
+        vtkCommand::MouseMoveEvent, vtkCommand::TimerEvent })
+    {
+      interactor->AddObserver(event, this->Events, -VTK_FLOAT_MAX);
+    }
+    this->Look();
+  }
+}
+
+void HapticWindowWatch::Look()
+{
+  if (!this->Interactor)
+  {
+    return;
+  }
+  vtkRenderWindow* const window = this->Interactor->GetRenderWindow();
+  const bool wasDone = std::exchange(this->IsDone, this->Interactor->GetDone());
+  if (!this->IsReleased)
+  {
+    // One that was never rendered has nothing to release yet.
+    const bool isRendered = window && !window->GetNeverRendered();
+    this->WindowClosing->SetWindow(
+      isRendered ? vtkOpenGLRenderWindow::SafeDownCast(window) : nullptr);
+    KeepDisplay(window);
+  }
+  if (this->IsDone && !wasDone)
+  {
+    this->End();
+  }
+}
+
+bool HapticWindowWatch::IsClosed() const
+{
+  return this->IsReleased && this->Interactor && this->Interactor->GetDone();
+}
+
+void HapticWindowWatch::OnExit()
+{
+  const vtkSmartPointer<vtkObject> keep(this->Owner);
+  const vtkSmartPointer<vtkRenderWindowInteractor> interactor(this->Interactor.GetPointer());
+  KeepDisplay(interactor->GetRenderWindow());
+  this->End();
+  // ExitCallback() calls TerminateApp() only if the event has no observers. The watch must not change that.
+  if (!Observer::IsExitTaken(interactor))
+  {
+    interactor->TerminateApp();
+  }
+}
+
+void HapticWindowWatch::OnModified()
+{
+  const bool wasEnabled = std::exchange(this->IsEnabled, this->Interactor->GetEnabled() != 0);
+  if (wasEnabled && !this->IsEnabled)
+  {
+    this->End();
+  }
+}
+
+void HapticWindowWatch::OnRelease()
+{
+  this->IsReleased = true;
+  vtkRenderWindow* const window = this->Interactor ? this->Interactor->GetRenderWindow() : nullptr;
+  if (window && window->GetReferenceCount() > 0)
+  {
+    this->ReleasedWindow = window;
+    window->AddObserver(vtkCommand::StartEvent, this->Events);
+  }
+  this->End();
+}
+
+void HapticWindowWatch::OnRender()
+{
+  this->IsReleased = false;
+  if (this->ReleasedWindow)
+  {
+    this->ReleasedWindow->RemoveObserver(this->Events);
+    this->ReleasedWindow = nullptr;
+  }
+}
+
+void HapticWindowWatch::End()
+{
+  const vtkSmartPointer<vtkObject> keep(this->Owner);
+  this->TellEnd();
+}
+
+} // namespace VolumeHaptics

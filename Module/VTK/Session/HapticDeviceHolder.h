@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What stands behind vtkHapticDevice: the open back end, its session, and the latest state.
+ */
+#ifndef HapticDeviceHolder_h
+#define HapticDeviceHolder_h
+
+#include "Devices/Common/DeviceKind.h"
+#include "VTK/Session/HapticSession.h"
+#include "VTK/Trace/HapticTraceFiles.h"
+#include "Devices/Virtual/VirtualDevice.h"
+
+class vtkTable;
+
+namespace VolumeHaptics
+{
+
+class HapticDeviceHolder
+{
+public:
+  ~HapticDeviceHolder() { this->Close(); }
+
+  bool Open(const std::string& id, const DeviceOptions& options, std::string& error);
+  void Close();
+  bool IsOpen() const { return this->Backend != nullptr; }
+  /** Another number after each Open or Close. */
+  int GetOpening() const { return this->Opening; }
+  const std::string& GetId() const { return this->Id; }
+  DeviceLimits GetLimits() const
+  {
+    return this->Backend ? this->Backend->GetLimits() : DeviceLimits{};
+  }
+  /** The back end, where it is the virtual one. */
+  VirtualDevice* GetVirtual() const { return this->Virtual; }
+
+  /** Starts a session; the placement tells where a replay of world positions is. */
+  void Start(double rate, const SafetyLimits& limits, std::shared_ptr<const HapticModel> model,
+    const Affine3& deviceToWorld);
+  void Stop();
+  /** Null where the servo does not run. */
+  HapticSession* GetSession() const { return this->Session.get(); }
+
+  /** Ticks per second of the session that runs. */
+  double GetRate() const { return this->Rate; }
+
+  /** The owner is there: see vtkHapticDevice::SetAttentionTime. */
+  void Attend();
+  void Arm(bool on);
+  void FadeOut();
+  ///@{
+  /**
+   * Work of the owner's, long or not: see vtkHapticDevice::BeginLongWork. True if the force goes off with it, and if
+   * it may come back. Works nest and outlive a session.
+   */
+  bool BeginWork(const std::string& what, bool isLong);
+  bool EndWork();
+  bool HasWork() const { return !this->Works.empty(); }
+  ///@}
+  /** Whether it is open and, as far as is known now, can be felt. */
+  bool IsReady() const
+  {
+    return this->Backend && this->Backend->GetCondition().Stage == DeviceStage::Ready;
+  }
+  void Home();
+  void SetLights(int lights)
+  {
+    if (this->Backend)
+    {
+      this->Backend->SetLights(lights);
+    }
+  }
+
+  /** Takes the latest state; the placement is used where there is no model. */
+  bool Update(const Affine3& deviceToWorld);
+  const ServoSnapshot& GetState() const { return this->State; }
+  int GetButtons() const { return static_cast<int>(this->State.Buttons); }
+  int GetContact() const { return static_cast<int>(this->State.Record.Contact); }
+  double GetResidency() const { return this->State.Residency; }
+  long long GetTick() const { return static_cast<long long>(this->State.Tick); }
+
+  /** Every state since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates. */
+  void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
+
+  /** As vtkHapticDevice::StatusType. */
+  int GetStatus() const;
+  std::string GetStatusText() const;
+
+  ///@{
+  /** Of the latest state, in the world. */
+  double Tip[3] = {};
+  double Proxy[3] = {};
+  double Force[3] = {};
+  double ComputedForce[3] = {};
+  double Normal[3] = {};
+  double SurfacePosition[3] = {};
+  double MediumPosition[3] = {};
+  ///@}
+  double TurnRate[3] = {}; ///< rad/s, of the latest state, in the device's axes
+
+private:
+  struct Work
+  {
+    std::string What;
+    bool IsLong;
+  };
+  /** The outermost work that is long; null if there is none. */
+  const Work* FindLongWork() const;
+  std::string Describe(const DeviceCondition& condition) const;
+  std::string DescribeDevice() const;
+
+  std::string Id;
+  std::unique_ptr<DeviceBackend> Backend;
+  int Opening = 0;
+  VirtualDevice* Virtual = nullptr;
+  bool IsReplay = false;
+  RecordedTips Replay;
+  std::unique_ptr<HapticSession> Session;
+  ServoSnapshot State;
+  bool ArmWanted = false;
+  double Rate = 0.0;
+  std::vector<Work> Works;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of HapticDeviceHolder that says where the device stands.
+#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Trace/HapticFiles.h"
+
+#include "vtkHapticDevice.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** What is wrong, and what to do. */
+const char* Explain(SafetyFault fault)
+{
+  switch (fault)
+  {
+    case SafetyFault::NotFinite:
+      return "Force cut off: a force or a position was not a finite number. Check the image and "
+             "the device, then Arm() again.";
+    case SafetyFault::OverSpeed:
+      return "Force cut off: the tip moved faster than a hand can hold the device. Take the "
+             "stylus, then Arm() again.";
+    case SafetyFault::DeviceLost:
+      return "Force cut off: the device was lost. Once it is back, with Home() or with Open() and "
+             "Start(), Arm() again.";
+    case SafetyFault::Unattended:
+      return "Force let go of: the program did not call the device for longer than AttentionTime. "
+             "Arm() again. If the program is often busy for that long, raise AttentionTime.";
+    case SafetyFault::None:
+      break;
+  }
+  return "";
+}
+
+const char* DescribePrivilege(ServoLoop::Privilege privilege)
+{
+  switch (privilege)
+  {
+    case ServoLoop::Privilege::Granted:
+      return "granted";
+    case ServoLoop::Privilege::Refused:
+      return "refused (the loop may be late on a busy machine; raise the user's rtprio and memlock "
+             "limits)";
+    case ServoLoop::Privilege::Unknown:
+      break;
+  }
+  return "not yet known";
+}
+
+} // namespace
+
+int HapticDeviceHolder::GetStatus() const
+{
+  if (!this->Backend)
+  {
+    return vtkHapticDevice::CLOSED;
+  }
+  switch (this->Backend->GetCondition().Stage)
+  {
+    case DeviceStage::Firmware:
+      return vtkHapticDevice::FIRMWARE;
+    case DeviceStage::Homing:
+      return vtkHapticDevice::HOMING;
+    case DeviceStage::Lost:
+      return vtkHapticDevice::FAULT;
+    case DeviceStage::Ready:
+      break;
+  }
+  if (!this->Session)
+  {
+    return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
+  }
+  if (this->State.Fault != SafetyFault::None)
+  {
+    return vtkHapticDevice::FAULT;
+  }
+  if (!this->State.Armed)
+  {
+    return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
+  }
+  return this->State.Stale || this->FindLongWork() ? vtkHapticDevice::ARMED
+                                                   : vtkHapticDevice::ACTIVE;
+}
+
+std::string HapticDeviceHolder::Describe(const DeviceCondition& condition) const
+{
+  const char* const begin = condition.Stage == DeviceStage::Firmware ? "Firmware of "
+    : condition.Stage == DeviceStage::Homing                         ? "Homing of "
+                                                                     : "Force cut off, lost: ";
+  return begin + this->Id + ": " + condition.Text.data();
+}
+
+std::string HapticDeviceHolder::GetStatusText() const
+{
+  const std::string trouble = this->Session ? this->Session->GetRecordingTrouble() : std::string();
+  return Printable(this->DescribeDevice() + (trouble.empty() ? "" : " " + trouble));
+}
+
+std::string HapticDeviceHolder::DescribeDevice() const
+{
+  if (this->Backend)
+  {
+    const DeviceCondition condition = this->Backend->GetCondition();
+    if (condition.Stage != DeviceStage::Ready)
+    {
+      return this->Describe(condition);
+    }
+  }
+  switch (this->GetStatus())
+  {
+    case vtkHapticDevice::CLOSED:
+      return "Closed. Open() a device.";
+    case vtkHapticDevice::FAULT:
+      return Explain(this->State.Fault);
+    default:
+      break;
+  }
+  if (!this->Session)
+  {
+    return "Ready: " + this->Id + ". Start() the servo.";
+  }
+  std::string text;
+  if (this->State.Device == DeviceState::Lost)
+  {
+    text = "Lost: " + this->Id + " is gone. Plug it in, Open() and Start() it.";
+  }
+  else if (this->State.Device == DeviceState::Finished)
+  {
+    text = "Finished: " + this->Id + " has come to its end.";
+  }
+  else if (const Work* work = this->FindLongWork(); work && this->ArmWanted && this->State.Armed)
+  {
+    text = "Force is off while " + work->What + ", and comes back by itself.";
+  }
+  else if (this->State.Armed && this->State.Stale)
+  {
+    text = "Armed, but " + this->Id + " gives no fresh positions: no force.";
+  }
+  else
+  {
+    text = this->State.Armed ? "Active: " + this->Id + "."
+                             : "Running: " + this->Id + ". Arm() lets force through.";
+  }
+  if (this->State.Awaiting)
+  {
+    text += this->State.Residency > 0.0
+      ? " The data around the tip are awaited: the force fades."
+      : " The data around the tip are awaited: no force until then.";
+  }
+  ServoLoop& loop = this->Session->GetLoop();
+  text += std::string(" Real-time priority ") + DescribePrivilege(loop.GetRealTimePriority()) +
+    ", locking of the servo's own memory " + DescribePrivilege(loop.GetLockedMemory()) + ".";
+  return text;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/HapticStateTable.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkTable.h"
+
+namespace VolumeHaptics
+{
+
+StateRow::StateRow(const ServoSnapshot& state)
+  : Tip(state.Record.Tip)
+  , Proxy(state.Record.Proxy)
+  , Force(state.Record.Force)
+  , Command(state.Command)
+  , Time(state.Time)
+  , NormalForce(state.Record.NormalForce)
+  , FrictionForce(state.Record.FrictionForce)
+  , DragForce(state.Record.DragForce)
+  , SurfaceValue(state.Record.SurfaceValue)
+  , Residency(state.Residency)
+  , Tick(state.Tick)
+  , Generation(state.Generation)
+  , Contact(state.Record.Contact)
+  , Fault(state.Fault)
+  , Armed(state.Armed)
+{
+}
+
+StateTable::StateTable()
+{
+  static const char* const scalars[] = { "Time", "Tick", "NormalForce", "FrictionForce",
+    "DragForce", "SurfaceValue", "Contact", "Armed", "Fault", "Residency" };
+  static const char* const vectors[] = { "Tip", "Proxy", "Force", "Command" };
+  for (int i = 0; i < Scalars; ++i)
+  {
+    this->ScalarColumns[i]->SetName(scalars[i]);
+  }
+  for (int i = 0; i < Vectors; ++i)
+  {
+    this->VectorColumns[i]->SetName(vectors[i]);
+    this->VectorColumns[i]->SetNumberOfComponents(3);
+  }
+}
+
+StateTable::~StateTable() = default;
+
+void StateTable::Append(const StateRow& state, const Affine3& toWorld)
+{
+  const double scalars[Scalars] = { state.Time, static_cast<double>(state.Tick), state.NormalForce,
+    state.FrictionForce, state.DragForce, state.SurfaceValue, static_cast<double>(state.Contact),
+    state.Armed ? 1.0 : 0.0, static_cast<double>(state.Fault), state.Residency };
+  const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
+  const Vector3 vectors[Vectors] = { toWorld(state.Tip), toWorld(state.Proxy),
+    rotation * state.Force, rotation * state.Command };
+  for (int i = 0; i < Scalars; ++i)
+  {
+    this->ScalarColumns[i]->InsertNextValue(scalars[i]);
+  }
+  for (int i = 0; i < Vectors; ++i)
+  {
+    this->VectorColumns[i]->InsertNextTuple3(vectors[i].X, vectors[i].Y, vectors[i].Z);
+  }
+}
+
+void StateTable::WriteTo(vtkTable* table)
+{
+  table->Initialize();
+  for (const auto& column : this->ScalarColumns)
+  {
+    table->AddColumn(column);
+  }
+  for (const auto& column : this->VectorColumns)
+  {
+    table->AddColumn(column);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * States of the servo as rows of a table, for displays.
+ */
+#ifndef HapticStateTable_h
+#define HapticStateTable_h
+
+#include "Core/Servo/ServoLoop.h"
+
+#include "vtkNew.h"
+
+class vtkDoubleArray;
+class vtkTable;
+
+namespace VolumeHaptics
+{
+
+/**
+ * The values of a tick that displays need, in device space. It has a tenth of the size of a ServoSnapshot: up to
+ * 100000 of them wait for a slow reader.
+ */
+struct StateRow
+{
+  explicit StateRow(const ServoSnapshot& state);
+
+  Vector3 Tip;
+  Vector3 Proxy;
+  Vector3 Force;
+  Vector3 Command;
+  double Time;
+  double NormalForce;
+  double FrictionForce;
+  double DragForce;
+  double SurfaceValue;
+  double Residency;
+  std::uint64_t Tick;
+  std::uint64_t Generation;
+  ContactState Contact;
+  SafetyFault Fault;
+  bool Armed;
+};
+
+/** The columns are those that vtkHapticDevice::DrainStates documents. */
+class StateTable
+{
+public:
+  StateTable();
+  ~StateTable();
+  StateTable(const StateTable&) = delete;
+  StateTable& operator=(const StateTable&) = delete;
+
+  void Append(const StateRow& state, const Affine3& toWorld);
+  /** Replaces the table's columns. */
+  void WriteTo(vtkTable* table);
+
+private:
+  enum Scalar
+  {
+    Time,
+    Tick,
+    NormalForce,
+    FrictionForce,
+    DragForce,
+    SurfaceValue,
+    Contact,
+    Armed,
+    Fault,
+    Residency,
+    Scalars
+  };
+  enum Vector
+  {
+    Tip,
+    Proxy,
+    Force,
+    Command,
+    Vectors
+  };
+  vtkNew<vtkDoubleArray> ScalarColumns[Scalars];
+  vtkNew<vtkDoubleArray> VectorColumns[Vectors];
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Setup/HapticSetupSettings.h"
+
+#include "VTK/Baking/HapticMethods.h"
+#include "Core/Model/HapticModel.h"
+#include "VTK/Baking/HapticVolumeView.h"
+
+#include "vtkCamera.h"
+#include "vtkHapticProperty.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+// A setting of an object, under the name that VTK gives it.
+#define PassNumberMacro(node, object, name, range)       \
+  (node).Number(                                         \
+    #name, range, [=] { return (object)->Get##name(); }, \
+    [=](double number) { (object)->Set##name(number); })
+#define PassIntegerMacro(node, object, name, minimum, maximum)      \
+  (node).Integer(                                                   \
+    #name, minimum, maximum, [=] { return (object)->Get##name(); }, \
+    [=](int number) { (object)->Set##name(number); })
+#define PassChoiceMacro(node, object, name, ...)               \
+  (node).Choice(                                               \
+    #name, __VA_ARGS__, [=] { return (object)->Get##name(); }, \
+    [=](int choice) { (object)->Set##name(choice); })
+// The same, of one component.
+#define PassComponentMacro(node, object, component, name, range)  \
+  (node).Number(                                                  \
+    #name, range, [=] { return (object)->Get##name(component); }, \
+    [=](double number) { (object)->Set##name(component, number); })
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
+{
+  struct Function
+  {
+    const char* Name;
+    vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
+    double Maximum;
+  };
+  const double most = std::numeric_limits<double>::max();
+  const Function functions[] = { { "Stiffness", &vtkHapticProperty::GetStiffness, most },
+    { "Friction", &vtkHapticProperty::GetFriction, most },
+    { "Viscosity", &vtkHapticProperty::GetViscosity, most },
+    { "SurfaceStrength", &vtkHapticProperty::GetSurfaceStrength, most },
+    { "Distinctness", &vtkHapticProperty::GetDistinctness, 1.0 } };
+  for (const Function& f : functions)
+  {
+    const auto get = f.Get;
+    PassFunction(node.Child(f.Name), { 0.0, f.Maximum },
+      [filter, get] { return (filter->GetProperty()->*get)(); });
+  }
+  PassIntegerMacro(node, filter->GetProperty(), Component, 0, VTK_INT_MAX);
+  PassChoiceMacro(node, filter->GetProperty(), SurfaceSide, { "Higher", "Lower", "Both" });
+  node.Flag(
+    "DistinctnessFromNoise", [=] { return filter->GetProperty()->GetDistinctnessFromNoise(); },
+    [=](bool on) { filter->GetProperty()->SetDistinctnessFromNoise(on); });
+  // Another property's visibility is nothing that this setup could bring back.
+  if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
+    filter->GetProperty()->GetVisibilityFrom() == visible)
+  {
+    node.Flag(
+      "HideInvisible", [=] { return filter->GetProperty()->GetVisibilityFrom() != nullptr; },
+      [=](bool hide)
+      {
+        vtkHapticProperty* const property = filter->GetProperty();
+        vtkVolumeProperty* const now = property->GetVisibilityFrom();
+        if (visible && (hide || now == visible))
+        {
+          property->SetVisibilityFrom(hide ? visible : nullptr);
+        }
+      });
+  }
+}
+
+/** VTK normalizes the view up, which changes the last digit of some that are normal already. */
+void SetViewUp(vtkCamera* camera, const NumberRow& wanted)
+{
+  vtkNew<vtkCamera> trial;
+  NumberRow up = wanted;
+  for (int scale = 1; scale < 1000; ++scale)
+  {
+    std::transform(
+      wanted.begin(), wanted.end(), up.begin(), [scale](double x) { return scale * x; });
+    trial->SetViewUp(up.data());
+    if (std::equal(wanted.begin(), wanted.end(), trial->GetViewUp()))
+    {
+      camera->SetViewUp(up.data());
+      return;
+    }
+  }
+  camera->SetViewUp(wanted.data());
+}
+
+NumberRow ToRow(const double x[3])
+{
+  return { x[0], x[1], x[2] };
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
+{
+  PassChoiceMacro(node, filter, Method, MethodSettings());
+  PassChoiceMacro(node, filter, Solver, { "Paper", "Precise" });
+  PassChoiceMacro(node, filter, ContactAlignment, { "Distinctness", "Edge" });
+  PassChoiceMacro(
+    node, filter, GradientEstimator, { "CentralDifference", "Gaussian", "CubicBSpline" });
+  PassIntegerMacro(node, filter, KernelRadius, 1, 16);
+  PassNumberMacro(node, filter, ServoRate, (NumberRange{ 1.0, 1e5 }));
+  PassNumberMacro(node, filter, MetersPerWorldUnit, (NumberRange{ 1e-12, 1e12 }));
+  PassNumberMacro(node, filter, ForceFieldGain, AnyNumber());
+  PassNumberMacro(node, filter, ForceFieldDamping, NotNegative());
+  PassNumberMacro(node, filter, IsoValue, AnyNumber());
+  PassNumberMacro(node, filter, ProxyRadius, NotNegative());
+  node.Flag(
+    "ForceShading", [=] { return filter->GetForceShading(); },
+    [=](bool on) { filter->SetForceShading(on); });
+  PassChoiceMacro(node, filter, LocalSurfaceShape, { "Plane", "Quadric" });
+  PassNumberMacro(node, filter, LocalSurfaceRate, (NumberRange{ 1.0, 1000.0 }));
+  PassNumberMacro(node, filter, RecoveryTime, (NumberRange{ 0.0, 10.0 }));
+  PassNumberMacro(node, filter, MaximumForce, NotNegative());
+  PassNumberMacro(node, filter, MaximumStiffness, NotNegative());
+  PassProperty(node, filter, visible);
+}
+
+//------------------------------------------------------------------------------
+void PassVolume(SetupNode node, vtkVolumeProperty* property)
+{
+  PassChoiceMacro(node, property, InterpolationType, { "Nearest", "Linear" });
+  node.Flag(
+    "IndependentComponents", [=] { return property->GetIndependentComponents() != 0; },
+    [=](bool on) { property->SetIndependentComponents(on); });
+  for (int c = 0; c < VTK_MAX_VRCOMP; ++c)
+  {
+    SetupNode part = node.Child("Component" + std::to_string(c));
+    PassFunction(
+      part.Child("ScalarOpacity"), AnyNumber(), [=] { return property->GetScalarOpacity(c); });
+    part.Flag(
+      "DisableGradientOpacity", [=] { return property->GetDisableGradientOpacity(c) != 0; },
+      [=](bool on) { property->SetDisableGradientOpacity(c, on); });
+    // Beneath the one that is used instead while gradient opacity is disabled.
+    PassFunction(part.Child("GradientOpacity"), AnyNumber(),
+      [=]
+      {
+        if (!property->GetStoredGradientOpacity(c))
+        {
+          const int disabled = property->GetDisableGradientOpacity(c);
+          property->SetDisableGradientOpacity(c, 0);
+          property->GetGradientOpacity(c); // which creates it
+          property->SetDisableGradientOpacity(c, disabled);
+        }
+        return property->GetStoredGradientOpacity(c);
+      });
+    if (part.IsWriting() ? property->GetColorChannels(c) == 1 : part.Has("Gray"))
+    {
+      PassFunction(
+        part.Child("Gray"), AnyNumber(), [=] { return property->GetGrayTransferFunction(c); });
+      part.Then([=] { property->SetColor(c, property->GetGrayTransferFunction(c)); });
+    }
+    else if (part.IsWriting() || part.Has("Color"))
+    {
+      PassColors(part.Child("Color"), [=] { return property->GetRGBTransferFunction(c); });
+      part.Then([=] { property->SetColor(c, property->GetRGBTransferFunction(c)); });
+    }
+    PassComponentMacro(
+      part, property, c, ScalarOpacityUnitDistance, (NumberRange{ 1e-300, 1e300 }));
+    part.Flag(
+      "Shade", [=] { return property->GetShade(c) != 0; },
+      [=](bool on) { property->SetShade(c, on); });
+    PassComponentMacro(part, property, c, Ambient, AnyNumber());
+    PassComponentMacro(part, property, c, Diffuse, AnyNumber());
+    PassComponentMacro(part, property, c, Specular, AnyNumber());
+    PassComponentMacro(part, property, c, SpecularPower, AnyNumber());
+  }
+}
+
+//------------------------------------------------------------------------------
+void PassCamera(SetupNode node, vtkCamera* camera)
+{
+  NumberRow position = node.Row(
+    "Position", 3, [=] { return ToRow(camera->GetPosition()); },
+    [=](const NumberRow& x) { camera->SetPosition(x.data()); });
+  NumberRow focus = node.Row(
+    "FocalPoint", 3, [=] { return ToRow(camera->GetFocalPoint()); },
+    [=](const NumberRow& x) { camera->SetFocalPoint(x.data()); });
+  position = position.empty() ? ToRow(camera->GetPosition()) : position;
+  focus = focus.empty() ? ToRow(camera->GetFocalPoint()) : focus;
+  node.Require("Position", position != focus, "another place than FocalPoint");
+  node.Require("FocalPoint", position != focus, "another place than Position");
+  const NumberRow up = node.Row(
+    "ViewUp", 3, [=] { return ToRow(camera->GetViewUp()); },
+    [=](const NumberRow& x) { SetViewUp(camera, x); });
+  node.Require("ViewUp", up != NumberRow(3, 0.0), "a direction, with a number other than 0");
+  PassNumberMacro(node, camera, ViewAngle, (NumberRange{ 1e-8, 179.9 }));
+  node.Flag(
+    "ParallelProjection", [=] { return camera->GetParallelProjection() != 0; },
+    [=](bool on) { camera->SetParallelProjection(on); });
+  PassNumberMacro(node, camera, ParallelScale, (NumberRange{ 1e-300, 1e300 }));
+}
+
+//------------------------------------------------------------------------------
+void PassDeviceToWorld(SetupNode& root, vtkMatrix4x4* matrix)
+{
+  constexpr std::size_t size = 16;
+  const NumberRow read = root.Row(
+    "DeviceToWorld", size, [=] { return NumberRow(matrix->GetData(), matrix->GetData() + size); },
+    [=](const NumberRow& elements) { matrix->DeepCopy(elements.data()); });
+  if (!read.empty())
+  {
+    vtkNew<vtkMatrix4x4> checked;
+    checked->DeepCopy(read.data());
+    Affine3 map;
+    std::string error;
+    root.Require("DeviceToWorld", ReadSimilarity(checked, map, error),
+      "a rotation, a translation and one uniform, positive scale, row by row");
+  }
+}
+
+} // namespace VolumeHaptics

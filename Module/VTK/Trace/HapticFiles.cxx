@@ -1,0 +1,499 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/HapticFiles.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <memory>
+#include <random>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr std::size_t BufferSize = 1 << 16;
+
+/** Bytes of the UTF-8 character that begins here; 0 where there is none (RFC 3629, table in section 4). */
+std::size_t CharacterSize(const unsigned char* text, std::size_t left)
+{
+  const unsigned char first = text[0];
+  if (first < 0x80)
+  {
+    return 1;
+  }
+  const std::size_t size = first >= 0xF0 && first <= 0xF4 ? 4
+    : first >= 0xE0 && first <= 0xEF                      ? 3
+    : first >= 0xC2 && first <= 0xDF                      ? 2
+                                                          : 0;
+  if (size == 0 || size > left)
+  {
+    return 0;
+  }
+  const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+  const unsigned char most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+  if (text[1] < least || text[1] > most)
+  {
+    return 0;
+  }
+  for (std::size_t i = 2; i < size; ++i)
+  {
+    if (text[i] < 0x80 || text[i] > 0xBF)
+    {
+      return 0;
+    }
+  }
+  return size;
+}
+
+/** A descriptor that opening a FIFO does not wait for; below zero, with errno, where there is none. */
+int OpenToRead(const std::string& file)
+{
+  return OpenFile(file, O_RDONLY | O_NONBLOCK);
+}
+
+/** Creates a file with a random name in the folder of another one. Returns its descriptor, or -1 with errno. */
+int CreateBeside(const std::string& file, mode_t mode, std::string& name)
+{
+  std::random_device random;
+  int descriptor = -1;
+  constexpr int most = 100; // names; two of 64 bits are hardly ever the same
+  for (int i = 0; i < most && descriptor < 0 && (i == 0 || errno == EEXIST); ++i)
+  {
+    char text[40];
+    std::snprintf(text, sizeof(text), "VolumeHaptics%08x%08x.tmp", random(), random());
+    name = GetFolder(file);
+    name += (name.back() == '/' ? "" : "/") + std::string(text);
+    descriptor = OpenFile(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, mode);
+  }
+  return descriptor;
+}
+
+const char* WhatElse(const struct stat& status)
+{
+  return S_ISDIR(status.st_mode) ? "is a folder"
+    : S_ISFIFO(status.st_mode)   ? "is a pipe"
+                                 : "is a device or a socket";
+}
+
+} // namespace
+
+std::string DescribeError(int number)
+{
+  return Printable(std::generic_category().message(number));
+}
+
+int OpenFile(const std::string& file, int flags, mode_t mode)
+{
+  int descriptor = -1;
+  do
+  {
+    descriptor = open(file.c_str(), flags | O_CLOEXEC, mode);
+  } while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+int SyncFile(int descriptor)
+{
+  int failure = 0;
+  do
+  {
+    failure = fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+  } while (failure == EINTR);
+  return failure;
+}
+
+int SyncFolder(const std::string& file)
+{
+  const int descriptor = OpenFile(GetFolder(file), O_RDONLY | O_DIRECTORY);
+  if (descriptor < 0)
+  {
+    // Files may be made in a folder that may not be read.
+    return errno == EACCES ? 0 : errno;
+  }
+  const int failure = SyncFile(descriptor);
+  close(descriptor);
+  return failure;
+}
+
+std::string FollowLinks(const std::string& file)
+{
+  std::string name = file;
+  constexpr int most = 40; // links that the system follows, too
+  for (int i = 0; i < most; ++i)
+  {
+    const std::unique_ptr<char, void (*)(void*)> real(realpath(name.c_str(), nullptr), std::free);
+    if (real)
+    {
+      return real.get();
+    }
+    // It does not exist, but a link to it may.
+    char target[4096];
+    const ssize_t size = readlink(name.c_str(), target, sizeof(target));
+    if (size <= 0)
+    {
+      return name;
+    }
+    const std::string next(target, static_cast<std::size_t>(size));
+    name = next[0] == '/' ? next : GetFolder(name) + "/" + next;
+  }
+  return file;
+}
+
+bool IsSameFile(int descriptor, const std::string& file)
+{
+  struct stat here;
+  struct stat there;
+  return fstat(descriptor, &here) == 0 && stat(file.c_str(), &there) == 0 &&
+    here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+}
+
+bool TakePermissions(int descriptor, const struct stat& other)
+{
+  struct stat status;
+  const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
+    fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0 ||
+    (fstat(descriptor, &status) == 0 && status.st_gid == other.st_gid);
+  // Bits that let a program run with the rights of its owner are not for another owner.
+  (void)!fchmod(descriptor, isKept ? other.st_mode & 0777 : (other.st_mode & 0700) | 0600);
+  return isKept;
+}
+
+std::string Printable(const std::string& text)
+{
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(text.data());
+  std::string result;
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const std::size_t size = CharacterSize(bytes + i, text.size() - i);
+    if (size > 0)
+    {
+      result.append(text, i, size);
+      i += size;
+      continue;
+    }
+    char escape[5];
+    std::snprintf(escape, sizeof(escape), "\\x%02X", bytes[i]);
+    result += escape;
+    ++i;
+  }
+  return result;
+}
+
+std::string MakeAbsolute(const std::string& file)
+{
+  const std::unique_ptr<char, void (*)(void*)> here(getcwd(nullptr, 0), std::free);
+  return file.empty() || file[0] == '/' || !here ? file : std::string(here.get()) + "/" + file;
+}
+
+std::string GetFolder(const std::string& file)
+{
+  const std::size_t slash = file.rfind('/');
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : file.substr(0, slash);
+}
+
+std::string ExplainWriteError(int number, const std::string& file)
+{
+  const std::string folder = Printable(GetFolder(file));
+  switch (number)
+  {
+    case ENOENT:
+    case ENOTDIR:
+      return "there is no folder " + folder +
+        ". Check that the folder exists, or choose another one.";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "you may not write to the folder " + folder + " (" + DescribeError(number) +
+        "). Choose another one, or change its permissions.";
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return "there is no room for it in the folder " + folder + " (" + DescribeError(number) +
+        "). Make room, or choose a folder on another disk.";
+    default:
+      return "the system says: " + DescribeError(number) + ". Choose another file.";
+  }
+}
+
+bool CheckWritable(const std::string& file, std::string& error)
+{
+  struct stat status;
+  const std::string target = FollowLinks(file);
+  if (stat(target.c_str(), &status) == 0)
+  {
+    if (!S_ISREG(status.st_mode))
+    {
+      error = std::string("it ") + WhatElse(status) + ". Give the name of a file.";
+      return false;
+    }
+    if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+    {
+      error = "the file is there and may not be written (" + DescribeError(errno) +
+        "). Change its permissions, or give another name.";
+      return false;
+    }
+  }
+  if (faccessat(AT_FDCWD, GetFolder(target).c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+  {
+    error = ExplainWriteError(errno, target);
+    return false;
+  }
+  return true;
+}
+
+bool CheckRegular(const std::string& file, std::string& error)
+{
+  struct stat status;
+  if (stat(file.c_str(), &status) != 0)
+  {
+    error = errno == ENOENT || errno == ENOTDIR ? "does not exist"
+                                                : "can't be read (" + DescribeError(errno) + ")";
+    return false;
+  }
+  if (!S_ISREG(status.st_mode))
+  {
+    error = std::string(WhatElse(status)) + ", not a file";
+    return false;
+  }
+  return true;
+}
+
+bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text, std::string& error)
+{
+  text.clear();
+  if (!CheckRegular(file, error))
+  {
+    return false;
+  }
+  const int descriptor = OpenToRead(file);
+  if (descriptor < 0)
+  {
+    error = "can't be read (" + DescribeError(errno) + ")";
+    return false;
+  }
+  struct stat status;
+  int failure = fstat(descriptor, &status) == 0 ? 0 : errno;
+  // It may have been exchanged since.
+  bool isGood = failure == 0 && S_ISREG(status.st_mode);
+  char buffer[BufferSize];
+  while (isGood && text.size() <= most)
+  {
+    const ssize_t got = read(descriptor, buffer, sizeof(buffer));
+    if (got == 0)
+    {
+      break;
+    }
+    if (got > 0)
+    {
+      text.append(buffer, static_cast<std::size_t>(got));
+    }
+    else if (errno != EINTR)
+    {
+      failure = errno;
+      isGood = false;
+    }
+  }
+  close(descriptor);
+  if (!isGood)
+  {
+    error = failure ? "can't be read (" + DescribeError(failure) + ")" : "is not a file";
+  }
+  else if (text.size() > most)
+  {
+    error = "is larger than " + std::to_string(most >> 20) + " MiB";
+  }
+  return isGood && text.size() <= most;
+}
+
+int WriteAll(int descriptor, const void* data, std::size_t size)
+{
+  const char* from = static_cast<const char*>(data);
+  while (size > 0)
+  {
+    const ssize_t written = write(descriptor, from, size);
+    if (written < 0 && errno != EINTR)
+    {
+      return errno;
+    }
+    if (written > 0)
+    {
+      from += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+FileReplacement::~FileReplacement()
+{
+  this->Discard();
+}
+
+void FileReplacement::Discard()
+{
+  if (this->Descriptor >= 0)
+  {
+    close(this->Descriptor);
+    this->Descriptor = -1;
+  }
+  if (this->IsThere)
+  {
+    unlink(this->Temporary.c_str());
+    this->IsThere = false;
+  }
+}
+
+bool FileReplacement::Open(const std::string& file, std::string& error)
+{
+  if (!CheckWritable(file, error))
+  {
+    return false;
+  }
+  this->Target = FollowLinks(file);
+  struct stat status;
+  const bool isOld = stat(this->Target.c_str(), &status) == 0;
+  constexpr mode_t everybody = 0666; // less what the user's mask takes
+  this->Descriptor =
+    CreateBeside(this->Target, isOld ? status.st_mode & 0600 : everybody, this->Temporary);
+  if (this->Descriptor < 0)
+  {
+    error = ExplainWriteError(errno, this->Target);
+    return false;
+  }
+  this->IsThere = true;
+  this->IsInPlace = isOld && !TakePermissions(this->Descriptor, status);
+  return true;
+}
+
+void FileReplacement::Write(const void* data, std::size_t size)
+{
+  this->Size += size;
+  this->Buffer.append(static_cast<const char*>(data), size);
+  if (this->Buffer.size() >= BufferSize)
+  {
+    this->Flush();
+  }
+}
+
+void FileReplacement::Flush()
+{
+  if (this->Failure == 0)
+  {
+    this->Failure = WriteAll(this->Descriptor, this->Buffer.data(), this->Buffer.size());
+  }
+  this->Buffer.clear();
+}
+
+void FileReplacement::WriteAt(std::uint64_t position, const std::string& text)
+{
+  this->Flush();
+  if (this->Failure == 0 && lseek(this->Descriptor, static_cast<off_t>(position), SEEK_SET) < 0)
+  {
+    this->Failure = errno;
+  }
+  if (this->Failure == 0)
+  {
+    this->Failure = WriteAll(this->Descriptor, text.data(), text.size());
+  }
+  if (this->Failure == 0 && lseek(this->Descriptor, 0, SEEK_END) < 0)
+  {
+    this->Failure = errno;
+  }
+}
+
+bool FileReplacement::Finish(std::string& error)
+{
+  if (this->Descriptor >= 0)
+  {
+    this->Flush();
+    // A disk may be found full as late as here.
+    if (this->Failure == 0)
+    {
+      this->Failure = SyncFile(this->Descriptor);
+    }
+    if (close(this->Descriptor) != 0 && errno != EINTR && this->Failure == 0)
+    {
+      this->Failure = errno;
+    }
+    this->Descriptor = -1;
+  }
+  if (this->Failure != 0)
+  {
+    error = ExplainWriteError(this->Failure, this->Target);
+    this->Discard();
+  }
+  return this->Failure == 0;
+}
+
+int FileReplacement::CopyInPlace()
+{
+  const int from = OpenToRead(this->Temporary);
+  int failure = from < 0 ? errno : 0;
+  const int to = failure ? -1 : OpenFile(this->Target, O_WRONLY | O_TRUNC);
+  failure = failure == 0 && to < 0 ? errno : failure;
+  std::string buffer(BufferSize, '\0');
+  for (ssize_t got = 1; failure == 0 && got != 0;)
+  {
+    got = read(from, &buffer[0], buffer.size());
+    if (got < 0)
+    {
+      failure = errno == EINTR ? 0 : errno;
+    }
+    else
+    {
+      failure = WriteAll(to, buffer.data(), static_cast<std::size_t>(got));
+    }
+  }
+  failure = failure ? failure : SyncFile(to);
+  for (const int descriptor : { from, to })
+  {
+    if (descriptor >= 0)
+    {
+      close(descriptor);
+    }
+  }
+  return failure;
+}
+
+bool FileReplacement::Commit(std::string& error)
+{
+  if (!this->Finish(error))
+  {
+    return false;
+  }
+  if (this->IsInPlace)
+  {
+    this->Failure = this->CopyInPlace();
+    if (this->Failure != 0)
+    {
+      error = ExplainWriteError(this->Failure, this->Target) + " All of it is in " +
+        Printable(this->Temporary) + ".";
+      this->IsThere = false; // it stays
+      return false;
+    }
+    this->Discard();
+    return true;
+  }
+  if (rename(this->Temporary.c_str(), this->Target.c_str()) != 0)
+  {
+    error = ExplainWriteError(errno, this->Target);
+    this->Discard();
+    return false;
+  }
+  this->IsThere = false;
+  this->Failure = SyncFolder(this->Target);
+  if (this->Failure != 0)
+  {
+    error = ExplainWriteError(this->Failure, this->Target);
+  }
+  return this->Failure == 0;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a .vtp block by block. vtkXMLPolyDataWriter needs all arrays in memory.
+#include "VTK/Trace/HapticRecordingFile.h"
+
+#include "Core/Solvers/ServoStateNumbers.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Trace/HapticTipPath.h"
+
+#include "vtkBase64Utilities.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Bytes as base64, of which every three become four characters, in one piece from the first to the last. */
+class Base64
+{
+public:
+  explicit Base64(FileReplacement& file)
+    : File(file)
+  {
+  }
+
+  void Write(const std::string& bytes)
+  {
+    this->Waiting += bytes;
+    const std::size_t whole = this->Waiting.size() / 3 * 3;
+    this->File.Write(Encode(this->Waiting.substr(0, whole)));
+    this->Waiting.erase(0, whole);
+  }
+  void End() { this->File.Write(Encode(this->Waiting)); }
+
+  static std::string Encode(const std::string& bytes)
+  {
+    std::string text((bytes.size() + 2) / 3 * 4, '\0');
+    const unsigned long size =
+      vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
+        static_cast<unsigned long>(bytes.size()), reinterpret_cast<unsigned char*>(&text[0]), 0);
+    text.resize(size);
+    return text;
+  }
+
+private:
+  FileReplacement& File;
+  std::string Waiting;
+};
+
+/**
+ * The numbers of an array, in place: how many blocks, their size, that of the last one where it is smaller, the
+ * compressed sizes, all of 32 bits and in base64; then the blocks.
+ */
+class InlineArray
+{
+public:
+  InlineArray(FileReplacement& file, std::uint64_t bytes, std::size_t blockSize)
+    : File(file)
+    , Blocks(file)
+    , Begin(file.GetSize())
+  {
+    this->Head = { static_cast<std::uint32_t>((bytes + blockSize - 1) / blockSize),
+      static_cast<std::uint32_t>(blockSize), static_cast<std::uint32_t>(bytes % blockSize) };
+    this->Sizes.reserve(this->Head[0]);
+    // The sizes are known when the blocks are there.
+    const std::string space(EncodeHead({}).size(), ' ');
+    this->File.Write(space);
+  }
+  void WriteBlock(const std::string& block)
+  {
+    this->Sizes.push_back(static_cast<std::uint32_t>(block.size()));
+    this->Blocks.Write(block);
+  }
+  /** False where there were not as many blocks as there are bytes. */
+  bool End()
+  {
+    this->Blocks.End();
+    const bool isWhole = this->Sizes.size() == this->Head[0];
+    this->File.WriteAt(this->Begin, this->EncodeHead(this->Sizes));
+    return isWhole;
+  }
+
+private:
+  std::string EncodeHead(std::vector<std::uint32_t> sizes) const
+  {
+    sizes.resize(this->Head[0]);
+    sizes.insert(sizes.begin(), this->Head.begin(), this->Head.end());
+    return Base64::Encode(std::string(
+      reinterpret_cast<const char*>(sizes.data()), sizes.size() * sizeof(std::uint32_t)));
+  }
+
+  FileReplacement& File;
+  Base64 Blocks;
+  const std::uint64_t Begin;
+  std::array<std::uint32_t, 3> Head;
+  std::vector<std::uint32_t> Sizes;
+};
+
+const char* NameOf(ColumnType type)
+{
+  switch (type)
+  {
+    case ColumnType::Int64:
+      return "Int64\" IdType=\"1";
+    case ColumnType::Int32:
+      return "Int32";
+    case ColumnType::UInt8:
+      return "UInt8";
+    case ColumnType::Float64:
+      break;
+  }
+  return "Float64";
+}
+
+class PolyDataFile
+{
+public:
+  PolyDataFile(JournalReader& journal, FileReplacement& file)
+    : Journal(journal)
+    , File(file)
+  {
+  }
+
+  bool Write()
+  {
+    const std::uint64_t ticks = this->Journal.GetNumberOfTicks();
+    const int lines = ticks > 1 ? 1 : 0;
+    this->File.Write(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"" +
+      std::string(IsLittleEndian() ? "LittleEndian" : "BigEndian") +
+      "\" header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n<FieldData>\n");
+    this->WriteFields();
+    this->File.Write("</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(ticks) +
+      "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(lines) +
+      "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n");
+    const std::vector<TraceColumn>& columns = GetRecordingColumns();
+    const std::size_t proxy = columns.size() - 1;
+    for (std::size_t i = 0; i < proxy; ++i)
+    {
+      this->WriteColumn(i, columns[i].Name);
+    }
+    this->File.Write("</PointData>\n<CellData>\n</CellData>\n<Points>\n");
+    this->WriteColumn(proxy, "Points");
+    this->File.Write("</Points>\n");
+    for (const char* const cells : { "Verts", "Lines", "Strips", "Polys" })
+    {
+      this->WriteCells(cells, cells == std::string("Lines") && ticks > 1 ? ticks : 0);
+    }
+    this->File.Write("</Piece>\n</PolyData>\n</VTKFile>\n");
+    return this->IsGood;
+  }
+
+private:
+  static bool IsLittleEndian()
+  {
+    const std::uint32_t one = 1;
+    return *reinterpret_cast<const unsigned char*>(&one) == 1;
+  }
+  void BeginArray(
+    const std::string& type, const std::string& name, int components, std::int64_t tuples)
+  {
+    this->File.Write("<DataArray type=\"" + type + "\" Name=\"" + name + "\"" +
+      (components > 1 ? " NumberOfComponents=\"" + std::to_string(components) + "\"" : "") +
+      (tuples >= 0 ? " NumberOfTuples=\"" + std::to_string(tuples) + "\"" : "") +
+      " format=\"binary\">\n");
+  }
+  /** Numbers that are all in memory, compressed as one block. */
+  void WriteBlock(const void* data, std::size_t size)
+  {
+    InlineArray array(this->File, size, std::max<std::size_t>(size, 1));
+    if (size > 0)
+    {
+      std::string block;
+      this->Compressor.Compress(data, size, block);
+      array.WriteBlock(block);
+    }
+    array.End();
+  }
+  void WriteNumbers(const char* name, const double* numbers, int components)
+  {
+    // Without a tick there is no first state.
+    this->BeginArray("Float64", name, components, numbers ? 1 : 0);
+    this->WriteBlock(numbers, numbers ? static_cast<std::size_t>(components) * sizeof(double) : 0);
+    this->File.Write("\n</DataArray>\n");
+  }
+  void WriteText(const char* name, const std::string& text)
+  {
+    this->File.Write(std::string("<Array type=\"String\" Name=\"") + name +
+      "\" NumberOfTuples=\"1\" format=\"binary\">\n");
+    this->WriteBlock(text.c_str(), text.size() + 1); // each ends with its zero
+    this->File.Write("\n</Array>\n");
+  }
+  void WriteFields()
+  {
+    this->WritePlacements();
+    const RecordingBegin* const begin = this->Journal.GetBegin();
+    this->WriteNumbers(
+      RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
+    this->WriteNumbers(RecordingNames::TickPeriod, begin ? &begin->TickPeriod : nullptr, 1);
+    this->WriteNumbers(RecordingNames::Caps, begin ? begin->Caps : nullptr, 2);
+    const auto lost = static_cast<std::int64_t>(this->Journal.GetLostTicks());
+    this->BeginArray(NameOf(ColumnType::Int64), "LostTicks", 1, 1);
+    this->WriteBlock(&lost, sizeof(lost));
+    this->File.Write("\n</DataArray>\n");
+    const RecordingAbout& about = this->Journal.GetAbout();
+    this->WriteText("DeviceId", about.DeviceId);
+    this->WriteText("Settings", about.Settings);
+    this->WriteText("Units", RecordingUnits);
+    this->WriteText("VolumeHash", about.VolumeHash);
+  }
+  void WritePlacements()
+  {
+    const std::uint64_t count = this->Journal.GetNumberOfPlacements();
+    this->BeginArray(
+      "Float64", RecordingNames::DeviceToWorld, 16, static_cast<std::int64_t>(count));
+    InlineArray array(this->File, count * sizeof(PlacementRow), GroupSize * sizeof(PlacementRow));
+    std::vector<PlacementRow> rows;
+    std::string block;
+    const auto write = [&]
+    {
+      block.clear();
+      this->Compressor.Compress(rows.data(), rows.size() * sizeof(PlacementRow), block);
+      array.WriteBlock(block);
+      rows.clear();
+    };
+    this->Require(this->Journal.ForEachPlacement(
+      [&](const PlacementRow& row)
+      {
+        rows.push_back(row);
+        rows.size() == GroupSize ? write() : void();
+      }));
+    rows.empty() ? void() : write();
+    this->Require(array.End());
+    this->File.Write("\n</DataArray>\n");
+  }
+  void WriteColumn(std::size_t i, const char* name)
+  {
+    const TraceColumn& column = GetRecordingColumns()[i];
+    this->BeginArray(NameOf(column.Type), name, column.Components, -1);
+    InlineArray array(this->File, this->Journal.GetNumberOfTicks() * column.GetWidth(),
+      GroupSize * column.GetWidth());
+    this->Require(
+      this->Journal.ForEachBlock(i, [&](const std::string& block) { array.WriteBlock(block); }));
+    this->Require(array.End());
+    this->File.Write("\n</DataArray>\n");
+  }
+  /** Nothing, or one cell through so many points. */
+  void WriteCells(const std::string& cells, std::uint64_t points)
+  {
+    this->File.Write("<" + cells + ">\n");
+    this->BeginArray("Int64", "connectivity", 1, -1);
+    // Blocks as large as a group's, of 64 bits a point.
+    InlineArray array(this->File, points * sizeof(std::int64_t), GroupSize * sizeof(std::int64_t));
+    std::vector<std::int64_t> ids;
+    std::string block;
+    for (std::uint64_t first = 0; first < points; first += GroupSize)
+    {
+      ids.resize(std::min<std::uint64_t>(GroupSize, points - first));
+      std::iota(ids.begin(), ids.end(), static_cast<std::int64_t>(first));
+      block.clear();
+      this->Compressor.Compress(ids.data(), ids.size() * sizeof(std::int64_t), block);
+      array.WriteBlock(block);
+    }
+    array.End();
+    this->File.Write("\n</DataArray>\n");
+    this->BeginArray("Int64", "offsets", 1, -1);
+    const auto end = static_cast<std::int64_t>(points);
+    this->WriteBlock(&end, points > 0 ? sizeof(end) : 0);
+    this->File.Write("\n</DataArray>\n</" + cells + ">\n");
+  }
+  void Require(bool isGood) { this->IsGood = this->IsGood && isGood; }
+
+  JournalReader& Journal;
+  FileReplacement& File;
+  BlockCompressor Compressor;
+  bool IsGood = true;
+};
+
+} // namespace
+
+bool WriteRecordingPolyData(JournalReader& journal, FileReplacement& file)
+{
+  return PolyDataFile(journal, file).Write();
+}
+
+} // namespace VolumeHaptics

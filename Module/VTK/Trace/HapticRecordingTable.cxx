@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/HapticRecordingFile.h"
+
+#include "Core/Solvers/ServoStateNumbers.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Trace/HapticTipPath.h"
+
+#include "vtk_jsoncpp.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+const char* const Axes[] = { " x", " y", " z" };
+
+template <typename T>
+double NumberAt(const unsigned char* bytes, int component)
+{
+  T number;
+  std::memcpy(&number, bytes + static_cast<std::size_t>(component) * sizeof(T), sizeof(T));
+  return static_cast<double>(number);
+}
+
+double NumberAt(const RecordingRow& row, const TraceColumn& column, int component)
+{
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(&row) + column.Offset;
+  switch (column.Type)
+  {
+    case ColumnType::Int64:
+      return NumberAt<std::int64_t>(bytes, component);
+    case ColumnType::Int32:
+      return NumberAt<std::int32_t>(bytes, component);
+    case ColumnType::UInt8:
+      return NumberAt<unsigned char>(bytes, component);
+    case ColumnType::Float64:
+      break;
+  }
+  return NumberAt<double>(bytes, component);
+}
+
+/** Time and place first, for people. */
+std::vector<TraceColumn> OrderColumns()
+{
+  std::vector<TraceColumn> columns = GetRecordingColumns();
+  std::rotate(columns.begin(), columns.end() - 1, columns.end());
+  const auto time = std::find_if(columns.begin(), columns.end(),
+    [](const TraceColumn& column) { return column.Name == std::string("Time"); });
+  std::rotate(columns.begin(), time, time + 1);
+  return columns;
+}
+
+/** Tuples of numbers, as lists of lists. */
+class NumberList
+{
+public:
+  explicit NumberList(FileReplacement& file)
+    : File(file)
+  {
+  }
+  void Add(const double* numbers, std::size_t count)
+  {
+    std::string text = this->IsEmpty ? "[" : ",\n  [";
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      text += (i > 0 ? ", " : "") + Json::valueToString(numbers[i]);
+    }
+    this->File.Write(text + "]");
+    this->IsEmpty = false;
+  }
+
+private:
+  FileReplacement& File;
+  bool IsEmpty = true;
+};
+
+} // namespace
+
+bool WriteRecordingTable(JournalReader& journal, FileReplacement& file)
+{
+  const std::vector<TraceColumn> columns = OrderColumns();
+  // Not vtkDelimitedTextWriter, which writes six digits: a trace has to come back to the bit.
+  std::ostringstream text;
+  // An application's locale must not turn points into commas.
+  text.imbue(std::locale::classic());
+  text << std::setprecision(17);
+  for (const TraceColumn& column : columns)
+  {
+    for (int c = 0; c < column.Components; ++c)
+    {
+      text << (text.tellp() > 0 ? "," : "") << column.Name
+           << (column.Components == 3 ? Axes[c] : "") << column.Unit;
+    }
+  }
+  const bool isRead = journal.ForEachRow(
+    [&](const RecordingRow& row)
+    {
+      const char* separator = "\n";
+      for (const TraceColumn& column : columns)
+      {
+        for (int c = 0; c < column.Components; ++c)
+        {
+          text << separator << NumberAt(row, column, c);
+          separator = ",";
+        }
+      }
+      file.Write(text.str());
+      text.str({});
+    });
+  text << '\n';
+  file.Write(text.str());
+  return isRead;
+}
+
+bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
+{
+  const auto key = [&file](const char* name, bool isFirst = false)
+  { file.Write(std::string(isFirst ? "{\n" : ",\n") + " \"" + name + "\" : "); };
+  const auto numbers =
+    [&](const char* name, const double* values, std::size_t count, bool isFirst = false)
+  {
+    key(name, isFirst);
+    file.Write("[");
+    if (values)
+    {
+      NumberList(file).Add(values, count);
+    }
+    file.Write("]");
+  };
+  const auto words = [&](const char* name, const std::string& text)
+  {
+    key(name);
+    file.Write(Json::valueToQuotedString(Printable(text).c_str()));
+  };
+  const RecordingBegin* const begin = journal.GetBegin();
+  numbers(RecordingNames::Caps, begin ? begin->Caps : nullptr, 2, true);
+  words("DeviceId", journal.GetAbout().DeviceId);
+  key(RecordingNames::DeviceToWorld);
+  file.Write("[");
+  NumberList placements(file);
+  const bool isRead = journal.ForEachPlacement(
+    [&](const PlacementRow& row) { placements.Add(row.data(), row.size()); });
+  file.Write("]");
+  numbers(RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
+  const auto lost = static_cast<double>(journal.GetLostTicks());
+  numbers("LostTicks", &lost, 1);
+  words("Settings", journal.GetAbout().Settings);
+  numbers(RecordingNames::TickPeriod, begin ? &begin->TickPeriod : nullptr, 1);
+  words("Units", RecordingUnits);
+  words("VolumeHash", journal.GetAbout().VolumeHash);
+  file.Write("\n}\n");
+  return isRead;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of HapticTipPath that tells one line, in however many cells, from several.
+#include "VTK/Trace/HapticTipPath.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Places where cells of the path begin or end; two that are one place count as one. */
+class Junctions
+{
+public:
+  explicit Junctions(std::size_t ends)
+    : Root(ends)
+  {
+    std::iota(this->Root.begin(), this->Root.end(), std::size_t(0));
+  }
+  std::size_t Find(std::size_t end)
+  {
+    while (this->Root[end] != end)
+    {
+      end = this->Root[end] = this->Root[this->Root[end]];
+    }
+    return end;
+  }
+  void Join(std::size_t a, std::size_t b) { this->Root[this->Find(a)] = this->Find(b); }
+
+private:
+  std::vector<std::size_t> Root;
+};
+
+/** How far apart coordinates of one place of a path may be. */
+double FindRounding(vtkPolyData* path)
+{
+  double bounds[6];
+  path->GetPoints()->GetBounds(bounds);
+  constexpr double rounding = 1e-6;
+  return rounding *
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
+/** Calls back with both ends of each edge of the line cells. */
+template <typename F>
+void ForEachEdge(vtkPolyData* path, F&& take)
+{
+  const vtkIdType points = path->GetNumberOfPoints();
+  const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(path->GetLines()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      if (std::min(ids[i - 1], ids[i]) >= 0 && std::max(ids[i - 1], ids[i]) < points)
+      {
+        take(ids[i - 1], ids[i]);
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::pair<long long, long long> FindLeap(vtkPolyData* path)
+{
+  // The points of cells are numbered from 1 on in the order in which they are stored.
+  std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
+  ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
+  vtkIdType count = 0;
+  for (vtkIdType& one : number)
+  {
+    one = one != 0 ? ++count : 0;
+  }
+  std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false); // to the next one
+  ForEachEdge(path,
+    [&](vtkIdType a, vtkIdType b)
+    {
+      if (std::abs(number[a] - number[b]) == 1)
+      {
+        isJoined[std::min(number[a], number[b])] = true;
+      }
+    });
+  const double near = count > 0 ? FindRounding(path) : 0.0;
+  vtkIdType last = -1;
+  for (vtkIdType point = 0; point < path->GetNumberOfPoints(); ++point)
+  {
+    if (number[point] == 0)
+    {
+      continue;
+    }
+    if (last >= 0 && !isJoined[number[last]])
+    {
+      double before[3];
+      double after[3];
+      path->GetPoint(last, before);
+      path->GetPoint(point, after);
+      const bool isOnePlace = std::equal(
+        before, before + 3, after, [near](double a, double b) { return std::abs(a - b) <= near; });
+      if (!isOnePlace)
+      {
+        return { last, point };
+      }
+    }
+    last = point;
+  }
+  return { -1, -1 };
+}
+
+std::size_t CountLines(vtkPolyData* path)
+{
+  // Cell i begins at Ends[2 i] and ends at Ends[2 i + 1].
+  std::vector<std::array<double, 3>> ends;
+  const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(path->GetLines()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    cells->GetCurrentCell(size, points);
+    const bool isLine = size > 1 && std::min(points[0], points[size - 1]) >= 0 &&
+      std::max(points[0], points[size - 1]) < path->GetNumberOfPoints();
+    if (isLine)
+    {
+      for (const vtkIdType point : { points[0], points[size - 1] })
+      {
+        ends.emplace_back();
+        path->GetPoint(point, ends.back().data());
+      }
+    }
+  }
+  if (ends.size() <= 2)
+  {
+    return ends.size() / 2;
+  }
+
+  // Ends meet where they are equal. What continues the cell before may also miss its end by rounding.
+  const double near = FindRounding(path);
+  Junctions junctions(ends.size());
+  std::map<std::array<double, 3>, std::size_t> places;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    junctions.Join(i, places.emplace(ends[i], i).first->second);
+    if (i > 0 && i % 2 == 0 &&
+      std::equal(ends[i].begin(), ends[i].end(), ends[i - 1].begin(),
+        [near](double a, double b) { return std::abs(a - b) <= near; }))
+    {
+      junctions.Join(i, i - 1);
+    }
+  }
+
+  // Cells that hang together can be drawn in one go when at most two of their junctions have an odd number of ends
+  // (Euler), and otherwise take a line for every two of these.
+  std::map<std::size_t, std::size_t> endsAt;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    ++endsAt[junctions.Find(i)];
+  }
+  Junctions pieces = junctions;
+  for (std::size_t i = 0; i < ends.size(); i += 2)
+  {
+    pieces.Join(i, i + 1);
+  }
+  std::map<std::size_t, std::size_t> oddIn;
+  for (const auto& [junction, count] : endsAt)
+  {
+    oddIn[pieces.Find(junction)] += count % 2;
+  }
+  return std::accumulate(oddIn.begin(), oddIn.end(), std::size_t(0),
+    [](std::size_t sum, const auto& piece)
+    { return sum + std::max<std::size_t>(1, piece.second / 2); });
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The arrays of traces and recordings: one list of names, types and units, and the rows that fill them.
+ *
+ * The filter's output, the journal of a recording and both kinds of file are made from these lists.
+ */
+#ifndef HapticTraceColumns_h
+#define HapticTraceColumns_h
+
+#include "Core/Servo/ServoLoop.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** One tick of a trace, in the world. */
+struct TraceRow
+{
+  double Proxy[3];
+  double Time; ///< s
+  double Tip[3];
+  double Force[3]; ///< N, as the other forces
+  double NormalForce;
+  double FrictionForce;
+  double DragForce;
+  double Normal[3];
+  double Value;
+  double GradientMagnitude;
+  double SurfaceValue;
+  double MediumValue;
+  double Stiffness;
+  double Friction;
+  double Viscosity;
+  double SurfaceStrength;
+  double Energy; ///< J
+  unsigned char Contact;
+  unsigned char Unfinished;
+  unsigned char Renewed;
+};
+
+/** One tick of a recording. */
+struct RecordingRow
+{
+  TraceRow Trace;
+  double DeviceTip[3]; ///< m
+  double Command[3];   ///< N
+  std::int64_t Tick;
+  std::int32_t Placement;
+  std::int32_t Buttons;
+  unsigned char Enabled;
+  unsigned char Armed;
+  unsigned char Fault;
+};
+
+enum class ColumnType : std::uint8_t
+{
+  Float64,
+  Int64,
+  Int32,
+  UInt8
+};
+
+/** An array and where its numbers stand in a row. */
+struct TraceColumn
+{
+  const char* Name;
+  const char* Unit; ///< as in the title of a table's column; empty where there is none
+  ColumnType Type;
+  int Components;
+  std::size_t Offset; ///< bytes
+
+  /** Bytes of a tuple. */
+  std::size_t GetWidth() const;
+};
+
+/** Of a TraceRow, without the proxy, which is the polydata's points. */
+const std::vector<TraceColumn>& GetTraceColumns();
+/** Of a RecordingRow; the proxy comes last. */
+const std::vector<TraceColumn>& GetRecordingColumns();
+
+/** The work (J) that the hand has been given, from the first record on. */
+class WorkMeter
+{
+public:
+  double Add(const TickRecord& record);
+
+private:
+  bool HasLast = false;
+  Vector3 LastTip;
+  Vector3 LastForce;
+  double Work = 0.0;
+};
+
+/** Turns a record from device space to the world of the model's image. */
+TraceRow MakeTraceRow(
+  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work);
+RecordingRow MakeRecordingRow(
+  const HapticModel& model, const ServoSnapshot& snapshot, int placement, WorkMeter& work);
+
+} // namespace VolumeHaptics
+
+#endif

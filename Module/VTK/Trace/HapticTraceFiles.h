@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Traces in files: .vtp (everything) and .csv (the point arrays, one line a tick, with the field
+ * arrays beside it in .csv.json).
+ */
+#ifndef HapticTraceFiles_h
+#define HapticTraceFiles_h
+
+#include "Core/Math/Vector3.h"
+
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** ".vtp" or ".csv"; empty for any other file. */
+std::string GetTraceEnding(const std::string& file);
+
+/** The tips of a trace or a recording. */
+struct RecordedTips
+{
+  std::vector<Vector3> Tips;
+  std::vector<double> Times;  ///< s, of every tip; empty where the file has none
+  bool InDeviceSpace = false; ///< else in world units
+};
+
+/**
+ * Reads the tips of a .vtp or .csv, from DeviceTip where it has that, else from Tip, else from the
+ * points. False, with an error that names the file, for anything that is not a whole trace:
+ * missing, truncated, foreign, empty, with numbers that are not finite, or with times or ticks that
+ * run backwards.
+ */
+bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
+
+/**
+ * The same for a path in world units: never DeviceTip, and from the columns "Points:0" to "Points:2" or "x", "y"
+ * and "z" where a .csv has no Tip. Whoever wrote it may have left out the end of its last line.
+ */
+bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif
