@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a device that needs its vendor's library becomes one of vtkHapticDevice's: a back end, a kind, and two
-// lines in the application. The "library" here is a stand-in with the shape that such libraries share, so that
-// the example runs as it is: put your vendor's calls in the place of VendorLibrary's.
+// How a device that needs its vendor's library becomes one of vtkHapticDevice's: a back end, a
+// kind, and two lines in the application. The "library" here is a stand-in with the shape that such
+// libraries share, so that the example runs as it is: put your vendor's calls in the place of
+// VendorLibrary's.
 #include <Devices/Common/DeviceKind.h>
 #include <vtkHapticDevice.h>
 #include <vtkNew.h>
@@ -13,7 +14,7 @@
 #include <iostream>
 #include <thread>
 
-// ---- What the vendor gives you: handles, error codes, millimetres, an axis order of its own. -------------------
+// ---- What the vendor gives you: handles, error codes, millimetres, an axis order of its own.
 namespace VendorLibrary
 {
 struct Pose
@@ -44,7 +45,7 @@ int Write(int /*handle*/, const double /*newtons*/[3])
 void Close(int /*handle*/) {}
 } // namespace VendorLibrary
 
-// ---- What you write. -----------------------------------------------------------------------------------------
+// ---- What you write.
 namespace
 {
 using namespace VolumeHaptics;
@@ -90,9 +91,9 @@ public:
     return limits;
   }
 
-  // On the servo's thread, a thousand times a second: no lock, no allocation, no exception, and no wait. Where
-  // the library can't promise that, call it from a thread of your own, and hand positions and forces over
-  // without locks.
+  // On the servo's thread, a thousand times a second: no lock, no allocation, no exception, and no
+  // wait. Where the library can't promise that, call it from a thread of your own, and hand
+  // positions and forces over without locks.
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
     VendorLibrary::Pose pose;
@@ -115,8 +116,8 @@ public:
     return VendorLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost
                                                            : DeviceState::Running;
   }
-  // From any thread, where the servo's does not answer. A library that takes calls from one thread only needs
-  // a watchdog of its own here; this one takes them from any.
+  // From any thread, where the servo's does not answer. A library that takes calls from one thread
+  // only needs a watchdog of its own here; this one takes them from any.
   void Quench() noexcept override
   {
     const double none[3] = { 0.0, 0.0, 0.0 };

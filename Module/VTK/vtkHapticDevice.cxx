@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticDevice.h"
 
-#include "VTK/Trace/HapticFiles.h"
 #include "VTK/Baking/HapticMethods.h"
+#include "VTK/Trace/HapticFiles.h"
 #include "vtkHapticDeviceInternals.h"
 
 #include "vtkCommand.h"
@@ -311,8 +311,8 @@ void vtkHapticDevice::FadeOut()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
 {
-  // Work that is as short as a slow frame needs no notice. The margin allows for a machine that is eight times
-  // slower than expected.
+  // Work that is as short as a slow frame needs no notice. The margin allows for a machine that is
+  // eight times slower than expected.
   constexpr double shortest = 0.25;
   constexpr double margin = 8.0;
   const double limit =

@@ -4,10 +4,10 @@
  * @class   vtkHapticDevice
  * @brief   a stylus in a hand, and the servo loop that makes it feel a volume
  *
- * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with exactly the code
- * that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither locks, allocates nor calls a vtkObject.
- * The thread that owns this object (the GUI thread) hands it immutable snapshots of the filter with Publish, and
- * takes the latest state with UpdateState.
+ * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with
+ * exactly the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither
+ * locks, allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands
+ * it immutable snapshots of the filter with Publish, and takes the latest state with UpdateState.
  *
  *   device->Open("virtual");
  *   device->SetVolumeHaptics(filter);
@@ -16,32 +16,35 @@
  *   ... in the GUI's timer: device->UpdateState(); render with GetProxyPosition() ...
  *   device->Stop();                   // zero force, thread joined
  *
- * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and to the device's
- * own maximum, and grows by at most MaximumForceRate; after Arm and after every gap it rises from zero over half
- * a second. A tip that is not finite, that moves faster than a hand can hold the device, or a device that is lost,
- * cuts the force and latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
- * zero. Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, a crash and the other signals that end or
- * stop the process send zero force. Signal handlers that the program installed before Arm run after that; those that it
- * installs later run first. Stiffness and ForceFieldDamping are capped at what the device can hold.
+ * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and
+ * to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every gap
+ * it rises from zero over half a second. A tip that is not finite, that moves faster than a hand
+ * can hold the device, or a device that is lost, cuts the force and latches a fault until Arm is
+ * called again. Without fresh samples for 30 ms the force goes to zero. Stop, Close, deletion,
+ * exit(), quick_exit(), an uncaught exception, a crash and the other signals that end or stop the
+ * process send zero force. Signal handlers that the program installed before Arm run after that;
+ * those that it installs later run first. Stiffness and ForceFieldDamping are capped at what the
+ * device can hold.
  *
- * Zero force can't be sent on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of another program, loss of power, a
- * crash in the thread that talks to the device, a crash that leaves the heap locked if the device's library needs it,
- * or a stack overflow in a thread other than the owner's. A device without a watchdog of its own then keeps its last
- * force: see vtkHapticHardware.
+ * Zero force can't be sent on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of another
+ * program, loss of power, a crash in the thread that talks to the device, a crash that leaves the
+ * heap locked if the device's library needs it, or a stack overflow in a thread other than the
+ * owner's. A device without a watchdog of its own then keeps its last force: see vtkHapticHardware.
  *
- * While the owner's thread is busy with long work, the force is off: see BeginLongWork, which StartRecording and
- * Publish call by themselves for large volumes. If the program does not call the device for 2 s without having
- * announced such work, the force fades and stays off until Arm is called again: see SetAttentionTime.
+ * While the owner's thread is busy with long work, the force is off: see BeginLongWork, which
+ * StartRecording and Publish call by themselves for large volumes. If the program does not call the
+ * device for 2 s without having announced such work, the force fades and stays off until Arm is
+ * called again: see SetAttentionTime.
  *
- * The servo reads the image's own array, without a copy: give the image a new array instead of resizing or
- * refilling one that is being touched.
+ * The servo reads the image's own array, without a copy: give the image a new array instead of
+ * resizing or refilling one that is being touched.
  *
  * Positions are in world units and forces in newtons along the world's axes, except where said.
- * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a recording
- * (.vtp or .csv), tick by tick. Real ones are those of vtkHapticHardware. A real device that is not homed
- * opens at once and waits for the hand, as GetStatusText tells; Arm is refused until it is ready. When it
- * is unplugged, stops answering, loses its zero, or the computer was asleep, the force is cut off for
- * good: the user brings it back, with Home() or Open(), and Arm().
+ * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a
+ * recording (.vtp or .csv), tick by tick. Real ones are those of vtkHapticHardware. A real device
+ * that is not homed opens at once and waits for the hand, as GetStatusText tells; Arm is refused
+ * until it is ready. When it is unplugged, stops answering, loses its zero, or the computer was
+ * asleep, the force is cut off for good: the user brings it back, with Home() or Open(), and Arm().
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticHardware, vtkHapticRegionFilter, vtkHapticRegionPlanner
  */
@@ -66,8 +69,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Open a device by its id. False, with an error that says what to do, where that is not possible. Closes the one
-   * that was open.
+   * Open a device by its id. False, with an error that says what to do, where that is not possible.
+   * Closes the one that was open.
    */
   bool Open(const char* id);
   /** Stop, and let go of the device. */
@@ -77,32 +80,37 @@ public:
 
   ///@{
   /**
-   * What is felt. Takes effect with Publish or Start. The filter is kept by reference; the servo never touches it.
+   * What is felt. Takes effect with Publish or Start. The filter is kept by reference; the servo
+   * never touches it.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
   ///@}
 
   /**
-   * Which method is felt, for people: that of the last Publish, such as "Proxy, PRECISE". While the servo does not
-   * run, that of the filter; empty without one.
+   * Which method is felt, for people: that of the last Publish, such as "Proxy, PRECISE". While the
+   * servo does not run, that of the filter; empty without one.
    */
   std::string GetMethodText();
 
   /**
-   * Bring the filter's image up to date and hand the servo a snapshot of everything: image, materials, settings,
-   * DeviceToWorld. Used from the next tick on; if that makes the force larger, it grows at MaximumForceRate. If
-   * the servo does not run, Publish only checks. False, with an error, if the input can't be touched; the servo then
-   * keeps the last snapshot.
+   * Bring the filter's image up to date and hand the servo a snapshot of everything: image,
+   * materials, settings, DeviceToWorld. Used from the next tick on; if that makes the force larger,
+   * it grows at MaximumForceRate. If the servo does not run, Publish only checks. False, with an
+   * error, if the input can't be touched; the servo then keeps the last snapshot.
    */
   bool Publish();
-  /** Whether Publish or Start was called, with or without success, since the filter, image or surface last changed. */
+  /**
+   * Whether Publish or Start was called, with or without success, since the filter, image or
+   * surface last changed.
+   */
   bool IsPublished();
 
   ///@{
   /**
-   * From the device's space (m) to the world: a rotation, a translation and one uniform, positive scale. Takes
-   * effect with Publish. nullptr (default): the world scaled by the filter's MetersPerWorldUnit.
+   * From the device's space (m) to the world: a rotation, a translation and one uniform, positive
+   * scale. Takes effect with Publish. nullptr (default): the world scaled by the filter's
+   * MetersPerWorldUnit.
    */
   void SetDeviceToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetDeviceToWorld();
@@ -116,9 +124,10 @@ public:
 
   ///@{
   /**
-   * Start the servo, with the filter as it is now (without one the tip just moves), and stop it with zero force.
-   * Start is false, with an error, if no device is open, if the filter can't be touched, or if the system gives the
-   * program no more memory, threads or files: a crash would then leave the force on.
+   * Start the servo, with the filter as it is now (without one the tip just moves), and stop it
+   * with zero force. Start is false, with an error, if no device is open, if the filter can't be
+   * touched, or if the system gives the program no more memory, threads or files: a crash would
+   * then leave the force on.
    */
   bool Start();
   void Stop();
@@ -127,10 +136,10 @@ public:
 
   ///@{
   /**
-   * Let force through, or not. Arm clears a fault, changes nothing if force flows already, and is refused, with an
-   * error, while the device is not ready. Disarm cuts the force at once. FadeOut ends it within 50 ms, for example when
-   * the connection to the server that sends the data is lost. Stop disarms. Every way to disarm invokes
-   * vtkCommand::DisableEvent at once.
+   * Let force through, or not. Arm clears a fault, changes nothing if force flows already, and is
+   * refused, with an error, while the device is not ready. Disarm cuts the force at once. FadeOut
+   * ends it within 50 ms, for example when the connection to the server that sends the data is
+   * lost. Stop disarms. Every way to disarm invokes vtkCommand::DisableEvent at once.
    */
   void Arm();
   void Disarm();
@@ -139,19 +148,21 @@ public:
 
   ///@{
   /**
-   * Call these before and after work that keeps the owner's thread busy, such as computing a mesh. BeginLongWork fades
-   * the force out within 50 ms, waits for that, and invokes vtkCommand::StartEvent. Meanwhile GetStatusText says "Force
-   * is off while" and the given words, such as "the surface is meshed" (nullptr: "the program works"), and
-   * AttentionTime does not count. EndLongWork invokes vtkCommand::EndEvent, and the force rises over half a second,
-   * with the proxy on the tip at first, unless the device was disarmed meanwhile or has a fault. Arm during the work
-   * takes effect after it. Pairs nest: the force comes back with the last EndLongWork, and stays off if that is
-   * missing.
+   * Call these before and after work that keeps the owner's thread busy, such as computing a mesh.
+   * BeginLongWork fades the force out within 50 ms, waits for that, and invokes
+   * vtkCommand::StartEvent. Meanwhile GetStatusText says "Force is off while" and the given words,
+   * such as "the surface is meshed" (nullptr: "the program works"), and AttentionTime does not
+   * count. EndLongWork invokes vtkCommand::EndEvent, and the force rises over half a second, with
+   * the proxy on the tip at first, unless the device was disarmed meanwhile or has a fault. Arm
+   * during the work takes effect after it. Pairs nest: the force comes back with the last
+   * EndLongWork, and stays off if that is missing.
    *
-   * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of AttentionTime (unless that
-   * is 0), the force stays on: fading would disturb more than so short a pause, and the margin of eight allows for a
-   * slow computer. StartRecording calls these by itself to hash a large volume, Publish to mesh it, and StopRecording
-   * and RecoverRecording to write a long recording. If the pipeline before the filter takes seconds, the application
-   * has to call them.
+   * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of
+   * AttentionTime (unless that is 0), the force stays on: fading would disturb more than so short a
+   * pause, and the margin of eight allows for a slow computer. StartRecording calls these by itself
+   * to hash a large volume, Publish to mesh it, and StopRecording and RecoverRecording to write a
+   * long recording. If the pipeline before the filter takes seconds, the application has to call
+   * them.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();
@@ -161,22 +172,26 @@ public:
   void Home();
 
   /**
-   * What a real device lights up, until Close: bits 1 green, 2 blue, 4 red of a Falcon, 1 of a SpaceMouse. Below
-   * zero (default) the lights show how the device stands.
+   * What a real device lights up, until Close: bits 1 green, 2 blue, 4 red of a Falcon, 1 of a
+   * SpaceMouse. Below zero (default) the lights show how the device stands.
    */
   void SetLights(int lights);
 
   ///@{
-  /** Where the device stands (StatusType), as of the last UpdateState; the text says what is wrong, and the cure. */
+  /**
+   * Where the device stands (StatusType), as of the last UpdateState; the text says what is wrong,
+   * and the cure.
+   */
   int GetStatus();
   std::string GetStatusText();
   ///@}
 
   ///@{
   /**
-   * Where the hand leads the tip of the virtual device (world). Without simulated dynamics the tip goes there at 2
-   * m/s or less; the first call puts it there. PlaceVirtualTip does so at any time: the hand takes the stylus up
-   * there anew, and feels nothing of the way. Disarm before; an armed device takes it for a hand that is too fast.
+   * Where the hand leads the tip of the virtual device (world). Without simulated dynamics the tip
+   * goes there at 2 m/s or less; the first call puts it there. PlaceVirtualTip does so at any time:
+   * the hand takes the stylus up there anew, and feels nothing of the way. Disarm before; an armed
+   * device takes it for a hand that is too fast.
    */
   void SetVirtualTip(double x, double y, double z);
   void PlaceVirtualTip(double x, double y, double z);
@@ -185,53 +200,69 @@ public:
   ///@}
 
   /**
-   * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) - damping x' with
-   * mass in kg (0: none, the default), damping in N s/m and the hand's stiffness in N/m, positions rounded to an
-   * encoder's quantum (m, 0: not) and forces delayed by ticks (0 to 16). Before Start.
+   * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -
+   * damping x' with mass in kg (0: none, the default), damping in N s/m and the hand's stiffness in
+   * N/m, positions rounded to an encoder's quantum (m, 0: not) and forces delayed by ticks (0 to
+   * 16). Before Start.
    */
   void SetVirtualDynamics(
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
 
   /**
-   * Let the virtual device stand no more than another one: its force (N), stiffness (N/m), damping (N s/m), and its
-   * own friction b (N s/m), above twice which, over the tick's period, a spring is not stable. 0 does not limit.
-   * Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to half of the force, as
-   * Open does. Before Start.
+   * Let the virtual device stand no more than another one: its force (N), stiffness (N/m), damping
+   * (N s/m), and its own friction b (N s/m), above twice which, over the tick's period, a spring is
+   * not stable. 0 does not limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0).
+   * Sets MaximumForce to half of the force, as Open does. Before Start.
    */
   void SetVirtualLimits(
     double maximumForce, double maximumStiffness, double maximumDamping, double friction);
 
-  /** Take the latest state from the servo; true if it is a new one. What follows belongs to one tick. */
+  /**
+   * Take the latest state from the servo; true if it is a new one. What follows belongs to one
+   * tick.
+   */
   bool UpdateState();
 
   ///@{
-  /** Of the latest state: tip and proxy (world); what went to the device, and what was computed (N, world axes). */
+  /**
+   * Of the latest state: tip and proxy (world); what went to the device, and what was computed (N,
+   * world axes).
+   */
   double* GetTipPosition() VTK_SIZEHINT(3);
   double* GetProxyPosition() VTK_SIZEHINT(3);
   double* GetForce() VTK_SIZEHINT(3);
   double* GetComputedForce() VTK_SIZEHINT(3);
   ///@}
   int GetButtons(); ///< Of the latest state: bit 0 is the main button.
-  /** Of the latest state (rad/s, the device's axes): how fast a SpaceMouse asks the volume to turn. */
+  /**
+   * Of the latest state (rad/s, the device's axes): how fast a SpaceMouse asks the volume to turn.
+   */
   double* GetTurnRate() VTK_SIZEHINT(3);
   /** Of the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
   int GetContact();
   ///@{
-  /** Of the latest state: V(x_s), the value in the surface; what it, friction and the medium take of the force (N). */
+  /**
+   * Of the latest state: V(x_s), the value in the surface; what it, friction and the medium take of
+   * the force (N).
+   */
   double GetSurfaceValue();
   double GetNormalForce();
   double GetFrictionForce();
   double GetDragForce();
   ///@}
   ///@{
-  /** Of the latest state (world): the unit normal inwards; x_s and x_v, where the materials were read (fig. 4). */
+  /**
+   * Of the latest state (world): the unit normal inwards; x_s and x_v, where the materials were
+   * read (fig. 4).
+   */
   double* GetNormal() VTK_SIZEHINT(3);
   double* GetSurfacePosition() VTK_SIZEHINT(3);
   double* GetMediumPosition() VTK_SIZEHINT(3);
   ///@}
   /**
-   * Of the latest state: the share of the force, 0 to 1, that passed since the data around the tip are here; 1
-   * unless the image is a region (vtkHapticRegionFilter). Changes by 1 in 50 ms at most.
+   * Of the latest state: the share of the force, 0 to 1, that passed since the data around the tip
+   * are here; 1 unless the image is a region (vtkHapticRegionFilter). Changes by 1 in 50 ms at
+   * most.
    */
   double GetResidency();
   /** Of the latest state: its number since Start, and its time (s). */
@@ -239,19 +270,21 @@ public:
   double GetTime();
 
   /**
-   * Every state since the last call, oldest first, as rows of a table that is overwritten: columns Time (s), Tick,
-   * NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault, Residency, and with three
-   * components Tip, Proxy (world), Force (computed) and Command (sent; N, world axes). The first call begins to
-   * keep states; a reader that does not call for 100000 ticks loses the oldest. Readers are told apart by number, and
-   * each gets all states; nullptr as the table ends the reading. The first vtkInteractorStyleHaptic of a device has
-   * number 0, further ones have -1, -2 and so on: see AddReader.
+   * Every state since the last call, oldest first, as rows of a table that is overwritten: columns
+   * Time (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault,
+   * Residency, and with three components Tip, Proxy (world), Force (computed) and Command (sent; N,
+   * world axes). The first call begins to keep states; a reader that does not call for 100000 ticks
+   * loses the oldest. Readers are told apart by number, and each gets all states; nullptr as the
+   * table ends the reading. The first vtkInteractorStyleHaptic of a device has number 0, further
+   * ones have -1, -2 and so on: see AddReader.
    */
   void DrainStates(vtkTable* states, int reader = 0);
 
   ///@{
   /**
-   * AddReader reserves a number for DrainStates: 0, or if that is taken, -1, -2 and so on. RemoveReader gives it back
-   * and ends the reading. Applications may use numbers above 0 without reserving them.
+   * AddReader reserves a number for DrainStates: 0, or if that is taken, -1, -2 and so on.
+   * RemoveReader gives it back and ends the reading. Applications may use numbers above 0 without
+   * reserving them.
    */
   int AddReader();
   void RemoveReader(int reader);
@@ -259,8 +292,8 @@ public:
 
   ///@{
   /**
-   * Longest force (N) on the hand, at most the device's own maximum. Default, and with ResetMaximumForce again:
-   * half of that, of any device that is opened.
+   * Longest force (N) on the hand, at most the device's own maximum. Default, and with
+   * ResetMaximumForce again: half of that, of any device that is opened.
    */
   void SetMaximumForce(double force);
   void ResetMaximumForce();
@@ -269,10 +302,11 @@ public:
 
   ///@{
   /**
-   * Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that becomes smaller does so
-   * at once, and one that turns takes its new direction at once. A limit on these, too, would push the hand off a stiff
-   * wall with more energy than the hand put in. For the same reason, a wall that was hit so fast that its force was
-   * limited stays softer until the tip leaves it or presses deeper.
+   * Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that
+   * becomes smaller does so at once, and one that turns takes its new direction at once. A limit on
+   * these, too, would push the hand off a stiff wall with more energy than the hand put in. For the
+   * same reason, a wall that was hit so fast that its force was limited stays softer until the tip
+   * leaves it or presses deeper.
    */
   void SetMaximumForceRate(double rate);
   vtkGetMacro(MaximumForceRate, double);
@@ -280,10 +314,11 @@ public:
 
   ///@{
   /**
-   * How long (s) an armed device keeps its force if the program stands still, since a window that hangs can't stop the
-   * device. If the program calls none of UpdateState, DrainStates, Publish and Arm and sets no limit for that long, the
-   * servo fades the force out, and a fault holds until Arm. 0.05 or more, default 2; 0 turns it off, for programs that
-   * call the device rarely. Work between BeginLongWork and EndLongWork does not count.
+   * How long (s) an armed device keeps its force if the program stands still, since a window that
+   * hangs can't stop the device. If the program calls none of UpdateState, DrainStates, Publish and
+   * Arm and sets no limit for that long, the servo fades the force out, and a fault holds until
+   * Arm. 0.05 or more, default 2; 0 turns it off, for programs that call the device rarely. Work
+   * between BeginLongWork and EndLongWork does not count.
    */
   void SetAttentionTime(double seconds);
   vtkGetMacro(AttentionTime, double);
@@ -291,41 +326,45 @@ public:
 
   ///@{
   /**
-   * Record every tick, with settings, units, device and a hash of the volume, until StopRecording writes it to a
-   * .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp on port 1 of
-   * vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but the placement of the device
-   * changed while it was made. Needs a running servo and a filter. A region (vtkHapticRegionFilter) is not
-   * recorded, nor published during a recording: no one image could replay it.
+   * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
+   * writes it to a .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp
+   * on port 1 of vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but
+   * the placement of the device changed while it was made. Needs a running servo and a filter. A
+   * region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no one image
+   * could replay it.
    *
-   * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A .vtp takes 220 to
-   * 250 bytes a tick (15 MB a minute at 1 kHz), and FILE.part up to about two thirds of that, beside the .vtp while it
-   * is written. StartRecording is false, with an error, if the file can't be written. If writing fails later,
-   * for example because the disk is full, the next UpdateState gives an error, and GetStatusText says so from then on.
+   * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A
+   * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), and FILE.part up to about two
+   * thirds of that, beside the .vtp while it is written. StartRecording is false, with an error, if
+   * the file can't be written. If writing fails later, for example because the disk is full, the
+   * next UpdateState gives an error, and GetStatusText says so from then on.
    *
-   * StopRecording is false, with an error, unless the file holds all ticks that were collected. It replaces an existing
-   * file only with a complete one. If a busy machine or a slow disk kept ticks from being collected, StopRecording
-   * gives a warning, and the field array LostTicks has their number.
+   * StopRecording is false, with an error, unless the file holds all ticks that were collected. It
+   * replaces an existing file only with a complete one. If a busy machine or a slow disk kept ticks
+   * from being collected, StopRecording gives a warning, and the field array LostTicks has their
+   * number.
    */
   bool StartRecording(const char* file);
   bool StopRecording();
   ///@}
   /**
-   * Make a .vtp or .csv of a FILE.part that was left because StopRecording failed or the program died. The file gets
-   * all ticks that reached the disk; after a crash usually less than 600 of the last ones are missing, and up to 16500
-   * if the disk was slow. FILE.part is then removed, except on a file system without locks, where another program might
-   * still write to it. False, with an error, and FILE.part is kept, if that fails. If FILE.part can't be read to its
-   * end, that is an error, too, but the ticks before the damage are written unless the file exists already. Needs
+   * Make a .vtp or .csv of a FILE.part that was left because StopRecording failed or the program
+   * died. The file gets all ticks that reached the disk; after a crash usually less than 600 of the
+   * last ones are missing, and up to 16500 if the disk was slow. FILE.part is then removed, except
+   * on a file system without locks, where another program might still write to it. False, with an
+   * error, and FILE.part is kept, if that fails. If FILE.part can't be read to its end, that is an
+   * error, too, but the ticks before the damage are written unless the file exists already. Needs
    * neither a device nor a volume.
    */
   bool RecoverRecording(const char* part, const char* file);
 
   ///@{
   /**
-   * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration (s) that a
-   * percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to 1/8 of it; ticks that were
-   * left out because the loop was late; ticks whose force was held back since the data around the tip were not here
-   * (GetResidency); and ticks that solver PRECISE could not finish (a tip that jumps by tens of voxels), which the
-   * next ones did.
+   * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration
+   * (s) that a percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to
+   * 1/8 of it; ticks that were left out because the loop was late; ticks whose force was held back
+   * since the data around the tip were not here (GetResidency); and ticks that solver PRECISE could
+   * not finish (a tip that jumps by tens of voxels), which the next ones did.
    */
   double GetTickRate();
   double GetTickPercentile(double p);

@@ -9,10 +9,10 @@
 
 #include "vtkHapticDevice.h"
 
+#include "VTK/Baking/HapticVolumeView.h"
 #include "VTK/Session/HapticChangeTime.h"
 #include "VTK/Session/HapticDeviceHolder.h"
 #include "VTK/Session/HapticLongWork.h"
-#include "VTK/Baking/HapticVolumeView.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"

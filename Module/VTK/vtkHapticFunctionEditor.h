@@ -117,7 +117,8 @@ public:
   ///@{
   /**
    * Lower left corner, width and height in pixels of the viewport; 120 x 90 or more is readable.
-   * Corner coordinates are clamped to -16384 to 16384, width and height to 1 to 16384. Default (10, 10, 300, 200).
+   * Corner coordinates are clamped to -16384 to 16384, width and height to 1 to 16384. Default (10,
+   * 10, 300, 200).
    */
   void SetRectangle(int x, int y, int width, int height);
   void SetRectangle(const int rectangle[4]) VTK_SIZEHINT(4);
@@ -126,10 +127,11 @@ public:
 
   ///@{
   /**
-   * Update computes the histogram again if the data have changed, and invokes vtkCommand::StartEvent before and
-   * vtkCommand::EndEvent after that. Mouse events and rendering call it, too. EstimateUpdateTime returns about how long
-   * (s) it will take on a desktop computer, 0 if the histogram is up to date. If that is long,
-   * vtkInteractorStyleHaptic fades the force out meanwhile.
+   * Update computes the histogram again if the data have changed, and invokes
+   * vtkCommand::StartEvent before and vtkCommand::EndEvent after that. Mouse events and rendering
+   * call it, too. EstimateUpdateTime returns about how long (s) it will take on a desktop computer,
+   * 0 if the histogram is up to date. If that is long, vtkInteractorStyleHaptic fades the force out
+   * meanwhile.
    */
   void Update();
   double EstimateUpdateTime();

@@ -8,23 +8,27 @@
  *
  *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
  *                      FirmwareFile after it was plugged in, and is homed by hand.
- *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand each time it is opened.
- *                      The Polhem is refused, since its geometry is different.
- *   pid[:VVVV:PPPP]    force-feedback wheels and other devices of one axis (HID usage page 0x0F), through hidapi, by USB
- *                      vendor and product (hexadecimal). Set NewtonsPerFullScale to their force. Sticks of two axes
- *                      are refused: their firmwares disagree on the direction of the force along the second axis.
- *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no force.
+ *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand each
+ *                      time it is opened. The Polhem is refused, since its geometry is different.
+ *   pid[:VVVV:PPPP]    force-feedback wheels and other devices of one axis (HID usage page 0x0F),
+ *                      through hidapi, by USB vendor and product (hexadecimal). Set
+ *                      NewtonsPerFullScale to their force. Sticks of two axes are refused: their
+ *                      firmwares disagree on the direction of the force along the second axis.
+ *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
+ *                      force.
  *
- * N counts from 0; left out, it is the first one. None of this was verified on physical hardware yet: all
- * of it runs against emulated devices, which answer as public descriptions of the protocols say. Vendors'
- * own libraries are added with AddDeviceKind.
+ * N counts from 0; left out, it is the first one. None of this was verified on physical hardware
+ * yet: all of it runs against emulated devices, which answer as public descriptions of the
+ * protocols say. Vendors' own libraries are added with AddDeviceKind.
  *
- * If the program can't send zero force any more, as after SIGKILL (see vtkHapticDevice), only the watchdog of the
- * device itself ends the force: WoodenHaptics lets go after half a second, a wheel within a tenth of a second. No
- * watchdog is known of the Falcon: it may keep its last force until it is switched off.
+ * If the program can't send zero force any more, as after SIGKILL (see vtkHapticDevice), only the
+ * watchdog of the device itself ends the force: WoodenHaptics lets go after half a second, a wheel
+ * within a tenth of a second. No watchdog is known of the Falcon: it may keep its last force until
+ * it is switched off.
  *
- * On Linux a user needs permission: the udev rules 70-volume-haptics.rules that are installed with this
- * library give it to the user who sits at the computer. If it is missing, ListDevices and Open say the rule.
+ * On Linux a user needs permission: the udev rules 70-volume-haptics.rules that are installed with
+ * this library give it to the user who sits at the computer. If it is missing, ListDevices and Open
+ * say the rule.
  */
 #ifndef vtkHapticHardware_h
 #define vtkHapticHardware_h
@@ -66,9 +70,10 @@ public:
 
   ///@{
   /**
-   * The devices that Open can be given now: their ids, "virtual" first; "replay:FILE" is not among them.
-   * ListDevices overwrites a table with the columns Id, Name (maker, product, and where it is plugged in) and
-   * State: "available", "in use", or what is in the way and the cure. Each call looks anew.
+   * The devices that Open can be given now: their ids, "virtual" first; "replay:FILE" is not among
+   * them. ListDevices overwrites a table with the columns Id, Name (maker, product, and where it is
+   * plugged in) and State: "available", "in use", or what is in the way and the cure. Each call
+   * looks anew.
    */
   static vtkStringArray* EnumerateDevices();
   static void ListDevices(vtkTable* devices);
@@ -84,9 +89,9 @@ public:
 
   ///@{
   /**
-   * The image that is loaded into a Novint Falcon that has none. It belongs to Novint and can't be passed on
-   * with this library: it is the file that comes with their drivers. Default: what the environment variable
-   * VOLUMEHAPTICS_FALCON_FIRMWARE says, else none. Takes effect with Open.
+   * The image that is loaded into a Novint Falcon that has none. It belongs to Novint and can't be
+   * passed on with this library: it is the file that comes with their drivers. Default: what the
+   * environment variable VOLUMEHAPTICS_FALCON_FIRMWARE says, else none. Takes effect with Open.
    */
   void SetFirmwareFile(const std::string& file);
   std::string GetFirmwareFile() const
@@ -97,8 +102,8 @@ public:
 
   ///@{
   /**
-   * How long (s) each step of homing may take, 1 to 3600; then Home() begins again. Default 120. Takes
-   * effect with Open.
+   * How long (s) each step of homing may take, 1 to 3600; then Home() begins again. Default 120.
+   * Takes effect with Open.
    */
   vtkSetClampMacro(HomingTime, double, 1.0, 3600.0);
   vtkGetMacro(HomingTime, double);
@@ -106,11 +111,12 @@ public:
 
   ///@{
   /**
-   * The force (N) of a force-feedback wheel at full scale. Only the first number (x) is used, since devices of two axes
-   * are refused. No device reports its force: measure it with a spring scale. -100 to 100; a negative number reverses
-   * the direction, 0 gives no force. Firmwares differ in the direction, so try it gently first (volumehaptics-device
-   * test): if the wall pulls the hand in, give a negative number. A number that is too small gives too much force.
-   * Default 100, more than nearly all devices have, so that none pushes harder than was asked for; weaker ones are
+   * The force (N) of a force-feedback wheel at full scale. Only the first number (x) is used, since
+   * devices of two axes are refused. No device reports its force: measure it with a spring scale.
+   * -100 to 100; a negative number reverses the direction, 0 gives no force. Firmwares differ in
+   * the direction, so try it gently first (volumehaptics-device test): if the wall pulls the hand
+   * in, give a negative number. A number that is too small gives too much force. Default 100, more
+   * than nearly all devices have, so that none pushes harder than was asked for; weaker ones are
    * hardly felt until this is set. Takes effect with Open.
    */
   void SetNewtonsPerFullScale(double x, double y);

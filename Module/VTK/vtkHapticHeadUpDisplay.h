@@ -5,9 +5,9 @@
  * @brief   what is felt, in figures and as a plot, over the scene
  *
  * The plot shows the last seconds of the normal, friction and drag force and, in grey, the whole
- * force that went to the hand; its title is the method that is felt. The text shows the device's status,
- * or its fault; the rate of the servo and the ticks it has missed; the force, the contact and the tissue
- * that is touched.
+ * force that went to the hand; its title is the method that is felt. The text shows the device's
+ * status, or its fault; the rate of the servo and the ticks it has missed; the force, the contact
+ * and the tissue that is touched.
  *
  *   display->SetDevice(device);
  *   display->AddTissue("bone", 300.0, 3000.0);
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Append states, as vtkHapticDevice::DrainStates gives them, and forget all of them. An error names
-   * a column that is missing. Time that runs backwards begins anew.
+   * Append states, as vtkHapticDevice::DrainStates gives them, and forget all of them. An error
+   * names a column that is missing. Time that runs backwards begins anew.
    */
   void AddStates(vtkTable* states);
   void Clear();
@@ -83,8 +83,8 @@ public:
   /** How many states the plot goes over. */
   vtkIdType GetNumberOfStates();
   /**
-   * What is plotted: columns Time (s, up to 0), Normal, Friction, Drag and Whole (N). The smallest and the
-   * largest of each of a few hundred intervals, so that no peak is lost.
+   * What is plotted: columns Time (s, up to 0), Normal, Friction, Drag and Whole (N). The smallest
+   * and the largest of each of a few hundred intervals, so that no peak is lost.
    */
   vtkTable* GetPlotTable();
   /** Upper end of the force axis (N): 1, 2 or 5 times a power of ten. */

@@ -4,16 +4,17 @@
  * @class   vtkHapticPathSource
  * @brief   the way of a stylus' tip, to be felt by vtkVolumeHapticsFilter
  *
- * A line, a circle, a spiral, a press that slides and lifts, or what a file holds. The hand moves with
- * constant speed along the path; the output has a point where it is at each tick,
+ * A line, a circle, a spiral, a press that slides and lifts, or what a file holds. The hand moves
+ * with constant speed along the path; the output has a point where it is at each tick,
  *
- *   x_i = x(i L / n),  i = 0 ... n,  n = the least whole number with L / n <= Speed / PointsPerSecond,
+ *   x_i = x(i L / n),  i = 0 ... n,
+ *   n = the least whole number with L / n <= Speed / PointsPerSecond,
  *
- * L the length of the path, in one polyline, with the point array Time (s), i / PointsPerSecond. So the
- * filter resamples it where its ServoRate is another, and what is felt is as fast as before.
+ * L the length of the path, in one polyline, with the point array Time (s), i / PointsPerSecond. So
+ * the filter resamples it where its ServoRate is another, and what is felt is as fast as before.
  *
- * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, a file that
- * is none) give one error that names them and the cure, and an empty output.
+ * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, a
+ * file that is none) give one error that names them and the cure, and an empty output.
  *
  * @sa vtkVolumeHapticsFilter
  */
@@ -43,10 +44,11 @@ public:
 
   ///@{
   /**
-   * LINE (default): from Point1 to Point2. CIRCLE: Turns times around Center, Radius away from it, in the plane
-   * across Normal, counterclockwise seen from where Normal points to. SPIRAL: in that plane from Center to
-   * Radius, by the same step outwards with each of its Turns. PRESS_AND_SLIDE: comes down on a face of a box,
-   * presses in, slides across and lifts again; see PressDirection. FROM_FILE: see FileName.
+   * LINE (default): from Point1 to Point2. CIRCLE: Turns times around Center, Radius away from it,
+   * in the plane across Normal, counterclockwise seen from where Normal points to. SPIRAL: in that
+   * plane from Center to Radius, by the same step outwards with each of its Turns. PRESS_AND_SLIDE:
+   * comes down on a face of a box, presses in, slides across and lifts again; see PressDirection.
+   * FROM_FILE: see FileName.
    */
   vtkSetClampMacro(Shape, int, LINE, FROM_FILE);
   vtkGetMacro(Shape, int);
@@ -58,7 +60,10 @@ public:
   ///@}
 
   ///@{
-  /** Where the hand moves (world units per second), more than 0. Default 100: 0.1 m/s in millimetres. */
+  /**
+   * Where the hand moves (world units per second), more than 0. Default 100: 0.1 m/s in
+   * millimetres.
+   */
   vtkSetMacro(Speed, double);
   vtkGetMacro(Speed, double);
   ///@}
@@ -96,15 +101,19 @@ public:
   ///@}
 
   ///@{
-  /** How often CIRCLE and SPIRAL go round, more than 0 and up to 10000; parts of a turn count. Default 3. */
+  /**
+   * How often CIRCLE and SPIRAL go round, more than 0 and up to 10000; parts of a turn count.
+   * Default 3.
+   */
   vtkSetMacro(Turns, double);
   vtkGetMacro(Turns, double);
   ///@}
 
   ///@{
   /**
-   * The box of PRESS_AND_SLIDE (world): its corner with the least coordinates, and its size, 0 or more. Default
-   * (-25, -25, -25) and (50, 50, 50). SetBoxBounds() takes both as (x0, x1, y0, y1, z0, z1).
+   * The box of PRESS_AND_SLIDE (world): its corner with the least coordinates, and its size, 0 or
+   * more. Default (-25, -25, -25) and (50, 50, 50). SetBoxBounds() takes both as (x0, x1, y0, y1,
+   * z0, z1).
    */
   vtkSetVector3Macro(BoxCorner, double);
   vtkGetVector3Macro(BoxCorner, double);
@@ -126,9 +135,10 @@ public:
 
   ///@{
   /**
-   * Where PRESS_AND_SLIDE presses. With MINUS_Z (default) it begins Clearance above the face with the largest
-   * z, comes down, presses Depth into the box, slides from one end of the face to the other, along the longer
-   * one of its sides and through the middle of the other, and lifts to where it began.
+   * Where PRESS_AND_SLIDE presses. With MINUS_Z (default) it begins Clearance above the face with
+   * the largest z, comes down, presses Depth into the box, slides from one end of the face to the
+   * other, along the longer one of its sides and through the middle of the other, and lifts to
+   * where it began.
    */
   vtkSetClampMacro(PressDirection, int, PLUS_X, MINUS_Z);
   vtkGetMacro(PressDirection, int);
@@ -148,10 +158,10 @@ public:
 
   ///@{
   /**
-   * What FROM_FILE reads. A .vtp is given out as it is: a recording of vtkHapticDevice is then replayed to the bit.
-   * A .csv has a line a point, with the columns "Tip x", "Tip y" and "Tip z", as the project's own traces
-   * have, or "Points:0" to "Points:2", as ParaView exports, or "x", "y" and "z", all in world units; and
-   * "Time" (s), where it has that. Default: none.
+   * What FROM_FILE reads. A .vtp is given out as it is: a recording of vtkHapticDevice is then
+   * replayed to the bit. A .csv has a line a point, with the columns "Tip x", "Tip y" and "Tip z",
+   * as the project's own traces have, or "Points:0" to "Points:2", as ParaView exports, or "x", "y"
+   * and "z", all in world units; and "Time" (s), where it has that. Default: none.
    */
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticProperty.h"
 
-#include "VTK/Trace/HapticFiles.h"
 #include "VTK/Baking/HapticPresets.h"
+#include "VTK/Trace/HapticFiles.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"

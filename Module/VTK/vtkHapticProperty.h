@@ -21,8 +21,8 @@
  *
  * A function that has no points stands for its default. vtkPiecewiseFunction's midpoints, sharpness
  * and clamping are honoured. For the servo they are baked into tables: pieces that are linear, and
- * steps, are reproduced exactly; curved pieces to within 0.01 % of the piece's height and 0.1 % of the
- * value.
+ * steps, are reproduced exactly; curved pieces to within 0.01 % of the piece's height and 0.1 % of
+ * the value.
  *
  * @sa vtkVolumeHapticsFilter, vtkVolumeProperty
  */
@@ -90,12 +90,13 @@ public:
 
   ///@{
   /**
-   * What a Distinctness without points stands for. On (default): a ramp that keeps the noise of the image
-   * that is touched from being felt, 0 up to 3.4 times the noise of its gradient and 1 from twice that on;
-   * the noise is estimated from the flattest blocks of the image, and again after the image or its array is
-   * Modified(): call that after you changed values in place. 1 if the image has no noise. Off: 1.
-   * NoiseRamp has the two gradient magnitudes (scalar units per world unit) of the ramp that was set last,
-   * when a filter with this property last ran or was published; 0, 0 where none was.
+   * What a Distinctness without points stands for. On (default): a ramp that keeps the noise of the
+   * image that is touched from being felt, 0 up to 3.4 times the noise of its gradient and 1 from
+   * twice that on; the noise is estimated from the flattest blocks of the image, and again after
+   * the image or its array is Modified(): call that after you changed values in place. 1 if the
+   * image has no noise. Off: 1. NoiseRamp has the two gradient magnitudes (scalar units per world
+   * unit) of the ramp that was set last, when a filter with this property last ran or was
+   * published; 0, 0 where none was.
    */
   vtkSetMacro(DistinctnessFromNoise, bool);
   vtkGetMacro(DistinctnessFromNoise, bool);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionFilter.h"
 
-#include "VTK/Trace/HapticFiles.h"
 #include "VTK/Baking/HapticNoise.h"
+#include "VTK/Trace/HapticFiles.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

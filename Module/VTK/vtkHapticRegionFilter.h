@@ -14,7 +14,8 @@
  *
  *   HapticWholeExtent   6 integers; the extent of the whole volume
  *   HapticNoise         scalar units, one number a component, 0 or more; standard deviation of the
- *                       noise of the whole, which DistinctnessFromNoise of vtkHapticProperty goes by
+ *                       noise of the whole, from which vtkHapticProperty takes
+ *                       DistinctnessFromNoise
  *   HapticBorderValue   scalar, one number a component; stands in for samples that are NaN or
  *                       infinite: the first finite corner of the whole
  *   HapticWholeTime     optional, a number; another one whenever the whole has changed. Regions of

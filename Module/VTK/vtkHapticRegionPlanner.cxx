@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionPlanner.h"
 
+#include "Core/Field/ResidentBox.h"
+#include "Core/Regions/RegionPlan.h"
+#include "Core/Regions/Residency.h"
+#include "Core/Solvers/LocalSurface/LocalSurface.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticRegion.h"
-#include "Core/Solvers/LocalSurface/LocalSurface.h"
-#include "Core/Regions/RegionPlan.h"
-#include "Core/Field/ResidentBox.h"
-#include "Core/Regions/Residency.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -51,7 +51,10 @@ RegionNeeds NeedsOf(vtkHapticRegionPlanner* p)
   return needs;
 }
 
-/** The largest (T_N sqrt(1 + mu^2) + R) / k, in metres: between points of the functions it is no larger. */
+/**
+ * The largest (T_N sqrt(1 + mu^2) + R) / k, in metres: between points of the functions it is no
+ * larger.
+ */
 double FindSpring(vtkHapticProperty* property)
 {
   vtkPiecewiseFunction* const k = property->GetStiffness();
@@ -138,7 +141,8 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
   double voxels = radius + ResidencySpare;
   if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
   {
-    // See Residency.cxx: the corners of the cube in which a surface is looked for, and how it bends there.
+    // See Residency.cxx: the corners of the cube in which a surface is looked for, and how it bends
+    // there.
     voxels += std::sqrt(3.0) * LocalReach + radius;
   }
   this->SetReach(voxels * voxel +

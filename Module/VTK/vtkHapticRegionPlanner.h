@@ -13,15 +13,17 @@
  *
  * world units round x + t v, the place where the tip will be when it comes; clipped to the whole,
  * and cut to MaximumVoxels. A region that is cut is only as far ahead as leaves a hand that stops
- * its data. Where the whole has no more voxels than that, it is the whole. It is fetched as soon as the resident one leaves the tip less than half the room that the wanted one
- * would, so that a resting hand fetches nothing.
+ * its data. Where the whole has no more voxels than that, it is the whole. It is fetched as soon as
+ * the resident one leaves the tip less than half the room that the wanted one would, so that a
+ * resting hand fetches nothing.
  *
  *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);
  *   planner->UseSettingsOf(haptics);                      // T_N/k, r, b, metres a world unit
  *   ... in the GUI's timer ...
  *   if (planner->Plan(device->GetTipPosition(), velocity, resident, wanted))
  *   {
- *     ... fetch it: vtkHapticRegionFilter's Region where the data are; then give it to the filter, and Publish ...
+ *     ... fetch it: vtkHapticRegionFilter's Region where the data are; then give it to the filter,
+ *     and Publish ...
  *     planner->AddLatency(seconds);                       // from Plan to Publish
  *   }
  *

@@ -4,22 +4,22 @@
  * @class   vtkHapticRepresentation
  * @brief   the hand in the scene: tip, proxy and forces
  *
- * One prop that draws the latest state of a vtkHapticDevice: the tip (white), where the hand is; the
- * proxy, which the surface holds back, coloured by the contact; the spring between them; and the
- * forces as arrows:
+ * One prop that draws the latest state of a vtkHapticDevice: the tip (white), where the hand is;
+ * the proxy, which the surface holds back, coloured by the contact; the spring between them; and
+ * the forces as arrows:
  *
  *   on the tip     the whole force on the hand (white)
  *   on the proxy   how the surface pushes (blue) and how friction holds back (orange)
  *
- * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta while it
- * is pushed through a surface. A text in the lower right corner says how long a newton is. What lies
- * behind a surface or inside the volume shows through, faintly.
+ * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta
+ * while it is pushed through a surface. A text in the lower right corner says how long a newton is.
+ * What lies behind a surface or inside the volume shows through, faintly.
  *
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
  *
- * It shows what the device's last UpdateState() found; vtkInteractorStyleHaptic calls that. A trace or
- * a recording can be shown, too, as a line coloured by any of its arrays: see SetTrail.
+ * It shows what the device's last UpdateState() found; vtkInteractorStyleHaptic calls that. A trace
+ * or a recording can be shown, too, as a line coloured by any of its arrays: see SetTrail.
  *
  * @sa vtkHapticStateSource, vtkInteractorStyleHaptic
  */
@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * What is shown. Default: spring, the three arrows, the text and what is hidden are; the markers at
-   * x_s (yellow) and x_v (turquoise), where the materials are read, are not.
+   * What is shown. Default: spring, the three arrows, the text and what is hidden are; the markers
+   * at x_s (yellow) and x_v (turquoise), where the materials are read, are not.
    */
   vtkSetMacro(SpringVisibility, bool);
   vtkGetMacro(SpringVisibility, bool);
@@ -89,9 +89,9 @@ public:
 
   ///@{
   /**
-   * A line through the points of a trace (default none), coloured by one of its point arrays, of which
-   * vectors count by their length (default "Force"), through a lookup table (default: from blue to
-   * red over the array's range).
+   * A line through the points of a trace (default none), coloured by one of its point arrays, of
+   * which vectors count by their length (default "Force"), through a lookup table (default: from
+   * blue to red over the array's range).
    */
   void SetTrail(vtkPolyData* trace);
   vtkPolyData* GetTrail();

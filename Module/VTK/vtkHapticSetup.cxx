@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticSetup.h"
 
-#include "VTK/Trace/HapticFiles.h"
 #include "VTK/Setup/HapticSetupSettings.h"
+#include "VTK/Trace/HapticFiles.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

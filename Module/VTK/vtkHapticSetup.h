@@ -88,9 +88,9 @@ public:
   ///@}
 
   /**
-   * Write the file. An existing file is replaced only after all of the new one is on the disk; if that fails, it stays
-   * as it is. False, with an error, if the folder is missing, not writable or full, or if a setting could not be loaded
-   * again, such as NaN.
+   * Write the file. An existing file is replaced only after all of the new one is on the disk; if
+   * that fails, it stays as it is. False, with an error, if the folder is missing, not writable or
+   * full, or if a setting could not be loaded again, such as NaN.
    */
   bool Save(const char* file);
 

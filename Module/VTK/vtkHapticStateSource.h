@@ -4,15 +4,15 @@
  * @class   vtkHapticStateSource
  * @brief   the latest state of a device as geometry, for any pipeline
  *
- * The output holds what vtkHapticRepresentation draws, as plain cells: vertices for the tip, the proxy
- * and the positions x_s and x_v where the materials were read, and lines for the spring and the
- * forces. The cell array "Part" says which is which (see Parts), "Newtons" (N) how strong a force is.
- * Lines begin where a force acts and are Newtons / ForceScale world units long. The field arrays
- * "Contact" and "SurfaceValue" are those of the state. The output is empty without a device or before
- * its first state.
+ * The output holds what vtkHapticRepresentation draws, as plain cells: vertices for the tip, the
+ * proxy and the positions x_s and x_v where the materials were read, and lines for the spring and
+ * the forces. The cell array "Part" says which is which (see Parts), "Newtons" (N) how strong a
+ * force is. Lines begin where a force acts and are Newtons / ForceScale world units long. The field
+ * arrays "Contact" and "SurfaceValue" are those of the state. The output is empty without a device
+ * or before its first state.
  *
- * Whoever owns the device calls its UpdateState(); the output is out of date whenever that found a new
- * state.
+ * Whoever owns the device calls its UpdateState(); the output is out of date whenever that found a
+ * new state.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation
  */
@@ -92,7 +92,10 @@ protected:
     double SurfaceValue = 0.0;
   };
 
-  /** The state, of the device; false where there is none. For sources that have it from somewhere else. */
+  /**
+   * The state, of the device; false where there is none. For sources that have it from somewhere
+   * else.
+   */
   virtual bool ReadState(ShownState& state);
 #endif
 

@@ -315,8 +315,8 @@ void vtkInteractorStyleHaptic::BeginTouch()
       "The touch mode needs a window, but it was closed: Render() it to open it again.");
     return;
   }
-  // Observers of the long work may end the loop, disarm, or take the device or the interactor away. Each of these ends
-  // the beginning, too, and nothing is armed then.
+  // Observers of the long work may end the loop, disarm, or take the device or the interactor away.
+  // Each of these ends the beginning, too, and nothing is armed then.
   const vtkSmartPointer<vtkInteractorStyleHaptic> self(this);
   const vtkSmartPointer<vtkHapticDevice> device = d.Device;
   const vtkSmartPointer<vtkRenderer> renderer = this->GetHapticRenderer();

@@ -6,10 +6,10 @@
  *
  * A vtkInteractorStyleTrackballCamera with a vtkHapticDevice. Its timer is the GUI's side of the
  * servo: at DisplayRate it takes the device's states, hands the servo whatever has changed in the
- * filter (image, functions, settings), feeds the head-up display, invokes events, and renders. It never
- * waits for the servo. While the tip or the camera moves, it renders at the interactor's desired update
- * rate, so that mappers which adjust their sample distances sample more coarsely; at rest it renders
- * at the still rate, once, and then for the head-up display in a tenth of the time.
+ * filter (image, functions, settings), feeds the head-up display, invokes events, and renders. It
+ * never waits for the servo. While the tip or the camera moves, it renders at the interactor's
+ * desired update rate, so that mappers which adjust their sample distances sample more coarsely; at
+ * rest it renders at the still rate, once, and then for the head-up display in a tenth of the time.
  *
  * In the touch mode the mouse leads the tip of the virtual device:
  *
@@ -28,8 +28,8 @@
  *   a           arm, so that force may flow, and disarm; touch mode on arms, too
  *   Escape      disarm, and leave the touch mode and the clutch
  *   c           put the device's workspace back around the camera's focal point
- *   k           clutch: while held, a real device moves without the tip, and without force, which comes back
- *               with its release, unless something has disarmed meanwhile
+ *   k           clutch: while held, a real device moves without the tip, and without force, which
+ *               comes back with its release, unless something has disarmed meanwhile
  *   Home        look for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
@@ -38,17 +38,20 @@
  *
  * Mouse events over the function editor go to the editor.
  *
- * When the force goes off for long work (vtkHapticDevice::BeginLongWork), the style renders first, so that the head-up
- * display says why. It calls BeginLongWork by itself for the function editor's histogram of a large volume.
+ * When the force goes off for long work (vtkHapticDevice::BeginLongWork), the style renders first,
+ * so that the head-up display says why. It calls BeginLongWork by itself for the function editor's
+ * histogram of a large volume.
  *
- * Force ends with the window. The style leaves the touch mode and disarms when the interactor's loop ends (the keys
- * q and e, the window manager's close, TerminateApp()), before any other observer of ExitEvent is called; when the
- * window is finalized; and when the interactor is disabled, deleted or given another style. VTK does not report that a
- * toolkit's widget is hidden: before an application hides one, it has to call the interactor's Disable(), or
+ * Force ends with the window. The style leaves the touch mode and disarms when the interactor's
+ * loop ends (the keys q and e, the window manager's close, TerminateApp()), before any other
+ * observer of ExitEvent is called; when the window is finalized; and when the interactor is
+ * disabled, deleted or given another style. VTK does not report that a toolkit's widget is hidden:
+ * before an application hides one, it has to call the interactor's Disable(), or
  * SetTouchMode(false) and the device's Disarm().
  *
- * With a real device, the workspace follows the camera: right, up and towards the user are the same for
- * the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera goes the other way.
+ * With a real device, the workspace follows the camera: right, up and towards the user are the same
+ * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera goes
+ * the other way.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor
  */
@@ -101,10 +104,11 @@ public:
 
   ///@{
   /**
-   * The touch mode, default off. On puts the tip of a virtual device in front of the first surface under the pointer,
-   * or if there is none, into the plane of the focal point, and arms. It stays off, with an error, without an
-   * interactor, without a device that runs, or if the window was closed. It also stays off if, while the surface is
-   * meshed, the loop ends, the device is disarmed, or the device or the interactor is removed.
+   * The touch mode, default off. On puts the tip of a virtual device in front of the first surface
+   * under the pointer, or if there is none, into the plane of the focal point, and arms. It stays
+   * off, with an error, without an interactor, without a device that runs, or if the window was
+   * closed. It also stays off if, while the surface is meshed, the loop ends, the device is
+   * disarmed, or the device or the interactor is removed.
    */
   void SetTouchMode(bool on);
   vtkGetMacro(TouchMode, bool);
@@ -113,8 +117,8 @@ public:
 
   ///@{
   /**
-   * How far a step of the wheel moves the tip (world units, 0 or more). Default 0: the smallest spacing
-   * of the image.
+   * How far a step of the wheel moves the tip (world units, 0 or more). Default 0: the smallest
+   * spacing of the image.
    */
   vtkSetClampMacro(DepthStep, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(DepthStep, double);
@@ -128,8 +132,9 @@ public:
 
   ///@{
   /**
-   * The workspace of a real device: whether it follows the camera (default on), world units per metre
-   * (default 0: as the filter's MetersPerWorldUnit says), back to the focal point, and clutched.
+   * The workspace of a real device: whether it follows the camera (default on), world units per
+   * metre (default 0: as the filter's MetersPerWorldUnit says), back to the focal point, and
+   * clutched.
    */
   vtkSetMacro(WorkspaceFollowsCamera, bool);
   vtkGetMacro(WorkspaceFollowsCamera, bool);
@@ -144,36 +149,38 @@ public:
   /**
    * Feel the same place with the next method of the device's filter, in the order of
    * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on; a force that grows does so at the
-   * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous method, or no
-   * force if the mesh takes long (vtkHapticDevice::BeginLongWork); the head-up display says so before. If the method
-   * can't be felt, for example since IsoValue does not occur in the image, this is false, with an error; the
-   * previous method stays, and the next call skips the other one.
+   * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous
+   * method, or no force if the mesh takes long (vtkHapticDevice::BeginLongWork); the head-up
+   * display says so before. If the method can't be felt, for example since IsoValue does not occur
+   * in the image, this is false, with an error; the previous method stays, and the next call skips
+   * the other one.
    */
   bool NextMethod();
 
   /**
-   * What the timer does, once: states, events, changes, display. For applications without timers. True
-   * if there is something new to be seen.
+   * What the timer does, once: states, events, changes, display. For applications without timers.
+   * True if there is something new to be seen.
    */
   bool UpdateHaptics();
 
   /**
-   * Warn if a visible volume in the renderer shows the image of the device's filter differently from how it is felt:
-   * with a position, orientation, scale or user matrix, cropping, clipping planes, a mask, a 2-D transfer function, or
-   * blanked points or cells. UpdateHaptics() does so, too. There is one warning for each volume and reason, and another
-   * one if a reason goes away and comes back.
+   * Warn if a visible volume in the renderer shows the image of the device's filter differently
+   * from how it is felt: with a position, orientation, scale or user matrix, cropping, clipping
+   * planes, a mask, a 2-D transfer function, or blanked points or cells. UpdateHaptics() does so,
+   * too. There is one warning for each volume and reason, and another one if a reason goes away and
+   * comes back.
    */
   void CheckShownVolumes();
 
   /**
-   * The states that the last update took from the device: see vtkHapticDevice::DrainStates. Each style gets all of
-   * them, even if several styles use one device.
+   * The states that the last update took from the device: see vtkHapticDevice::DrainStates. Each
+   * style gets all of them, even if several styles use one device.
    */
   vtkTable* GetStates();
 
   /**
-   * Interactors call this. A style that leaves its interactor, as for another style or since the window closes,
-   * leaves the touch mode and disarms. Either way it is Modified().
+   * Interactors call this. A style that leaves its interactor, as for another style or since the
+   * window closes, leaves the touch mode and disarms. Either way it is Modified().
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
@@ -194,14 +201,15 @@ protected:
   ~vtkInteractorStyleHaptic() override;
 
   /**
-   * Draw the scene now: quickly while something moves, else well. Sets the window's desired update rate and
-   * calls the interactor's Render(). For subclasses in applications that render in a way of their own.
+   * Draw the scene now: quickly while something moves, else well. Sets the window's desired update
+   * rate and calls the interactor's Render(). For subclasses in applications that render in a way
+   * of their own.
    */
   virtual void DrawScene(bool quickly);
 
   /**
-   * Whether force may come back when the clutch is released: it was armed before, and nothing has disarmed it
-   * since. For subclasses in applications that keep their own account of what is armed.
+   * Whether force may come back when the clutch is released: it was armed before, and nothing has
+   * disarmed it since. For subclasses in applications that keep their own account of what is armed.
    */
   virtual bool ArmsAfterClutch();
 

@@ -77,8 +77,8 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   }
   if (!this->LeadsTip())
   {
-    // The superclass asks the window of the renderer for its size: a renderer that was taken out of it meanwhile, or
-    // that the application has named, may have none.
+    // The superclass asks the window of the renderer for its size: a renderer that was taken out of
+    // it meanwhile, or that the application has named, may have none.
     this->FindPokedRenderer(now[0], now[1]);
     if (this->CurrentRenderer && this->CurrentRenderer->GetRenderWindow())
     {
@@ -315,7 +315,8 @@ void vtkInteractorStyleHaptic::OnChar()
   {
     return;
   }
-  // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an animation.
+  // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
+  // animation.
   const char key = this->Interactor->GetKeyCode();
   if (!(this->TouchMode && key == 'f') && key != 'm')
   {

@@ -9,13 +9,13 @@
 
 #include "vtkInteractorStyleHaptic.h"
 
-#include "VTK/Session/HapticChangeTime.h"
-#include "VTK/Session/HapticLongWork.h"
 #include "VTK/Scene/HapticRenderPace.h"
 #include "VTK/Scene/HapticShownVolumes.h"
 #include "VTK/Scene/HapticStateWatch.h"
 #include "VTK/Scene/HapticWindowWatch.h"
 #include "VTK/Scene/HapticWorkspace.h"
+#include "VTK/Session/HapticChangeTime.h"
+#include "VTK/Session/HapticLongWork.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkHapticDevice.h"
@@ -58,7 +58,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   std::string FeltInstead;    ///< and the one that stayed
   vtkMTimeType Placed = 0;    ///< the camera's time when the workspace was put there
   bool IsPlaced = false;
-  bool ArmAfterClutch = false; ///< was armed before, and nobody has disarmed it since
+  bool ArmAfterClutch = false;   ///< was armed before, and nobody has disarmed it since
   bool IsTouchBeginning = false; ///< and nothing has ended it since
   vtkNew<vtkCallbackCommand> DisarmObserver;
   VolumeHaptics::Vector3 ClutchedTip; ///< world

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The part of vtkInteractorStyleHaptic that its timer drives: from the servo and back, and when to draw.
+// The part of vtkInteractorStyleHaptic that its timer drives: from the servo and back, and when to
+// draw.
 #include "vtkInteractorStyleHaptic.h"
 
 #include "VTK/Baking/HapticMethods.h"
@@ -285,8 +286,8 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
   }
   if (this->Clutch && d.IsArmed())
   {
-    // By a button or a script, or not yet seen as disarmed. The hand moves without the tip, and must not be
-    // held.
+    // By a button or a script, or not yet seen as disarmed. The hand moves without the tip, and
+    // must not be held.
     const bool arms = d.ArmAfterClutch;
     device->Disarm();
     if (d.Device != device)

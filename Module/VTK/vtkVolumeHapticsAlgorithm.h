@@ -40,16 +40,17 @@ public:
 
   ///@{
   /**
-   * PROXY (default): what vtkVolumeHapticsFilter describes. FORCE_FIELD, eq. 1 of the paper, which compares
-   * itself with this and the next two: f = -ForceFieldGain grad V - ForceFieldDamping v_tip, without a proxy;
-   * NormalForce and DragForce are the magnitudes of the two terms. SURFACE_PROXY, polygonal surface haptics
-   * (Ruspini et al. 1997): a sphere of ProxyRadius that no triangle of the surface lets through.
-   * LOCAL_SURFACE, an intermediate representation (Mark et al. 1996): a slow loop fits a plane or a quadric to
-   * the isosurface near the proxy, and the servo touches that; what the hand meets before the slow loop has
-   * looked, it falls through. Both surfaces have stiffness and friction of the material at IsoValue, and
-   * neither drag nor a limit to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. Chosen
-   * while a servo runs, they hold a hand that is up to three kernel radii inside the isosurface from outside;
-   * one that is deeper SURFACE_PROXY holds from within, and LOCAL_SURFACE not at all.
+   * PROXY (default): what vtkVolumeHapticsFilter describes. FORCE_FIELD, eq. 1 of the paper, which
+   * compares itself with this and the next two: f = -ForceFieldGain grad V - ForceFieldDamping
+   * v_tip, without a proxy; NormalForce and DragForce are the magnitudes of the two terms.
+   * SURFACE_PROXY, polygonal surface haptics (Ruspini et al. 1997): a sphere of ProxyRadius that no
+   * triangle of the surface lets through. LOCAL_SURFACE, an intermediate representation (Mark et
+   * al. 1996): a slow loop fits a plane or a quadric to the isosurface near the proxy, and the
+   * servo touches that; what the hand meets before the slow loop has looked, it falls through. Both
+   * surfaces have stiffness and friction of the material at IsoValue, and neither drag nor a limit
+   * to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. Chosen while a servo
+   * runs, they hold a hand that is up to three kernel radii inside the isosurface from outside; one
+   * that is deeper SURFACE_PROXY holds from within, and LOCAL_SURFACE not at all.
    */
   vtkSetClampMacro(Method, int, PROXY, LOCAL_SURFACE);
   vtkGetMacro(Method, int);
@@ -68,7 +69,8 @@ public:
   ///@{
   /**
    * How PROXY advances the proxy in a tick. PAPER: as published, one look at the volume where the
-   * proxy is when the tick begins. PRECISE (default): the same law, in balance where the proxy ends.
+   * proxy is when the tick begins. PRECISE (default): the same law, in balance where the proxy
+   * ends.
    */
   vtkSetClampMacro(Solver, int, PAPER, PRECISE);
   vtkGetMacro(Solver, int);
@@ -84,10 +86,10 @@ public:
 
   ///@{
   /**
-   * Where a surface begins to hold, with PRECISE. DISTINCTNESS (default): as soon as W_d and T_N say
-   * so, on a blurred edge some voxels before its middle, since x_s is r ahead. EDGE: not before
-   * V(x_p) >= (V(x_s) + V(x_v)) / 2 (within 0.1 % of their difference), so that what is felt lies on
-   * what is seen. On a linear ramp both are alike.
+   * Where a surface begins to hold, with PRECISE. DISTINCTNESS (default): as soon as W_d and T_N
+   * say so, on a blurred edge some voxels before its middle, since x_s is r ahead. EDGE: not before
+   * V(x_p) >= (V(x_s) + V(x_v)) / 2 (within 0.1 % of their difference), so that what is felt lies
+   * on what is seen. On a linear ramp both are alike.
    */
   vtkSetClampMacro(ContactAlignment, int, DISTINCTNESS, EDGE);
   vtkGetMacro(ContactAlignment, int);
@@ -163,9 +165,10 @@ public:
 
   ///@{
   /**
-   * Radius of the sphere (world units) of SURFACE_PROXY, 0 to 1e9; some voxels at most, since a tick
-   * looks at all triangles that it touches: a radius that is too large for the surface is an error. Gaps narrower than its diameter are not felt.
-   * 0 (default) stands for half of the smallest spacing.
+   * Radius of the sphere (world units) of SURFACE_PROXY, 0 to 1e9; some voxels at most, since a
+   * tick looks at all triangles that it touches: a radius that is too large for the surface is an
+   * error. Gaps narrower than its diameter are not felt. 0 (default) stands for half of the
+   * smallest spacing.
    */
   vtkSetClampMacro(ProxyRadius, double, 0.0, 1e9);
   vtkGetMacro(ProxyRadius, double);
@@ -173,7 +176,8 @@ public:
 
   ///@{
   /**
-   * Turn the force of SURFACE_PROXY smoothly from triangle to triangle, by the point normals. Default on.
+   * Turn the force of SURFACE_PROXY smoothly from triangle to triangle, by the point normals.
+   * Default on.
    */
   vtkSetMacro(ForceShading, bool);
   vtkGetMacro(ForceShading, bool);
@@ -188,10 +192,11 @@ public:
 
   ///@{
   /**
-   * What LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that also bends as the normal does over
-   * KernelRadius voxels to either side. A hand that slides over a plane is where the surface was at the last look:
-   * over a convex one that costs work, over a concave one it gives some. Both are found where V is IsoValue; only
-   * with CUBIC_BSPLINE is the gradient's direction exactly across that.
+   * What LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that also bends as the
+   * normal does over KernelRadius voxels to either side. A hand that slides over a plane is where
+   * the surface was at the last look: over a convex one that costs work, over a concave one it
+   * gives some. Both are found where V is IsoValue; only with CUBIC_BSPLINE is the gradient's
+   * direction exactly across that.
    */
   vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
   vtkGetMacro(LocalSurfaceShape, int);
@@ -201,8 +206,9 @@ public:
 
   ///@{
   /**
-   * How often LOCAL_SURFACE's slow loop looks (Hz), 1 to 1000; 30 to 100 are usual. Its answer comes one
-   * period later: with a device from a thread of its own, offline in simulated time. Default 60.
+   * How often LOCAL_SURFACE's slow loop looks (Hz), 1 to 1000; 30 to 100 are usual. Its answer
+   * comes one period later: with a device from a thread of its own, offline in simulated time.
+   * Default 60.
    */
   vtkSetClampMacro(LocalSurfaceRate, double, 1.0, 1000.0);
   vtkGetMacro(LocalSurfaceRate, double);
@@ -210,8 +216,8 @@ public:
 
   ///@{
   /**
-   * Time (s) in which LOCAL_SURFACE's force goes over from one surface to the next, 0 to 10: longer ones are
-   * smoother, and follow later. Default 0.015.
+   * Time (s) in which LOCAL_SURFACE's force goes over from one surface to the next, 0 to 10: longer
+   * ones are smoother, and follow later. Default 0.015.
    */
   vtkSetClampMacro(RecoveryTime, double, 0.0, 10.0);
   vtkGetMacro(RecoveryTime, double);
@@ -235,8 +241,9 @@ public:
   ///@}
 
   /**
-   * Method and Solver as one choice, for menus and command lines, in the order of NextMethod(): "proxy" (PROXY with
-   * PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy", "local-surface".
+   * Method and Solver as one choice, for menus and command lines, in the order of NextMethod():
+   * "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy",
+   * "local-surface".
    */
   static vtkStringArray* GetMethodNames();
 
@@ -261,7 +268,10 @@ protected:
   ~vtkVolumeHapticsAlgorithm() override;
 
 #ifndef __VTK_WRAP__
-  /** What is wrong with the settings for a servo that ticks at a rate (Hz), and the cure; or nothing. */
+  /**
+   * What is wrong with the settings for a servo that ticks at a rate (Hz), and the cure; or
+   * nothing.
+   */
   std::string CheckSettings(double rate) const;
 #endif
 

@@ -14,7 +14,8 @@
 #include <type_traits>
 #include <utility>
 
-// For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector has its operators with it.
+// For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector has its operators
+// with it.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define VOLUME_HAPTICS_OPENGL_HEADER "vtk_glad.h"
 #define VOLUME_HAPTICS_VECTOR_HEADER "vtkVector.h"
@@ -51,9 +52,9 @@ struct KeepsSeparate<Array, std::void_t<decltype(std::declval<Array&>().GetStora
 } // namespace Detail
 
 /**
- * Whether a vtkSOADataArrayTemplate has each component in a memory of its own now. VTK 9.6's has all of them in one
- * as long as it is new, and from the first GetVoidPointer on, as a mapper calls it; there are no pointers to
- * components then.
+ * Whether a vtkSOADataArrayTemplate has each component in a memory of its own now. VTK 9.6's has
+ * all of them in one as long as it is new, and from the first GetVoidPointer on, as a mapper calls
+ * it; there are no pointers to components then.
  */
 template <typename Array>
 bool HasSeparateComponents(Array* array)
@@ -62,10 +63,11 @@ bool HasSeparateComponents(Array* array)
 }
 
 /**
- * Has a window leave its connection to the X server open when it closes. Until VTK 9.2, TerminateApp() closes the
- * window in the middle of the interactor's loop, and the loop then goes on with the connection. A window that was
- * rendered before it had an interactor owns the connection and has closed it by then: a crash. The connection is closed
- * when the window is deleted.
+ * Has a window leave its connection to the X server open when it closes. Until VTK 9.2,
+ * TerminateApp() closes the window in the middle of the interactor's loop, and the loop then goes
+ * on with the connection. A window that was rendered before it had an interactor owns the
+ * connection and has closed it by then: a crash. The connection is closed when the window is
+ * deleted.
  */
 void KeepDisplay(vtkRenderWindow* window);
 

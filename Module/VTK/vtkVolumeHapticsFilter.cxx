@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
-#include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticHash.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticRegion.h"
 #include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticHash.h"
 #include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/HapticTrace.h"
-#include "VTK/Baking/HapticVolumeView.h"
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -281,8 +281,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
     vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0." << hint);
     return nullptr;
   }
-  // Where only the device has moved, as it does with every frame while it follows the camera, what is
-  // baked is shared.
+  // Where only the device has moved, as it does with every frame while it follows the camera, what
+  // is baked is shared.
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
   const vtkMTimeType time = std::max({ this->GetMTime(), image->GetMTime(),
     scalars ? scalars->GetMTime() : 0, surface ? surface->GetMTime() : 0 });

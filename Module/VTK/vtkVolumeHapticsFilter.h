@@ -6,9 +6,9 @@
  *
  * Implements Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density
  * Data", 2002. A proxy is tied to the stylus' tip by a spring of stiffness k. Virtual surfaces,
- * perpendicular to the gradient of the volume, hold it back; friction and drag, too. The force on the
- * hand is k (x_p - x_tip). With the material from vtkHapticProperty, a tick moves the proxy x_p from
- * x_0 to
+ * perpendicular to the gradient of the volume, hold it back; friction and drag, too. The force on
+ * the hand is k (x_p - x_tip). With the material from vtkHapticProperty, a tick moves the proxy x_p
+ * from x_0 to
  *
  *   N = grad V / |grad V|,  d = x_tip - x_p,  T = T_N W_d(|grad V|)
  *   x_p += N sgn(d.N) (|d.N| - T/k)      if k |d.N| > T; outward with T = 0       (eqs. 12, 13)
@@ -18,40 +18,41 @@
  * (solver PAPER), where d is taken anew in each line, k, mu and T_N belong to the value at
  * x_s = x_0 + r N and R to that at x_v = x_0 - r N (fig. 4); r is KernelRadius times the largest
  * spacing. Beyond the volume the border's value holds and there is no surface; over the last
- * KernelRadius voxels inside it surfaces fade. Where a sample is NaN or infinite there is no surface,
- * and the value of the first finite corner of the volume stands in (0 where no corner is finite). The
- * first tick of a path puts the proxy on the tip, without force.
+ * KernelRadius voxels inside it surfaces fade. Where a sample is NaN or infinite there is no
+ * surface, and the value of the first finite corner of the volume stands in (0 where no corner is
+ * finite). The first tick of a path puts the proxy on the tip, without force.
  *
  * Solver PRECISE (default) is the same law for motions that are not small. With F = k (x_tip - x),
  *
  *   x' = 0                        while |F - q| <= R,
  *   F  = q + R x' / |x'|          else,
  *
- * along the tip's straight way, where q is what surface and friction hold of F, with N, k, mu, T and
- * R of the place x. The tip goes a quarter of a voxel (or 2 % of the spring) at a time. At one place the proxy's
- * motion exists and is unique: the drag's is the proximal map of R |m| after the surface's, both
- * convex, and friction, which is not, comes after the surface. A motion is judged at its end and drawn
- * back to the first point that holds as much as the spring pulls (there is one, since the spring gets
- * shorter); at a step of a material function, to a thousandth of a voxel on the side that holds. While
- * a surface holds, the proxy stays on the level of the smoothed value where it met it: it neither
- * drifts nor leaks. Where k rises the force stays, where it falls the stretch, so that no energy is
- * created; the array Stiffness is then the spring's own, |F| / |d|. A tick looks at 256 places at
- * most. If these do not do (a tip that jumps by tens of voxels), the proxy is where it came to, with
- * the force in balance there, the array Unfinished is 1, and the next tick goes on. GAUSSIAN is then
- * the derivative of its own smoothed value, for N to be normal to levels; CENTRAL_DIFFERENCE can't be,
- * and holds its proxy to a hundredth of a voxel only.
+ * along the tip's straight way, where q is what surface and friction hold of F, with N, k, mu, T
+ * and R of the place x. The tip goes a quarter of a voxel (or 2 % of the spring) at a time. At one
+ * place the proxy's motion exists and is unique: the drag's is the proximal map of R |m| after the
+ * surface's, both convex, and friction, which is not, comes after the surface. A motion is judged
+ * at its end and drawn back to the first point that holds as much as the spring pulls (there is
+ * one, since the spring gets shorter); at a step of a material function, to a thousandth of a voxel
+ * on the side that holds. While a surface holds, the proxy stays on the level of the smoothed value
+ * where it met it: it neither drifts nor leaks. Where k rises the force stays, where it falls the
+ * stretch, so that no energy is created; the array Stiffness is then the spring's own, |F| / |d|. A
+ * tick looks at 256 places at most. If these do not do (a tip that jumps by tens of voxels), the
+ * proxy is where it came to, with the force in balance there, the array Unfinished is 1, and the
+ * next tick goes on. GAUSSIAN is then the derivative of its own smoothed value, for N to be normal
+ * to levels; CENTRAL_DIFFERENCE can't be, and holds its proxy to a hundredth of a voxel only.
  *
  * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
- * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is not
- * copied. It may be a region of a larger volume, as vtkHapticRegionFilter makes it: what is felt there is what is felt
- * in the whole, to the bit. Where the data that a tick needs are not in the region, the force fades within 50 ms, the
- * proxy is on the tip, and force comes back in the same way.
+ * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is
+ * not copied. It may be a region of a larger volume, as vtkHapticRegionFilter makes it: what is
+ * felt there is what is felt in the whole, to the bit. Where the data that a tick needs are not in
+ * the region, the force fades within 50 ms, the proxy is on the tip, and force comes back in the
+ * same way.
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
- * segments that continue one another, or points without cells. Several separate lines are an error, and so are lines
- * that join the points in another order than they are stored. A recording of vtkHapticDevice is replayed tick by
- * tick, to the bit.
+ * segments that continue one another, or points without cells. Several separate lines are an error,
+ * and so are lines that join the points in another order than they are stored. A recording of
+ * vtkHapticDevice is replayed tick by tick, to the bit.
  *
  * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of
  * the isosurface at IsoValue. Polygons and strips count; with point normals the force is shaded.
@@ -75,8 +76,9 @@
  *   Viscosity          N; R
  *   SurfaceStrength    N; T_N W_d
  *   Contact            0 free, 1 sticking, 2 sliding, 3 penetrating
- *   Energy             J; given to the hand so far, by trapezoids: what a path that ends without force
- *                      ends with is what was created (FORCE_FIELD can) or, below 0, spent
+ *   Energy             J; given to the hand so far, by trapezoids. If a path ends without force,
+ *                      the last value is the energy that was created (FORCE_FIELD can) or, below
+ *                      0, spent
  *   Unfinished         1 where PRECISE left a tick's way to the next, else 0
  *   Renewed            1 where LOCAL_SURFACE got a new surface from its slow loop, else 0
  *
@@ -84,8 +86,9 @@
  * can't be touched gives one error that names the input and the cure, and an empty output. A long
  * path reports progress and can be aborted; the output then ends where it was aborted.
  *
- * A path is felt as a whole: where the output is asked for in pieces, as it is on several ranks, piece 0
- * asks for the whole image and is the whole trace, and the others ask for nothing and are empty.
+ * A path is felt as a whole: where the output is asked for in pieces, as it is on several ranks,
+ * piece 0 asks for the whole image and is the whole trace, and the others ask for nothing and are
+ * empty.
  *
  * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter
  */
@@ -142,9 +145,9 @@ public:
 #ifndef __VTK_WRAP__
   ///@{
   /**
-   * About how long (s) HashScalars() and Bake() would take now on a desktop computer, not counting the pipeline before
-   * this filter. Bake() takes time only to make the mesh of SURFACE_PROXY, and 0 if the mesh is up to date. In C++
-   * only.
+   * About how long (s) HashScalars() and Bake() would take now on a desktop computer, not counting
+   * the pipeline before this filter. Bake() takes time only to make the mesh of SURFACE_PROXY, and
+   * 0 if the mesh is up to date. In C++ only.
    */
   double EstimateHashTime();
   double EstimateBakeTime();

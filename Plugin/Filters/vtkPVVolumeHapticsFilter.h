@@ -4,10 +4,11 @@
  * @class   vtkPVVolumeHapticsFilter
  * @brief   vtkVolumeHapticsFilter with its material as plain settings
  *
- * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. So this filter
- * keeps what was chosen (a preset, or five functions and the newtons that their 1 stands for) and fills its
- * vtkHapticProperty from that whenever something of it has changed, before anybody asks for the property's
- * effect: the pipeline and vtkHapticDevice::Publish alike begin with GetMTime().
+ * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. So this
+ * filter keeps what was chosen (a preset, or five functions and the newtons that their 1 stands
+ * for) and fills its vtkHapticProperty from that whenever something of it has changed, before
+ * anybody asks for the property's effect: the pipeline and vtkHapticDevice::Publish alike begin
+ * with GetMTime().
  */
 #ifndef vtkPVVolumeHapticsFilter_h
 #define vtkPVVolumeHapticsFilter_h
@@ -54,7 +55,10 @@ public:
   ///@}
 
   ///@{
-  /** On (default): distinctness keeps noise from being felt, and its function waits until this is off. */
+  /**
+   * On (default): distinctness keeps noise from being felt, and its function waits until this is
+   * off.
+   */
   void SetDistinctnessFromNoise(bool fromNoise);
   void SetDistinctnessFunction(vtkPiecewiseFunction* function);
   ///@}
@@ -67,7 +71,10 @@ public:
   ///@}
 
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
-  /** A name that is empty, as it is in batch jobs that have not set one, stands for the active scalars. */
+  /**
+   * A name that is empty, as it is in batch jobs that have not set one, stands for the active
+   * scalars.
+   */
   void SetInputArrayToProcess(
     int index, int port, int connection, int association, const char* name) override;
 

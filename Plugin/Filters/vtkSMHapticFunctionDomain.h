@@ -10,8 +10,8 @@
  *     <RequiredProperties>...</RequiredProperties>
  *   </HapticFunctionDomain>
  *
- * The function (a PiecewiseFunction of ParaView's) has the value `initial` (0 to 1, default 0) everywhere
- * until somebody edits it. ParaView's own domain would begin with a ramp.
+ * The function (a PiecewiseFunction of ParaView's) has the value `initial` (0 to 1, default 0)
+ * everywhere until somebody edits it. ParaView's own domain would begin with a ramp.
  */
 #ifndef vtkSMHapticFunctionDomain_h
 #define vtkSMHapticFunctionDomain_h

@@ -6,8 +6,8 @@
  *
  * Adds the command CopyPreset, which the panel's button gives, and a script with
  * `filter.InvokeCommand("CopyPreset")`: what the chosen preset says is copied into the filter's own
- * functions, scales and surface side, and the preset becomes "Custom", for the functions to be edited from
- * there. With "Custom" it does nothing.
+ * functions, scales and surface side, and the preset becomes "Custom", for the functions to be
+ * edited from there. With "Custom" it does nothing.
  */
 #ifndef vtkSMVolumeHapticsProxy_h
 #define vtkSMVolumeHapticsProxy_h

@@ -163,7 +163,8 @@ void HapticController::change(const char* property, int value)
   }
   BEGIN_UNDO_EXCLUDE();
   {
-    // In no trace: whoever replays one may not have a hand on a device. Nor does what Poll shows belong there.
+    // In no trace: whoever replays one may not have a hand on a device. Nor does what Poll shows
+    // belong there.
     vtkSMPropertyHelper(this->Device, property).Set(value);
     this->Device->UpdateVTKObjects();
     this->Device->Poll();

@@ -4,12 +4,13 @@
  * @class   HapticController
  * @brief   what the buttons of the dock window do
  *
- * Everything acts through the properties of a `HapticDevice` and a `HapticView`, so that scripts can do the
- * same. The Python trace shows what is set up, but neither Running, Armed nor Recording: who replays it has not
- * got a hand on the device. Nothing of it can be undone: "undo" must not arm a device.
+ * Everything acts through the properties of a `HapticDevice` and a `HapticView`, so that scripts
+ * can do the same. The Python trace shows what is set up, but neither Running, Armed nor Recording:
+ * who replays it has not got a hand on the device. Nothing of it can be undone: "undo" must not arm
+ * a device.
  *
- * When ParaView quits, and when the server, the view, the device, its filter or the volume goes, the device is
- * detached first, with zero force.
+ * When ParaView quits, and when the server, the view, the device, its filter or the volume goes,
+ * the device is detached first, with zero force.
  */
 #ifndef HapticController_h
 #define HapticController_h
@@ -65,8 +66,8 @@ public:
 
 public Q_SLOTS:
   /**
-   * Attaches to the active render view. The active source says what is felt: a HapticDevice, a VolumeHaptics
-   * filter, or image data; what is missing is made. Else told() says what to do.
+   * Attaches to the active render view. The active source says what is felt: a HapticDevice, a
+   * VolumeHaptics filter, or image data; what is missing is made. Else told() says what to do.
    */
   void attach(const QString& deviceId);
   void detach();

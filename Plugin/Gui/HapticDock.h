@@ -4,8 +4,8 @@
  * @class   HapticDock
  * @brief   the dock window "Volume Haptics"
  *
- * Choose the device, attach it to the active view and volume, arm, stop, home, record; and what is felt, in
- * figures. It is in ParaView's menu View, as every dock window is.
+ * Choose the device, attach it to the active view and volume, arm, stop, home, record; and what is
+ * felt, in figures. It is in ParaView's menu View, as every dock window is.
  */
 #ifndef HapticDock_h
 #define HapticDock_h

@@ -69,7 +69,10 @@ pqPipelineSource* FindDevice(pqPipelineSource* touch)
   return any;
 }
 
-/** A hand is not to feel all of a sudden what it has not been led to. Not to be undone, and not traced. */
+/**
+ * A hand is not to feel all of a sudden what it has not been led to. Not to be undone, and not
+ * traced.
+ */
 void Disarm(vtkSMProxy* device)
 {
   BEGIN_UNDO_EXCLUDE();

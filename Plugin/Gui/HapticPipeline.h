@@ -21,10 +21,9 @@ bool IsVolume(pqPipelineSource* source);
 ///@}
 
 /**
- * The HapticDevice for a source: itself, or the one that feels it, through a VolumeHaptics filter. What is
- * missing is made; a device that feels something else is disarmed, and used for this from now on, since there is
- * one hand.
- * nullptr where the source is nothing that can be felt.
+ * The HapticDevice for a source: itself, or the one that feels it, through a VolumeHaptics filter.
+ * What is missing is made; a device that feels something else is disarmed, and used for this from
+ * now on, since there is one hand. nullptr where the source is nothing that can be felt.
  */
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
 

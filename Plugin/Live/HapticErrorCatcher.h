@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Errors of VTK objects as text, so that a timer that runs into the same one sixty times a second says it once.
+ * Errors of VTK objects as text, so that a timer that runs into the same one sixty times a second
+ * says it once.
  */
 #ifndef HapticErrorCatcher_h
 #define HapticErrorCatcher_h
@@ -27,7 +28,9 @@ public:
 
   /** From now on, errors of this object are not shown but kept. Once for an object is enough. */
   void Catch(vtkObject* object);
-  /** What has been caught since the last call, without files and addresses; empty where nothing was. */
+  /**
+   * What has been caught since the last call, without files and addresses; empty where nothing was.
+   */
   std::string Take();
 
 private:

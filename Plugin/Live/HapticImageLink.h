@@ -18,14 +18,17 @@ namespace VolumeHapticsLive
 {
 
 /**
- * The filter is not connected to the pipeline, since what the servo reads must not be executed by whoever looks at
- * it: it is given a shallow copy whenever the pipeline has something new. Whoever allocates anew in the pipeline
- * then leaves the array alone that is being touched.
+ * The filter is not connected to the pipeline, since what the servo reads must not be executed by
+ * whoever looks at it: it is given a shallow copy whenever the pipeline has something new. Whoever
+ * allocates anew in the pipeline then leaves the array alone that is being touched.
  */
 class HapticImageLink
 {
 public:
-  /** Bring the source up to date, and give its output to an input port of the filter where it is new. */
+  /**
+   * Bring the source up to date, and give its output to an input port of the filter where it is
+   * new.
+   */
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
 
 private:

@@ -21,9 +21,10 @@ class HapticOpacityLink
 {
 public:
   /**
-   * The opacity function with which a source is volume-rendered, in the active view, or else in any: as a volume
-   * property whose function is ParaView's own. Null where it is not, where what is shown is another array or
-   * component than what is touched, or where opacity comes from something else than that array's value.
+   * The opacity function with which a source is volume-rendered, in the active view, or else in
+   * any: as a volume property whose function is ParaView's own. Null where it is not, where what is
+   * shown is another array or component than what is touched, or where opacity comes from something
+   * else than that array's value.
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 

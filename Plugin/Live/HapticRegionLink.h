@@ -25,8 +25,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * At first it asks where the volume is: a corner of it comes, with which the servo may start, since a tip that is not
- * in the corner feels nothing. From then on it asks for what vtkHapticRegionPlanner plans.
+ * At first it asks where the volume is: a corner of it comes, with which the servo may start, since
+ * a tip that is not in the corner feels nothing. From then on it asks for what
+ * vtkHapticRegionPlanner plans.
  */
 class HapticRegionLink
 {

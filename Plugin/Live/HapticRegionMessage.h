@@ -4,7 +4,8 @@
  * @file
  * A region of a volume as bytes, on its way from the data server to the client.
  *
- * ParaView's own way of sending images loses their direction, and does not say that the other side has died.
+ * ParaView's own way of sending images loses their direction, and does not say that the other side
+ * has died.
  */
 #ifndef HapticRegionMessage_h
 #define HapticRegionMessage_h

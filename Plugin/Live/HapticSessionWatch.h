@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * When a proxy has to let go of the hand: what it needs is taken out of the pipeline, the session is closed, or the
- * server is gone.
+ * When a proxy has to let go of the hand: what it needs is taken out of the pipeline, the session
+ * is closed, or the server is gone.
  */
 #ifndef HapticSessionWatch_h
 #define HapticSessionWatch_h
@@ -22,8 +22,8 @@ namespace VolumeHapticsLive
 {
 
 /**
- * In scripts a deleted proxy lives on as long as a variable names it, so that destructors come too late: a proxy is
- * taken for deleted when it is no longer registered.
+ * In scripts a deleted proxy lives on as long as a variable names it, so that destructors come too
+ * late: a proxy is taken for deleted when it is no longer registered.
  */
 class HapticSessionWatch
 {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Every tick as text, where a region of a volume is touched, of which vtkHapticDevice makes no recording.
+ * Every tick as text, where a region of a volume is touched, of which vtkHapticDevice makes no
+ * recording.
  */
 #ifndef HapticStateLog_h
 #define HapticStateLog_h
@@ -16,8 +17,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * A .csv with the columns of vtkHapticDevice::DrainStates, vectors as Name:0, Name:1 and Name:2, and numbers with all
- * their digits. It can't be replayed as a recording, but its tips are a path for Volume Haptics.
+ * A .csv with the columns of vtkHapticDevice::DrainStates, vectors as Name:0, Name:1 and Name:2,
+ * and numbers with all their digits. It can't be replayed as a recording, but its tips are a path
+ * for Volume Haptics.
  */
 class HapticStateLog
 {

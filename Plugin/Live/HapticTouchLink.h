@@ -18,9 +18,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * The settings are those of a second proxy of the same kind, whose objects are made in the client only. It copies
- * every property of the first but its inputs, whatever they are; functions are shared, as ParaView's piecewise
- * functions are on the client, too.
+ * The settings are those of a second proxy of the same kind, whose objects are made in the client
+ * only. It copies every property of the first but its inputs, whatever they are; functions are
+ * shared, as ParaView's piecewise functions are on the client, too.
  */
 class HapticTouchLink
 {
@@ -37,7 +37,9 @@ public:
   vtkVolumeHapticsFilter* GetFilter() const;
   vtkSMProxy* GetTouch() const;
 
-  /** What an input of the followed proxy is connected to, and to which of its ports; null without. */
+  /**
+   * What an input of the followed proxy is connected to, and to which of its ports; null without.
+   */
   vtkSMSourceProxy* GetInput(const char* name, unsigned int& port) const;
 
 private:

@@ -67,7 +67,8 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
     array->GetDataTypeSize() > 0 && array->GetNumberOfTuples() == piece->GetNumberOfPoints();
   const bool isPart = hasArray && !isEmpty;
   const std::string name = isPart && array->GetName() ? array->GetName() : "";
-  // What is wrong here, what the array is like, and who has some of it: the largest of all processes.
+  // What is wrong here, what the array is like, and who has some of it: the largest of all
+  // processes.
   const int here[6] = { hasPiece ? 0 : 1, isEmpty || hasArray ? 0 : 1, isEmpty ? 0 : 1,
     isPart ? array->GetDataType() : -1, isPart ? array->GetNumberOfComponents() : 0,
     isPart && !this->IsAlone() ? this->Controller->GetLocalProcessId() : -1 };

@@ -4,9 +4,10 @@
  * @class   vtkPVHapticRegionFilter
  * @brief   a region of a volume whose pieces are on several processes
  *
- * vtkHapticRegionFilter on every process of a controller, each with its own piece and the whole's extent: the first
- * process has the output. The noise is that of the whole, to the bit, wherever it is cut. All processes have to execute it
- * together; what can be wrong on one of them is agreed on beforehand, with CanExecute.
+ * vtkHapticRegionFilter on every process of a controller, each with its own piece and the whole's
+ * extent: the first process has the output. The noise is that of the whole, to the bit, wherever it
+ * is cut. All processes have to execute it together; what can be wrong on one of them is agreed on
+ * beforehand, with CanExecute.
  */
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
@@ -37,8 +38,8 @@ public:
   void SetPiece(vtkImageData* piece, const int whole[6]);
 
   /**
-   * Whether all processes can execute: each says whether its piece could be had, and checks the array. Collective. On the
-   * first process the error says what is wrong, anywhere.
+   * Whether all processes can execute: each says whether its piece could be had, and checks the
+   * array. Collective. On the first process the error says what is wrong, anywhere.
    */
   bool CanExecute(bool hasPiece, std::string& error);
 

@@ -4,8 +4,8 @@
  * @class   vtkPVHapticStateSource
  * @brief   what a device in ParaView's client does, as geometry on the data server
  *
- * The output is that of vtkHapticStateSource; the state comes from the client, through vtkSMHapticDeviceProxy.
- * Of several processes the first one has the output.
+ * The output is that of vtkHapticStateSource; the state comes from the client, through
+ * vtkSMHapticDeviceProxy. Of several processes the first one has the output.
  */
 #ifndef vtkPVHapticStateSource_h
 #define vtkPVHapticStateSource_h
@@ -27,8 +27,8 @@ public:
   static constexpr int Length = 26;
 
   /**
-   * 1 for a state and 0 for none; tip, proxy, x_s, x_v (world units); commanded and computed force (N); normal;
-   * force of the surface and of friction (N), contact, value in the surface.
+   * 1 for a state and 0 for none; tip, proxy, x_s, x_v (world units); commanded and computed force
+   * (N); normal; force of the surface and of friction (N), contact, value in the surface.
    */
   void SetState(const double state[26]);
 

@@ -16,8 +16,8 @@ namespace
 {
 
 /**
- * How long (s) Poll may stay away from an armed device. A user interface that stands still for longer, be it since a
- * server does not answer, can't be used to stop the hand.
+ * How long (s) Poll may stay away from an armed device. A user interface that stands still for
+ * longer, be it since a server does not answer, can't be used to stop the hand.
  */
 constexpr double AttentionTime = 2.0;
 

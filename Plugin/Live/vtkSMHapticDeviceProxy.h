@@ -4,24 +4,28 @@
  * @class   vtkSMHapticDeviceProxy
  * @brief   a haptic device in ParaView's client, that touches what a Volume Haptics filter would
  *
- * The servo runs in the client, wherever the data are. The proxy owns a vtkHapticDevice and, by way of the property
- * Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy. On the data server there is only a
- * small source that shows what the client tells it, vtkPVHapticStateSource. Data of the same process are touched
- * without a copy. Of data on a server, a region around the tip is fetched (vtkHapticRegionPlanner) and given to the servo,
- * without a step of the force. With the round trip and load time t, v_max of a hand, the spring's length T_N/k, the
- * reach r of a tick and the band b over which force fades, its half-width is
+ * The servo runs in the client, wherever the data are. The proxy owns a vtkHapticDevice and, by way
+ * of the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy. On the
+ * data server there is only a small source that shows what the client tells it,
+ * vtkPVHapticStateSource. Data of the same process are touched without a copy. Of data on a server,
+ * a region around the tip is fetched (vtkHapticRegionPlanner) and given to the servo, without a
+ * step of the force. With the round trip and load time t, v_max of a hand, the spring's length
+ * T_N/k, the reach r of a tick and the band b over which force fades, its half-width is
  *
  *   h = v_max t + T_N/k + r + b
  *
  * and where the hand is faster than the data, force fades, and comes back when they are there.
  *
- * Nothing here has a clock: Poll is for the timer of a user interface and for UpdatePipeline, which scripts call.
+ * Nothing here has a clock: Poll is for the timer of a user interface and for UpdatePipeline, which
+ * scripts call.
  *
- * How a hand is kept safe. Force leaves only while Running and Armed are 1 and through the safety stage of
- * vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go back to 0, with zero
- * force, when this proxy, what it touches or the view in which that is seen is deleted, when the session is closed,
- * and after a fault. When the server is gone, force fades within 50 ms; so it does when Poll stays away for 2 s, as in a
- * client that waits for a server that hangs (vtkHapticDevice::SetAttentionTime). What is set to 0 has its effect at once, without a Poll.
+ * How a hand is kept safe. Force leaves only while Running and Armed are 1 and through the safety
+ * stage of vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go
+ * back to 0, with zero force, when this proxy, what it touches or the view in which that is seen is
+ * deleted, when the session is closed, and after a fault. When the server is gone, force fades
+ * within 50 ms; so it does when Poll stays away for 2 s, as in a client that waits for a server
+ * that hangs (vtkHapticDevice::SetAttentionTime). What is set to 0 has its effect at once, without
+ * a Poll.
  */
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h
@@ -50,13 +54,14 @@ public:
   vtkVolumeHapticsFilter* GetFilter();
 
   /**
-   * Take over what has changed in properties, pipeline and opacity, give it to the servo, and take its latest state.
-   * True if that is a new one. Where it is called while it runs, it does nothing.
+   * Take over what has changed in properties, pipeline and opacity, give it to the servo, and take
+   * its latest state. True if that is a new one. Where it is called while it runs, it does nothing.
    */
   bool Poll();
 
   /**
-   * What is not seen is not felt: instead of what FollowOpacity finds. nullptr (default) goes back to that.
+   * What is not seen is not felt: instead of what FollowOpacity finds. nullptr (default) goes back
+   * to that.
    */
   void SetVisibility(vtkVolumeProperty* property);
 

@@ -4,8 +4,9 @@
  * @class   vtkSMHapticRegionProxy
  * @brief   the client's side of vtkPVHapticRegionSender
  *
- * A fetch is one message there and one back, so that it takes one round trip and the time to cut out and send the
- * region. The client waits: ParaView's connection has no way to do something else meanwhile.
+ * A fetch is one message there and one back, so that it takes one round trip and the time to cut
+ * out and send the region. The client waits: ParaView's connection has no way to do something else
+ * meanwhile.
  */
 #ifndef vtkSMHapticRegionProxy_h
 #define vtkSMHapticRegionProxy_h

@@ -30,8 +30,8 @@ constexpr const char* DeviceDeleted =
 
 struct vtkHapticViewLink::vtkInternals
 {
-  // What ParaView or the user may delete is not kept alive by this link; but for what is needed to put
-  // things back.
+  // What ParaView or the user may delete is not kept alive by this link; but for what is needed to
+  // put things back.
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
   vtkSmartPointer<vtkHapticDevice> Device;

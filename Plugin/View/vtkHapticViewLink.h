@@ -4,13 +4,14 @@
  * @class   vtkHapticViewLink
  * @brief   a haptic device in a render view of ParaView
  *
- * Attach() gives the view's interactor a vtkHapticViewStyle, and shows the hand and the forces in the view's
- * non-composited renderer, which the client draws itself: that way they are seen with local and with remote
- * rendering. Detach() disarms the device, takes both away, and puts the very same style back as was there.
+ * Attach() gives the view's interactor a vtkHapticViewStyle, and shows the hand and the forces in
+ * the view's non-composited renderer, which the client draws itself: that way they are seen with
+ * local and with remote rendering. Detach() disarms the device, takes both away, and puts the very
+ * same style back as was there.
  *
- * The link ends by itself, disarmed first, when the view or the device is closed or unregistered, when
- * the connection closes, and when ParaView gives the view another style, as for a 2D view or a selection; that
- * style then stays. GetReason() says why, and vtkCommand::EndEvent is invoked.
+ * The link ends by itself, disarmed first, when the view or the device is closed or unregistered,
+ * when the connection closes, and when ParaView gives the view another style, as for a 2D view or a
+ * selection; that style then stays. GetReason() says why, and vtkCommand::EndEvent is invoked.
  *
  * The device, opened and started, stays so.
  *
@@ -57,8 +58,9 @@ public:
 
   ///@{
   /**
-   * Whether the mouse leads the tip: see vtkInteractorStyleHaptic::SetTouchMode. On begins in front of what lies
-   * in the middle of the view. Default off. vtkCommand::ModifiedEvent follows a change, as by a key.
+   * Whether the mouse leads the tip: see vtkInteractorStyleHaptic::SetTouchMode. On begins in front
+   * of what lies in the middle of the view. Default off. vtkCommand::ModifiedEvent follows a
+   * change, as by a key.
    */
   void SetTouchMode(bool on);
   bool GetTouchMode() const;

@@ -4,12 +4,12 @@
  * @class   vtkHapticViewStyle
  * @brief   vtkInteractorStyleHaptic in a render view of ParaView
  *
- * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that data on
- * servers are rendered there, too. Picks in the one renderer that shows the data, whichever of the view's
- * renderers lies under the pointer. Of VTK's keys only "r" is left, which resets the view's camera: the others
- * would change actors that belong to ParaView. What arms and disarms does so through the device's property
- * Armed, lest that says something else than the device does; the key for the next method sets Method and Solver of the
- * filter that is touched.
+ * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that
+ * data on servers are rendered there, too. Picks in the one renderer that shows the data, whichever
+ * of the view's renderers lies under the pointer. Of VTK's keys only "r" is left, which resets the
+ * view's camera: the others would change actors that belong to ParaView. What arms and disarms does
+ * so through the device's property Armed, lest that says something else than the device does; the
+ * key for the next method sets Method and Solver of the filter that is touched.
  *
  * @sa vtkHapticViewLink
  */
@@ -31,7 +31,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The view and the device, neither of them kept: one that is gone is neither drawn nor polled. */
+  /**
+   * The view and the device, neither of them kept: one that is gone is neither drawn nor polled.
+   */
   void SetView(vtkSMRenderViewProxy* view);
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}

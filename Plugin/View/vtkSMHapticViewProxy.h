@@ -13,8 +13,8 @@
  *
  *   link = servermanager.ProxyManager().NewProxy("misc", "HapticView")
  *
- * Attached and TouchMode turn 0 by themselves where the link ends: see vtkHapticViewLink. Neither a state nor a
- * trace has them: whoever loads it has not got a hand on the device.
+ * Attached and TouchMode turn 0 by themselves where the link ends: see vtkHapticViewLink. Neither a
+ * state nor a trace has them: whoever loads it has not got a hand on the device.
  */
 #ifndef vtkSMHapticViewProxy_h
 #define vtkSMHapticViewProxy_h

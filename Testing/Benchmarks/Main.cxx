@@ -50,8 +50,8 @@ int main(int argc, char* argv[])
   std::vector<BallVolume> volumes = { BallVolume("256^3", 256, 256, 256) };
   if (!isQuick)
   {
-    // Not powers of two: 1024 samples to a row, all rows of a kernel compete for the same few lines of
-    // the cache (measured: 7 times the bare gather at radius 3), which says nothing of the size.
+    // Not powers of two: 1024 samples to a row, all rows of a kernel compete for the same few lines
+    // of the cache (measured: 7 times the bare gather at radius 3), which says nothing of the size.
     volumes.emplace_back("1GiB", 1016, 1016, 520);
   }
   for (const BallVolume& volume : volumes)

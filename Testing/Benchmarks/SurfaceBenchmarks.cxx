@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
-#include "Motion.h"
-#include "Core/Servo/ServoTick.h"
 #include "Core/Model/SurfaceMesh.h"
+#include "Core/Servo/ServoTick.h"
+#include "Motion.h"
 
 #include <vtkFlyingEdges3D.h>
 #include <vtkIdList.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
-#include "Motion.h"
 #include "Core/Servo/ServoTick.h"
+#include "Motion.h"
 
 #include <benchmark/benchmark.h>
 

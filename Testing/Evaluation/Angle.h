@@ -12,7 +12,9 @@
 namespace evaluation
 {
 
-/** Degrees between the frictionless force and the normal of an 8-bit sphere, all over half of it. */
+/**
+ * Degrees between the frictionless force and the normal of an 8-bit sphere, all over half of it.
+ */
 std::vector<double> MeasureAngles(const Candidate& candidate);
 
 } // namespace evaluation

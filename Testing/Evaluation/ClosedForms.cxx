@@ -120,8 +120,8 @@ HapticMaterial Distinct()
 
 Form TwoSprings(bool jumps)
 {
-  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From 4 mm on, where neither the
-  // kernel nor the values ahead see the field's lowest point.
+  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From 4 mm on, where neither
+  // the kernel nor the values ahead see the field's lowest point.
   Form form{ jumps ? "T9" : "T8", GrowingSlope, Distinct(), { { Start.X, Start.Y, 0.0 } }, {} };
   if (jumps)
   {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the comparison of methods measures is what it says: fit, response, likeness, and what it says of bad input.
+ * What the comparison of methods measures is what it says: fit, response, likeness, and what it
+ * says of bad input.
  */
 
 #include "Comparison.h"

@@ -41,7 +41,10 @@ double TimeTick(const HapticModel& model, int batches)
   return times[batches / 2];
 }
 
-/** Radii 1, 2 ... in us. In rounds, of which the fastest counts: what else the machine does comes and goes. */
+/**
+ * Radii 1, 2 ... in us. In rounds, of which the fastest counts: what else the machine does comes
+ * and goes.
+ */
 std::vector<double> TimeRadii(Scene& scene, const Method& method, const Effort& effort)
 {
   std::vector<double> times(LargestRadius, 1e9);
@@ -62,7 +65,9 @@ struct Range
   int First;
   int Last;
 };
-/** All; those with a kernel that is compiled for their number of taps; those with the general one. */
+/**
+ * All; those with a kernel that is compiled for their number of taps; those with the general one.
+ */
 constexpr Range Ranges[] = { { 1, LargestRadius }, { 1, 3 }, { 4, LargestRadius } };
 
 LineFit FitRange(const std::vector<double>& times, const Range& range)

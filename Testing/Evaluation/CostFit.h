@@ -4,8 +4,9 @@
  * @file
  * What a tick costs against the radius of the gradient kernel: a constant and a cubic term.
  *
- * The paper: "While the rest of the algorithm yields a constant delay of about 35 us, the time delay of the
- * gradient estimation has cubic growth with respect to the radius of the gradient estimation kernel."
+ * The paper: "While the rest of the algorithm yields a constant delay of about 35 us, the time
+ * delay of the gradient estimation has cubic growth with respect to the radius of the gradient
+ * estimation kernel."
  */
 #ifndef Evaluation_CostFit_h
 #define Evaluation_CostFit_h
@@ -28,8 +29,8 @@ struct LineFit
 };
 
 /**
- * The line with the least squares of relative errors, for times of very different size. No fit (all 0) of fewer
- * than two different x, or where a y is not above 0.
+ * The line with the least squares of relative errors, for times of very different size. No fit (all
+ * 0) of fewer than two different x, or where a y is not above 0.
  */
 LineFit FitLine(const std::vector<double>& x, const std::vector<double>& y);
 
@@ -39,7 +40,10 @@ constexpr double TapsOf(double radius)
   return (2.0 * radius + 2.0) * (2.0 * radius + 2.0) * (2.0 * radius + 2.0);
 }
 
-/** Measures PROXY with both solvers, radii 1 to 6; adds a plot. Times are of this machine, in this run. */
+/**
+ * Measures PROXY with both solvers, radii 1 to 6; adds a plot. Times are of this machine, in this
+ * run.
+ */
 Table MeasureCost(const Effort& effort, std::vector<Plot>& plots);
 
 } // namespace evaluation

@@ -39,7 +39,9 @@ Field Hills(std::mt19937& random)
   };
 }
 
-/** Press, go round, come back and leave: the spring has no energy when it begins nor when it ends. */
+/**
+ * Press, go round, come back and leave: the spring has no energy when it begins nor when it ends.
+ */
 Path ClosedWay(std::mt19937& random)
 {
   Uniform uniform(random);
@@ -68,8 +70,8 @@ HapticMaterial AnyMaterial(std::mt19937& random, int kind)
     kind & 2 ? uniform(0.0, 0.4) : 0.0, kind & 4 ? Impenetrable : uniform(0.5, 3.0));
   if (kind & 8)
   {
-    // A soft layer on a stiff wall: what the hand presses through the one, the other must not return
-    // with more.
+    // A soft layer on a stiff wall: what the hand presses through the one, the other must not
+    // return with more.
     const double wall = uniform(20.0, 60.0);
     material.Stiffness = { { wall - 20.0, uniform(200.0, 500.0) },
       { wall, uniform(1000.0, 2000.0) } };

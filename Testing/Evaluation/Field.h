@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Analytic fields, sampled to volumes that can be touched. Lengths are millimetres, which are world units.
+ * Analytic fields, sampled to volumes that can be touched. Lengths are millimetres, which are world
+ * units.
  */
 #ifndef Evaluation_Field_h
 #define Evaluation_Field_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * PRECISE reaches every figure of the specification on a reduced run; and the figures can tell, since PAPER
- * does not.
+ * PRECISE reaches every figure of the specification on a reduced run; and the figures can tell,
+ * since PAPER does not.
  */
 
 #include "Figure.h"

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether a hand can tell a method from proxy-based surface haptics: differences beside what people notice.
+ * Whether a hand can tell a method from proxy-based surface haptics: differences beside what people
+ * notice.
  *
- * Just noticeable are differences of 7 to 10 % of a force (Jones 1989; Pang, Tan and Durlach 1991), of 8 to 22 %
- * of a stiffness (Tan et al. 1995) and of some 25 degrees of a force's direction (Barbagli et al. 2006). They were
- * found for steady forces, one after the other: they say nothing about vibration.
+ * Just noticeable are differences of 7 to 10 % of a force (Jones 1989; Pang, Tan and Durlach 1991),
+ * of 8 to 22 % of a stiffness (Tan et al. 1995) and of some 25 degrees of a force's direction
+ * (Barbagli et al. 2006). They were found for steady forces, one after the other: they say nothing
+ * about vibration.
  */
 #ifndef Evaluation_Likeness_h
 #define Evaluation_Likeness_h
@@ -60,15 +62,19 @@ struct Subject
   Field Off; ///< how far (mm) a position is off the surface, in either direction
 };
 
-/** Root mean square (mm), over the ticks with more than LeastForce, of how far the proxy is off the surface. */
+/**
+ * Root mean square (mm), over the ticks with more than LeastForce, of how far the proxy is off the
+ * surface.
+ */
 double OffSurface(const Subject& subject, const std::vector<Trace>& traces);
 
 /** The share (%) of ticks that left a part of their motion to the next. */
 double UnfinishedShare(const std::vector<Trace>& traces);
 
 /**
- * Adds a row for each friction and each method that has a surface; the reference is SurfaceHaptics(). A plot gets a
- * curve for each of these methods, without friction: the share of ticks below a difference of force.
+ * Adds a row for each friction and each method that has a surface; the reference is
+ * SurfaceHaptics(). A plot gets a curve for each of these methods, without friction: the share of
+ * ticks below a difference of force.
  */
 void CompareOn(const Subject& subject, Table& table, Plot* plot = nullptr);
 /** The plot without curves. */
@@ -80,10 +86,11 @@ Table MakeLikenessTable();
 std::vector<Subject> MakeShapes();
 
 /**
- * Bone. Strokes of 12 mm from all sides of the upper half, 1.5 mm deep, wherever the surface goes on and its
- * gradient is at least the 40 HU/mm from which the preset "CT contrast" holds it for distinct: on the isosurface
- * as it is, and on that of the scan smoothed by the weights with which PRECISE reads it.
- * Empty, with the reason and the cure in `error`, where there is no volume or no such surface.
+ * Bone. Strokes of 12 mm from all sides of the upper half, 1.5 mm deep, wherever the surface goes
+ * on and its gradient is at least the 40 HU/mm from which the preset "CT contrast" holds it for
+ * distinct: on the isosurface as it is, and on that of the scan smoothed by the weights with which
+ * PRECISE reads it. Empty, with the reason and the cure in `error`, where there is no volume or no
+ * such surface.
  */
 std::vector<Subject> MakeBone(
   vtkImageData* volume, double isoValue, const Effort& effort, std::string& error);

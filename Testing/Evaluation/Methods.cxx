@@ -17,7 +17,9 @@ namespace
 {
 using Filter = vtkVolumeHapticsFilter;
 
-/** From how far off (mm) a mesh is met: its triangles can be off the level by a tenth of a voxel. */
+/**
+ * From how far off (mm) a mesh is met: its triangles can be off the level by a tenth of a voxel.
+ */
 constexpr double Approach = 0.5;
 /** For how many ticks it waits there: until the slow loop of a local surface has looked. */
 constexpr std::size_t Wait = 50;

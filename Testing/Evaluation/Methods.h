@@ -21,7 +21,9 @@ class vtkPolyData;
 namespace evaluation
 {
 
-/** The sphere of SURFACE_PROXY (mm): small beside a voxel, so that it goes wherever a point does. */
+/**
+ * The sphere of SURFACE_PROXY (mm): small beside a voxel, so that it goes wherever a point does.
+ */
 constexpr double ProbeRadius = 0.02;
 
 struct Method
@@ -45,8 +47,8 @@ const std::vector<Method>& AllMethods();
 const Method& SurfaceHaptics();
 
 /**
- * Down to a surface and along it. The tip begins on the surface: PROXY, to which any place can be a surface, is
- * held by this one from then on.
+ * Down to a surface and along it. The tip begins on the surface: PROXY, to which any place can be a
+ * surface, is held by this one from then on.
  */
 struct Stroke
 {
@@ -59,14 +61,19 @@ struct Stroke
 /** A field, sampled in voxels of 1 mm around the origin. */
 vtkSmartPointer<vtkImageData> SampleImage(const Field& field, double halfSize);
 
-/** An image with a surface of which all that holds has the same stiffness and friction, without limit. */
+/**
+ * An image with a surface of which all that holds has the same stiffness and friction, without
+ * limit.
+ */
 class Scene
 {
 public:
   /** The surface is the isosurface, unless SURFACE_PROXY is given another. */
   Scene(vtkImageData* image, double isoValue, vtkPolyData* surface = nullptr);
 
-  /** Whether a method touches the surface. Local surfaces are those of the image, whatever is given. */
+  /**
+   * Whether a method touches the surface. Local surfaces are those of the image, whatever is given.
+   */
   bool CanFeel(const Method& method) const
   {
     return method.HasSurface() &&
@@ -82,9 +89,10 @@ public:
   /**
    * A record for each of the stroke's tips, life-size; none after an error.
    *
-   * The sphere of SURFACE_PROXY rolls on the surface, its centre a radius outside. What is compared is the point
-   * of it that touches, and the spring from there: the offset is taken from proxy and force. Only friction has
-   * seen it, as mu k ProbeRadius: 3 mN at 500 N/m and mu = 0.3. What is no proxy of ours begins outside, to have a side.
+   * The sphere of SURFACE_PROXY rolls on the surface, its centre a radius outside. What is compared
+   * is the point of it that touches, and the spring from there: the offset is taken from proxy and
+   * force. Only friction has seen it, as mu k ProbeRadius: 3 mN at 500 N/m and mu = 0.3. What is no
+   * proxy of ours begins outside, to have a side.
    */
   Trace Feel(const Method& method, const Stroke& stroke);
 

@@ -20,8 +20,8 @@ namespace evaluation
 vtkSmartPointer<vtkImageData> ReadRealVolume(const std::string& file);
 
 /**
- * Random presses on a CT, each a closed cycle: from the air towards the middle, across, and out again, with
- * the preset "CT contrast". Empty, with VTK's error, where the image can't be touched.
+ * Random presses on a CT, each a closed cycle: from the air towards the middle, across, and out
+ * again, with the preset "CT contrast". Empty, with VTK's error, where the image can't be touched.
  */
 Figures MeasureRealVolume(
   vtkImageData* image, VolumeHaptics::HapticSolver solver, const Effort& effort);

@@ -21,7 +21,10 @@ constexpr double Step = 0.05;   // mm a tick
 constexpr double RunIn = 4.0;   // mm
 constexpr double Extent = 40.0; // mm, of the slide
 
-/** Where FORCE_FIELD's force rises most with depth: one blur, the kernel's included, before the middle. */
+/**
+ * Where FORCE_FIELD's force rises most with depth: one blur, the kernel's included, before the
+ * middle.
+ */
 const double Flank = std::hypot(Blur, 2.0 * GradientKernel::ScalePerRadius);
 
 /** Height (mm) of a relief above a plane, along OddAside. */

@@ -17,14 +17,15 @@ namespace evaluation
 constexpr double ReliefAmplitude = 0.05;
 
 /**
- * The amplitude of the sine of a frequency (radians a sample) in a signal, by least squares beside a mean and a
- * drift; 0 of a signal that is too short to tell.
+ * The amplitude of the sine of a frequency (radians a sample) in a signal, by least squares beside
+ * a mean and a drift; 0 of a signal that is too short to tell.
  */
 double AmplitudeOf(const std::vector<double>& signal, double frequency);
 
 /**
- * The force's amplitude over k ReliefAmplitude, across a relief of a wavelength (mm, of voxels of 1 mm), without
- * friction. FORCE_FIELD works on the rising flank of its force, with the gain that makes it as stiff as k there.
+ * The force's amplitude over k ReliefAmplitude, across a relief of a wavelength (mm, of voxels of 1
+ * mm), without friction. FORCE_FIELD works on the rising flank of its force, with the gain that
+ * makes it as stiff as k there.
  */
 double MeasureRelief(const Method& method, double wavelength);
 

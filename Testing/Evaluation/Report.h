@@ -35,7 +35,10 @@ struct Report
 /** Writes FOLDER/report.md. Returns false where the folder can't be written to. */
 bool WriteReport(const Report& report, const std::string& folder);
 
-/** The same tables, for a terminal. Returns how many of PRECISE's figures, times aside, are not reached. */
+/**
+ * The same tables, for a terminal. Returns how many of PRECISE's figures, times aside, are not
+ * reached.
+ */
 int PrintSections(const std::vector<Section>& sections);
 void PrintComparison(const Comparison& comparison);
 

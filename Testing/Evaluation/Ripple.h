@@ -12,7 +12,10 @@
 namespace evaluation
 {
 
-/** Root mean square (N) of the force at 0, 1, 2 ... 500 Hz: a 16-bit ramp or blurred edge, k = 500 N/m. */
+/**
+ * Root mean square (N) of the force at 0, 1, 2 ... 500 Hz: a 16-bit ramp or blurred edge, k = 500
+ * N/m.
+ */
 std::vector<double> MeasureSpectrum(const Candidate& candidate, bool isEdge);
 
 } // namespace evaluation

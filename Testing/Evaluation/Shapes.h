@@ -22,7 +22,10 @@ const Vector3 OddUp = Cross(OddNormal, OddAside);
 /** Where balls stand: not on a sample. */
 constexpr Vector3 OddCentre = { 0.37, -0.21, 0.43 };
 
-/** A step of a height, blurred by a Gaussian of scale `blur` (mm), at a distance (mm) from its middle. */
+/**
+ * A step of a height, blurred by a Gaussian of scale `blur` (mm), at a distance (mm) from its
+ * middle.
+ */
 inline double BlurredStep(double distance, double blur, double height)
 {
   return 0.5 * height * (1.0 + std::erf(distance / (blur * std::sqrt(2.0))));

@@ -32,7 +32,10 @@ public:
   /** The unsmoothed value. */
   double RawValue(const Vector3& world) const;
 
-  /** How far (mm) a position is off a level, by value and gradient; the level of the smoothed or the raw volume. */
+  /**
+   * How far (mm) a position is off a level, by value and gradient; the level of the smoothed or the
+   * raw volume.
+   */
   Field Off(double level) const;
   Field RawOff(double level) const;
 

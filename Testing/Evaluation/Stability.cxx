@@ -13,8 +13,8 @@ namespace
 {
 constexpr double Slope = 100.0; // per mm
 /**
- * A surface begins this far (mm) ahead of the device. It rests some 10 um deep and swings no further: a longer way
- * to the wall, and it would bounce on it, at any stiffness.
+ * A surface begins this far (mm) ahead of the device. It rests some 10 um deep and swings no
+ * further: a longer way to the wall, and it would bounce on it, at any stiffness.
  */
 constexpr double Ahead = 1e-4;
 

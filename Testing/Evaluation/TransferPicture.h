@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Table 1 of the paper as a picture: what a CT looks like and what it feels like, function by function.
+ * Table 1 of the paper as a picture: what a CT looks like and what it feels like, function by
+ * function.
  */
 #ifndef Evaluation_TransferPicture_h
 #define Evaluation_TransferPicture_h
@@ -13,9 +14,9 @@ namespace evaluation
 {
 
 /**
- * Draws FOLDER/transfer.png: the rendered CT, its visual transfer functions, and beside each the haptic one of the
- * preset "CT contrast". Without a file, of the project's phantom. Without a name, after a message on stderr, where
- * the file can't be read. Needs a display, if only a virtual one.
+ * Draws FOLDER/transfer.png: the rendered CT, its visual transfer functions, and beside each the
+ * haptic one of the preset "CT contrast". Without a file, of the project's phantom. Without a name,
+ * after a message on stderr, where the file can't be read. Needs a display, if only a virtual one.
  */
 Picture DrawTransferPicture(
   const std::string& volumeFile, const Effort& effort, const std::string& folder);

@@ -16,8 +16,8 @@ constexpr double Pull = 2.0;     // N/m, of the hand
 constexpr int Ticks = 6000;
 
 /**
- * Whether the simulated device swings less at the end than in the middle of a long rest on a wall, without ever
- * leaving it: what bounces for ever may do so a little lower at the end.
+ * Whether the simulated device swings less at the end than in the middle of a long rest on a wall,
+ * without ever leaving it: what bounces for ever may do so a little lower at the end.
  */
 bool ComesToRest(const HapticModel& model, double damping, int delay)
 {

@@ -16,8 +16,8 @@ namespace evaluation
 using WallMaker = std::function<std::shared_ptr<const VolumeHaptics::HapticModel>(double)>;
 
 /**
- * The stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest, with the force
- * some ticks late. Theory (Gil et al. 2004; SPEC 4, T16): 2 b / T without delay.
+ * The stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest, with
+ * the force some ticks late. Theory (Gil et al. 2004; SPEC 4, T16): 2 b / T without delay.
  */
 double FindStiffestWall(const WallMaker& makeWall, double damping, int delay);
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TouchAnything.h"
 
-#include "Dealer.h"
 #include "Core/Servo/ServoTick.h"
 #include "Core/Solvers/ServoStateNumbers.h"
+#include "Dealer.h"
 
 using namespace VolumeHaptics;
 

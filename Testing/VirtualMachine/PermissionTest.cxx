@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB device that this user may not open, with the permissions that a kernel gives it without a rule.
+ * A USB device that this user may not open, with the permissions that a kernel gives it without a
+ * rule.
  */
 #include "FalconRig.h"
 

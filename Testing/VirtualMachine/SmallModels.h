@@ -54,7 +54,10 @@ private:
   std::vector<std::uint8_t> Held;
 };
 
-/** Reports of four bytes with or without ids: outputs come back as inputs, a feature keeps its value. */
+/**
+ * Reports of four bytes with or without ids: outputs come back as inputs, a feature keeps its
+ * value.
+ */
 class EchoHid : public emulated::HidModel
 {
 public:

@@ -15,8 +15,8 @@ namespace machinetest
 using namespace emulated;
 
 /**
- * A device of libusb's, once the kernel has it. The context is a new one each time: an old one only learns of what is
- * plugged in from udev's daemon, which is not here.
+ * A device of libusb's, once the kernel has it. The context is a new one each time: an old one only
+ * learns of what is plugged in from udev's daemon, which is not here.
  */
 class UsbHandle
 {

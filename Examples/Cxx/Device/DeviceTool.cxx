@@ -138,7 +138,8 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in,
   return true;
 }
 
-/// Shows the live state for some seconds (0: until interrupted); false where the device is lost meanwhile.
+/// Shows the live state for some seconds (0: until interrupted); false where the device is lost
+/// meanwhile.
 bool Watch(ToolDevice& device, double seconds, std::ostream& out, std::ostream& errors)
 {
   using Clock = std::chrono::steady_clock;

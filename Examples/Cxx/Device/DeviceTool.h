@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device: what is plugged in, whether it works, and how it feels. See ToolOptions.h for its usage.
+ * volumehaptics-device: what is plugged in, whether it works, and how it feels. See ToolOptions.h
+ * for its usage.
  */
 #ifndef DeviceTool_h
 #define DeviceTool_h

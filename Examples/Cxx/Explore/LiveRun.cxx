@@ -30,7 +30,8 @@ void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
   }
 }
 
-/// The hand: follows the path by the clock, as fast as the display of an application would be at best.
+/// The hand: follows the path by the clock, as fast as the display of an application would be at
+/// best.
 void FollowPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
 {
   using Clock = std::chrono::steady_clock;

@@ -18,8 +18,8 @@ struct LiveRun
 };
 
 /// Leads the virtual device along the planned path in real time, with the servo at its rate, and
-/// records into a file (.vtp); then replays the planned path tick by tick, to compare with the trace
-/// of the exploration. Throws std::runtime_error where the servo can't run.
+/// records into a file (.vtp); then replays the planned path tick by tick, to compare with the
+/// trace of the exploration. Throws std::runtime_error where the servo can't run.
 LiveRun RunLive(const Exploration& exploration, const std::string& file);
 } // namespace Explore
 

@@ -58,7 +58,8 @@ void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* po
   }
 }
 
-/// The magnitudes of the gradient there (scalar per world unit), as the filter's own estimator has them.
+/// The magnitudes of the gradient there (scalar per world unit), as the filter's own estimator has
+/// them.
 std::vector<double> Gradients(vtkVolumeHapticsFilter* filter, vtkPoints* points)
 {
   vtkNew<vtkPolyData> path;

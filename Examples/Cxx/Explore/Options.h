@@ -15,7 +15,7 @@ struct Options
 {
   bool Help = false;
   bool CheckDisplay = false; // test the display and do nothing else
-  bool Live = false; // in real time through the servo loop, too
+  bool Live = false;         // in real time through the servo loop, too
   std::string VolumePath;
   std::string Folder = "explore-pictures";
   bool Pictures = false; // even where there is a display

@@ -22,8 +22,8 @@ struct DeviceChoice
   double Newtons = 100.0; // of a stick at full scale
 };
 
-/// A scene that can be touched: the volume, and a device whose servo runs, with everything that shows
-/// what it does. What is not seen is not felt.
+/// A scene that can be touched: the volume, and a device whose servo runs, with everything that
+/// shows what it does. What is not seen is not felt.
 struct TouchScene
 {
   ExplorerScene Scene;
@@ -35,13 +35,13 @@ struct TouchScene
   vtkNew<vtkInteractorStyleHaptic> Style;
 };
 
-/// Fills the scene, opens the device and starts its servo. Throws InputError where the device can't be
-/// had.
+/// Fills the scene, opens the device and starts its servo. Throws InputError where the device can't
+/// be had.
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// Opens a window on the scene and returns when it is closed. With a setup file: loads it first, where
-/// there is one, and saves it at the end. Throws InputError where it can't be read.
+/// Opens a window on the scene and returns when it is closed. With a setup file: loads it first,
+/// where there is one, and saves it at the end. Throws InputError where it can't be read.
 void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device, const std::string& setup, const std::string& stereo);
 } // namespace Explore

@@ -13,7 +13,10 @@ std::int64_t SizeOf(ScalarType type)
   return sizes[static_cast<int>(type)];
 }
 
-/** Lets the volume's indices lead to the samples of a region; as a number, since nothing may be there. */
+/**
+ * Lets the volume's indices lead to the samples of a region; as a number, since nothing may be
+ * there.
+ */
 const void* WholeData(const VolumeView& view)
 {
   std::int64_t elements = 0;

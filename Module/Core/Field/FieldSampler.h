@@ -13,8 +13,8 @@
 #define FieldSampler_h
 
 #include "Core/Field/GradientKernel.h"
-#include "Core/Math/Vector3.h"
 #include "Core/Field/VolumeView.h"
+#include "Core/Math/Vector3.h"
 
 #include <algorithm>
 
@@ -33,8 +33,8 @@ struct FieldSample
 /** What a kernel samples and with which weights; borrows both. */
 struct FieldView
 {
-  VolumeView
-    Volume; ///< with Data where the volume's first sample would be, of which it may only be a region
+  /** Its Data is where the volume's first sample would be; only a region of it may be there. */
+  VolumeView Volume;
   KernelView Kernel;
   double First[3] = { 0.0, 0.0,
     0.0 }; ///< the smallest and the largest index along each axis that are there
@@ -79,7 +79,10 @@ public:
   FieldSampler(const VolumeView& view, const GradientKernel& kernel,
     InstructionSet instructions = DetectInstructionSet());
 
-  /** V at a continuous index, clamped to the samples that are there; BorderValue where a sample is not finite. */
+  /**
+   * V at a continuous index, clamped to the samples that are there; BorderValue where a sample is
+   * not finite.
+   */
   double Value(const Vector3& index) const noexcept
   {
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
@@ -99,7 +102,9 @@ public:
     return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
   }
 
-  /** Whether a continuous index lies within the bounding box of the volume's samples, there or not. */
+  /**
+   * Whether a continuous index lies within the bounding box of the volume's samples, there or not.
+   */
   bool IsInside(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;
@@ -107,7 +112,9 @@ public:
       index.Y <= last[1] && index.Z <= last[2];
   }
 
-  /** How many voxels an index lies within the volume's border along the axis where it is nearest. */
+  /**
+   * How many voxels an index lies within the volume's border along the axis where it is nearest.
+   */
   double DistanceToBorder(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;

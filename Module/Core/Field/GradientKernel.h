@@ -13,22 +13,23 @@
  * All of them are evaluated at the continuous position and reproduce a linear field exactly.
  *
  * The Gaussian has the scale s = 0.53 Radius voxels and is cut at c = Radius + 1 voxels, where
- * w(t) = exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero: no tap enters or leaves with a step. The
- * factor makes up for the cut: at the default radius of 2 white noise of one unit gives a gradient with
- * a standard deviation of 0.106 units per voxel, as an uncut Gaussian of scale Radius / 2 does. With m
- * the mean of the tap offsets t_i under w, the weights along an axis are
+ * w(t) = exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero: no tap enters or leaves with a step.
+ * The factor makes up for the cut: at the default radius of 2 white noise of one unit gives a
+ * gradient with a standard deviation of 0.106 units per voxel, as an uncut Gaussian of scale Radius
+ * / 2 does. With m the mean of the tap offsets t_i under w, the weights along an axis are
  *   smoothing   w_i / sum w,
  *   derivative  w_i (t_i - m) / sum w (t - m)^2,
  * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
  * interpolated by quintic polynomials, which keeps the sums that make linear fields exact.
  *
- * These gradients are not quite normal to the levels of any function. Where that matters (a surface whose
- * normal they are would give a sliding hand energy) GaussianWeights::OwnDerivative takes the fit's value,
+ * These gradients are not quite normal to the levels of any function. Where that matters (a surface
+ * whose normal they are would give a sliding hand energy) GaussianWeights::OwnDerivative takes the
+ * fit's value,
  *   smoothing   a_i = w_i / sum w - m (the derivative weights above),
  *   derivative  d a_i / d fraction,
- * so that the gradient is the derivative of the smoothed value, to rounding. To leave no step in it, w goes
- * to zero at c with its slope, w(t) = exp(-u) - exp(-u_c) (1 + u_c - u), u = t^2 / (2 s^2), and
- * s = 0.56 Radius lets as much noise through.
+ * so that the gradient is the derivative of the smoothed value, to rounding. To leave no step in
+ * it, w goes to zero at c with its slope, w(t) = exp(-u) - exp(-u_c) (1 + u_c - u), u = t^2 / (2
+ * s^2), and s = 0.56 Radius lets as much noise through.
  */
 #ifndef GradientKernel_h
 #define GradientKernel_h

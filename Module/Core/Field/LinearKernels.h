@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where a position lies along an axis, and what is interpolated linearly. The rules of FieldKernels.h
- * hold here too.
+ * Where a position lies along an axis, and what is interpolated linearly. The rules of
+ * FieldKernels.h hold here too.
  */
 #ifndef LinearKernels_h
 #define LinearKernels_h

@@ -195,7 +195,10 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
   return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
 }
 
-/** More rows than the processor sees ahead of the sum: cold, they are to be on their way all at once. */
+/**
+ * More rows than the processor sees ahead of the sum: cold, they are to be on their way all at
+ * once.
+ */
 template <typename T>
 VOLUME_HAPTICS_INLINE void PrefetchRows(
   const T* corner, int count, std::int64_t line, std::int64_t plane)

@@ -32,9 +32,9 @@ enum class ScalarType : std::uint8_t
  * i*Stride[0] + j*Stride[1] + k*Stride[2] elements of `Type` behind `Data`. Indices run from 0 to
  * Dimensions - 1, whatever extent the image had: the index-to-space maps account for that.
  *
- * A view may be of a region of a larger volume. Its indices are then the volume's: they count from First, and the
- * sample that `Data` points to has the index First. So whatever is read in a region is read as in the whole, to the
- * bit.
+ * A view may be of a region of a larger volume. Its indices are then the volume's: they count from
+ * First, and the sample that `Data` points to has the index First. So whatever is read in a region
+ * is read as in the whole, to the bit.
  */
 struct VolumeView
 {

@@ -21,7 +21,10 @@ double Excess(const HalfSpace& space, const Vector3& y) noexcept
   return Dot(space.Normal, y) - space.Bound;
 }
 
-/** The point nearest to `goal` where all of `count` (1 to 3) bounds are just kept; false if there is none. */
+/**
+ * The point nearest to `goal` where all of `count` (1 to 3) bounds are just kept; false if there is
+ * none.
+ */
 bool Project(
   const HalfSpace* const* spaces, int count, const Vector3& goal, Vector3& point) noexcept
 {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The nearest point that some half-spaces allow: where a proxy would go that touches several faces at once.
+ * The nearest point that some half-spaces allow: where a proxy would go that touches several faces
+ * at once.
  */
 #ifndef HalfSpaces_h
 #define HalfSpaces_h
@@ -34,8 +35,8 @@ public:
   void Add(const HalfSpace& space) noexcept;
 
   /**
-   * The point of all half-spaces that is nearest to a goal, by an active set of three at most. `fallback`
-   * where there is none.
+   * The point of all half-spaces that is nearest to a goal, by an active set of three at most.
+   * `fallback` where there is none.
    */
   Vector3 Nearest(const Vector3& goal, const Vector3& fallback) const noexcept;
 

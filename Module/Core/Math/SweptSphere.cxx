@@ -9,7 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Share of a time by which meetings may be called simultaneous: less than what is kept from a triangle. */
+/**
+ * Share of a time by which meetings may be called simultaneous: less than what is kept from a
+ * triangle.
+ */
 constexpr double Rounding = 1e-9;
 
 /** Where a way meets a sphere round a point, from outside. */
@@ -63,7 +66,8 @@ TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept
   const double d4 = Dot(ac, to - b);
   const double d5 = Dot(ab, to - c);
   const double d6 = Dot(ac, to - c);
-  // The regions of the corners, of the edges, and of the face (Ericson, Real-Time Collision Detection, 5.1.5).
+  // The regions of the corners, of the edges, and of the face (Ericson, Real-Time Collision
+  // Detection, 5.1.5).
   if (d1 <= 0.0 && d2 <= 0.0)
   {
     return at(1.0, 0.0, 0.0);
@@ -108,7 +112,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   normal = height < 0.0 ? -normal : normal;
   const double closing = -Dot(way, normal);
   const double gap = std::abs(height) - radius;
-  // Nothing of a triangle is met before its plane is. Of many in one plane, this leaves few to look at closely.
+  // Nothing of a triangle is met before its plane is. Of many in one plane, this leaves few to look
+  // at closely.
   if (gap > 0.0 && gap >= closing * latest * (1.0 - Rounding))
   {
     return Never;

@@ -12,7 +12,9 @@
 namespace VolumeHaptics
 {
 
-/** What a device and its sampling can hold, whatever the materials and settings say; 0 does not cap. */
+/**
+ * What a device and its sampling can hold, whatever the materials and settings say; 0 does not cap.
+ */
 struct ForceCaps
 {
   double Stiffness = 0.0; ///< N/m

@@ -23,8 +23,8 @@ double SimilarityScale(const Affine3& map)
 }
 
 /**
- * PRECISE holds its proxy on levels of its own value: its normals have to be normal to them. LOCAL_SURFACE looks for
- * levels of V, but how a normal turns matters to it, too.
+ * PRECISE holds its proxy on levels of its own value: its normals have to be normal to them.
+ * LOCAL_SURFACE looks for levels of V, but how a normal turns matters to it, too.
  */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {

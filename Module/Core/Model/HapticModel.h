@@ -15,9 +15,9 @@
 #define HapticModel_h
 
 #include "Core/Field/FieldSampler.h"
-#include "Core/Model/ForceCaps.h"
-#include "Core/Math/PiecewiseTable.h"
 #include "Core/Field/ResidentBox.h"
+#include "Core/Math/PiecewiseTable.h"
+#include "Core/Model/ForceCaps.h"
 
 #include <memory>
 
@@ -106,8 +106,8 @@ struct HapticModelDescription
   HapticSettings Settings;
   std::shared_ptr<const SurfaceMesh> Mesh; ///< in the world; for HapticMethod::SurfaceProxy
   /**
-   * 0, or the BakedNumber of a model of another region of the same volume, with the same material and settings: a
-   * servo goes on from one to the other as if it had the whole.
+   * 0, or the BakedNumber of a model of another region of the same volume, with the same material
+   * and settings: a servo goes on from one to the other as if it had the whole.
    */
   std::uint64_t Number = 0;
 };

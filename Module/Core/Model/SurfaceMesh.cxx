@@ -11,7 +11,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A triangle whose height is less than this share of its longest edge has no normal worth the name. */
+/**
+ * A triangle whose height is less than this share of its longest edge has no normal worth the name.
+ */
 constexpr double LeastHeight = 1e-9;
 
 bool HasArea(const Triangle& triangle)

@@ -4,8 +4,8 @@
  * @file
  * Triangles in the world, and which of them are near: an immutable tree of boxes.
  *
- * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. They take what
- * they look at from a budget of boxes, and return false where that does not do.
+ * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. They
+ * take what they look at from a budget of boxes, and return false where that does not do.
  */
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
@@ -26,8 +26,8 @@ public:
   using Indices = std::array<std::int32_t, 3>;
 
   /**
-   * Triangles of indices into points (world units), and unit normals of the points, for shading; or none.
-   * Triangles without an area, or with a corner that is not finite, are left out.
+   * Triangles of indices into points (world units), and unit normals of the points, for shading; or
+   * none. Triangles without an area, or with a corner that is not finite, are left out.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals);
@@ -47,7 +47,10 @@ public:
   /** The interpolated normal at a point of a triangle, not quite of unit length. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
-  /** The most boxes that a query takes for the surroundings of some hundred triangles, from all over the mesh. */
+  /**
+   * The most boxes that a query takes for the surroundings of some hundred triangles, from all over
+   * the mesh.
+   */
   int EstimateVisits(double distance) const noexcept;
 
   /** Calls visit(i) for all triangles of which the boxes are within a distance of a position. */
@@ -69,8 +72,8 @@ public:
   }
 
   /**
-   * Calls visit(i) for the triangles that a sphere may meet on a way; visit returns up to which share of the way
-   * (0 to 1) others are still of interest.
+   * Calls visit(i) for the triangles that a sphere may meet on a way; visit returns up to which
+   * share of the way (0 to 1) others are still of interest.
    */
   template <typename Visitor>
   bool VisitAlong(const Vector3& start, const Vector3& way, double radius, int& budget,

@@ -122,7 +122,8 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
     const double way = std::min(speed, Length(needs.MaximumSpeed)) * time;
     const double ahead = std::min(way, std::max(halfWidth - needed, 0.0));
     // A speed that is not finite is none.
-    const Vector3 shift = std::isfinite(speed) && speed > 0.0 ? (ahead / speed) * velocity : Vector3{};
+    const Vector3 shift =
+      std::isfinite(speed) && speed > 0.0 ? (ahead / speed) * velocity : Vector3{};
     return FindCube(whole, inverse, tip + shift);
   };
   const double limit = needs.MostVoxels > LeastVoxels ? needs.MostVoxels : LeastVoxels;

@@ -11,8 +11,8 @@
 #ifndef DeviceBackend_h
 #define DeviceBackend_h
 
-#include "Core/Model/ForceCaps.h"
 #include "Core/Math/Vector3.h"
+#include "Core/Model/ForceCaps.h"
 
 #include <array>
 #include <cstdint>
@@ -33,8 +33,8 @@ struct DeviceLimits
 };
 
 /**
- * What a device can hold at a tick period (s): its own limits, and a stiffness of 2 b / period, above
- * which a sampled spring feeds energy in.
+ * What a device can hold at a tick period (s): its own limits, and a stiffness of 2 b / period,
+ * above which a sampled spring feeds energy in.
  */
 inline ForceCaps CapsOf(const DeviceLimits& limits, double period) noexcept
 {

@@ -75,7 +75,8 @@ double GrowthLimit::FindMostShare() const noexcept
   const double paid = this->Work - this->Unpaid;
   const double taken = std::max(paid, LeastPaid * this->Work);
   const double share = 2.0 * taken / (this->Work + taken);
-  // A tick is a finite step along the curve, and the next one may take back as much as this one: no more than is left.
+  // A tick is a finite step along the curve, and the next one may take back as much as this one: no
+  // more than is left.
   const bool isTooMuch = this->Return > 0.0 && share * this->Return > paid;
   return isTooMuch ? std::max(0.0, paid) / this->Return : share;
 }

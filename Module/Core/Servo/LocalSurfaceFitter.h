@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The slow loop of HapticMethod::LocalSurface, on a thread of its own: it answers the servo's latest question
- * HapticSettings::LocalSurfaceRate times a second.
+ * The slow loop of HapticMethod::LocalSurface, on a thread of its own: it answers the servo's
+ * latest question HapticSettings::LocalSurfaceRate times a second.
  *
- * Questions and answers go through triple buffers: neither side waits for the other. An answer counts for the
- * question whose number it carries, and for the volume and settings that the servo uses.
+ * Questions and answers go through triple buffers: neither side waits for the other. An answer
+ * counts for the question whose number it carries, and for the volume and settings that the servo
+ * uses.
  */
 #ifndef LocalSurfaceFitter_h
 #define LocalSurfaceFitter_h
 
-#include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 #include "Core/Servo/TripleBuffer.h"
+#include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 
 namespace VolumeHaptics
 {

@@ -4,8 +4,9 @@
  * @file
  * Models from the thread that publishes them to the servo and to the fitter of local surfaces.
  *
- * A model is published by swapping a pointer. The servo acknowledges the generation that it uses from
- * then on; the fitter says which one it holds. Only the publishing thread frees, what neither uses.
+ * A model is published by swapping a pointer. The servo acknowledges the generation that it uses
+ * from then on; the fitter says which one it holds. Only the publishing thread frees, what neither
+ * uses.
  */
 #ifndef ModelExchange_h
 #define ModelExchange_h

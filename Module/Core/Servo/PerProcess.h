@@ -4,8 +4,9 @@
  * @file
  * One object for each process, for what is shared by its threads under a mutex.
  *
- * A forked child has a copy of every object of its parent, and of a mutex perhaps one that is locked by a thread that the
- * child does not have. It gets a fresh object instead of the copy, which stays untouched.
+ * A forked child has a copy of every object of its parent, and of a mutex perhaps one that is
+ * locked by a thread that the child does not have. It gets a fresh object instead of the copy,
+ * which stays untouched.
  */
 #ifndef PerProcess_h
 #define PerProcess_h
@@ -27,8 +28,8 @@ public:
   PerProcess& operator=(const PerProcess&) = delete;
 
   /**
-   * Made by the first call, which may throw std::bad_alloc, and never destroyed: threads and signals may use it while
-   * the process ends. From any thread.
+   * Made by the first call, which may throw std::bad_alloc, and never destroyed: threads and
+   * signals may use it while the process ends. From any thread.
    */
   T& Get()
   {

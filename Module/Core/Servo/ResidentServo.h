@@ -52,7 +52,10 @@ public:
   ///@}
 
   ///@{
-  /** Lets the share go to zero in the same way for as long as this is on; at once where nothing is felt anyway. */
+  /**
+   * Lets the share go to zero in the same way for as long as this is on; at once where nothing is
+   * felt anyway.
+   */
   void SetHeld(bool held) noexcept { this->Held = held; }
   bool IsHeld() const noexcept { return this->Held; }
   void DropShare() noexcept { this->Share = 0.0; }

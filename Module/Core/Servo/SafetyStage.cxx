@@ -25,8 +25,9 @@ Vector3 ClampNorm(const Vector3& v, double most) noexcept
 }
 
 /**
- * The energy (J) that the spring of an input gives back while it relaxes, if it is felt with no more than `most` (N)
- * of its pull. The pull goes by the stretch: the force may be clamped already. Negative if the stiffness is not known.
+ * The energy (J) that the spring of an input gives back while it relaxes, if it is felt with no
+ * more than `most` (N) of its pull. The pull goes by the stretch: the force may be clamped already.
+ * Negative if the stiffness is not known.
  */
 double FindRecoverable(const SafetyInput& input, double most) noexcept
 {

@@ -8,23 +8,24 @@
  * 1. A force or a tip that is not finite gives zero and a fault.
  * 2. The norm is clamped to the smaller of the device's and the user's maximum.
  * 3. Where data are not there, only as much of that is taken as the residency says (Residency.h).
- * 4. The growth of the force is limited (the slew limit, GrowthLimit.h). Where it falls, it falls at once.
- * 5. Stiffness and damping are capped where the force is computed: see HapticSettings::Caps.
- * 6. Joint commands are scaled down together, by the back end: SaturateTogether.
- * 7. A tip faster than the limit gives zero and a fault.
- * 8. After arming, and after every gap in the tip's samples, forces rise from zero over RampTime.
+ * 4. The growth of the force is limited (the slew limit, GrowthLimit.h). Where it falls, it falls
+ * at once. 5. Stiffness and damping are capped where the force is computed: see
+ * HapticSettings::Caps. 6. Joint commands are scaled down together, by the back end:
+ * SaturateTogether. 7. A tip faster than the limit gives zero and a fault. 8. After arming, and
+ * after every gap in the tip's samples, forces rise from zero over RampTime.
  *
- * Residency and ramp are applied before the slew limit, so that nothing that leaves grows faster than it allows. A
- * fault and disarming cut the force at once. Without fresh samples for WatchdogTime the force retreats: it goes down
- * to zero at MaximumForceRate, in 20 ms at most, also if samples come back meanwhile, but is then no more than what
- * is wanted along it; after a pause of the loop that long it starts from zero. A force that fades out (ResidentServo::FadeOut) goes down by its share, without a step.
- * A fault holds until Arm.
+ * Residency and ramp are applied before the slew limit, so that nothing that leaves grows faster
+ * than it allows. A fault and disarming cut the force at once. Without fresh samples for
+ * WatchdogTime the force retreats: it goes down to zero at MaximumForceRate, in 20 ms at most, also
+ * if samples come back meanwhile, but is then no more than what is wanted along it; after a pause
+ * of the loop that long it starts from zero. A force that fades out (ResidentServo::FadeOut) goes
+ * down by its share, without a step. A fault holds until Arm.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h
 
-#include "Core/Servo/GrowthLimit.h"
 #include "Core/Math/Vector3.h"
+#include "Core/Servo/GrowthLimit.h"
 
 #include <cstdint>
 
@@ -47,7 +48,9 @@ struct SafetyLimits
   double MaximumSpeed = 0.0;       ///< m/s; 0 does not limit
   double RampTime = 0.5;           ///< s
   double WatchdogTime = 0.03;      ///< s
-  /** How long (s) the owner may be silent before the loop lets go (ServoLoop::Attend); 0: for ever. */
+  /**
+   * How long (s) the owner may be silent before the loop lets go (ServoLoop::Attend); 0: for ever.
+   */
   double AttentionTime = 0.0;
 };
 
@@ -78,7 +81,10 @@ public:
   void RestartRamp() noexcept { this->Ramp = 0.0; }
   /** No force from the next Apply on. */
   void Disarm() noexcept { this->Armed = false; }
-  /** A fault that is found elsewhere: no force from the next Apply on. Nothing where none could flow. */
+  /**
+   * A fault that is found elsewhere: no force from the next Apply on. Nothing where none could
+   * flow.
+   */
   void Trip(SafetyFault fault) noexcept
   {
     if (this->Armed && this->Fault == SafetyFault::None)

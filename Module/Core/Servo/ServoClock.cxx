@@ -49,7 +49,8 @@ void BlockSignals() noexcept
 {
   sigset_t others;
   sigfillset(&others);
-  // Where a crash of the thread itself is blocked, no handler can end the force before the process ends.
+  // Where a crash of the thread itself is blocked, no handler can end the force before the process
+  // ends.
   for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP })
   {
     sigdelset(&others, crash);

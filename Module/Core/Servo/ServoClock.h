@@ -21,13 +21,16 @@ constexpr std::int64_t Millisecond = 1000000; ///< ns
 std::int64_t Now() noexcept;
 /** Sleeps until a time of Now(); returns at once where that has passed. */
 void SleepUntil(std::int64_t time) noexcept;
-/** Leaves the process's signals to other threads than the calling one, but for those of its own crash. */
+/**
+ * Leaves the process's signals to other threads than the calling one, but for those of its own
+ * crash.
+ */
 void BlockSignals() noexcept;
 /** Asks for a real-time scheduling class (SCHED_FIFO, below 50) for the calling thread. */
 bool RaisePriority() noexcept;
 /**
- * The number of this process. A forked child has copies of all objects, but none of the threads, which are not to be
- * waited for, and the devices are the parent's.
+ * The number of this process. A forked child has copies of all objects, but none of the threads,
+ * which are not to be waited for, and the devices are the parent's.
  */
 std::int64_t GetProcess() noexcept;
 

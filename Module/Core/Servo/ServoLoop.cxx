@@ -128,7 +128,8 @@ void ServoLoop::FollowAttention(std::int64_t now) noexcept
   if (most > 0.0 && static_cast<double>(silence) > most * NanosecondsPerSecond &&
     this->Safety.IsArmed() && this->Safety.GetFault() == SafetyFault::None && !this->Servo.IsHeld())
   {
-    // Who comes back meanwhile does not stop the fade: a hand has to be told before it is held again.
+    // Who comes back meanwhile does not stop the fade: a hand has to be told before it is held
+    // again.
     this->IsUnattended = true;
     this->Servo.FadeOut();
   }
@@ -221,7 +222,8 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   }
   if ((retreated || this->Safety.IsRetreating()) && Dot(s.Command, s.Command) == 0.0)
   {
-    // It is not known where the hand went meanwhile. Not while force is left: it would end in a step.
+    // It is not known where the hand went meanwhile. Not while force is left: it would end in a
+    // step.
     this->State.Enabled = false;
   }
 

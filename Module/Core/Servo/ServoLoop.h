@@ -8,11 +8,12 @@
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
- * - commands (arm, disarm, fade out, stop), limits and when the owner was last heard of are single atomics.
+ * - commands (arm, disarm, fade out, stop), limits and when the owner was last heard of are single
+ *   atomics.
  *
- * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter to
- * the slow loop; ReadState to one reader; Drain to one recorder; everything else to the owner (the GUI
- * thread).
+ * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter
+ * to the slow loop; ReadState to one reader; Drain to one recorder; everything else to the owner
+ * (the GUI thread).
  */
 #ifndef ServoLoop_h
 #define ServoLoop_h
@@ -73,7 +74,9 @@ public:
 
   /** The worker: returns after RequestStop, with zero force sent. */
   void Run() noexcept;
-  /** The slow worker, without which LOCAL_SURFACE finds no surface: returns after RequestStop, too. */
+  /**
+   * The slow worker, without which LOCAL_SURFACE finds no surface: returns after RequestStop, too.
+   */
   void RunFitter() noexcept { this->Fitter.Run(); }
   void RequestStop() noexcept
   {
@@ -118,9 +121,10 @@ public:
 
   ///@{
   /**
-   * While held, no force leaves, whatever else is ordered. It goes to zero as with FadeOut, but the loop stays armed,
-   * and AttentionTime does not count. After Release, and the end of the fade, it rises as after Arm, with the proxy on
-   * the tip, if the loop is armed by then and has no fault. To be called by the owner.
+   * While held, no force leaves, whatever else is ordered. It goes to zero as with FadeOut, but the
+   * loop stays armed, and AttentionTime does not count. After Release, and the end of the fade, it
+   * rises as after Arm, with the proxy on the tip, if the loop is armed by then and has no fault.
+   * To be called by the owner.
    */
   void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
   void Release() noexcept
@@ -133,8 +137,9 @@ public:
   ///@}
 
   /**
-   * The owner is there. Where SafetyLimits::AttentionTime is set and neither this nor Arm is called for that long
-   * while armed, the force fades out as with FadeOut, and SafetyFault::Unattended holds until Arm.
+   * The owner is there. Where SafetyLimits::AttentionTime is set and neither this nor Arm is called
+   * for that long while armed, the force fades out as with FadeOut, and SafetyFault::Unattended
+   * holds until Arm.
    */
   void Attend() noexcept;
 
@@ -183,9 +188,10 @@ public:
   };
   Privilege GetRealTimePriority() const noexcept { return this->RealTimePriority.load(); }
   /**
-   * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the loop's stack, and the
-   * tables of the models. Never locked are the samples of a volume and meshes, which may be larger than the memory, the
-   * program's code, and what a back end and its driver use.
+   * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the
+   * loop's stack, and the tables of the models. Never locked are the samples of a volume and
+   * meshes, which may be larger than the memory, the program's code, and what a back end and its
+   * driver use.
    */
   Privilege GetLockedMemory() const noexcept
   {

@@ -19,22 +19,24 @@ namespace VolumeHaptics
 /**
  * Advances the state by one tick and writes what happened.
  *
- * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not finite, or a
- * million kilometres away, gives zero force and disables the state. The answer is for LOCAL_SURFACE only.
+ * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
+ * finite, or a million kilometres away, gives zero force and disables the state. The answer is for
+ * LOCAL_SURFACE only.
  */
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
   const LocalAnswer& answer = LocalAnswer::Simulated()) noexcept;
 
 /**
- * The part of a tick's force (N) that is drag, which only takes energy; for FORCE_FIELD, zero for the methods that pull
- * with a spring.
+ * The part of a tick's force (N) that is drag, which only takes energy; for FORCE_FIELD, zero for
+ * the methods that pull with a spring.
  */
 Vector3 FindDrag(
   const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;
 
 /**
- * Takes the state from one placement of the device to another. The proxy rests on the volume: when the
- * volume moves under the hand, it goes along. From one region of a volume to another the state stays as it is.
+ * Takes the state from one placement of the device to another. The proxy rests on the volume: when
+ * the volume moves under the hand, it goes along. From one region of a volume to another the state
+ * stays as it is.
  */
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept;
 

@@ -4,10 +4,11 @@
  * @file
  * The material law: what a place in the volume does to a spring that pulls a proxy.
  *
- * With N the normal into the structure, d = x_tip - x_p the spring and F = k d its force, the surface
- * takes F.N up to T = T_N W_d (eqs. 12, 13; nothing outward), friction takes the rest up to mu times that
- * (eqs. 8 to 10), and the drag up to R of what then remains (eq. 14). What nobody takes moves the proxy.
- * All solvers share this; they differ in where they look a place up, and how often.
+ * With N the normal into the structure, d = x_tip - x_p the spring and F = k d its force, the
+ * surface takes F.N up to T = T_N W_d (eqs. 12, 13; nothing outward), friction takes the rest up to
+ * mu times that (eqs. 8 to 10), and the drag up to R of what then remains (eq. 14). What nobody
+ * takes moves the proxy. All solvers share this; they differ in where they look a place up, and how
+ * often.
  *
  * Everything is inlined: the law is a small part of a tick that has to stay small.
  */
@@ -154,7 +155,10 @@ inline void ReadMaterials(
   place.Viscosity = outside[3] * (outside[4] * distinct[1]);
 }
 
-/** For methods whose surface is that of one value: its material; whether anything at all is felt there. */
+/**
+ * For methods whose surface is that of one value: its material; whether anything at all is felt
+ * there.
+ */
 inline bool ReadIsoMaterial(const HapticModel& model, Place& place) noexcept
 {
   const double iso = model.Settings.IsoValue;

@@ -5,14 +5,15 @@
  * A spring whose stiffness follows the tissue without giving energy away.
  *
  * Let the proxy rest d from the tip. When the tissue's stiffness K rises there, k = K at once would
- * store energy that no hand has put in (SPEC 4, T15). So a rise keeps the force: the spring has slack,
+ * store energy that no hand has put in (SPEC 4, T15). So a rise keeps the force: the spring has
+ * slack,
  *
  *   |f| = K (|d| - s)   for |d| > s, else 0,
  *
- * and pressing on is felt with the new stiffness. A fall keeps the stretch |d| - s and with that loses
- * energy; this goes to a reserve, out of which a later rise may first be paid, so that sliding over
- * uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus the reserve never
- * rises but by the hand's work. Slack and reserve end with the contact.
+ * and pressing on is felt with the new stiffness. A fall keeps the stretch |d| - s and with that
+ * loses energy; this goes to a reserve, out of which a later rise may first be paid, so that
+ * sliding over uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus
+ * the reserve never rises but by the hand's work. Slack and reserve end with the contact.
  */
 #ifndef PassiveSpring_h
 #define PassiveSpring_h

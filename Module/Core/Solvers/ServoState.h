@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a tick of the servo leaves: the state that the next tick goes on from, and the record of what it found and did.
+ * What a tick of the servo leaves: the state that the next tick goes on from, and the record of
+ * what it found and did.
  *
  * Everything is in device space (metres, newtons), but for LocalState.
  */

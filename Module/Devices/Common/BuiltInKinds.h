@@ -13,7 +13,10 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Each where its library was found when this one was built; else nothing is listed, and Make says so. */
+/**
+ * Each where its library was found when this one was built; else nothing is listed, and Make says
+ * so.
+ */
 DeviceKind GetFalconKind();
 DeviceKind GetWoodenKind();
 DeviceKind GetPidKind();

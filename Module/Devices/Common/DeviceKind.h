@@ -4,8 +4,9 @@
  * @file
  * A kind of device: how those that are plugged in are listed, and how one is made of its id.
  *
- * This is the seam for vendors' libraries: derive a back end from DeviceBackend, and hand a DeviceKind to
- * vtkHapticDevice::AddDeviceKind. Ids begin with the kind's name, such as "falcon" or "falcon:1".
+ * This is the seam for vendors' libraries: derive a back end from DeviceBackend, and hand a
+ * DeviceKind to vtkHapticDevice::AddDeviceKind. Ids begin with the kind's name, such as "falcon" or
+ * "falcon:1".
  */
 #ifndef DeviceKind_h
 #define DeviceKind_h

@@ -30,9 +30,9 @@ public:
   /** Finds and claims the device, for itself alone. False, with the reason and the cure. */
   virtual bool Connect(std::string& error) = 0;
   /**
-   * The device's thread, until the exchange must stop: homes, sends forces, tells positions. Every wait has
-   * a time limit. After a loss it keeps quiet until it is stopped, or homes where that is requested and the
-   * device is there. Sends zero force at its end, where it can.
+   * The device's thread, until the exchange must stop: homes, sends forces, tells positions. Every
+   * wait has a time limit. After a loss it keeps quiet until it is stopped, or homes where that is
+   * requested and the device is there. Sends zero force at its end, where it can.
    */
   virtual void Serve(HardwareExchange& exchange) = 0;
   /** After Serve: lets go of the device. */

@@ -152,7 +152,8 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
-  // After the stage: who arms a device that is said to be ready must not find that the servo thinks otherwise.
+  // After the stage: who arms a device that is said to be ready must not find that the servo thinks
+  // otherwise.
   this->Conditions.Write(condition);
 }
 
@@ -160,7 +161,8 @@ bool HardwareExchange::HasSlept() noexcept
 {
   const std::int64_t slept = this->Asleep();
   const bool has = slept - this->SleptBefore > ShortestSleep;
-  // A thread that is held up between the two clocks sees too little, which is no sleep when it sees all again.
+  // A thread that is held up between the two clocks sees too little, which is no sleep when it sees
+  // all again.
   this->SleptBefore = std::max(this->SleptBefore, slept);
   if (has)
   {

@@ -36,8 +36,8 @@ public:
 
   ///@{
   /**
-   * The servo's side. The first sample since the device became ready Begins; where it was not ready for so
-   * short a time that no Take came in between, the next one is NotReady all the same.
+   * The servo's side. The first sample since the device became ready Begins; where it was not ready
+   * for so short a time that no Take came in between, the next one is NotReady all the same.
    */
   DeviceState Take(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force) noexcept;
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Any thread: no force until the next Give. At rest once the device's thread has asked for the force
-   * twice since then: what it got the first time has been sent by the second.
+   * Any thread: no force until the next Give. At rest once the device's thread has asked for the
+   * force twice since then: what it got the first time has been sent by the second.
    */
   void Quench() noexcept;
   bool IsAtRest() const noexcept { return this->ZeroRounds.load(std::memory_order_acquire) > 1; }
@@ -62,21 +62,27 @@ public:
   ///@}
 
   ///@{
-  /** The device's thread: what is asked of it. Lights are below zero where it shows its own condition. */
+  /**
+   * The device's thread: what is asked of it. Lights are below zero where it shows its own
+   * condition.
+   */
   bool MustStop() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
   /**
-   * Whether homing was requested since the last call. The device is Homing from then on, which the servo sees
-   * even where it is ready again at once; no force from before counts.
+   * Whether homing was requested since the last call. The device is Homing from then on, which the
+   * servo sees even where it is ready again at once; no force from before counts.
    */
   bool TakeHomeRequest() noexcept;
-  /** Where homing brings nothing back, such as of a device that is unplugged: Lost as before, with the text. */
+  /**
+   * Where homing brings nothing back, such as of a device that is unplugged: Lost as before, with
+   * the text.
+   */
   void RefuseHomeRequest(const char* text) noexcept;
   int GetLights() const noexcept { return this->Lights.load(); }
   /** The force to send now (N): zero unless the device is ready and the servo alive. */
   Vector3 GetForce() noexcept;
   /**
-   * A file descriptor that becomes readable with a force, a stop or a homing request; below zero where
-   * the system has none. ClearWake makes it wait for the next one.
+   * A file descriptor that becomes readable with a force, a stop or a homing request; below zero
+   * where the system has none. ClearWake makes it wait for the next one.
    */
   int GetWakeDescriptor() const noexcept { return this->Wake; }
   void ClearWake() noexcept;
@@ -84,18 +90,19 @@ public:
 
   ///@{
   /**
-   * The device's thread: what it has to tell. A sample is only passed on while the device is ready, so tell
-   * one before saying that it is. The first one then Begins: nobody knows what the hand did before.
+   * The device's thread: what it has to tell. A sample is only passed on while the device is ready,
+   * so tell one before saying that it is. The first one then Begins: nobody knows what the hand did
+   * before.
    */
   void Tell(const DeviceSample& sample) noexcept { this->Samples.Write(sample); }
   /**
-   * Texts are cut to the condition's size. Lost stays until TakeHomeRequest or Begin, whatever is told
-   * meanwhile, so that nothing resumes by itself.
+   * Texts are cut to the condition's size. Lost stays until TakeHomeRequest or Begin, whatever is
+   * told meanwhile, so that nothing resumes by itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;
   /**
-   * Once in every round: true where the computer has slept since the last one, which nobody's hand has
-   * felt. The device is Lost then.
+   * Once in every round: true where the computer has slept since the last one, which nobody's hand
+   * has felt. The device is Lost then.
    */
   bool HasSlept() noexcept;
   ///@}

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Falcon/FalconDriver.h"
 
+#include "Core/Servo/ServoClock.h"
 #include "Devices/Falcon/FalconFirmware.h"
 #include "Devices/Falcon/FalconPilot.h"
 #include "Devices/Falcon/FalconRounds.h"
 #include "Devices/Falcon/FalconSerial.h"
-#include "Core/Servo/ServoClock.h"
 
 #include <utility>
 

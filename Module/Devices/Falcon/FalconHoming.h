@@ -47,8 +47,8 @@ public:
   void Restart() noexcept;
 
   /**
-   * A tick: the time since the last one (s), and the report that came in it or nullptr. A time that is
-   * negative or no number counts as too long.
+   * A tick: the time since the last one (s), and the report that came in it or nullptr. A time that
+   * is negative or no number counts as too long.
    */
   void Update(double elapsed, const FalconReport* report) noexcept;
 

@@ -30,8 +30,8 @@ constexpr Vector3 Start = { 0.0, 0.0, 0.11 };
 constexpr double Converged = 1e-12; // m, of a step
 // Of the determinant of the legs' unit normals: near zero a count moves the grip by any distance.
 constexpr double Singular = 0.02;
-// m^2/rad, of half of g by the angle. At zero a leg is stretched and moves the grip no more; this is a
-// fraction of a count from there.
+// m^2/rad, of half of g by the angle. At zero a leg is stretched and moves the grip no more; this
+// is a fraction of a count from there.
 constexpr double Stretched = -1e-6;
 
 struct Azimuth

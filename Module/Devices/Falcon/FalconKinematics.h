@@ -4,10 +4,10 @@
  * @file
  * The Novint Falcon's kinematics: encoder counts <-> grip position, force -> motor commands.
  *
- * A delta robot: three legs, each an arm turned by a motor and a parallelogram from the arm's end to
- * the grip. A leg closes where g(p, theta) = 0, the distance of the parallelogram's ends less its
- * length; everything here follows from g. Positions are in metres in the device's frame: z points from
- * the base to the hand. Angles are in radians; they grow as the grip is pulled out.
+ * A delta robot: three legs, each an arm turned by a motor and a parallelogram from the arm's end
+ * to the grip. A leg closes where g(p, theta) = 0, the distance of the parallelogram's ends less
+ * its length; everything here follows from g. Positions are in metres in the device's frame: z
+ * points from the base to the hand. Angles are in radians; they grow as the grip is pulled out.
  *
  * Pure functions for the servo loop: no allocation, bounded iterations. Not verified on hardware.
  */
@@ -51,9 +51,9 @@ Vector3 FalconAnglesOf(const FalconCounts& counts) noexcept;
 
 /**
  * The position that three leg angles lead to, by Newton's iteration on g from (0, 0, 0.11), and
- * dp/dtheta there. Only what the assembled device can reach counts as reached: the arms bent as they
- * are built, no leg turned over, no singularity passed on the way. Angles that are not finite are out
- * of reach.
+ * dp/dtheta there. Only what the assembled device can reach counts as reached: the arms bent as
+ * they are built, no leg turned over, no singularity passed on the way. Angles that are not finite
+ * are out of reach.
  */
 FalconPose FalconForward(const Vector3& angles) noexcept;
 
@@ -61,17 +61,19 @@ FalconPose FalconForward(const Vector3& angles) noexcept;
 bool FalconInverse(const Vector3& position, Vector3& angles) noexcept;
 
 /**
- * dp/dtheta (m/rad) where the legs close, by implicit differentiation of g; false, with the matrix as
- * it was, in a singularity and out of reach.
+ * dp/dtheta (m/rad) where the legs close, by implicit differentiation of g; false, with the matrix
+ * as it was, in a singularity and out of reach.
  */
 bool FalconJacobian(const Vector3& position, const Vector3& angles, Matrix3& jacobian) noexcept;
 
-/** The commands for a force (N) before they are capped: -1e4 a N m, of the torques (dp/dtheta)^T F. */
+/**
+ * The commands for a force (N) before they are capped: -1e4 a N m, of the torques (dp/dtheta)^T F.
+ */
 Vector3 FalconTorqueCommands(const Matrix3& jacobian, const Vector3& force) noexcept;
 
 /**
- * The commands to send. All three are scaled down together to FalconLargestCommand, so that the force
- * keeps its direction; all are zero where one is not finite.
+ * The commands to send. All three are scaled down together to FalconLargestCommand, so that the
+ * force keeps its direction; all are zero where one is not finite.
  */
 FalconCounts FalconCommandsOf(const Matrix3& jacobian, const Vector3& force) noexcept;
 

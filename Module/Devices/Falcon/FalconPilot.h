@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a session with a Novint Falcon decides, without a transport: what the next packet says, and when
- * the device can't be trusted any more.
+ * What a session with a Novint Falcon decides, without a transport: what the next packet says, and
+ * when the device can't be trusted any more.
  *
- * The device's space is right-handed, in metres, seen by the hand: x to the right, y up, z out of the
- * device towards the hand. Its origin is in the middle of the workspace, which is (0, 0, 0.125) in the
- * frame of FalconKinematics.h; forces are the same in both. Which way the axes point on a real device is
- * not verified.
+ * The device's space is right-handed, in metres, seen by the hand: x to the right, y up, z out of
+ * the device towards the hand. Its origin is in the middle of the workspace, which is (0, 0, 0.125)
+ * in the frame of FalconKinematics.h; forces are the same in both. Which way the axes point on a
+ * real device is not verified.
  */
 #ifndef FalconPilot_h
 #define FalconPilot_h
 
-#include "Devices/Falcon/FalconHoming.h"
 #include "Devices/Common/HardwareExchange.h"
+#include "Devices/Falcon/FalconHoming.h"
 
 namespace VolumeHaptics
 {
@@ -25,7 +25,9 @@ DeviceLimits FalconLimits() noexcept;
 /** The middle of the workspace, in the frame of FalconKinematics.h (m). */
 constexpr Vector3 FalconMiddle = { 0.0, 0.0, 0.125 };
 
-/** DeviceSample::Buttons of FalconReport::Buttons: bit 0 the centre, bit 1 plus, 2 minus, 3 forward. */
+/**
+ * DeviceSample::Buttons of FalconReport::Buttons: bit 0 the centre, bit 1 plus, 2 minus, 3 forward.
+ */
 std::uint32_t FalconButtonsOf(std::uint8_t buttons) noexcept;
 
 /** DeviceBackend::SetLights as colours of a packet: bit 0 is green, bit 1 blue, bit 2 red. */
@@ -60,9 +62,9 @@ public:
   void Restart() noexcept;
 
   /**
-   * What to send now. Motors get the servo's force while the device is ready, else zero. Colours are those
-   * of homing, then green, blue while there is force, red when lost; or those of SetLights, except while
-   * homing, when they guide the hand.
+   * What to send now. Motors get the servo's force while the device is ready, else zero. Colours
+   * are those of homing, then green, blue while there is force, red when lost; or those of
+   * SetLights, except while homing, when they guide the hand.
    */
   FalconOrder GetOrder() noexcept;
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The Novint Falcon's run packets: 16 bytes to the device, 16 back, about a thousand times a second.
+ * The Novint Falcon's run packets: 16 bytes to the device, 16 back, about a thousand times a
+ * second.
  *
- * Byte 0 is '<', byte 15 is '>'; between them every byte is 0x41 and a payload. Bytes 1 to 12 are three
- * 16-bit numbers of four nibbles each, the low nibble first: motor commands out, encoder counts in.
- * Byte 13 carries bits. Byte 14 carries nothing that is known: 'A' is sent, and anything is taken.
+ * Byte 0 is '<', byte 15 is '>'; between them every byte is 0x41 and a payload. Bytes 1 to 12 are
+ * three 16-bit numbers of four nibbles each, the low nibble first: motor commands out, encoder
+ * counts in. Byte 13 carries bits. Byte 14 carries nothing that is known: 'A' is sent, and anything
+ * is taken.
  *
  * Pure functions for the servo loop: no allocation, no exception. Not verified on hardware.
  */
@@ -26,7 +28,10 @@ constexpr std::size_t FalconPacketSize = 16;
 using FalconPacket = std::array<std::uint8_t, FalconPacketSize>;
 
 ///@{
-/** The bits of what is sent. Sources disagree on the colours, and no device was at hand to settle it. */
+/**
+ * The bits of what is sent. Sources disagree on the colours, and no device was at hand to settle
+ * it.
+ */
 constexpr std::uint8_t FalconHome =
   0x01; ///< find the encoders' zero, and keep it: see FalconRunPacket
 constexpr std::uint8_t FalconGreen = 0x02;
@@ -84,9 +89,11 @@ FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
 
 /**
- * An order as it goes to a running device: always with FalconHome, which libnifalcon, too, sets in every packet as long as
- * its homing mode is on (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h gives
- * the bits of homed encoders as "(If homing mode on)": no source says what they mean after a packet without FalconHome.
+ * An order as it goes to a running device: always with FalconHome, which libnifalcon, too, sets in
+ * every packet as long as its homing mode is on (formatInput() in
+ * src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h gives the bits of homed
+ * encoders as "(If homing mode on)": no source says what they mean after a packet without
+ * FalconHome.
  */
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Falcon/FalconRounds.h"
 
-#include "Devices/Falcon/FalconSerial.h"
 #include "Core/Servo/ServoClock.h"
+#include "Devices/Falcon/FalconSerial.h"
 
 #include <algorithm>
 

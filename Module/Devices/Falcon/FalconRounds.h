@@ -4,15 +4,15 @@
  * @file
  * Run packets there and back with a Novint Falcon, at the servo's pace.
  *
- * A packet leaves as soon as the servo gives a force, but never before the last one was answered or its time
- * is over; without a force one leaves every 2 ms, so that homing goes on and zero is renewed. Receiving
- * transfers are posted all the time. Everything is made before the first round.
+ * A packet leaves as soon as the servo gives a force, but never before the last one was answered or
+ * its time is over; without a force one leaves every 2 ms, so that homing goes on and zero is
+ * renewed. Receiving transfers are posted all the time. Everything is made before the first round.
  */
 #ifndef FalconRounds_h
 #define FalconRounds_h
 
-#include "Devices/Falcon/FalconStream.h"
 #include "Devices/Common/HardwareExchange.h"
+#include "Devices/Falcon/FalconStream.h"
 #include "Devices/Transport/Usb/UsbEvents.h"
 #include "Devices/Transport/Usb/UsbTransfer.h"
 
@@ -28,7 +28,10 @@ public:
 
   /** Both outlive this. */
   FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
-  /** Sends zero commands where the device is there, and waits for that, within a fraction of a second. */
+  /**
+   * Sends zero commands where the device is there, and waits for that, within a fraction of a
+   * second.
+   */
   ~FalconRounds();
 
   /** Waits until something has happened or is due. */

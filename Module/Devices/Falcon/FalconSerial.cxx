@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Falcon/FalconSerial.h"
 
+#include "Core/Servo/ServoClock.h"
 #include "Devices/Falcon/FalconLoader.h"
 #include "Devices/Falcon/FalconStream.h"
-#include "Core/Servo/ServoClock.h"
 
 #include <algorithm>
 #include <cstdio>

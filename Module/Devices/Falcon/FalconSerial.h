@@ -7,9 +7,9 @@
 #ifndef FalconSerial_h
 #define FalconSerial_h
 
+#include "Devices/Common/HardwareExchange.h"
 #include "Devices/Falcon/FalconProtocol.h"
 #include "Devices/Transport/Usb/FtdiSerial.h"
-#include "Devices/Common/HardwareExchange.h"
 #include "Devices/Transport/Usb/UsbInterface.h"
 
 namespace VolumeHaptics
@@ -35,16 +35,16 @@ public:
   bool Write(const std::uint8_t* bytes, std::size_t size) noexcept;
   ///@}
   /**
-   * The first bytes that come within a time (ms), without the converter's status. Their number, 0 for
-   * none; below zero where the transfer did not go through.
+   * The first bytes that come within a time (ms), without the converter's status. Their number, 0
+   * for none; below zero where the transfer did not go through.
    */
   int Read(std::array<std::uint8_t, FtdiPacketSize>& bytes, unsigned int time) noexcept;
   /** The last error of libusb. */
   int GetError() const noexcept { return this->Error; }
 
   /**
-   * Whether the firmware runs: sends FalconRunRequests and packets of zero, at most so many, 50 ms each. False
-   * at once where a transfer does not go through.
+   * Whether the firmware runs: sends FalconRunRequests and packets of zero, at most so many, 50 ms
+   * each. False at once where a transfer does not go through.
    */
   bool Runs(int packets) noexcept;
 
@@ -62,8 +62,8 @@ enum class FalconLoading : std::uint8_t
 };
 
 /**
- * Loads the firmware, on the device's thread: takes seconds, tells the exchange how far it is, and waits
- * for the firmware to run. Where it fails, the text is what is wrong.
+ * Loads the firmware, on the device's thread: takes seconds, tells the exchange how far it is, and
+ * waits for the firmware to run. Where it fails, the text is what is wrong.
  */
 FalconLoading LoadFalcon(FalconSerial& serial, const std::vector<std::uint8_t>& image,
   HardwareExchange& exchange, std::string& trouble);

@@ -14,8 +14,8 @@ namespace VolumeHaptics
 
 /**
  * Puts packets together that are split across transfers, and finds the next one behind bytes that
- * belong to none. A byte that can't be at its place drops the bytes before the next '<', among those
- * that wait, too: a packet that was cut off never takes the following one with it.
+ * belong to none. A byte that can't be at its place drops the bytes before the next '<', among
+ * those that wait, too: a packet that was cut off never takes the following one with it.
  *
  * A fixed 16 bytes; the work is proportional to what arrives.
  */
@@ -23,8 +23,8 @@ class FalconStream
 {
 public:
   /**
-   * A bulk IN transfer with the converter's status bytes. Returns how many reports were completed; the
-   * last of them is the report, which stays as it was where there is none.
+   * A bulk IN transfer with the converter's status bytes. Returns how many reports were completed;
+   * the last of them is the report, which stays as it was where there is none.
    */
   int Take(const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept;
 

@@ -269,7 +269,8 @@ void PidDriver::SendForces(HardwareExchange& exchange)
   double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
   this->LastRound = now;
   const Vector3 force = exchange.GetForce();
-  // HID's y axis points towards the hand, and a positive magnitude pushes towards an axis' negative end.
+  // HID's y axis points towards the hand, and a positive magnitude pushes towards an axis' negative
+  // end.
   const std::array<double, 2> magnitudes{ -force.X, force.Y };
   // For each axis its start, where that is due, and its magnitude.
   HidReport report;

@@ -4,24 +4,26 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
- * Only devices of one axis get forces, such as wheels. Published firmwares do not agree about which way an effect pushes
- * the second axis of a stick: OpenFFBoard's of 2021 (commit 021d967) gives y the share of x, that of 2024 goes by another
- * angle for each axis whose bit is set, and pushes y backwards without one. All sticks of two axes are refused, also
- * those that go by directions alone.
+ * Only devices of one axis get forces, such as wheels. Published firmwares do not agree about which
+ * way an effect pushes the second axis of a stick: OpenFFBoard's of 2021 (commit 021d967) gives y
+ * the share of x, that of 2024 goes by another angle for each axis whose bit is set, and pushes y
+ * backwards without one. All sticks of two axes are refused, also those that go by directions
+ * alone.
  *
- * A stick's axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's own
- * y axis points towards the hand. Its effects end by themselves within 0.1 s of the last sign of the host. Many
- * sticks are silent while they rest, so that the last place is the present one; a stick that repeats itself
- * is one that is not, and lost where it falls silent.
+ * A stick's axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way;
+ * HID's own y axis points towards the hand. Its effects end by themselves within 0.1 s of the last
+ * sign of the host. Many sticks are silent while they rest, so that the last place is the present
+ * one; a stick that repeats itself is one that is not, and lost where it falls silent.
  *
- * The kernel's own PID driver speaks to the same device: where a game runs on it, the two disturb each other.
+ * The kernel's own PID driver speaks to the same device: where a game runs on it, the two disturb
+ * each other.
  */
 #ifndef PidDriver_h
 #define PidDriver_h
 
-#include "Devices/Transport/Hid/HidDriver.h"
 #include "Devices/Pid/HidStick.h"
 #include "Devices/Pid/PidDialogue.h"
+#include "Devices/Transport/Hid/HidDriver.h"
 
 #include <optional>
 

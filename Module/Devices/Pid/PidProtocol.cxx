@@ -95,8 +95,8 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::Put(report, this->Duration,
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
-  // By the direction wherever there is one, as Linux does. Where the axes' bits are set instead, the firmwares disagree
-  // about what the direction means then.
+  // By the direction wherever there is one, as Linux does. Where the axes' bits are set instead,
+  // the firmwares disagree about what the direction means then.
   if (this->DirectionEnable.Known)
   {
     PidDevice::Put(report, this->DirectionEnable, 1);
@@ -105,7 +105,8 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   {
     PidDevice::Put(report, this->AxisEnable[axis], 1);
   }
-  // Polar, clockwise from the north; the field's range is the whole circle, whatever its unit, as for Linux.
+  // Polar, clockwise from the north; the field's range is the whole circle, whatever its unit, as
+  // for Linux.
   const double circle = axis == 0 ? 0.25 : 0.5;
   const HidField& field = this->Direction.Field;
   PidDevice::Put(report, this->Direction,

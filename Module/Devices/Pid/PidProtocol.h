@@ -97,7 +97,10 @@ public:
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
   /** 1, or 2 where the second axis can be told from the first. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
-  /** The device has no second axis that a hand could move: a wheel whose descriptor is that of a stick. */
+  /**
+   * The device has no second axis that a hand could move: a wheel whose descriptor is that of a
+   * stick.
+   */
   void UseOneAxis() noexcept { this->Axes = 1; }
 
   ///@{
@@ -106,15 +109,19 @@ public:
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction is where the force comes from, here
-   * as in DirectInput and in Linux' hid-pidff.c: a positive magnitude pushes an axis towards its negative end. So does
-   * OpenFFBoard (EffectsCalculator.cpp, commit 160af910). Compared with its own springs, ArduinoJoystickWithFFBLibrary
-   * pushes the other way (YukMingLaw's Joystick.cpp, commit ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such
-   * devices need a NewtonsPerFullScale below zero.
+   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction is where the
+   * force comes from, here as in DirectInput and in Linux' hid-pidff.c: a positive magnitude pushes
+   * an axis towards its negative end. So does OpenFFBoard (EffectsCalculator.cpp, commit 160af910).
+   * Compared with its own springs, ArduinoJoystickWithFFBLibrary pushes the other way (YukMingLaw's
+   * Joystick.cpp, commit ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such devices need a
+   * NewtonsPerFullScale below zero.
    */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
-  /** A magnitude: newtons over newtons per full scale, at most the full scale; 0 for what is not finite. */
+  /**
+   * A magnitude: newtons over newtons per full scale, at most the full scale; 0 for what is not
+   * finite.
+   */
   HidReport SetConstant(
     std::int64_t block, double newtons, double newtonsPerFullScale) const noexcept;
   ///@}

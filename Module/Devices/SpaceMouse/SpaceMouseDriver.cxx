@@ -15,10 +15,16 @@ namespace
 constexpr double LongestRound = 0.02;
 constexpr std::uint8_t LightReport = 4;
 constexpr std::uint8_t ButtonReport = 3;
-/** Multi-axis controller and joystick, both of which these devices call themselves; not their keyboards. */
+/**
+ * Multi-axis controller and joystick, both of which these devices call themselves; not their
+ * keyboards.
+ */
 constexpr std::uint16_t DesktopPage = 0x01;
 
-/** From the device's axes to the tip's: right, towards the hand, down become right, up, towards the hand. */
+/**
+ * From the device's axes to the tip's: right, towards the hand, down become right, up, towards the
+ * hand.
+ */
 Vector3 TurnAxes(double x, double y, double z)
 {
   return { x, -z, y };
@@ -34,7 +40,8 @@ SpaceMouseDriver::SpaceMouseDriver(int number)
 
 bool SpaceMouseDriver::IsSpaceMouse(const HidPlace& place)
 {
-  // Receivers have an interface for a mouse or a keyboard, too: only the one with report 1 of six axes counts.
+  // Receivers have an interface for a mouse or a keyboard, too: only the one with report 1 of six
+  // axes counts.
   HidReportDescriptor descriptor;
   std::string error;
   const auto isTurn = [](const HidField& field)

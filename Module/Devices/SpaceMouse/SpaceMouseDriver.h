@@ -4,19 +4,21 @@
  * @file
  * 3Dconnexion's six-axis mice through hidapi.
  *
- * Their cap hardly moves: how hard it is pushed is how fast a virtual tip goes, and how hard it is turned,
- * how fast the view shall turn. No force can be felt. In the tip's frame x is to the right, y up and z
- * towards the hand; the devices' own axes are taken to be x to the right, y towards the hand and z down,
- * with right-handed turns about them, as commonly described but not verified on a device.
+ * Their cap hardly moves: how hard it is pushed is how fast a virtual tip goes, and how hard it is
+ * turned, how fast the view shall turn. No force can be felt. In the tip's frame x is to the right,
+ * y up and z towards the hand; the devices' own axes are taken to be x to the right, y towards the
+ * hand and z down, with right-handed turns about them, as commonly described but not verified on a
+ * device.
  *
- * A cap that is held off its rest repeats itself every few milliseconds (16 or less), and one that is let go
- * says zero once, then nothing. Should that one be lost, the tip stops after half a second without a word.
+ * A cap that is held off its rest repeats itself every few milliseconds (16 or less), and one that
+ * is let go says zero once, then nothing. Should that one be lost, the tip stops after half a
+ * second without a word.
  */
 #ifndef SpaceMouseDriver_h
 #define SpaceMouseDriver_h
 
-#include "Devices/Transport/Hid/HidDriver.h"
 #include "Devices/SpaceMouse/SpaceMouse.h"
+#include "Devices/Transport/Hid/HidDriver.h"
 
 namespace VolumeHaptics
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Common/BuiltInKinds.h"
-#include "Devices/Transport/Hid/NumberedHidKind.h"
 #include "Devices/SpaceMouse/SpaceMouseDriver.h"
+#include "Devices/Transport/Hid/NumberedHidKind.h"
 
 namespace VolumeHaptics
 {

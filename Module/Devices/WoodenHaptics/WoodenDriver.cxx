@@ -22,7 +22,9 @@ constexpr std::uint16_t LogPage = 0xFFC9;
 
 /** ns, between currents where no packet comes. */
 constexpr std::int64_t SendPeriod = 2000000;
-/** s, after which nobody has watched the hand: what the kernel kept may not be all that was sent. */
+/**
+ * s, after which nobody has watched the hand: what the kernel kept may not be all that was sent.
+ */
 constexpr double LateRound = 0.03;
 
 constexpr const char* AskForRest =
@@ -31,7 +33,10 @@ constexpr const char* AskForRest =
 constexpr const char* AskAgain = ", then press Home() and put the arm into its rest pose.";
 
 ///@{
-/** Between the arm's axes (towards the hand, right, up) and the device's (right, up, towards the hand). */
+/**
+ * Between the arm's axes (towards the hand, right, up) and the device's (right, up, towards the
+ * hand).
+ */
 Vector3 ToDevice(const Vector3& arm)
 {
   return { arm.Y, arm.Z, arm.X };

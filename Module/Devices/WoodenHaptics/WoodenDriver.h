@@ -4,16 +4,17 @@
  * @file
  * WoodenHaptics with the firmware of 14-byte reports, through hidapi.
  *
- * The device sends its encoders at its own rate and gets its currents after each packet, or every 2 ms
- * without one; its firmware takes currents back that nobody renews for half a second. It knows where the
- * arm is once it was told so in the rest pose: that is what homing is for. It never says whether it was: when power
- * comes all its counts are 0, and what it reports beside them is its calibration button. So it is calibrated
- * anew whenever it is opened, and after every fault.
+ * The device sends its encoders at its own rate and gets its currents after each packet, or every 2
+ * ms without one; its firmware takes currents back that nobody renews for half a second. It knows
+ * where the arm is once it was told so in the rest pose: that is what homing is for. It never says
+ * whether it was: when power comes all its counts are 0, and what it reports beside them is its
+ * calibration button. So it is calibrated anew whenever it is opened, and after every fault.
  *
  * A Polhem has the same firmware with another linkage; it is refused.
  *
- * The device's space is that of all devices: x to the right, y up, z towards the hand, which are y, z and x of
- * WoodenHaptics.h with the arm reaching towards whoever holds it. Not verified on a device.
+ * The device's space is that of all devices: x to the right, y up, z towards the hand, which are y,
+ * z and x of WoodenHaptics.h with the arm reaching towards whoever holds it. Not verified on a
+ * device.
  */
 #ifndef WoodenDriver_h
 #define WoodenDriver_h

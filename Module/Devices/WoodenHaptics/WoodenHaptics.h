@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * WoodenHaptics, open hardware: packets, kinematics and currents, without a transport. Polhem has the same packets,
- * but another linkage, other encoders and another rest pose.
+ * WoodenHaptics, open hardware: packets, kinematics and currents, without a transport. Polhem has
+ * the same packets, but another linkage, other encoders and another rest pose.
  *
  * Three joints: A turns about the vertical (z), B leans the upper arm forward from upright, C lifts
  * the forearm from hanging straight down. The forearm's angle is its own, whatever B does. The
@@ -51,7 +51,8 @@ public:
   struct Input
   {
     std::array<std::int16_t, 6> Counts{}; ///< encoders a to f
-    /// Its calibration button was pressed since it was told its rest pose last. A device without a zero does not say so.
+    /// Its calibration button was pressed since it was told its rest pose last. A device without a
+    /// zero does not say so.
     bool WantsCalibration = false;
   };
 

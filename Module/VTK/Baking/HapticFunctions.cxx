@@ -25,8 +25,8 @@ struct Node
 void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
   int depth, Polyline& line)
 {
-  // Below the documented bounds, since the chord is checked at three places only. A value that is tiny
-  // against the piece's height must be right, too, but for the last digits near zero.
+  // Below the documented bounds, since the chord is checked at three places only. A value that is
+  // tiny against the piece's height must be right, too, but for the last digits near zero.
   constexpr double share = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
   const double tolerance =

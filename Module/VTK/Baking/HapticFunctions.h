@@ -14,7 +14,9 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** Chord error allowed on a curved piece, as a share of the piece's height, and of the value there. */
+/**
+ * Chord error allowed on a curved piece, as a share of the piece's height, and of the value there.
+ */
 constexpr double CurveTolerance = 1e-4;
 constexpr double CurveValueTolerance = 1e-3;
 

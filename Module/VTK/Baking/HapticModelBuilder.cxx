@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticModelBuilder.h"
 
+#include "Core/Model/SurfaceMesh.h"
+#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticRegion.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/HapticVolumeView.h"
-#include "Core/Model/SurfaceMesh.h"
-#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -95,9 +95,8 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
   {
-    const double noise = whole.IsThere
-      ? whole.Noise
-      : estimate.Get(image, scalars, d.View, property->GetComponent());
+    const double noise =
+      whole.IsThere ? whole.Noise : estimate.Get(image, scalars, d.View, property->GetComponent());
     ramp = MakeNoiseRamp(noise, HapticModel::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())

@@ -31,7 +31,7 @@ struct HapticModelOptions
     Settings; ///< the surface side is taken from the property; a radius of 0 is half a voxel
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
-  NoiseOfScalars* Noise = nullptr;  ///< required
+  NoiseOfScalars* Noise = nullptr;   ///< required
   RegionSeries* Regions = nullptr;   ///< of the models before, where the image may be a region
 };
 

@@ -20,7 +20,10 @@ constexpr int Quadratic = 10; // coefficients
 constexpr int MostBlocksAlongAnAxis = 16;
 /** Of the blocks, in ascending order of what is left of them. */
 constexpr double Flattest = 0.1;
-/** The tenth part of estimates from 115 degrees of freedom lies below this share of what they estimate. */
+/**
+ * The tenth part of estimates from 115 degrees of freedom lies below this share of what they
+ * estimate.
+ */
 constexpr double ShareAtFlattest = 0.916;
 /** Noise below this share of the largest value is rounding. */
 constexpr double Rounding = 1e-9;
@@ -84,7 +87,8 @@ double Remainder(const double* block)
 /** Standard deviation of an estimated gradient component per voxel, of noise of one unit. */
 double NoiseGain(const GradientKernel& kernel)
 {
-  // White noise through a kernel: the root of the sum of the squared weights, averaged over positions.
+  // White noise through a kernel: the root of the sum of the squared weights, averaged over
+  // positions.
   constexpr int positions = 32;
   double smoothing = 0.0;
   double slope = 0.0;

@@ -64,8 +64,8 @@ const std::vector<Preset>& Presets()
         { 310, 3071, 1000, 0.32, 0.00, Impenetrable }, // bone
       },
       8, 40, vtkHapticProperty::HIGHER },
-    // Surfaces are felt from both sides here, so that the background can be inside of one: it is as stiff as
-    // fluid, since the drag of tissue on a soft spring would leave the proxy far behind.
+    // Surfaces are felt from both sides here, so that the background can be inside of one: it is as
+    // stiff as fluid, since the drag of tissue on a soft spring would leave the proxy far behind.
     { "MRI",
       {
         { 0, 15, 100, 0.00, 0.00, 0.0 },    // background

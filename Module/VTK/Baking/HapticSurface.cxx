@@ -160,8 +160,8 @@ std::shared_ptr<const SurfaceMesh> MeshOf(
 double EstimateTriangles(const IsoSurface& iso)
 {
   constexpr int looks = 20000; // some milliseconds
-  // Steps that fill space evenly, whatever the structure of the image: the powers of 1 / 1.2207..., the root of
-  // x^4 = x + 1.
+  // Steps that fill space evenly, whatever the structure of the image: the powers of 1 / 1.2207...,
+  // the root of x^4 = x + 1.
   constexpr double steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
   const int* const n = iso.Image->GetDimensions();
   const vtkIdType rows[3] = { 1, n[0], vtkIdType{ n[0] } * n[1] };

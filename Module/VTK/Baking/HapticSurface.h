@@ -30,7 +30,10 @@ struct IsoSurface
   vtkDataArray* Scalars;
   int Component;
   double Value;
-  /** Index of the image's first sample, as indexToWorld counts; not 0 for a region of a larger volume. */
+  /**
+   * Index of the image's first sample, as indexToWorld counts; not 0 for a region of a larger
+   * volume.
+   */
   int First[3] = { 0, 0, 0 };
   bool MayBeEmpty = false; ///< in a region there may just be none
 };
@@ -40,8 +43,9 @@ class HapticSurface
 {
 public:
   /**
-   * The triangles of a surface in the world or, where it is null, of the isosurface (vtkFlyingEdges3D). Null, with
-   * the cure in `error`, where there are none or a point is not finite.
+   * The triangles of a surface in the world or, where it is null, of the isosurface
+   * (vtkFlyingEdges3D). Null, with the cure in `error`, where there are none or a point is not
+   * finite.
    */
   std::shared_ptr<const SurfaceMesh> Get(
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);

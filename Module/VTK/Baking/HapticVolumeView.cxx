@@ -54,8 +54,8 @@ bool LocateComponent(
   holder = scalars;
   if (auto* const separate = SeparateComponents::FastDownCast(scalars))
   {
-    // Where the array itself gives its memory up for another layout, as it may whenever it is rendered, what shares
-    // the memory keeps it for the servo.
+    // Where the array itself gives its memory up for another layout, as it may whenever it is
+    // rendered, what shares the memory keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
     const bool isSeparate = HasSeparateComponents(separate);

@@ -7,8 +7,8 @@
 #ifndef HapticVolumeView_h
 #define HapticVolumeView_h
 
-#include "Core/Math/Vector3.h"
 #include "Core/Field/VolumeView.h"
+#include "Core/Math/Vector3.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -22,8 +22,9 @@ namespace VolumeHaptics
 {
 
 /**
- * False, with the reason and the cure in `error`, where the array can't be viewed without a copy. `holder` has to live
- * as long as the view: the array, or another one that shares its memory. The kernel's radius (voxels) is for the cure.
+ * False, with the reason and the cure in `error`, where the array can't be viewed without a copy.
+ * `holder` has to live as long as the view: the array, or another one that shares its memory. The
+ * kernel's radius (voxels) is for the cure.
  */
 bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error);
@@ -35,8 +36,8 @@ constexpr int PointsNeeded(int kernelRadius)
 }
 
 /**
- * From the index that counts from 0 at the beginning of an extent (the image's own, or that of the whole volume) to
- * the world. False, with an error, for a broken geometry.
+ * From the index that counts from 0 at the beginning of an extent (the image's own, or that of the
+ * whole volume) to the world. False, with an error, for a broken geometry.
  */
 bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, std::string& error);
 

@@ -14,8 +14,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether the viewport's window renders now. OpenGL has a context then; elsewhere, as where an application calls a
- * prop's RenderOverlay by itself, VTK's own props would crash.
+ * Whether the viewport's window renders now. OpenGL has a context then; elsewhere, as where an
+ * application calls a prop's RenderOverlay by itself, VTK's own props would crash.
  */
 inline bool IsDrawing(vtkViewport* viewport)
 {

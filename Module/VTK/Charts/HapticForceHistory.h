@@ -35,8 +35,9 @@ public:
   ~HapticForceHistory();
 
   /**
-   * Later than the last one, or it begins anew. Forgets what is older than the span (s). The time has to be finite;
-   * forces that are not finite count as none, and others up to what a chart can show.
+   * Later than the last one, or it begins anew. Forgets what is older than the span (s). The time
+   * has to be finite; forces that are not finite count as none, and others up to what a chart can
+   * show.
    */
   void Add(const State& state, double span);
   void Clear();

@@ -27,9 +27,9 @@ public:
 
   /**
    * Show the prop, after drawing it anew if it is stale, if the viewport's size has changed or if
-   * there is no picture yet. Of its picture, the lower left corner is shown, up to an extent (pixels).
-   * Where the window isn't OpenGL's, or is drawn in tiles, the prop is just drawn. Returns what
-   * vtkProp::RenderOverlay does.
+   * there is no picture yet. Of its picture, the lower left corner is shown, up to an extent
+   * (pixels). Where the window isn't OpenGL's, or is drawn in tiles, the prop is just drawn.
+   * Returns what vtkProp::RenderOverlay does.
    */
   int Render(vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale);
   void ReleaseGraphicsResources(vtkWindow* window);

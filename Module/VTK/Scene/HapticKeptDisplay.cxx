@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// KeepDisplay() of vtkVolumeHapticsCompat.h, in a file of its own as the headers of X11 define macros with common names.
+// KeepDisplay() of vtkVolumeHapticsCompat.h, in a file of its own as the headers of X11 define
+// macros with common names.
 #include "vtkVolumeHapticsCompat.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)

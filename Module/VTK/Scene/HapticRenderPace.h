@@ -14,8 +14,8 @@ namespace VolumeHaptics
 
 /**
  * What moves is drawn at once and as coarsely as the interactive frame rate needs; what has come to
- * rest, once and well. After that only figures change: they may take a tenth of the time for drawing, so
- * that a volume that takes a second to draw leaves the application free.
+ * rest, once and well. After that only figures change: they may take a tenth of the time for
+ * drawing, so that a volume that takes a second to draw leaves the application free.
  */
 class HapticRenderPace
 {
@@ -29,7 +29,9 @@ public:
   static constexpr double Pause = 0.3;     ///< s without movement that count as rest
   static constexpr double Shortest = 0.05; ///< s between frames at rest
 
-  /** Times in s. Moves: something is elsewhere than when last drawn. IsNew: figures have changed. */
+  /**
+   * Times in s. Moves: something is elsewhere than when last drawn. IsNew: figures have changed.
+   */
   Frame Next(double now, bool moves, bool isNew)
   {
     if (moves)
@@ -38,8 +40,8 @@ public:
     }
     if (!this->IsStill)
     {
-      // What a person does while a frame is drawn is only seen after it; a slow frame has to wait for a
-      // longer rest, lest it be in the way.
+      // What a person does while a frame is drawn is only seen after it; a slow frame has to wait
+      // for a longer rest, lest it be in the way.
       const double rest = std::max(Pause, 0.5 * this->Cost);
       return now - this->LastDrawn >= rest ? Frame::Still : Frame::None;
     }

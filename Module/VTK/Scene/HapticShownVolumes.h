@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the volumes of a scene show the image that is felt: as it is, or changed in a way that the hand does not feel.
+ * How the volumes of a scene show the image that is felt: as it is, or changed in a way that the
+ * hand does not feel.
  */
 #ifndef HapticShownVolumes_h
 #define HapticShownVolumes_h
@@ -21,13 +22,17 @@ class vtkVolume;
 namespace VolumeHaptics
 {
 
-/** Remembers the volumes that it has warned of, so that each difference is told once as long as it lasts. */
+/**
+ * Remembers the volumes that it has warned of, so that each difference is told once as long as it
+ * lasts.
+ */
 class HapticShownVolumes
 {
 public:
   /**
-   * A warning for each visible volume of a renderer that shows an image, or another one with the same scalars, in a
-   * way that is not felt. It tells the differences that are new since the last call, and the cures.
+   * A warning for each visible volume of a renderer that shows an image, or another one with the
+   * same scalars, in a way that is not felt. It tells the differences that are new since the last
+   * call, and the cures.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image);
 

@@ -22,9 +22,9 @@ Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3&
 Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 
 /**
- * Walks along the line of sight under a pointer, from where it enters the image, with the servo's own
- * tick, up to the first contact. True with the last free position in front of it; false where nothing
- * can be felt along the line.
+ * Walks along the line of sight under a pointer, from where it enters the image, with the servo's
+ * own tick, up to the first contact. True with the last free position in front of it; false where
+ * nothing can be felt along the line.
  */
 bool FindFirstContact(
   vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position);

@@ -16,8 +16,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A texture without pixels. Before a window is finalized or destroyed, it has each texture in its context release its
- * resources. VTK does not install the header of the callback behind this, hence the detour.
+ * A texture without pixels. Before a window is finalized or destroyed, it has each texture in its
+ * context release its resources. VTK does not install the header of the callback behind this, hence
+ * the detour.
  */
 class HapticWindowWatch::Closing final : public vtkTextureObject
 {
@@ -55,7 +56,8 @@ public:
     this->IsInRelease = false;
     if (this->GetReferenceCount() == 1)
     {
-      // The style was deleted by an observer, and the watch with it. The window still uses this after the call.
+      // The style was deleted by an observer, and the watch with it. The window still uses this
+      // after the call.
       static vtkSmartPointer<Closing> last;
       last = this;
     }
@@ -92,7 +94,10 @@ public:
   }
   HapticWindowWatch* Watch = nullptr;
 
-  /** Whether the application listens to an interactor's ExitEvent: any observer but those of watches. */
+  /**
+   * Whether the application listens to an interactor's ExitEvent: any observer but those of
+   * watches.
+   */
   static bool IsExitTaken(vtkRenderWindowInteractor* interactor)
   {
     // Tags are given in ascending order.
@@ -144,7 +149,8 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
     // Before the application's observers, which may take long: to save, or to ask whether to quit.
     interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
     interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
-    // After them, as they may have called TerminateApp(), which is the last thing that the loop does then.
+    // After them, as they may have called TerminateApp(), which is the last thing that the loop
+    // does then.
     for (const unsigned long event :
       { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,
         vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
@@ -191,7 +197,8 @@ void HapticWindowWatch::OnExit()
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor(this->Interactor.GetPointer());
   KeepDisplay(interactor->GetRenderWindow());
   this->End();
-  // ExitCallback() calls TerminateApp() only if the event has no observers. The watch must not change that.
+  // ExitCallback() calls TerminateApp() only if the event has no observers. The watch must not
+  // change that.
   if (!Observer::IsExitTaken(interactor))
   {
     interactor->TerminateApp();

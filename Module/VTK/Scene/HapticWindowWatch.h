@@ -4,10 +4,11 @@
  * @file
  * Tells when a window goes away under a hand.
  *
- * VTK has no event for the end of a loop or of a window, and each platform ends them in its own order. So this watches
- * everything that comes early in an end: ExitEvent (the key q, the window manager's close), the interactor's Disable(),
- * and the release of the window's graphics resources, which comes before the window itself is destroyed. Look(), which
- * follows events of keys, mouse and timers, notices that TerminateApp() was called.
+ * VTK has no event for the end of a loop or of a window, and each platform ends them in its own
+ * order. So this watches everything that comes early in an end: ExitEvent (the key q, the window
+ * manager's close), the interactor's Disable(), and the release of the window's graphics resources,
+ * which comes before the window itself is destroyed. Look(), which follows events of keys, mouse
+ * and timers, notices that TerminateApp() was called.
  */
 #ifndef HapticWindowWatch_h
 #define HapticWindowWatch_h
@@ -27,7 +28,10 @@ namespace VolumeHaptics
 class HapticWindowWatch
 {
 public:
-  /** The function is called at each sign of an end, so perhaps twice. The owner is kept alive meanwhile. */
+  /**
+   * The function is called at each sign of an end, so perhaps twice. The owner is kept alive
+   * meanwhile.
+   */
   HapticWindowWatch(vtkObject* owner, std::function<void()> end);
   ~HapticWindowWatch();
   HapticWindowWatch(const HapticWindowWatch&) = delete;
@@ -36,7 +40,10 @@ public:
   /** The interactor whose window is watched; nullptr for none. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
-  /** To be called often: follows the interactor to another window, and sees that its loop was told to end. */
+  /**
+   * To be called often: follows the interactor to another window, and sees that its loop was told
+   * to end.
+   */
   void Look();
 
   /** Whether the window was closed by the end of its loop: to draw would open another one. */

@@ -21,9 +21,9 @@ namespace VolumeHaptics
 Matrix3 CameraAxes(vtkCamera* camera);
 
 /**
- * Device x, y and z are right, up and towards the user on the screen. The device's origin lies at the
- * camera's focal point plus an offset in the camera's axes, so that what the clutch has shifted turns
- * with the view.
+ * Device x, y and z are right, up and towards the user on the screen. The device's origin lies at
+ * the camera's focal point plus an offset in the camera's axes, so that what the clutch has shifted
+ * turns with the view.
  */
 class HapticWorkspace
 {

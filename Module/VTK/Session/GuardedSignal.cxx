@@ -83,7 +83,8 @@ void GuardedSignal::PutBack(int count) noexcept
 
 bool ComesAgain(int number, const siginfo_t& info) noexcept
 {
-  // Above zero the kernel found it; else it was sent. That of memory which is found broken is no crash yet.
+  // Above zero the kernel found it; else it was sent. That of memory which is found broken is no
+  // crash yet.
   return (number == SIGSEGV || number == SIGBUS || number == SIGFPE || number == SIGILL) &&
     info.si_code > 0
 #if defined(BUS_MCEERR_AO)

@@ -4,8 +4,9 @@
  * @file
  * A signal with a handler of ours in front of whatever handled it before.
  *
- * Crash reporters do the same: what is in front of us may put us back and send the signal again. Handlers before us
- * are therefore a list, from which each round takes one, so that every one is met and the default action last.
+ * Crash reporters do the same: what is in front of us may put us back and send the signal again.
+ * Handlers before us are therefore a list, from which each round takes one, so that every one is
+ * met and the default action last.
  */
 #ifndef GuardedSignal_h
 #define GuardedSignal_h
@@ -42,8 +43,8 @@ public:
   /** How many handlers there are to be met: another number after each PutBack. */
   int CountBefore() const noexcept { return this->Count.load(); }
   /**
-   * Puts back what was there when so many were to be met, unless that has been done, or something else was put in front
-   * meanwhile. From signal handlers, of several threads at once.
+   * Puts back what was there when so many were to be met, unless that has been done, or something
+   * else was put in front meanwhile. From signal handlers, of several threads at once.
    */
   void PutBack(int count) noexcept;
 
@@ -61,7 +62,10 @@ private:
   std::atomic<int> Count{ 0 };
 };
 
-/** Whether an instruction that a crash interrupted is run again, and crashes again, when the handler returns. */
+/**
+ * Whether an instruction that a crash interrupted is run again, and crashes again, when the handler
+ * returns.
+ */
 bool ComesAgain(int number, const siginfo_t& info) noexcept;
 
 } // namespace VolumeHaptics

@@ -15,7 +15,9 @@
 namespace VolumeHaptics
 {
 
-/** When a filter, or the image or the surface that it is fed with, changed last; 0 without a filter. */
+/**
+ * When a filter, or the image or the surface that it is fed with, changed last; 0 without a filter.
+ */
 inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter)
 {
   if (!filter)

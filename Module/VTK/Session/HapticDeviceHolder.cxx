@@ -3,9 +3,9 @@
 #include "VTK/Session/HapticDeviceHolder.h"
 
 #include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Replay/ReplayDevice.h"
 #include "VTK/Session/HapticSignals.h"
 #include "VTK/Session/HapticStateTable.h"
-#include "Devices/Replay/ReplayDevice.h"
 
 #include <algorithm>
 

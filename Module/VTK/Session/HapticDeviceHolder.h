@@ -8,9 +8,9 @@
 #define HapticDeviceHolder_h
 
 #include "Devices/Common/DeviceKind.h"
+#include "Devices/Virtual/VirtualDevice.h"
 #include "VTK/Session/HapticSession.h"
 #include "VTK/Trace/HapticTraceFiles.h"
-#include "Devices/Virtual/VirtualDevice.h"
 
 class vtkTable;
 
@@ -51,8 +51,8 @@ public:
   void FadeOut();
   ///@{
   /**
-   * Work of the owner's, long or not: see vtkHapticDevice::BeginLongWork. True if the force goes off with it, and if
-   * it may come back. Works nest and outlive a session.
+   * Work of the owner's, long or not: see vtkHapticDevice::BeginLongWork. True if the force goes
+   * off with it, and if it may come back. Works nest and outlive a session.
    */
   bool BeginWork(const std::string& what, bool isLong);
   bool EndWork();
@@ -80,7 +80,9 @@ public:
   double GetResidency() const { return this->State.Residency; }
   long long GetTick() const { return static_cast<long long>(this->State.Tick); }
 
-  /** Every state since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates. */
+  /**
+   * Every state since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates.
+   */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
 
   /** As vtkHapticDevice::StatusType. */

@@ -19,7 +19,9 @@ constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;
 /** How often Quench looks whether the loop has got it (ns). */
 constexpr std::int64_t QuenchPoll = 200000;
-/** For how long Hold waits for a fade (ns), which takes 50 ms and may begin late on a busy machine. */
+/**
+ * For how long Hold waits for a fade (ns), which takes 50 ms and may begin late on a busy machine.
+ */
 constexpr std::int64_t LongestFade = 250000000;
 
 template <typename T>
@@ -278,8 +280,8 @@ void HapticSession::Quench(const std::vector<HapticSession*>& sessions) noexcept
   for (HapticSession* session : sessions)
   {
     session->Backend.Quench();
-    // A tick that is under way may still write a force after that. The second one from here has seen
-    // Disarm; a loop that does not get there does not write either.
+    // A tick that is under way may still write a force after that. The second one from here has
+    // seen Disarm; a loop that does not get there does not write either.
     session->QuenchedTick = session->Loop.GetTickCount() + 2;
     session->HasSeenQuench = false;
   }

@@ -10,9 +10,9 @@
 #ifndef HapticSession_h
 #define HapticSession_h
 
-#include "VTK/Trace/HapticRecording.h"
-#include "VTK/Session/HapticStateTable.h"
 #include "Core/Servo/ServoClock.h"
+#include "VTK/Session/HapticStateTable.h"
+#include "VTK/Trace/HapticRecording.h"
 
 #include "vtkMultiThreader.h"
 #include "vtkNew.h"
@@ -66,20 +66,24 @@ public:
 
   ///@{
   /**
-   * Every state since a reader's last call, oldest first, for a display that must not miss one; the first call
-   * begins to keep them, and StopTaking ends it. Readers do not take each other's. What one of them does not
-   * take for MostStates ticks is lost to it, oldest first. The owner's.
+   * Every state since a reader's last call, oldest first, for a display that must not miss one; the
+   * first call begins to keep them, and StopTaking ends it. Readers do not take each other's. What
+   * one of them does not take for MostStates ticks is lost to it, oldest first. The owner's.
    */
   std::vector<StateRow> TakeStates(int reader);
   void StopTaking(int reader);
   ///@}
   static constexpr std::size_t MostStates = 100000;
 
-  /** Lets the force fade (ServoLoop::Hold) and waits until it is gone, a quarter of a second at most. */
+  /**
+   * Lets the force fade (ServoLoop::Hold) and waits until it is gone, a quarter of a second at
+   * most.
+   */
   void Hold() noexcept;
   /**
-   * From any thread: no force on the devices of all these once this returns, until they are armed again. Each is told
-   * before any is waited for, so that a loop that hangs delays none of the others; 40 ms at most, all together.
+   * From any thread: no force on the devices of all these once this returns, until they are armed
+   * again. Each is told before any is waited for, so that a loop that hangs delays none of the
+   * others; 40 ms at most, all together.
    */
   static void Quench(const std::vector<HapticSession*>& sessions) noexcept;
   /** Stops the loop, with zero force sent, and joins the threads, as the destructor does. */
@@ -91,7 +95,10 @@ private:
   static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
   void Keep();
   void Drain();
-  /** After Quench was begun: whether the device has got it, and no tick is under way that may still write a force. */
+  /**
+   * After Quench was begun: whether the device has got it, and no tick is under way that may still
+   * write a force.
+   */
   bool IsQuenched() noexcept;
   /** Lets go of the states that all readers have. Under the mutex. */
   void ForgetStates();
@@ -108,7 +115,10 @@ private:
   std::atomic<bool> KeeperStop{ false };
   std::atomic<bool> HasEnded{ false };
   ///@{
-  /** Of Quench, which one thread at a time may call: the tick that sees it, and whether that has come. */
+  /**
+   * Of Quench, which one thread at a time may call: the tick that sees it, and whether that has
+   * come.
+   */
   std::uint64_t QuenchedTick = 0;
   bool HasSeenQuench = false;
   ///@}

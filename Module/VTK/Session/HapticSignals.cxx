@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/HapticSignals.h"
 
-#include "VTK/Session/HapticSession.h"
 #include "Core/Servo/PerProcess.h"
+#include "VTK/Session/HapticSession.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -29,8 +29,8 @@ namespace
 {
 
 /**
- * For how long (ms) a process that ends waits for its devices at most. Sessions whose loops hang take 40; the rest is for
- * a machine so busy that the watcher does not get to run.
+ * For how long (ms) a process that ends waits for its devices at most. Sessions whose loops hang
+ * take 40; the rest is for a machine so busy that the watcher does not get to run.
  */
 constexpr int LongestWait = 2000;
 
@@ -43,8 +43,8 @@ struct Guarded
 PerProcess<Guarded> GuardedOfProcess;
 
 /**
- * The process whose devices these are and whose watcher runs; a forked child has a copy of everything but those. The
- * last that is set.
+ * The process whose devices these are and whose watcher runs; a forked child has a copy of
+ * everything but those. The last that is set.
  */
 std::atomic<std::int64_t> Owner{ 0 };
 
@@ -56,8 +56,9 @@ bool IsOwner() noexcept
 #if defined(__unix__)
 
 /**
- * Of the calling thread, as long as this lives: else a handler on this thread would wait for a watcher that waits for
- * the mutex of this thread. Crashes of the thread itself are never kept from the handlers before us.
+ * Of the calling thread, as long as this lives: else a handler on this thread would wait for a
+ * watcher that waits for the mutex of this thread. Crashes of the thread itself are never kept from
+ * the handlers before us.
  */
 class SignalsBlocked
 {
@@ -163,7 +164,10 @@ void Ask(unsigned char byte) noexcept
   static_cast<void>(written); // fails only where the pipe is full, and then much is on its way
 }
 
-/** From a signal handler, too: the watcher ends the force, on a stack and without locks of this thread. */
+/**
+ * From a signal handler, too: the watcher ends the force, on a stack and without locks of this
+ * thread.
+ */
 void QuenchByWatcher() noexcept
 {
   if (!IsOwner() || pthread_equal(pthread_self(), Watcher))
@@ -255,7 +259,10 @@ void Watch(int end)
   }
 }
 
-/** Throws std::system_error when there is no room for the pipe or the thread, and leaves nothing behind. */
+/**
+ * Throws std::system_error when there is no room for the pipe or the thread, and leaves nothing
+ * behind.
+ */
 void StartWatching()
 {
   if (pipe(Pipe) != 0)
@@ -280,7 +287,10 @@ void StartWatching()
   }
 }
 
-/** Of the thread that lives as long as this, if it has none: without it, no handler runs where the stack is full. */
+/**
+ * Of the thread that lives as long as this, if it has none: without it, no handler runs where the
+ * stack is full.
+ */
 class AlternateStack
 {
 public:

@@ -4,16 +4,18 @@
  * @file
  * Zero force when the process ends or stops.
  *
- * While a session is guarded, every signal that would end or stop the process meets a handler of ours first
- * (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which a pipe wakes, quenches every session.
- * SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) are sent again by that thread, for what handled them before.
- * At a crash (SIGSEGV, SIGABRT and the like), the thread that it hit waits for the quenching, which takes milliseconds
- * (2 s at most, if the device's driver hangs or the machine is very busy), and then meets what was there before: another handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM,
- * SIGUSR1 and others that seldom end a process are left alone where they are handled or ignored.
+ * While a session is guarded, every signal that would end or stop the process meets a handler of
+ * ours first (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which a pipe
+ * wakes, quenches every session. SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) are sent
+ * again by that thread, for what handled them before. At a crash (SIGSEGV, SIGABRT and the like),
+ * the thread that it hit waits for the quenching, which takes milliseconds (2 s at most, if the
+ * device's driver hangs or the machine is very busy), and then meets what was there before: another
+ * handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM, SIGUSR1 and others
+ * that seldom end a process are left alone where they are handled or ignored.
  *
- * std::terminate, exit() and quick_exit() quench, too. Nothing runs in the process after SIGKILL, SIGSTOP, _exit(),
- * exec() or a loss of power; and real-time signals, which libraries choose from those that are not handled, are not
- * touched. There, there are only the device's own watchdogs.
+ * std::terminate, exit() and quick_exit() quench, too. Nothing runs in the process after SIGKILL,
+ * SIGSTOP, _exit(), exec() or a loss of power; and real-time signals, which libraries choose from
+ * those that are not handled, are not touched. There, there are only the device's own watchdogs.
  */
 #ifndef HapticSignals_h
 #define HapticSignals_h
@@ -25,9 +27,9 @@ class HapticSession;
 
 /**
  * From the owner's thread, when a session starts and each time it is armed, since a signal that the
- * process outlives takes the guard away. A session must be released before it is destroyed. Throws std::system_error or
- * std::bad_alloc when the process may have no more files, threads or memory: a session that is not guarded yet is not
- * then, and must not be armed.
+ * process outlives takes the guard away. A session must be released before it is destroyed. Throws
+ * std::system_error or std::bad_alloc when the process may have no more files, threads or memory: a
+ * session that is not guarded yet is not then, and must not be armed.
  */
 void GuardSession(HapticSession* session);
 void ReleaseSession(HapticSession* session);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Setup/HapticSetupSettings.h"
 
-#include "VTK/Baking/HapticMethods.h"
 #include "Core/Model/HapticModel.h"
+#include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticVolumeView.h"
 
 #include "vtkCamera.h"

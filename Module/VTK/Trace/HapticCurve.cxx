@@ -40,7 +40,9 @@ double SpiralLength(double angle)
   return 0.5 * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
 }
 
-/** The angle at a length: Newton's method, whose step never overshoots since the length is convex. */
+/**
+ * The angle at a length: Newton's method, whose step never overshoots since the length is convex.
+ */
 double SpiralAngle(double length)
 {
   double angle = std::sqrt(2.0 * length);

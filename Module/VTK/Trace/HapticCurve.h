@@ -25,7 +25,10 @@ struct HapticCurve
 /** Straight from corner to corner; there are two at least. */
 HapticCurve MakePolygonCurve(const std::vector<Vector3>& corners);
 
-/** Around a centre, in the plane across a normal (of any length but 0), counterclockwise seen from its tip. */
+/**
+ * Around a centre, in the plane across a normal (of any length but 0), counterclockwise seen from
+ * its tip.
+ */
 HapticCurve MakeCircleCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns);
 

@@ -19,7 +19,10 @@ namespace
 
 constexpr std::size_t BufferSize = 1 << 16;
 
-/** Bytes of the UTF-8 character that begins here; 0 where there is none (RFC 3629, table in section 4). */
+/**
+ * Bytes of the UTF-8 character that begins here; 0 where there is none (RFC 3629, table in section
+ * 4).
+ */
 std::size_t CharacterSize(const unsigned char* text, std::size_t left)
 {
   const unsigned char first = text[0];
@@ -51,13 +54,18 @@ std::size_t CharacterSize(const unsigned char* text, std::size_t left)
   return size;
 }
 
-/** A descriptor that opening a FIFO does not wait for; below zero, with errno, where there is none. */
+/**
+ * A descriptor that opening a FIFO does not wait for; below zero, with errno, where there is none.
+ */
 int OpenToRead(const std::string& file)
 {
   return OpenFile(file, O_RDONLY | O_NONBLOCK);
 }
 
-/** Creates a file with a random name in the folder of another one. Returns its descriptor, or -1 with errno. */
+/**
+ * Creates a file with a random name in the folder of another one. Returns its descriptor, or -1
+ * with errno.
+ */
 int CreateBeside(const std::string& file, mode_t mode, std::string& name)
 {
   std::random_device random;

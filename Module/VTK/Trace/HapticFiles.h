@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Files that are written whole or not at all, files that are read without hanging, and how errors name them.
+ * Files that are written whole or not at all, files that are read without hanging, and how errors
+ * name them.
  */
 #ifndef HapticFiles_h
 #define HapticFiles_h
@@ -17,8 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * A text for a message. Names of files may hold any bytes; those that are not UTF-8 become \xNN, since Python drops a
- * message that is not UTF-8.
+ * A text for a message. Names of files may hold any bytes; those that are not UTF-8 become \xNN,
+ * since Python drops a message that is not UTF-8.
  */
 std::string Printable(const std::string& text);
 
@@ -31,14 +32,20 @@ std::string GetFolder(const std::string& file);
 /** Says why a file can't be written, and the cure, from an errno. */
 std::string ExplainWriteError(int number, const std::string& file);
 
-/** False, with the reason and the cure, where a file can't be written, as far as that shows before it is. */
+/**
+ * False, with the reason and the cure, where a file can't be written, as far as that shows before
+ * it is.
+ */
 bool CheckWritable(const std::string& file, std::string& error);
 
 /** Text of an errno. */
 std::string DescribeError(int number);
 
 ///@{
-/** open(2) and fsync(2), again where a signal interrupted them. A file system that has no fsync is no error. */
+/**
+ * open(2) and fsync(2), again where a signal interrupted them. A file system that has no fsync is
+ * no error.
+ */
 int OpenFile(const std::string& file, int flags, mode_t mode = 0);
 int SyncFile(int descriptor);
 ///@}
@@ -52,12 +59,15 @@ std::string FollowLinks(const std::string& file);
 bool IsSameFile(int descriptor, const std::string& file);
 
 /**
- * Gives a new file the owner, the group and the permissions of another one, as far as the system allows. False where
- * the group is another one; that one then gets no permissions.
+ * Gives a new file the owner, the group and the permissions of another one, as far as the system
+ * allows. False where the group is another one; that one then gets no permissions.
  */
 bool TakePermissions(int descriptor, const struct stat& other);
 
-/** False, with what it is instead, for everything but regular files: to read a FIFO or a terminal may take for ever. */
+/**
+ * False, with what it is instead, for everything but regular files: to read a FIFO or a terminal
+ * may take for ever.
+ */
 bool CheckRegular(const std::string& file, std::string& error);
 
 /** Reads a regular file of at most so many bytes; else false, with the reason and the cure. */
@@ -65,9 +75,10 @@ bool ReadSmallFile(
   const std::string& file, std::size_t most, std::string& text, std::string& error);
 
 /**
- * Writes a file under another name in the same folder, and gives it its own name when all of it is on the disk. So a
- * file that is there stays as it is until then, whatever happens. Its owner and permissions stay as well; a file whose
- * group this user may not give to a new one is written in place at the end.
+ * Writes a file under another name in the same folder, and gives it its own name when all of it is
+ * on the disk. So a file that is there stays as it is until then, whatever happens. Its owner and
+ * permissions stay as well; a file whose group this user may not give to a new one is written in
+ * place at the end.
  */
 class FileReplacement
 {
@@ -88,9 +99,15 @@ public:
   ///@}
   std::uint64_t GetSize() const { return this->Size; }
   bool HasFailed() const { return this->Failure != 0; }
-  /** Takes all of it to the disk, without giving it its name; false as for Commit, which does it where it was not. */
+  /**
+   * Takes all of it to the disk, without giving it its name; false as for Commit, which does it
+   * where it was not.
+   */
   bool Finish(std::string& error);
-  /** False, with the reason and the cure, where anything could not be written; the file is then as it was. */
+  /**
+   * False, with the reason and the cure, where anything could not be written; the file is then as
+   * it was.
+   */
   bool Commit(std::string& error);
 
 private:
@@ -106,7 +123,7 @@ private:
   int Descriptor = -1;
   bool IsThere = false; ///< the temporary file
   bool IsInPlace = false;
-  int Failure = 0;      ///< the errno of the first error
+  int Failure = 0; ///< the errno of the first error
 };
 
 /** Writes all of it; 0, or the errno of what went wrong. */

@@ -12,7 +12,9 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Measured on a desktop computer of 2023; where the layout is another one the values are copied. */
+/**
+ * Measured on a desktop computer of 2023; where the layout is another one the values are copied.
+ */
 constexpr double SecondsPerByte = 1.6e-9;
 constexpr double SecondsPerValue = 30e-9;
 } // namespace

@@ -14,7 +14,10 @@ class vtkDataArray;
 namespace VolumeHaptics
 {
 
-/** MD5 of the values of an array, tuple by tuple in whatever layout they lie in memory, and of how it is shaped. */
+/**
+ * MD5 of the values of an array, tuple by tuple in whatever layout they lie in memory, and of how
+ * it is shaped.
+ */
 std::string HashArray(vtkDataArray* array, const int dimensions[3]);
 
 /** How long that takes, about (s). */

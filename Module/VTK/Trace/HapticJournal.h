@@ -4,11 +4,11 @@
  * @file
  * The journal of a recording that is under way: FILE.part, from which FILE is made when it ends.
  *
- * A journal is written from its beginning to its end, in chunks that each carry a checksum: what the recording is
- * about, the first state, placements, and groups of ticks. A group holds the columns one after the other, each
- * compressed as a block of VTK's XML format is, so that a .vtp is made by copying blocks. Whatever ends a journal, a
- * full disk or the death of the program, all chunks before are read. It is for the machine that wrote it: numbers are
- * as in memory.
+ * A journal is written from its beginning to its end, in chunks that each carry a checksum: what
+ * the recording is about, the first state, placements, and groups of ticks. A group holds the
+ * columns one after the other, each compressed as a block of VTK's XML format is, so that a .vtp is
+ * made by copying blocks. Whatever ends a journal, a full disk or the death of the program, all
+ * chunks before are read. It is for the machine that wrote it: numbers are as in memory.
  */
 #ifndef HapticJournal_h
 #define HapticJournal_h
@@ -77,9 +77,10 @@ public:
   JournalWriter& operator=(const JournalWriter&) = delete;
 
   /**
-   * Creates the journal of a file, with the file's permissions where it exists. False, with the reason and the cure;
-   * where another program writes to it, too. One that an earlier recording left is renamed, or where the file system
-   * has no locks, which would tell whether it is still written, this one gets another name; the warning says so.
+   * Creates the journal of a file, with the file's permissions where it exists. False, with the
+   * reason and the cure; where another program writes to it, too. One that an earlier recording
+   * left is renamed, or where the file system has no locks, which would tell whether it is still
+   * written, this one gets another name; the warning says so.
    */
   bool Create(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
@@ -115,8 +116,8 @@ public:
 
   ///@{
   /**
-   * Looks through all of it; false, with the reason, where it is no journal, or is being written. That of a writer
-   * is the file that it wrote, whatever has its name now.
+   * Looks through all of it; false, with the reason, where it is no journal, or is being written.
+   * That of a writer is the file that it wrote, whatever has its name now.
    */
   bool Open(const std::string& journal, std::string& error);
   bool Open(const JournalWriter& writer, std::string& error);
@@ -124,8 +125,8 @@ public:
   /** Expects as many ticks as were written. */
   void Expect(std::uint64_t ticks);
   /**
-   * Why there is more than could be read, with the numbers; empty where all was read, or where the last chunk alone
-   * was cut off, as a crash does it.
+   * Why there is more than could be read, with the numbers; empty where all was read, or where the
+   * last chunk alone was cut off, as a crash does it.
    */
   const std::string& GetDamage() const { return this->Damage; }
   bool IsAt(const std::string& file) const;

@@ -5,11 +5,12 @@
  * The format of a journal, for its writer and its reader.
  *
  * A chunk is a head (kind, 0, size and checksum of the payload) and a payload. Payloads:
- * - About: JournalMark, then texts, each after its length: the columns, and those of RecordingAbout;
+ * - About: JournalMark, then texts, each after its length: the columns, and those of
+ *   RecordingAbout;
  * - Begin: a RecordingBegin;
  * - Placements: PlacementRows;
- * - Ticks: how many ticks were lost until then (64 bits), how many these are (32 bits), the size of each column's
- *   block (32 bits), and the blocks.
+ * - Ticks: how many ticks were lost until then (64 bits), how many these are (32 bits), the size of
+ *   each column's block (32 bits), and the blocks.
  */
 #ifndef HapticJournalChunks_h
 #define HapticJournalChunks_h

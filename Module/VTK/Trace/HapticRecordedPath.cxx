@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads recordings that anybody may have changed: no number gets to the servo's tick that its own ones can't be.
+// Reads recordings that anybody may have changed: no number gets to the servo's tick that its own
+// ones can't be.
 #include "VTK/Trace/HapticTipPath.h"
 
 #include "Core/Solvers/ServoStateNumbers.h"

@@ -4,15 +4,16 @@
  * @file
  * A recording of the servo loop: a trace with everything that replays it to the bit.
  *
- * Every tick goes to a journal beside the file, on a thread of the recording's own: a disk that makes its writer wait
- * holds up neither the servo nor the session's keeper. What waits for the disk is bounded; ticks beyond that are lost,
- * and counted. The file is made from the journal at the end (HapticRecordingFile.h).
+ * Every tick goes to a journal beside the file, on a thread of the recording's own: a disk that
+ * makes its writer wait holds up neither the servo nor the session's keeper. What waits for the
+ * disk is bounded; ticks beyond that are lost, and counted. The file is made from the journal at
+ * the end (HapticRecordingFile.h).
  */
 #ifndef HapticRecording_h
 #define HapticRecording_h
 
-#include "VTK/Trace/HapticJournal.h"
 #include "Core/Servo/ServoClock.h"
+#include "VTK/Trace/HapticJournal.h"
 
 #include <atomic>
 #include <deque>
@@ -39,15 +40,22 @@ public:
   HapticRecording& operator=(const HapticRecording&) = delete;
 
   /**
-   * Begins the journal of a file. False, with the reason and the cure, where the file could not be written.
-   * A journal of the same name that an earlier program left is renamed, and the warning says to what.
+   * Begins the journal of a file. False, with the reason and the cure, where the file could not be
+   * written. A journal of the same name that an earlier program left is renamed, and the warning
+   * says to what.
    */
   bool Start(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
 
-  /** The model of a generation that the loop may use from now on. Frees older ones: for their owner's thread. */
+  /**
+   * The model of a generation that the loop may use from now on. Frees older ones: for their
+   * owner's thread.
+   */
   void AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model);
-  /** Takes a tick; false where it is lost. Ticks without a model are left out: there was no world to be in. */
+  /**
+   * Takes a tick; false where it is lost. Ticks without a model are left out: there was no world to
+   * be in.
+   */
   bool Append(const ServoSnapshot& snapshot);
   /** How many ticks have not come this far. */
   void SetMissed(std::uint64_t ticks) { this->Missed.store(ticks); }
@@ -56,10 +64,16 @@ public:
   /** Those that are in the journal. */
   std::uint64_t GetNumberOfTicks() const { return this->Written.load(); }
 
-  /** Why it ended before it was stopped, and what is left of it; empty while all is well. From any thread. */
+  /**
+   * Why it ended before it was stopped, and what is left of it; empty while all is well. From any
+   * thread.
+   */
   std::string GetTrouble() const;
 
-  /** Ends the journal and makes the file. False where not all of it is in the file; the error says where it is. */
+  /**
+   * Ends the journal and makes the file. False where not all of it is in the file; the error says
+   * where it is.
+   */
   bool Finish(std::string& error);
 
 private:

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes the file of a recording from its journal: .vtp (everything) or .csv (the point arrays, one line a tick, with
- * the field arrays beside it in .csv.json). Memory does not grow with the recording's length.
+ * Makes the file of a recording from its journal: .vtp (everything) or .csv (the point arrays, one
+ * line a tick, with the field arrays beside it in .csv.json). Memory does not grow with the
+ * recording's length.
  *
- * Beyond the arrays of vtkVolumeHapticsFilter's output a recording has the point arrays `DeviceTip` (m),
- * `Command` (3; N, world axes: what the safety stage let through), `Tick`, `Enabled`, `Placement`,
- * `Buttons`, `Armed` and `Fault`, and the field arrays `DeviceToWorld` (16 a placement),
- * `InitialState`, `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`, `Units`, `VolumeHash` and
- * `LostTicks`.
+ * Beyond the arrays of vtkVolumeHapticsFilter's output a recording has the point arrays `DeviceTip`
+ * (m), `Command` (3; N, world axes: what the safety stage let through), `Tick`, `Enabled`,
+ * `Placement`, `Buttons`, `Armed` and `Fault`, and the field arrays `DeviceToWorld` (16 a
+ * placement), `InitialState`, `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`,
+ * `Units`, `VolumeHash` and `LostTicks`.
  */
 #ifndef HapticRecordingFile_h
 #define HapticRecordingFile_h
@@ -26,9 +27,10 @@ extern const char* const RecordingUnits;
 
 ///@{
 /**
- * Writes the file, by its ending, and removes the journal when all of it is in the file and that is on the disk. False,
- * with the reason and the cure, where that fails: the journal then stays. Where a part of it can be read, the file gets
- * that part if no file was there before. The trouble is why the recording itself is not whole.
+ * Writes the file, by its ending, and removes the journal when all of it is in the file and that is
+ * on the disk. False, with the reason and the cure, where that fails: the journal then stays. Where
+ * a part of it can be read, the file gets that part if no file was there before. The trouble is why
+ * the recording itself is not whole.
  */
 bool WriteRecording(const std::string& journal, const std::string& file, std::string& error);
 bool WriteRecording(JournalReader& reader, const std::string& journal, const std::string& file,

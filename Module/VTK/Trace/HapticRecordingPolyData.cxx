@@ -19,7 +19,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Bytes as base64, of which every three become four characters, in one piece from the first to the last. */
+/**
+ * Bytes as base64, of which every three become four characters, in one piece from the first to the
+ * last.
+ */
 class Base64
 {
 public:
@@ -53,8 +56,8 @@ private:
 };
 
 /**
- * The numbers of an array, in place: how many blocks, their size, that of the last one where it is smaller, the
- * compressed sizes, all of 32 bits and in base64; then the blocks.
+ * The numbers of an array, in place: how many blocks, their size, that of the last one where it is
+ * smaller, the compressed sizes, all of 32 bits and in base64; then the blocks.
  */
 class InlineArray
 {

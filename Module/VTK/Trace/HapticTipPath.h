@@ -69,9 +69,9 @@ std::string DescribeLackOfMemory(double ticks);
 std::size_t CountLines(vtkPolyData* path);
 
 /**
- * Where the points of the line cells, in the order in which they are stored, go on without a cell that joins them: the
- * last point before such a leap, and the first after it; -1, -1 if there is none. Points at one place need no cell.
- * Points have to be finite.
+ * Where the points of the line cells, in the order in which they are stored, go on without a cell
+ * that joins them: the last point before such a leap, and the first after it; -1, -1 if there is
+ * none. Points at one place need no cell. Points have to be finite.
  */
 std::pair<long long, long long> FindLeap(vtkPolyData* path);
 

@@ -148,7 +148,8 @@ std::size_t CountLines(vtkPolyData* path)
     return ends.size() / 2;
   }
 
-  // Ends meet where they are equal. What continues the cell before may also miss its end by rounding.
+  // Ends meet where they are equal. What continues the cell before may also miss its end by
+  // rounding.
   const double near = FindRounding(path);
   Junctions junctions(ends.size());
   std::map<std::array<double, 3>, std::size_t> places;
@@ -163,8 +164,8 @@ std::size_t CountLines(vtkPolyData* path)
     }
   }
 
-  // Cells that hang together can be drawn in one go when at most two of their junctions have an odd number of ends
-  // (Euler), and otherwise take a line for every two of these.
+  // Cells that hang together can be drawn in one go when at most two of their junctions have an odd
+  // number of ends (Euler), and otherwise take a line for every two of these.
   std::map<std::size_t, std::size_t> endsAt;
   for (std::size_t i = 0; i < ends.size(); ++i)
   {

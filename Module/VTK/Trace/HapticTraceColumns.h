@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The arrays of traces and recordings: one list of names, types and units, and the rows that fill them.
+ * The arrays of traces and recordings: one list of names, types and units, and the rows that fill
+ * them.
  *
  * The filter's output, the journal of a recording and both kinds of file are made from these lists.
  */

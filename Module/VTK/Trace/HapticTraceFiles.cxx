@@ -25,7 +25,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** What the three columns of positions are called, the first that are there: here, by ParaView, by people. */
+/**
+ * What the three columns of positions are called, the first that are there: here, by ParaView, by
+ * people.
+ */
 const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },
   { "Points:0", "Points:1", "Points:2" }, { "x", "y", "z" } };
 const char* const DeviceColumns[3] = { "DeviceTip x", "DeviceTip y", "DeviceTip z" };

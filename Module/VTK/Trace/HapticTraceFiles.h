@@ -36,8 +36,9 @@ struct RecordedTips
 bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
 
 /**
- * The same for a path in world units: never DeviceTip, and from the columns "Points:0" to "Points:2" or "x", "y"
- * and "z" where a .csv has no Tip. Whoever wrote it may have left out the end of its last line.
+ * The same for a path in world units: never DeviceTip, and from the columns "Points:0" to
+ * "Points:2" or "x", "y" and "z" where a .csv has no Tip. Whoever wrote it may have left out the
+ * end of its last line.
  */
 bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
 

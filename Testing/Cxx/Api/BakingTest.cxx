@@ -6,8 +6,8 @@
  * curved pieces to within 0.01 % of the piece's height, whatever vtkPiecewiseFunction offers.
  */
 
-#include "VTK/Baking/HapticFunctions.h"
 #include "RandomFunctions.h"
+#include "VTK/Baking/HapticFunctions.h"
 
 #include <gtest/gtest.h>
 

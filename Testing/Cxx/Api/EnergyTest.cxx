@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the hand is given in a closed cycle: nothing by a proxy, and what the paper says against force fields.
+ * What the hand is given in a closed cycle: nothing by a proxy, and what the paper says against
+ * force fields.
  */
 
 #include "ApiRig.h"

@@ -50,7 +50,8 @@ double Edge(double z)
   return 500.0 * (1.0 + std::erf((z - 24.0) / 1.5));
 }
 
-/// Counts the values that are read one by one, as the estimate does. A bake reads the eight corners at most.
+/// Counts the values that are read one by one, as the estimate does. A bake reads the eight corners
+/// at most.
 class CountingArray : public vtkFloatArray
 {
 public:

@@ -22,7 +22,8 @@ constexpr double Pi = 3.14159265358979323846;
 class PathSource : public testing::Test
 {
 protected:
-  /// Update, expecting a polyline with times, whose steps are all as long as the first, or shorter by `bend`.
+  /// Update, expecting a polyline with times, whose steps are all as long as the first, or shorter
+  /// by `bend`.
   vtkPolyData* Run(double length, double bend)
   {
     this->Source->Update();

@@ -18,7 +18,8 @@
 
 namespace apitest
 {
-/// 60 x 56 x 52 voxels, with indices that do not begin at 0; a surface of 20 voxels' radius, and noise.
+/// 60 x 56 x 52 voxels, with indices that do not begin at 0; a surface of 20 voxels' radius, and
+/// noise.
 inline vtkSmartPointer<vtkImageData> MakeBall(int scalarType = VTK_SHORT, double sigma = 10.0)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

@@ -44,8 +44,8 @@ protected:
     EXPECT_EQ(this->Log.Errors.size(), 0U);
   }
 
-  /// N. In another mesh the sphere meets its triangles in another order; of two that are parallel to 1e-6 rad, the first
-  /// one's normal counts.
+  /// N. In another mesh the sphere meets its triangles in another order; of two that are parallel
+  /// to 1e-6 rad, the first one's normal counts.
   const double Tolerance = std::string(this->GetParam()) == "surface-proxy" ? 1e-7 : 1e-9;
   vtkSmartPointer<vtkImageData> Whole = MakeBall();
   vtkNew<vtkHapticRegionFilter> Crop;

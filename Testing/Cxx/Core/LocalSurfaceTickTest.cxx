@@ -5,8 +5,8 @@
  * How the servo touches what the slow loop finds: 500 N/m at 1 kHz, a surface at z = 12 mm.
  */
 
-#include "LocalSurfaceRig.h"
 #include "Core/Solvers/ServoStateNumbers.h"
+#include "LocalSurfaceRig.h"
 #include "SurfaceRig.h"
 
 using namespace coretest;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PRECISE where a tick is not enough, where the model changes under a resting hand, and where its
- * state is stored.
+ * Solver PRECISE where a tick is not enough, where the model changes under a resting hand, and
+ * where its state is stored.
  */
 
-#include "CoreScene.h"
 #include "Core/Solvers/Precise/PreciseSolver.h"
 #include "Core/Solvers/ServoStateNumbers.h"
+#include "CoreScene.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,8 @@ TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);
-  // A metre sideways and back, then 100 mm through the air and 18 into the wall, all of it in one tick each.
+  // A metre sideways and back, then 100 mm through the air and 18 into the wall, all of it in one
+  // tick each.
   Tick(model, state, { 1.012, 0.012, 0.001 }, record);
   EXPECT_LT(Norm(record.Force), 1e-12);
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The tree of boxes beside what is found the long way, and that it takes no more time than it is given.
+ * The tree of boxes beside what is found the long way, and that it takes no more time than it is
+ * given.
  */
 
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Child processes that hold an armed device without a watchdog of its own. It keeps the last force that it was sent in
- * memory that outlives the child, as the motors of such a device keep it.
+ * Child processes that hold an armed device without a watchdog of its own. It keeps the last force
+ * that it was sent in memory that outlives the child, as the motors of such a device keep it.
  */
 #ifndef EndingsRig_h
 #define EndingsRig_h
@@ -122,7 +122,8 @@ protected:
   }
   ~Endings() override { munmap(Lasting, sizeof(LastingDevice)); }
 
-  /// Lets force flow. The servo is so slow that an ending which does not wait for its next tick is seen.
+  /// Lets force flow. The servo is so slow that an ending which does not wait for its next tick is
+  /// seen.
   void Feel(double rate = 100.0)
   {
     const rlimit none{ 0, 0 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * However a process ends that can still do something about it, its device has no force, and the process ends as it
- * would without that.
+ * However a process ends that can still do something about it, its device has no force, and the
+ * process ends as it would without that.
  */
 
 #include "EndingsRig.h"

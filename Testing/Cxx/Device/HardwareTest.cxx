@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device that has to be made ready and can be lost, as an application sees it; and one of a kind of its own.
+ * A device that has to be made ready and can be lost, as an application sees it; and one of a kind
+ * of its own.
  */
 
 #include "DeviceRig.h"

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Journals on disks that can't be read, file systems without locks, signals in the middle, other programs that rename
- * and remove, and machines without a thread or without room.
+ * Journals on disks that can't be read, file systems without locks, signals in the middle, other
+ * programs that rename and remove, and machines without a thread or without room.
  *
- * flock(2), fsync(2) and pread(2) are this program's, which fail as the manual pages say that they may.
+ * flock(2), fsync(2) and pread(2) are this program's, which fail as the manual pages say that they
+ * may.
  */
 
 #include "RecorderRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Work that keeps the owner from looking after the hand: the force is off meanwhile, and back afterwards.
+ * Work that keeps the owner from looking after the hand: the force is off meanwhile, and back
+ * afterwards.
  */
 
 #include "DeviceRig.h"
@@ -61,10 +62,11 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; });
   }
-  /// The force was there all the time, but for pauses of a busy machine, after which only a new contact is felt.
+  /// The force was there all the time, but for pauses of a busy machine, after which only a new
+  /// contact is felt.
   void ExpectForce() { EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused); }
-  /// How many states since the last call have no force. None has a fault; a force that ends does not leap from a tick to
-  /// the next one.
+  /// How many states since the last call have no force. None has a fault; a force that ends does
+  /// not leap from a tick to the next one.
   int CountForceless(bool isArmed = true)
   {
     this->Device->DrainStates(this->States);

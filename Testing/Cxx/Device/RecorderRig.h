@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A recorder without a device: a model, ticks of all digits, and files in a folder that goes with the program.
+ * A recorder without a device: a model, ticks of all digits, and files in a folder that goes with
+ * the program.
  */
 #ifndef RecorderRig_h
 #define RecorderRig_h

@@ -7,8 +7,8 @@
 
 #include "RecorderRig.h"
 
-#include "VTK/Trace/HapticFiles.h"
 #include "VTK/Session/HapticSession.h"
+#include "VTK/Trace/HapticFiles.h"
 
 using namespace recordertest;
 
@@ -181,7 +181,8 @@ TEST_F(Recorder, ReadsAJournalThatEndsAnywhere)
       ASSERT_EQ(trace->GetPointData()->GetArray("Tick")->GetComponent(i, 0), i);
     }
   }
-  // Bytes that have changed in the middle are an error, which keeps the journal, and a file that is there.
+  // Bytes that have changed in the middle are an error, which keeps the journal, and a file that is
+  // there.
   for (std::size_t at = 5; at < whole.size(); at += whole.size() / 50)
   {
     std::string other = whole;
@@ -218,7 +219,8 @@ TEST_F(Recorder, SaysHowManyTicksWereLost)
 
 TEST(HapticFiles, PrintsWhatIsNotUtf8)
 {
-  // Examples of RFC 3629, sections 3 and 7, and of Markus Kuhn's stress test: overlong, surrogates, cut off.
+  // Examples of RFC 3629, sections 3 and 7, and of Markus Kuhn's stress test: overlong, surrogates,
+  // cut off.
   EXPECT_EQ(Printable("caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4"),
     "caf\xC3\xA9 \xE6\x97\xA5\xE6\x9C\xAC \xF0\xA3\x8E\xB4");
   EXPECT_EQ(Printable("\xC0\x80"), "\\xC0\\x80");

@@ -21,7 +21,8 @@ struct EventCount
   int Count = 0;
 };
 
-/// Closes a device when the process exits, after the destructors of everything that was made in main().
+/// Closes a device when the process exits, after the destructors of everything that was made in
+/// main().
 struct LastOwner
 {
   ~LastOwner()
@@ -62,7 +63,8 @@ TEST_F(RecordingFailure, OfTheProgramKeepsWhatThereIs)
   this->ExpectError("under way");
   ASSERT_TRUE(this->Device->StopRecording());
   this->Device->Close();
-  // Two groups are 512 lines of 20 us each, which a hand under the shortest attention (0.05 s) may notice.
+  // Two groups are 512 lines of 20 us each, which a hand under the shortest attention (0.05 s) may
+  // notice.
   EventCount begins;
   this->Device->AddObserver(vtkCommand::StartEvent, &begins, &EventCount::Add);
   this->Device->SetAttentionTime(0.05);

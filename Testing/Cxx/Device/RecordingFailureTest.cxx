@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Disks that are full and folders that may not be written: every one is told at once, and what was written can be read.
+ * Disks that are full and folders that may not be written: every one is told at once, and what was
+ * written can be read.
  */
 
 #include "RecordingFailureRig.h"
@@ -14,8 +15,8 @@ using namespace devicetest;
 namespace
 {
 
-/// As long as this lives, permissions count for this process even if it is root's, and it is in a folder that a user
-/// without rights could perhaps not enter.
+/// As long as this lives, permissions count for this process even if it is root's, and it is in a
+/// folder that a user without rights could perhaps not enter.
 class NobodysRights
 {
 public:

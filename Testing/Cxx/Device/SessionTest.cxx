@@ -20,7 +20,8 @@ using devicetest::Eventually;
 namespace
 {
 class HangingDevice;
-/// The devices that this thread has quenched, in their order; keepers quench on threads of their own.
+/// The devices that this thread has quenched, in their order; keepers quench on threads of their
+/// own.
 thread_local std::vector<const HangingDevice*> Quenched;
 
 /// Hangs in Read for as long as it is told to.

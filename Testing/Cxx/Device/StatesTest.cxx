@@ -120,7 +120,8 @@ TEST_F(States, AreWhereTheDeviceWas)
   ASSERT_TRUE(this->WaitTicks(3));
   this->Device->DrainStates(this->Table);
   ASSERT_GT(this->Table->GetNumberOfRows(), 1);
-  // The hand rests: its distance from the axis of the turns, where they are not shifted, is a scale.
+  // The hand rests: its distance from the axis of the turns, where they are not shifted, is a
+  // scale.
   EXPECT_NEAR(this->At("Tip", 0, 0), 7.0, 1e-9);
   EXPECT_NEAR(this->At("Tip", 0, 2), 5.0, 1e-9);
   const vtkIdType last = this->Table->GetNumberOfRows() - 1;

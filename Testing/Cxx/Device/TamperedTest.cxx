@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Recordings with numbers that were changed: either one error that names what is wrong, or a trace like any other,
- * with finite forces that are no longer than the filter's MaximumForce. Never a replay without an end.
+ * Recordings with numbers that were changed: either one error that names what is wrong, or a trace
+ * like any other, with finite forces that are no longer than the filter's MaximumForce. Never a
+ * replay without an end.
  */
 
 #include "RecordingRig.h"
@@ -37,7 +38,8 @@ protected:
     this->Filter->SetMaximumForce(MaximumForce);
     this->Filter->SetIsoValue(700.0);
   }
-  /// The recording of a hand that wanders: it begins in contact, and the device is moved on the way.
+  /// The recording of a hand that wanders: it begins in contact, and the device is moved on the
+  /// way.
   vtkSmartPointer<vtkPolyData> Record()
   {
     const std::string file = this->File(("Tampered" + std::to_string(getpid()) + ".vtp").c_str());

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What an emulated device is, whatever carries it: umockdev in the tests, a virtual USB port of a real kernel.
+ * What an emulated device is, whatever carries it: umockdev in the tests, a virtual USB port of a
+ * real kernel.
  *
  * The carrier calls a model from one thread at a time, though not always from the same one.
  */
@@ -48,7 +49,10 @@ public:
   /** Fills in what follows the id; the size with the id, or -errno. */
   virtual int GetFeature(std::uint8_t* report, int size) = 0;
 
-  /** The carrier's: the model calls it with an input report, the id left out where the device has none. */
+  /**
+   * The carrier's: the model calls it with an input report, the id left out where the device has
+   * none.
+   */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
 };
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated Falcon: what a person sees who tries one for the first time.
+ * volumehaptics-device with an emulated Falcon: what a person sees who tries one for the first
+ * time.
  */
 
 #include "../TemporaryFolder.h"
@@ -30,7 +31,8 @@ protected:
     this->WasHoming = this->WasHoming || homes;
     const double t = 0.001 * this->Steps++;
     const double z = this->IsHomed ? 0.172 : 0.127 + 0.0465 * std::cos(4.0 * t);
-    // In and out, as a busy machine may leave the device unwatched for a moment, and the force begins anew.
+    // In and out, as a busy machine may leave the device unwatched for a moment, and the force
+    // begins anew.
     const double pressed = 0.12 + 0.02 * std::cos(4.0 * t);
     this->Falcon.SetAim({ 0.0, 0.0, this->IsPressing && this->IsHomed ? pressed : z });
   }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand that holds an arm: a mass that a spring and a damper pull towards a goal, in simulated time.
+ * A hand that holds an arm: a mass that a spring and a damper pull towards a goal, in simulated
+ * time.
  */
 #ifndef EmulatedHand_h
 #define EmulatedHand_h

@@ -4,9 +4,9 @@
 /**
  * A HID device that is plugged into the kernel that umockdev plays.
  *
- * Reports come through a FIFO in packet mode in the place of the hidraw node: one write is one read, poll()
- * tells the truth, and what nobody reads in time is dropped, as by the kernel. Writes and feature reports go
- * to the model on umockdev's own thread.
+ * Reports come through a FIFO in packet mode in the place of the hidraw node: one write is one
+ * read, poll() tells the truth, and what nobody reads in time is dropped, as by the kernel. Writes
+ * and feature reports go to the model on umockdev's own thread.
  */
 #ifndef EmulatedHid_h
 #define EmulatedHid_h
@@ -21,7 +21,10 @@ namespace emulated
 class EmulatedHid
 {
 public:
-  /** Plugs it in, as a node of a new number each time: the old one may still be open. The model has to outlive this. */
+  /**
+   * Plugs it in, as a node of a new number each time: the old one may still be open. The model has
+   * to outlive this.
+   */
   explicit EmulatedHid(HidModel& model);
   ~EmulatedHid();
   EmulatedHid(const EmulatedHid&) = delete;

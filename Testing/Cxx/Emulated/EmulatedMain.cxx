@@ -20,7 +20,10 @@ UMockdevTestbed* Testbed()
 
 namespace
 {
-/** Removes umockdev's folder. Deleting the testbed would do so, too, but threads may use it until the end. */
+/**
+ * Removes umockdev's folder. Deleting the testbed would do so, too, but threads may use it until
+ * the end.
+ */
 void RemoveTestbed()
 {
   char* const root = umockdev_testbed_get_root_dir(emulated::Testbed());

@@ -71,7 +71,10 @@ void EmulatedUsb::Plug::AddDevice(const std::string& port, int address)
   Check(umockdev_testbed_add_from_string(Testbed(), (text + "\n").c_str(), &error), error);
 }
 
-/** A plain file is always ready, so that poll would lie. A pipe that is full is not, and an empty one is. */
+/**
+ * A plain file is always ready, so that poll would lie. A pipe that is full is not, and an empty
+ * one is.
+ */
 void EmulatedUsb::Plug::ReplaceNode()
 {
   char* const root = umockdev_testbed_get_root_dir(Testbed());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB device from when it is plugged in until it is unplugged: the file under /dev/bus/usb, and its ioctls. It answers
- * until the program ends.
+ * A USB device from when it is plugged in until it is unplugged: the file under /dev/bus/usb, and
+ * its ioctls. It answers until the program ends.
  */
 #ifndef EmulatedPlug_h
 #define EmulatedPlug_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the computer that umockdev plays, and a USB device in it: what libusb asks the kernel for is answered
- * here, and what it sends goes to a model.
+ * A port of the computer that umockdev plays, and a USB device in it: what libusb asks the kernel
+ * for is answered here, and what it sends goes to a model.
  */
 #ifndef EmulatedUsb_h
 #define EmulatedUsb_h
@@ -18,7 +18,10 @@ namespace emulated
 class EmulatedUsb
 {
 public:
-  /** Plugs the device in, under an address of its own. The port is as in sysfs: "1-2" is bus 1, port 2. */
+  /**
+   * Plugs the device in, under an address of its own. The port is as in sysfs: "1-2" is bus 1, port
+   * 2.
+   */
   EmulatedUsb(UsbModel& model, const std::string& port);
   /** Unplugs it. */
   ~EmulatedUsb();
@@ -26,14 +29,20 @@ public:
   EmulatedUsb& operator=(const EmulatedUsb&) = delete;
 
   ///@{
-  /** With the events that the kernel would send. What flies when it is unplugged fails with ESHUTDOWN. */
+  /**
+   * With the events that the kernel would send. What flies when it is unplugged fails with
+   * ESHUTDOWN.
+   */
   void PlugIn();
   void Unplug();
   ///@}
 
   /** The file that stands for the device, for chmod. */
   std::string GetNode() const;
-  /** A driver of the kernel binds to interface 0, as it would when the device is plugged in; "" for none. */
+  /**
+   * A driver of the kernel binds to interface 0, as it would when the device is plugged in; "" for
+   * none.
+   */
   void BindDriver(const std::string& name);
   std::string GetDriver() const;
   /** Whether somebody has claimed interface 0. */

@@ -62,8 +62,8 @@ TEST_F(FalconBytesLoading, TheLoadersDialogue)
   const auto begin = std::find(all.begin(), all.end(), "c 40 09 0010");
   ASSERT_NE(begin, all.end());
   ASSERT_GE(begin - all.begin(), 2);
-  // Purge, latency 16, 9600 baud, 8N1, no flow control, RTS low, DTR low then high; the greeting; DTR low,
-  // 140 kbaud, the handshake.
+  // Purge, latency 16, 9600 baud, 8N1, no flow control, RTS low, DTR low then high; the greeting;
+  // DTR low, 140 kbaud, the handshake.
   const Lines expected = { "c 40 00 0001", "c 40 00 0002", "c 40 09 0010", "c 40 03 4138",
     "c 40 04 0008", "c 40 02 0000", "c 40 01 0200", "c 40 01 0100", "c 40 01 0101", "o 0a 43 0d",
     "c 40 01 0100", "c 40 03 0015", "o 41" };
@@ -86,7 +86,8 @@ TEST_F(FalconBytes, Commands)
   this->Falcon.TakeTranscript();
   ASSERT_TRUE(this->Feels({ 0.0, 0.0, 1.0 }));
   ASSERT_TRUE(this->Push({}, [&] { return this->Falcon.GetCommands() == Numbers{}; }));
-  // 1 N is an eighth of -2019 near the middle: 0xFF04 to 0xFF03, low nibble first. Blue: 0x41 + 0x04 + 0x01.
+  // 1 N is an eighth of -2019 near the middle: 0xFF04 to 0xFF03, low nibble first. Blue: 0x41 +
+  // 0x04 + 0x01.
   const Lines all = this->Falcon.TakeTranscript();
   EXPECT_TRUE(std::any_of(all.begin(), all.end(),
     [](const std::string& line) {

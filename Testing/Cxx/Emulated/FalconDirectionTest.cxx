@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force that the device makes of what it was sent: all over the workspace and far beyond what it can.
+ * The force that the device makes of what it was sent: all over the workspace and far beyond what
+ * it can.
  */
 
 #include "FalconRig.h"
@@ -40,8 +41,8 @@ protected:
     return { made[0], made[1], made[2] };
   }
   /**
-   * What the device got once a force has gone out: as it is wanted, or as much as it can. On a busy machine a force may
-   * have faded meanwhile, as one does that nobody renews.
+   * What the device got once a force has gone out: as it is wanted, or as much as it can. On a busy
+   * machine a force may have faded meanwhile, as one does that nobody renews.
    */
   Numbers Realise(const Vector3& wanted)
   {

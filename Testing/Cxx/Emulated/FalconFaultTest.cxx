@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What can go wrong with a device under force: it is lost, says why, gets zero, and resumes only after it was homed.
+ * What can go wrong with a device under force: it is lost, says why, gets zero, and resumes only
+ * after it was homed.
  */
 
 #include "FalconRig.h"

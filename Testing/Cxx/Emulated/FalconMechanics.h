@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: nothing here is shared with
- * what is tested. Positions are in metres in the device's frame, z from the base to the hand.
+ * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: nothing
+ * here is shared with what is tested. Positions are in metres in the device's frame, z from the
+ * base to the hand.
  */
 #ifndef FalconMechanics_h
 #define FalconMechanics_h
@@ -21,10 +22,16 @@ Numbers FalconArmAngles(const Numbers& grip);
 /** The counts of homed encoders, not rounded. */
 Numbers FalconEncoderCounts(const Numbers& grip);
 
-/** The force (N) on the grip, of motor commands: -1e-4 N m a unit, by the angles' differences along each axis. */
+/**
+ * The force (N) on the grip, of motor commands: -1e-4 N m a unit, by the angles' differences along
+ * each axis.
+ */
 Numbers FalconMotorForce(const Numbers& grip, const Numbers& commands);
 
-/** A grip of 0.1 kg between the motors and a hand, which is a spring and a damper on a point that wanders. */
+/**
+ * A grip of 0.1 kg between the motors and a hand, which is a spring and a damper on a point that
+ * wanders.
+ */
 class FalconGrip
 {
 public:

@@ -227,7 +227,10 @@ void FalconModel::TakePacket()
   this->Send(report);
 }
 
-/** A leg finds its zero once it has been at both ends, and keeps it as long as every packet asks for it. */
+/**
+ * A leg finds its zero once it has been at both ends, and keeps it as long as every packet asks for
+ * it.
+ */
 void FalconModel::FindZero(const Numbers& counts, bool asked)
 {
   if (!asked)

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip that the hand holds. Written
- * from the published facts alone; every run packet is a millisecond of its time.
+ * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip that
+ * the hand holds. Written from the published facts alone; every run packet is a millisecond of its
+ * time.
  *
- * Homing: libnifalcon/libnifalcon, include/falcon/firmware/FalconFirmwareNovintSDK.h (commit 0cf9f06), gives the three
- * bits of homed encoders as "(If homing mode on)", and formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp sends the
- * bit of the homing mode (0x01) with every packet while that is on. No source says what a packet without it does to a
- * zero that was found. That it is forgotten, until the mode is on again and the grip has been at both ends anew, is the
+ * Homing: libnifalcon/libnifalcon, include/falcon/firmware/FalconFirmwareNovintSDK.h (commit
+ * 0cf9f06), gives the three bits of homed encoders as "(If homing mode on)", and formatInput() in
+ * src/firmware/FalconFirmwareNovintSDK.cpp sends the bit of the homing mode (0x01) with every
+ * packet while that is on. No source says what a packet without it does to a zero that was found.
+ * That it is forgotten, until the mode is on again and the grip has been at both ends anew, is the
  * conservative reading: a driver that leaves the bit out fails here, whatever a real device does.
  */
 #ifndef FalconModel_h
@@ -75,8 +77,8 @@ public:
   /** Without power it forgets its firmware and its zero. */
   void SwitchOff();
   /**
-   * What was sent since the last call, a line each: "c 40 09 0010" is a request of type 0x40, number 9, value 0x10; "o "
-   * and the bytes in hexadecimal a transfer.
+   * What was sent since the last call, a line each: "c 40 09 0010" is a request of type 0x40,
+   * number 9, value 0x10; "o " and the bytes in hexadecimal a transfer.
    */
   std::vector<std::string> TakeTranscript();
   ///@}

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A whole session: from a device without firmware to a hand that feels a wall, loses the device, and feels it again.
+ * A whole session: from a device without firmware to a hand that feels a wall, loses the device,
+ * and feels it again.
  */
 
 #include "../Core/SurfaceRig.h"
@@ -35,7 +36,10 @@ protected:
     EXPECT_EQ(this->Falcon.GetImage(), this->Image);
     this->Home();
   }
-  /** The hand is beyond the wall (m) at x, y; the grip rests where its spring and the wall's are in balance. */
+  /**
+   * The hand is beyond the wall (m) at x, y; the grip rests where its spring and the wall's are in
+   * balance.
+   */
   void PressAt(double x, double y, double beyond)
   {
     const double depth =
@@ -58,7 +62,8 @@ protected:
     while (loop->Drain(snapshot))
     {
       EXPECT_GE(snapshot.Command.Z, 0.0);
-      // Nothing but what a sphere feels of the triangles' edges that begins overlapping them, after a pause of the loop.
+      // Nothing but what a sphere feels of the triangles' edges that begins overlapping them, after
+      // a pause of the loop.
       EXPECT_LT(std::hypot(snapshot.Command.X, snapshot.Command.Y), 0.01);
       most = std::max(most, snapshot.Command.Z);
     }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Every way to zero force: the servo stops, stands still or is quenched; the device is closed, destroyed or unplugged.
+ * Every way to zero force: the servo stops, stands still or is quenched; the device is closed,
+ * destroyed or unplugged.
  */
 
 #include "FalconRig.h"

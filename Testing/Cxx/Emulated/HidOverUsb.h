@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes a USB device of a model of a HID device: descriptors, the requests of the HID class, two interrupt endpoints.
+ * Makes a USB device of a model of a HID device: descriptors, the requests of the HID class, two
+ * interrupt endpoints.
  */
 #ifndef HidOverUsb_h
 #define HidOverUsb_h

@@ -23,7 +23,10 @@ inline constexpr double Radius = 1e-3;          ///< m, of the sphere that touch
 inline constexpr double Friction = 0.3;         ///< of the floor
 inline constexpr double FloorStiffness = 500.0; ///< N/m
 
-/** The floor where the sphere's middle is at a height (m) along a direction of the device's, which is out. */
+/**
+ * The floor where the sphere's middle is at a height (m) along a direction of the device's, which
+ * is out.
+ */
 class Floor
 {
 public:
@@ -42,7 +45,9 @@ private:
   const TestVolume Volume = MakeRamp();
 };
 
-/** How deep (m) a hand's spring presses that is led to a depth (m): both springs hold each other. */
+/**
+ * How deep (m) a hand's spring presses that is led to a depth (m): both springs hold each other.
+ */
 inline double BalancedDepth(double led)
 {
   return led * EmulatedHand::Stiffness / (EmulatedHand::Stiffness + FloorStiffness);
@@ -92,8 +97,8 @@ public:
   }
 
   /**
-   * Leads a hand to the surface, and in until it feels what is expected. Where a busy machine let the servo stand still
-   * meanwhile, the force began anew from inside: once more.
+   * Leads a hand to the surface, and in until it feels what is expected. Where a busy machine let
+   * the servo stand still meanwhile, the force began anew from inside: once more.
    */
   template <typename Approach, typename Enter, typename IsFelt>
   bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)

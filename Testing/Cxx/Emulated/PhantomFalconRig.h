@@ -44,8 +44,9 @@ protected:
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::READY)) << this->Device->GetStatusText();
   }
   /**
-   * From in front of the skin the hand goes on until it is so far (m) beyond, and feels it, in balance with its own
-   * spring. Where a busy machine left the device unwatched meanwhile, the force began anew from there: once more.
+   * From in front of the skin the hand goes on until it is so far (m) beyond, and feels it, in
+   * balance with its own spring. Where a busy machine left the device unwatched meanwhile, the
+   * force began anew from there: once more.
    */
   void Press(double x, double y, double beyond)
   {

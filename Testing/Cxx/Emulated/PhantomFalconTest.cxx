@@ -21,7 +21,8 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   std::ofstream(firmware, std::ios::binary) << std::string(4000, 'F');
   this->Device->SetFirmwareFile(firmware);
 
-  // Its loader does not answer until what is going on was seen: else the image may be there before anything was read.
+  // Its loader does not answer until what is going on was seen: else the image may be there before
+  // anything was read.
   this->Falcon.Break(FalconFault::NoGreeting);
   ASSERT_TRUE(this->Device->Open("falcon"));
   ASSERT_TRUE(this->Device->Start());

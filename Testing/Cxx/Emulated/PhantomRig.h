@@ -33,13 +33,14 @@ public:
   }
 
   /**
-   * Puts a device's origin onto the skin, so that one of its axes (0 to 2), or with a sign of -1 the other end of it,
-   * points out of the face.
+   * Puts a device's origin onto the skin, so that one of its axes (0 to 2), or with a sign of -1
+   * the other end of it, points out of the face.
    */
   vtkSmartPointer<vtkMatrix4x4> Place(int outward, double sign) const
   {
     auto place = vtkSmartPointer<vtkMatrix4x4>::New();
-    // Out of the face is -y; the others follow in a cycle, which is no mirror, and change sides with the sign.
+    // Out of the face is -y; the others follow in a cycle, which is no mirror, and change sides
+    // with the sign.
     const double axes[3][3] = { { 0.0, -sign, 0.0 }, { 0.0, 0.0, sign }, { -1.0, 0.0, 0.0 } };
     for (int i = 0; i < 3; ++i)
     {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A signal that ends the application while a hand feels the face: the device has got zero before the signal goes on.
+ * A signal that ends the application while a hand feels the face: the device has got zero before
+ * the signal goes on.
  */
 
 #include "PhantomFalconRig.h"

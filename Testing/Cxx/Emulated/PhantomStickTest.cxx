@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Applications on the phantom with devices of fewer directions: a force-feedback stick, and a SpaceMouse, without any.
+ * Applications on the phantom with devices of fewer directions: a force-feedback stick, and a
+ * SpaceMouse, without any.
  */
 
 #include "EmulatedHid.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two devices at once in one scene: each has its proxy on the same phantom, and neither notices what becomes of the other.
+ * Two devices at once in one scene: each has its proxy on the same phantom, and neither notices
+ * what becomes of the other.
  */
 
 #include "EmulatedHid.h"

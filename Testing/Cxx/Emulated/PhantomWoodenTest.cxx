@@ -16,7 +16,10 @@ namespace
 class PhantomWooden : public testing::Test
 {
 protected:
-  /** To a place (m) beyond the skin, which is at the arm's own x of 0: towards the hand is out of the face. */
+  /**
+   * To a place (m) beyond the skin, which is at the arm's own x of 0: towards the hand is out of
+   * the face.
+   */
   bool LeadTo(double beyond)
   {
     this->Arm.SetGoal({ -beyond, 0.0, 0.0 });

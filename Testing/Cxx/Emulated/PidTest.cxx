@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A session with a force-feedback wheel: from plugging it in to feeling a wall, and again after it was unplugged.
+ * A session with a force-feedback wheel: from plugging it in to feeling a wall, and again after it
+ * was unplugged.
  */
 
 #include "StickRig.h"
@@ -21,8 +22,8 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, StickModel::FullScale);
   EXPECT_EQ(ListDevices()[0].State, "in use");
   ASSERT_NO_FATAL_FAILURE(this->Feel());
-  // To the byte: block 1, constant, 100 ms, full gain, Direction Enable, 90 degrees of a circle of 255; started once;
-  // full gain of the device.
+  // To the byte: block 1, constant, 100 ms, full gain, Direction Enable, 90 degrees of a circle of
+  // 255; started once; full gain of the device.
   EXPECT_EQ(this->Model.GetLast(2), (Bytes{ 2, 1, 1, 100, 0, 255, 2, 64, 0 }));
   EXPECT_EQ(this->Model.GetLast(10)[2], 1);
   EXPECT_EQ(this->Model.GetLast(13), (Bytes{ 13, 255 }));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sessions with six-axis mice: the cap moves a virtual tip and turns the view, and no force can be felt.
+ * Sessions with six-axis mice: the cap moves a virtual tip and turns the view, and no force can be
+ * felt.
  */
 
 #include "HidRig.h"

@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force-feedback wheel of one axis, or a stick of two, after the PID 1.0 specification: a pool of effects, of which
- * each plays for its duration by the device's own time.
+ * A force-feedback wheel of one axis, or a stick of two, after the PID 1.0 specification: a pool of
+ * effects, of which each plays for its duration by the device's own time.
  *
- * Which way an effect pushes is OpenFFBoard's arithmetic (Ultrawipf/OpenFFBoard, commit 160af910): set_effect() in
- * HidFFB.cpp gives each axis a share,
- *   with Direction Enable: sin(direction) of x, -cos(direction) of y, the direction being the first angle;
- *   without: (direction x - 180 degrees) / 180 degrees of x and the negative of that of y's own angle, where the bit of
- *   the axis is set;
- * and calcComponentForce() in EffectsCalculator.cpp a torque of -magnitude times that, where a positive torque moves an
- * axis towards its positive end (a spring there is -coefficient times position). So a positive magnitude from 90 degrees
- * pushes to the left, as the direction is where the force comes from; Linux' hid-pidff.c does the same. An angle is 255
- * parts of a circle, as in ArduinoJoystickWithFFBLibrary.
+ * Which way an effect pushes is OpenFFBoard's arithmetic (Ultrawipf/OpenFFBoard, commit 160af910):
+ * set_effect() in HidFFB.cpp gives each axis a share,
+ *   with Direction Enable: sin(direction) of x, -cos(direction) of y, the direction being the first
+ *   angle;
+ *   without: (direction x - 180 degrees) / 180 degrees of x and the negative of that of y's own
+ *   angle, if the bit of the axis is set;
+ * and calcComponentForce() in EffectsCalculator.cpp a torque of -magnitude times that, where a
+ * positive torque moves an axis towards its positive end (a spring there is -coefficient times
+ * position). So a positive magnitude from 90 degrees pushes to the left, as the direction is where
+ * the force comes from; Linux' hid-pidff.c does the same. An angle is 255 parts of a circle, as in
+ * ArduinoJoystickWithFFBLibrary.
  */
 #ifndef StickModel_h
 #define StickModel_h

@@ -42,7 +42,9 @@ protected:
         Eventually([&] { return this->Model.GetTip()[0] < Wall - 0.004; });
       },
       [&] { this->Model.SetGoal(Wall + 0.01, 0.0); },
-      [&] { return IsNear(this->Model.GetForce(), { force, 0.0, 0.0 }, 0.05); }))
+      [&] {
+        return IsNear(this->Model.GetForce(), { force, 0.0, 0.0 }, 0.05);
+      }))
       << this->Model.GetForce()[0];
   }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle where nobody has
- * said how strong the stick is.
+ * volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle
+ * where nobody has said how strong the stick is.
  */
 
 #include "DeviceTool.h"

@@ -4,8 +4,8 @@
 /**
  * The device's side of USB/IP, in which Linux speaks to USB devices over a socket.
  *
- * Messages are 48 bytes of numbers, big-endian, and data. A transfer that the model has nothing for, or
- * no room, waits until it has, or until the kernel takes it back.
+ * Messages are 48 bytes of numbers, big-endian, and data. A transfer that the model has nothing
+ * for, or no room, waits until it has, or until the kernel takes it back.
  */
 #ifndef UsbIp_h
 #define UsbIp_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in: everything above it is a real kernel's.
+ * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in: everything above it is
+ * a real kernel's.
  *
  * Needs root and the module vhci_hcd; meant for a virtual machine of its own.
  */
@@ -19,7 +20,9 @@ namespace emulated
 class VirtualUsb
 {
 public:
-  /** Nothing is plugged in yet. The model outlives the port; its Ready is set here, and stays set. */
+  /**
+   * Nothing is plugged in yet. The model outlives the port; its Ready is set here, and stays set.
+   */
   VirtualUsb(UsbModel& model, int port);
   /** Unplugs. */
   ~VirtualUsb();

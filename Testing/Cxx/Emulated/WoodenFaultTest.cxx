@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What can go wrong with a WoodenHaptics while a floor is felt: no force is left, and the text says why.
+ * What can go wrong with a WoodenHaptics while a floor is felt: no force is left, and the text says
+ * why.
  */
 
 #include "WoodenRig.h"

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A WoodenHaptics of 2015 as its firmware and its mechanics show it, written from what is published.
+ * A WoodenHaptics of 2015 as its firmware and its mechanics show it, written from what is
+ * published.
  *
- * The packets are those of the mbed firmware with 14-byte reports (WoodenHapticsHID and its copy for Polhem, by Forsslund
- * Systems, 2019-09-10, "Polhem USB HID interface"): all counts are 0 when power comes; `info` is the flag of the
- * calibration button, 0 until that is pressed, and cleared by command 1; command 1 takes the attributes as the first
- * three counts and the currents as the others, and no current flows meanwhile; after 0.5 s without a packet the motors
- * are off.
+ * The packets are those of the mbed firmware with 14-byte reports (WoodenHapticsHID and its copy
+ * for Polhem, by Forsslund Systems, 2019-09-10, "Polhem USB HID interface"): all counts are 0 when
+ * power comes; `info` is the flag of the calibration button, 0 until that is pressed, and cleared
+ * by command 1; command 1 takes the attributes as the first three counts and the currents as the
+ * others, and no current flows meanwhile; after 0.5 s without a packet the motors are off.
  */
 #ifndef WoodenModel_h
 #define WoodenModel_h
@@ -33,7 +34,10 @@ enum class WoodenFault
   LostZero ///< the controller restarted: its encoders begin anew, and it says nothing of it
 };
 
-/** A millisecond of its time goes by with each packet that it gets, which it answers with one of its own. */
+/**
+ * A millisecond of its time goes by with each packet that it gets, which it answers with one of its
+ * own.
+ */
 class WoodenModel : public HidModel
 {
 public:

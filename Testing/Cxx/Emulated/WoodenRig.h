@@ -37,7 +37,9 @@ protected:
         this->Model.SetGoal({ 0.0, 0.0, Height + 0.005 });
         Eventually([&] { return std::abs(this->Model.GetTip()[2] - Height - 0.005) < 0.001; });
       },
-      [&] { this->Model.SetGoal({ 0.0, 0.0, Height - 0.01 }); },
+      [&] {
+        this->Model.SetGoal({ 0.0, 0.0, Height - 0.01 });
+      },
       [&] { return this->IsHeld(); }))
       << this->Model.GetForce()[2];
   }

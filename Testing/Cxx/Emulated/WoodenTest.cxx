@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A session with a WoodenHaptics: from plugging it in to feeling a floor, and again after it was unplugged.
+ * A session with a WoodenHaptics: from plugging it in to feeling a floor, and again after it was
+ * unplugged.
  */
 
 #include "WoodenRig.h"
@@ -11,7 +12,8 @@ using namespace emulated;
 
 TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
 {
-  // When power comes it reports counts of 0, and 0 beside them, which is not to be taken for a zero that is known.
+  // When power comes it reports counts of 0, and 0 beside them, which is not to be taken for a zero
+  // that is known.
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   this->Bench.Start(this->Ground.Model);
   this->Bench->Arm();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated WoodenHaptics, whose zero somebody has to tell by pressing Enter.
+ * volumehaptics-device with an emulated WoodenHaptics, whose zero somebody has to tell by pressing
+ * Enter.
  */
 
 #include "EmulatedHid.h"

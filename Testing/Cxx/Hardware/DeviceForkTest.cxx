@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A forked child's copy of an open device: it neither waits for the parent's thread nor ends the parent's connection.
+ * A forked child's copy of an open device: it neither waits for the parent's thread nor ends the
+ * parent's connection.
  */
 
 #include "Devices/Common/HardwareDevice.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Kinds of devices: which are known, how ids are read, and what is said where a device can't be had.
+ * Kinds of devices: which are known, how ids are read, and what is said where a device can't be
+ * had.
  */
 
 #include "Devices/Common/DeviceRegistry.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A computer that was asleep loses the device; a thread that is held up between two clocks does not.
+ * A computer that was asleep loses the device; a thread that is held up between two clocks does
+ * not.
  */
 #include "Devices/Common/HardwareExchange.h"
 

@@ -15,7 +15,10 @@ namespace hardwaretest
 {
 using namespace VolumeHaptics;
 
-/** A cylinder of 0.06 m radius, from 0.075 to 0.15 m: wider than a haptic workspace of 0.04 m radius. */
+/**
+ * A cylinder of 0.06 m radius, from 0.075 to 0.15 m: wider than a haptic workspace of 0.04 m
+ * radius.
+ */
 inline std::vector<Vector3> SampleWorkspace(double step = 0.005)
 {
   constexpr double radius = 0.06;

@@ -34,8 +34,8 @@ inline const Bytes EffectTypes{ 0x09, 0x25, 0xA1, 0x02, 0x09, 0x26, 0x09, 0x27, 
   0x01, 0x25, 0x03, 0x75, 0x08, 0x95, 0x01 };
 
 /**
- * Set Effect, 8 bytes: block, type, duration (ms, 16 bits), gain, one bit for each axis, one for the
- * direction, and two angles of 0 to 255 for 0 to 359.99 degrees.
+ * Set Effect, 8 bytes: block, type, duration (ms, 16 bits), gain, one bit for each axis, one for
+ * the direction, and two angles of 0 to 255 for 0 to 359.99 degrees.
  */
 inline Bytes SetEffectFields(const Stick& stick)
 {

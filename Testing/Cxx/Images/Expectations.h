@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a test of the explorer found wrong so far: a program of VTK's test driver has no other way to say it.
+ * What a test of the explorer found wrong so far: a program of VTK's test driver has no other way
+ * to say it.
  */
 #ifndef Expectations_h
 #define Expectations_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every method feels the same path over the same head, with forces that a hand can bear, and the output
-// says which it was.
+// Every method feels the same path over the same head, with forces that a hand can bear, and the
+// output says which it was.
 #include "Expectations.h"
 #include "HeadExploration.h"
 #include "InputError.h"

@@ -50,7 +50,8 @@ struct TouchedHead
       this->Pauses.Look(this->Touch.Device);
     }
   }
-  /// Does something with the pointer there in the touch mode, from the start until no pause of the loop came between.
+  /// Does something with the pointer there in the touch mode, from the start until no pause of the
+  /// loop came between.
   template <typename F>
   void TouchAt(int x, int y, F&& act)
   {

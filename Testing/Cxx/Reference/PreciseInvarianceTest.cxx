@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the volume stands and on which grid a linear field was sampled must not be felt with solver PRECISE
- * either; and where the material is the same all over, a small motion of the tip changes the force by no
- * more than the spring's.
+ * Where the volume stands and on which grid a linear field was sampled must not be felt with solver
+ * PRECISE either; and where the material is the same all over, a small motion of the tip changes
+ * the force by no more than the spring's.
  */
 
 #include "CompareTraces.h"
@@ -108,7 +108,8 @@ TEST(PreciseInvariance, TheForceFollowsTheTipNoStifferThanTheSpring)
     Scene scene;
     scene.solver = Solver::Precise;
     scene.estimator = AllEstimators[seed % 3];
-    // A plane, or a cavity some way off: what is free there is convex, and a projection onto it shortens.
+    // A plane, or a cavity some way off: what is free there is convex, and a projection onto it
+    // shortens.
     const Vec3 slope = random.UnitVector();
     const bool isPlane = seed % 2;
     const auto field = [&](const Vec3& x)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What must hold at every tick of solver PRECISE in scenes no one would think of: more than 10^5 ticks of
- * random volumes, materials and walks, with jumps and strayings out of the volume.
+ * What must hold at every tick of solver PRECISE in scenes no one would think of: more than 10^5
+ * ticks of random volumes, materials and walks, with jumps and strayings out of the volume.
  */
 
 #include "RandomScene.h"

@@ -170,7 +170,8 @@ TEST_F(SetupErrors, SavingKeepsOwnerAndGroup)
   EXPECT_TRUE(this->Target.Setup->Save(file.c_str()));
   expect(0660);
   EXPECT_EQ(Read(file), this->Good);
-  // One who is neither, but may write, can't give a new file to the group: this one is written in place.
+  // One who is neither, but may write, can't give a new file to the group: this one is written in
+  // place.
   std::ofstream(file) << "old and longer than nothing";
   ASSERT_EQ(chmod(file.c_str(), 0666), 0);
   const auto before = std::filesystem::current_path();

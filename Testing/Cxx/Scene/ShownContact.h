@@ -62,8 +62,8 @@ inline vtkSmartPointer<vtkImageData> MakeDepths()
   return image;
 }
 
-/// Down from 6 mm above and then across, a tenth of a millimetre a tick; then it creeps on for twenty
-/// seconds, so slowly that the picture does not change, but the contact lasts.
+/// Down from 6 mm above and then across, a tenth of a millimetre a tick; then it creeps on for
+/// twenty seconds, so slowly that the picture does not change, but the contact lasts.
 inline vtkSmartPointer<vtkPolyData> MakePath(const ContactScript& script, vtkIdType& ticks)
 {
   vtkNew<vtkPoints> points;

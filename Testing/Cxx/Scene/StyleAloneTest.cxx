@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The style, the representation and the displays while a device, a filter, an interactor, a window or a renderer is
- * missing. Nothing crashes, and without an interactor nothing is armed.
+ * The style, the representation and the displays while a device, a filter, an interactor, a window
+ * or a renderer is missing. Nothing crashes, and without an interactor nothing is armed.
  */
 
 #include "StyleRig.h"

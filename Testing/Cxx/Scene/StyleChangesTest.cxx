@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the style hands to the servo: changed functions, and the workspace of a device that is not the
- * mouse.
+ * What the style hands to the servo: changed functions, and the workspace of a device that is not
+ * the mouse.
  */
 
 #include "StyleRig.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What disarms while the clutch is held has the last word: releasing the clutch does not bring force back.
+ * What disarms while the clutch is held has the last word: releasing the clutch does not bring
+ * force back.
  */
 
 #include "../Device/PlayedHardware.h"

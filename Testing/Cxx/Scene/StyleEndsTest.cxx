@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A window closes while the hand pushes: the force is gone when the loop has ended, before anything is deleted. Every
- * test runs its loop to the end, as VTK 9.1's X11 interactors otherwise leave a dangling pointer in the list that every
- * loop goes through.
+ * A window closes while the hand pushes: the force is gone when the loop has ended, before anything
+ * is deleted. Every test runs its loop to the end, as VTK 9.1's X11 interactors otherwise leave a
+ * dangling pointer in the list that every loop goes through.
  */
 
 #include "StyleRig.h"
@@ -41,7 +41,8 @@ protected:
     this->Interactor->Start();
     EXPECT_FALSE(this->Act) << "the loop ended before anything was felt";
   }
-  /// Moves in and out: after a pause of a busy machine, the servo starts again from the tip, and only a new contact is felt.
+  /// Moves in and out: after a pause of a busy machine, the servo starts again from the tip, and
+  /// only a new contact is felt.
   void Watch()
   {
     const bool goesIn = this->Updates++ % 20 < 10;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A style that leaves its interactor: no force without somebody who leads the tip, and nothing left behind.
+ * A style that leaves its interactor: no force without somebody who leads the tip, and nothing left
+ * behind.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the style or the editor keeps the program from looking after the hand, the force is off meanwhile, and the
- * head-up display says so before.
+ * Where the style or the editor keeps the program from looking after the hand, the force is off
+ * meanwhile, and the head-up display says so before.
  */
 
 #include "StyleRig.h"
@@ -60,7 +60,8 @@ protected:
   void Touch()
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
-    // After a pause of a busy machine the servo starts again from the tip, and only a new contact is felt: see StyleEnds.
+    // After a pause of a busy machine the servo starts again from the tip, and only a new contact
+    // is felt: see StyleEnds.
     constexpr int most = 400;
     for (int i = 1; i < most && Length(this->Device->GetForce()) <= 0.5; ++i)
     {

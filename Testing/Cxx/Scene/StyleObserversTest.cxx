@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Observers of long work, as an application adds to show progress, close the window, disarm, or take the device or the
- * interactor away from the style that works: nothing crashes, and nothing is armed that no window watches.
+ * Observers of long work, as an application adds to show progress, close the window, disarm, or
+ * take the device or the interactor away from the style that works: nothing crashes, and nothing is
+ * armed that no window watches.
  */
 
 #include "StyleRig.h"

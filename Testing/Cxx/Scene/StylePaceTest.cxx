@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * When the style's timer draws, and how well: coarsely while something moves, well at rest, and not all
- * the time when nothing but figures change.
+ * When the style's timer draws, and how well: coarsely while something moves, well at rest, and not
+ * all the time when nothing but figures change.
  */
 
 #include "StyleRig.h"

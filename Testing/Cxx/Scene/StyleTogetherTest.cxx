@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Two styles with one device, as two windows on one volume have: each gets every state and every event.
+ * Two styles with one device, as two windows on one volume have: each gets every state and every
+ * event.
  */
 
 #include "StyleRig.h"

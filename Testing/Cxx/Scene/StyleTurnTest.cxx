@@ -34,7 +34,8 @@ TEST_F(StyleTurn, TheVolumeTurnsWithTheCap)
   }
   played.Turn = 0.0;
   ASSERT_GT(angle, 0.1);
-  // To an eye in front, what lies in front of the axis y goes to the right: the eye itself goes to the left.
+  // To an eye in front, what lies in front of the axis y goes to the right: the eye itself goes to
+  // the left.
   const double* const eye = camera->GetPosition();
   EXPECT_NEAR(eye[0], -200.0 * std::sin(angle), 1e-6);
   EXPECT_NEAR(eye[1], 0.0, 1e-6);

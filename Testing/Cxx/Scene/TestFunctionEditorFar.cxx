@@ -30,7 +30,8 @@ int TestFunctionEditorFar(int, char*[])
   vtkPiecewiseFunction* const stiffness = property->GetStiffness();
   view.Shown->SetProperty(property);
 
-  // As places and as values of points, without data and with those on the value axis, one by one and all together.
+  // As places and as values of points, without data and with those on the value axis, one by one
+  // and all together.
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
   vtkNew<vtkDoubleArray> scalars;

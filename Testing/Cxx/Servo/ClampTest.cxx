@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A mass without damping that the whole loop throws against a spring, with a model that clamps the force: with the slew
- * limit the mass comes back with no more energy than without.
+ * A mass without damping that the whole loop throws against a spring, with a model that clamps the
+ * force: with the slew limit the mass comes back with no more energy than without.
  *
- * The clamp takes no energy: a mass m at a speed v that meets a spring k clamped to F comes to rest at a depth
- * x with F x - F^2 / 2k = m v^2 / 2, and gets all of that back, up to what the sampling adds (ImpactTest.cxx).
+ * The clamp takes no energy: a mass m at a speed v that meets a spring k clamped to F comes to rest
+ * at a depth x with F x - F^2 / 2k = m v^2 / 2, and gets all of that back, up to what the sampling
+ * adds (ImpactTest.cxx).
  */
 
 #include "PlayedDevice.h"
@@ -103,7 +104,8 @@ TEST(Clamp, OfTheModelDoesNotMakeAWallActive)
 
 TEST(Clamp, OfTheModelLeavesItsPartOfADrag)
 {
-  // Eq. 1 with C2 = 5 N s/m at 0.1 m/s along x, across a gradient of 100 per mm along z with C1 = 0.01.
+  // Eq. 1 with C2 = 5 N s/m at 0.1 m/s along x, across a gradient of 100 per mm along z with C1 =
+  // 0.01.
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Describe(volume);
   description.Settings.Method = HapticMethod::ForceField;

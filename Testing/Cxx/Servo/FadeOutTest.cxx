@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force that fades out gets to zero without a step, and a loop that nobody looks after lets go by itself.
+ * A force that fades out gets to zero without a step, and a loop that nobody looks after lets go by
+ * itself.
  */
 
 #include "PlayedDevice.h"
@@ -51,7 +52,8 @@ protected:
       ASSERT_TRUE(Eventually([&] { return loop->Drain(s); }));
       const double step = Norm(s.Command - this->Last.Command);
       EXPECT_TRUE(!this->HasLast || step <= most / Rate * (1.0 + 1e-9)) << step << " N";
-      // By the loop's own ticks: how far behind it this thread is, and whether the force still grows, does not matter.
+      // By the loop's own ticks: how far behind it this thread is, and whether the force still
+      // grows, does not matter.
       const bool flows = s.Armed && s.Fault == SafetyFault::None && s.Residency > 0.0;
       this->Falling += flows && s.Residency < 1.0;
       EXPECT_EQ(flows, Norm(s.Command) > 0.0);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The growth of a force, which the slew limit bounds: its length minus the part of the force before along it.
+ * The growth of a force, which the slew limit bounds: its length minus the part of the force before
+ * along it.
  */
 #ifndef Growth_h
 #define Growth_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A loop that is held sends no force, whatever else it is told, and goes on as after Arm once it is released.
+ * A loop that is held sends no force, whatever else it is told, and goes on as after Arm once it is
+ * released.
  */
 
 #include "PlayedDevice.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A running loop locks the memory that it uses, and nothing of a volume that is mapped from a file. Judged by what the
- * kernel says: mincore(2), and VmLck of /proc/self/status.
+ * A running loop locks the memory that it uses, and nothing of a volume that is mapped from a file.
+ * Judged by what the kernel says: mincore(2), and VmLck of /proc/self/status.
  */
 
 #include "Core/Servo/MemoryLock.h"

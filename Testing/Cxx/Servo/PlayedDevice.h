@@ -9,8 +9,8 @@
 
 #include "../Core/CoreScene.h"
 #include "../Device/Eventually.h"
-#include "Growth.h"
 #include "Core/Servo/ServoLoop.h"
+#include "Growth.h"
 
 #include <gtest/gtest.h>
 

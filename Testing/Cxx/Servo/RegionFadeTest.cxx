@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the data are not there, the force fades, the proxy goes with the tip, and force comes back the same way.
+ * Where the data are not there, the force fades, the proxy goes with the tip, and force comes back
+ * the same way.
  */
 
+#include "Core/Servo/SafetyStage.h"
 #include "Growth.h"
 #include "RegionRig.h"
-#include "Core/Servo/SafetyStage.h"
 
 #include <cmath>
 
@@ -87,7 +88,8 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
   EXPECT_TRUE(this->Servo.IsAwaiting());
   EXPECT_EQ(Norm(this->Command), 0.0);
   EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
-  // The data come to where the tip now is, inside the ball's volume or not: nothing is felt at first.
+  // The data come to where the tip now is, inside the ball's volume or not: nothing is felt at
+  // first.
   const auto next = this->MakeRegion(there, 24);
   CarryState(*this->Model, *next, this->State);
   this->Model = next;

@@ -8,8 +8,8 @@
 #ifndef SafetyRig_h
 #define SafetyRig_h
 
-#include "Growth.h"
 #include "Core/Servo/SafetyStage.h"
+#include "Growth.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
  */
 
 #include "../Core/CoreScene.h"
-#include "SampledLoop.h"
 #include "Devices/Virtual/VirtualDevice.h"
+#include "SampledLoop.h"
 
 #include <gtest/gtest.h>
 

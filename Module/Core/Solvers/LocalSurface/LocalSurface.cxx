@@ -65,8 +65,8 @@ public:
     }
     this->FollowFoot(foot, normal);
     const bool isBoth = this->Model.Settings.Side == SurfaceSide::Both;
-    // The proxy may lie on either side of what holds it, by rounding. And where a structure is thinner than the
-    // kernel, the gradient may be that of what is behind it.
+    // The proxy may lie on either side of what holds it, by rounding. And where a structure is
+    // thinner than the kernel, the gradient may be that of what is behind it.
     const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Question.Normal) < 0.0
                                                   : this->Sign * this->Rise(foot, normal) < 0.0;
     if (isTurned)
@@ -128,7 +128,9 @@ private:
     return 0.5 * (a + b);
   }
 
-  /** The first crossing along a way from Where; takes it if it is nearer than the nearest so far. */
+  /**
+   * The first crossing along a way from Where; takes it if it is nearer than the nearest so far.
+   */
   void LookAlong(const Vector3& way, int steps, double& nearest, Vector3& crossing) const noexcept
   {
     const Vector3& start = this->Question.Where;

@@ -5,16 +5,19 @@
  * A plane or a quadric that stands in for the isosurface near the proxy: what the slow loop of
  * HapticMethod::LocalSurface finds.
  *
- * The nearest crossing of V = HapticSettings::IsoValue is looked for along 26 directions, LocalReach voxels far,
- * and along the way that the tip takes; from there its foot is followed along the gradient. With the foot c,
- * the unit normal N (into the structure) and, for a quadric, the change S of N across c, how deep x lies is
+ * The nearest crossing of V = HapticSettings::IsoValue is looked for along 26 directions,
+ * LocalReach voxels far, and along the way that the tip takes; from there its foot is followed
+ * along the gradient. With the foot c, the unit normal N (into the structure) and, for a quadric,
+ * the change S of N across c, how deep x lies is
  *
  *   depth(x) = N.u + u.S u / 2,   u = x - c,   S N = 0.
  *
- * A surface holds from outside only: a hand that is in the structure, with no surface near that it has not come
- * through, finds none. N is that of the gradient kernel, turned to where V rises, or falls.
+ * A surface holds from outside only: a hand that is in the structure, with no surface near that it
+ * has not come through, finds none. N is that of the gradient kernel, turned to where V rises, or
+ * falls.
  *
- * Everything is in world units, so that surfaces stay where they are when the device is placed anew.
+ * Everything is in world units, so that surfaces stay where they are when the device is placed
+ * anew.
  */
 #ifndef LocalSurface_h
 #define LocalSurface_h
@@ -76,7 +79,10 @@ struct LocalQuestion
   Vector3 Normal; ///< into the structure, of the surface that is known there; 0 where there is none
 };
 
-/** Takes 10 to 20 microseconds with kernels of 2 voxels, and 200 with 8. The same question gets the same answer, wherever the device is placed. */
+/**
+ * Takes 10 to 20 microseconds with kernels of 2 voxels, and 200 with 8. The same question gets the
+ * same answer, wherever the device is placed.
+ */
 LocalSurface FitLocalSurface(const HapticModel& model, const LocalQuestion& question) noexcept;
 
 } // namespace VolumeHaptics

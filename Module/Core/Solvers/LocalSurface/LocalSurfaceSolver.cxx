@@ -11,13 +11,19 @@ namespace
 
 /** A surface is no function of place where its slope (1 at its centre) is less. */
 constexpr double LeastSlope = 0.1;
-/** Shares: of the proxy's depth below which it has arrived, and of what friction holds by which it is called all. */
+/**
+ * Shares: of the proxy's depth below which it has arrived, and of what friction holds by which it
+ * is called all.
+ */
 constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
 constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
 constexpr int MostSlips = 16;
-/** A step turns the normal by no more than this (radian), and by no more than this much of what a plane asks. */
+/**
+ * A step turns the normal by no more than this (radian), and by no more than this much of what a
+ * plane asks.
+ */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
 /** Times the tip's motion by which a lag changes without a jump. */
@@ -76,7 +82,10 @@ Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip)
   return before < 0.0 && now > 0.0 ? from + (before / (before - now)) * (tip - from) : tip;
 }
 
-/** By how much the tangential part of the lag of a proxy on the surface is more than friction holds (world units). */
+/**
+ * By how much the tangential part of the lag of a proxy on the surface is more than friction holds
+ * (world units).
+ */
 double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
 {
   const Vector3 slope = shape.Slope(x);
@@ -229,8 +238,8 @@ void Ask(const HapticModel& model, const Vector3& motion, LocalState& local) noe
   local.Asked.Normal = {};
   const Quadric& shape = local.Surface.Shape;
   const Vector3 slope = shape.Slope(local.Asked.Where);
-  // Near a surface that it has not come through it is outside, whatever the value says: behind a plane that is
-  // tangent to a hollow there is some of the structure.
+  // Near a surface that it has not come through it is outside, whatever the value says: behind a
+  // plane that is tangent to a hollow there is some of the structure.
   if (local.Surface.IsThere && std::abs(shape.Depth(local.Asked.Where)) < near)
   {
     local.Asked.Normal = (1.0 / Norm(slope)) * slope;

@@ -7,7 +7,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Voxels that tip and proxy go at a time; the tip may go this share of the spring, if that is more. */
+/**
+ * Voxels that tip and proxy go at a time; the tip may go this share of the spring, if that is more.
+ */
 constexpr double LongestStep = 0.25;
 constexpr double SpringShare = 0.02;
 /** A motion this short (voxels) is not judged at its end. */
@@ -17,8 +19,9 @@ constexpr double LongestCreep = 0.03;
 constexpr double LongestRest = 2e-3;
 
 /**
- * Voxels that a proxy may creep before its place is looked up again, and what a tick counts at least: a place
- * that is kept from another model, by a recording that is played there, does not last.
+ * Voxels that a proxy may creep before its place is looked up again, and what a tick counts at
+ * least: a place that is kept from another model, by a recording that is played there, does not
+ * last.
  */
 constexpr double LongestStray = 1e-3;
 constexpr double LeastStray = LongestStray / 32.0;
@@ -108,7 +111,8 @@ bool Follower::Settle(const Vector3& tip) noexcept
   const Vector3 before = this->State.ReachedTip;
   if (!Law::IsFelt(this->State.Here))
   {
-    // All slack, but for what the hand does now: a proxy on its way to the tip brings no force along.
+    // All slack, but for what the hand does now: a proxy on its way to the tip brings no force
+    // along.
     this->State.Spring.Tension = 0.0;
   }
   if (this->State.Spring.Tension < 1.0)

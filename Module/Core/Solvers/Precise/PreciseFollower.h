@@ -32,7 +32,9 @@ public:
 
 private:
   void LookAround(const Vector3& lag) noexcept;
-  /** The tissue where the proxy has been since the last tick: whatever changed there, nobody moved. */
+  /**
+   * The tissue where the proxy has been since the last tick: whatever changed there, nobody moved.
+   */
   void Refresh(double lag) noexcept;
   /** Moves the proxy until the law leaves it in place; false if the looks do not suffice. */
   bool Settle(const Vector3& tip) noexcept;

@@ -143,8 +143,8 @@ Surroundings::Remainder Surroundings::Judge(
   const double holds = there.SurfaceStrength * compliance;
   const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
 
-  // What surface and friction leave of the spring. Outward there is no surface; aside from its way the
-  // spring is held just the same.
+  // What surface and friction leave of the spring. Outward there is no surface; aside from its way
+  // the spring is held just the same.
   const bool goesIn = !motion.IsHeld && inward > SmallPart;
   const bool goesOut = !motion.IsHeld && inward < -SmallPart;
   const bool goesAcross = across > SmallPart;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Single motions of solver PRECISE, see PreciseSolver.h: what a place is like, and where a motion ends.
+ * Single motions of solver PRECISE, see PreciseSolver.h: what a place is like, and where a motion
+ * ends.
  */
 #ifndef PreciseMotion_h
 #define PreciseMotion_h
@@ -41,9 +42,9 @@ struct Arrival
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 
 /**
- * The way of a proxy (m) while the tip makes a step that takes the spring from one lag (m) to another, by
- * the law of one place: second order in the step where friction and drag hold all directions alike. What the law
- * says of the last lag alone is `plain`.
+ * The way of a proxy (m) while the tip makes a step that takes the spring from one lag (m) to
+ * another, by the law of one place: second order in the step where friction and drag hold all
+ * directions alike. What the law says of the last lag alone is `plain`.
  */
 Vector3 MoveAlong(const Spot& here, double k, const Vector3& lagBefore, const Vector3& lag,
   const Vector3& plain) noexcept;
@@ -74,7 +75,9 @@ public:
   /** Whether both positions lie beyond the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
-  /** The way (m) along the normal from a place to a level, as far as the spring's balance lets it. */
+  /**
+   * The way (m) along the normal from a place to a level, as far as the spring's balance lets it.
+   */
   double ToLevel(const Spot& here, double k, double level, const Vector3& lag) const noexcept;
 
   /** Goes a share of a motion, or less: no farther than the places on the way let it. */

@@ -7,14 +7,19 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Parts of a tip's step, as shares of the spring, where the mean direction is known and where not. */
+/**
+ * Parts of a tip's step, as shares of the spring, where the mean direction is known and where not.
+ */
 constexpr double CirclePart = 0.1;
 constexpr double FreePart = 0.005;
 constexpr double MostParts = 64.0;
 /** Of a circle's radius: whoever is nearer to its edge has a direction. */
 constexpr double OnCircle = 0.9;
 
-/** The part of a spring (m) that the surface does not hold, and in how wide a circle friction and drag do. */
+/**
+ * The part of a spring (m) that the surface does not hold, and in how wide a circle friction and
+ * drag do.
+ */
 struct Rest
 {
   Vector3 Way;
@@ -39,8 +44,8 @@ Rest FindRest(const Spot& here, double compliance, const Vector3& lag) noexcept
 }
 
 /**
- * The way of a proxy while its spring goes from one lag to another, by the law of one place: in the mean
- * direction, where there is one; or else `plain`.
+ * The way of a proxy while its spring goes from one lag to another, by the law of one place: in the
+ * mean direction, where there is one; or else `plain`.
  */
 Vector3 MovePart(const Spot& here, double compliance, const Vector3& lagBefore, const Vector3& lag,
   const Vector3& plain) noexcept

@@ -3,19 +3,25 @@
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 
 #include "Core/Math/HalfSpaces.h"
-#include "Core/Solvers/ServoState.h"
 #include "Core/Model/SurfaceMesh.h"
+#include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-/** Shares of the radius: what counts as touching, what is kept from a triangle, and what is no motion. */
+/**
+ * Shares of the radius: what counts as touching, what is kept from a triangle, and what is no
+ * motion.
+ */
 constexpr double Margin = 3e-3;
 constexpr double Distance = 1e-6;
 constexpr double Still = 1e-5;
-/** In a valley the shadings of its two sides may lead to and fro: after so many passes this is no motion, too. */
+/**
+ * In a valley the shadings of its two sides may lead to and fro: after so many passes this is no
+ * motion, too.
+ */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
 /** Of the radius, however deep a triangle is in it. */
@@ -25,7 +31,10 @@ constexpr double LongestWay = 64.0;
 /** Of the angle between a triangle and its shading. */
 constexpr double LeastCosine = 0.8;
 
-/** Ways that shrink no faster than this are taken whole at once, by their geometric series; or not at all. */
+/**
+ * Ways that shrink no faster than this are taken whole at once, by their geometric series; or not
+ * at all.
+ */
 constexpr double SlowRate = 0.2;
 constexpr double SlowestRate = 0.9;
 
@@ -53,7 +62,8 @@ public:
     this->Touch();
     if (this->Nearest < (1.0 - Margin) * this->Radius)
     {
-      // What it overlaps, since it began there or the mesh came, it touches with what is left of it.
+      // What it overlaps, since it began there or the mesh came, it touches with what is left of
+      // it.
       this->Radius = std::max(this->Nearest, LeastLeft * this->Radius);
       this->Touch();
     }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the drivers of HID devices have in common: finding, claiming, the rounds of the thread, and loss.
+ * What the drivers of HID devices have in common: finding, claiming, the rounds of the thread, and
+ * loss.
  */
 #ifndef HidDriver_h
 #define HidDriver_h
@@ -19,7 +20,10 @@ class HidDriver : public HardwareDriver
 public:
   /** How long (s) a device that reports by itself may be silent. */
   static constexpr double SilenceTime = 0.1;
-  /** And how often it was listened to meanwhile, at least: it is not the device that is late where the host was. */
+  /**
+   * And how often it was listened to meanwhile, at least: it is not the device that is late where
+   * the host was.
+   */
   static constexpr int SilentReads = 20;
 
   std::string GetName() const override { return this->Label; }
@@ -38,11 +42,17 @@ protected:
 
   ///@{
   /** What a kind of device does. */
-  /** The devices to try, in this order, where others hold the first ones. None: the reason and the cure. */
+  /**
+   * The devices to try, in this order, where others hold the first ones. None: the reason and the
+   * cure.
+   */
   virtual std::vector<HidPlace> Choose(std::string& error) const = 0;
   /** Learns what the device says of itself. False, with the reason and the cure. */
   virtual bool Prepare(const HidPlace& place, std::string& error) = 0;
-  /** At the start of the thread and after a loss, anew; and where homing is requested of one that is well. */
+  /**
+   * At the start of the thread and after a loss, anew; and where homing is requested of one that is
+   * well.
+   */
   virtual void Begin(HardwareExchange& exchange, bool isAnew) = 0;
   /** As long as the device is not lost: a millisecond or so. */
   virtual void Work(HardwareExchange& exchange) = 0;

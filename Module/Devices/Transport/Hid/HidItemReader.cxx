@@ -7,8 +7,8 @@
 namespace VolumeHaptics
 {
 
-// A minimum is signed by the length of its item; a maximum is, too, if the minimum is below zero, else
-// a byte of 0xFF is 255, as devices mean it.
+// A minimum is signed by the length of its item; a maximum is, too, if the minimum is below zero,
+// else a byte of 0xFF is 255, as devices mean it.
 std::int64_t HidItemReader::Item::Signed() const
 {
   const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;

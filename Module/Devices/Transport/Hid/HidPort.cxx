@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Transport/Hid/HidPort.h"
 
-#include "Devices/Common/DeviceRegistry.h"
 #include "Core/Servo/ServoClock.h"
+#include "Devices/Common/DeviceRegistry.h"
 
 #include <chrono>
 #include <thread>

@@ -4,9 +4,10 @@
  * @file
  * HID devices through hidapi: which are plugged in, and one that is open.
  *
- * Linux lets any number of programs open a hidraw node, and each of them send forces. Here a device is
- * held by one alone: a lock (flock) on its node keeps out every other holder that asks for it, in this
- * process and in others. What does not ask, such as a joystick driver of the kernel, is not kept out.
+ * Linux lets any number of programs open a hidraw node, and each of them send forces. Here a device
+ * is held by one alone: a lock (flock) on its node keeps out every other holder that asks for it,
+ * in this process and in others. What does not ask, such as a joystick driver of the kernel, is not
+ * kept out.
  */
 #ifndef HidPort_h
 #define HidPort_h
@@ -46,7 +47,10 @@ struct HidPlace
 /** In the order in which the system numbers them. Any thread. */
 std::vector<HidPlace> FindHidDevices();
 
-/** hidapi's functions without a device share an error message. Looking whether one is free is claiming it, too. */
+/**
+ * hidapi's functions without a device share an error message. Looking whether one is free is
+ * claiming it, too.
+ */
 std::mutex& GetHidMutex();
 
 /** Holds the lock on a node. */
@@ -73,7 +77,10 @@ private:
   int Descriptor = -1;
 };
 
-/** A device that is held and open. Nothing waits longer than it is told to, or than the kernel's 5 s for USB. */
+/**
+ * A device that is held and open. Nothing waits longer than it is told to, or than the kernel's 5 s
+ * for USB.
+ */
 class HidPort
 {
 public:
@@ -87,19 +94,29 @@ public:
   void Close() noexcept;
   bool IsInUse() const noexcept { return this->InUse; }
 
-  /** The size of a report, 0 where none came within the time (ms), below zero where the device is gone. */
+  /**
+   * The size of a report, 0 where none came within the time (ms), below zero where the device is
+   * gone.
+   */
   int Read(std::uint8_t* bytes, std::size_t size, int time) noexcept;
 
   ///@{
-  /** Reports begin with their id, 0 where the device has none. False where the device does not take it. */
+  /**
+   * Reports begin with their id, 0 where the device has none. False where the device does not take
+   * it.
+   */
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
   /**
-   * After the kernel has waited in vain for a device to take a report, nothing more is sent until this is
-   * called: each report would wait as long, and the device's own watchdog has long taken its force away.
+   * After the kernel has waited in vain for a device to take a report, nothing more is sent until
+   * this is called: each report would wait as long, and the device's own watchdog has long taken
+   * its force away.
    */
   void TryAgain() noexcept { this->Stuck = false; }
-  /** Fills in the report of the id that it begins with. Its size with the id, below zero where there is none. */
+  /**
+   * Fills in the report of the id that it begins with. Its size with the id, below zero where there
+   * is none.
+   */
   int GetFeature(std::uint8_t* report, std::size_t size) noexcept;
   ///@}
 

@@ -4,10 +4,10 @@
  * @file
  * What a HID device says of its reports, after the HID 1.11 specification, 6.2.2.
  *
- * Long items and reserved ones are skipped, constant fields (padding) take up their bits and are not
- * listed, and of alternatives between delimiters the first one counts. Any bytes may come: a device
- * can be broken or ill-disposed. Parsing allocates, within limits, and belongs outside the servo
- * loop; what reads and writes fields is in HidField.h.
+ * Long items and reserved ones are skipped, constant fields (padding) take up their bits and are
+ * not listed, and of alternatives between delimiters the first one counts. Any bytes may come: a
+ * device can be broken or ill-disposed. Parsing allocates, within limits, and belongs outside the
+ * servo loop; what reads and writes fields is in HidField.h.
  */
 #ifndef HidReportDescriptor_h
 #define HidReportDescriptor_h

@@ -58,8 +58,8 @@ struct FtdiPayload
 };
 
 /**
- * Takes the next packet off a bulk IN transfer; what it carries behind its two status bytes, which is
- * nothing where the device had nothing to say. Call it until the size is zero.
+ * Takes the next packet off a bulk IN transfer; what it carries behind its two status bytes, which
+ * is nothing where the device had nothing to say. Call it until the size is zero.
  */
 constexpr FtdiPayload TakeFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
 {

@@ -48,8 +48,8 @@ std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct&
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
- * Whether interface 0 could be claimed now: "available", "in use", or what is in the way and the cure.
- * Nothing is sent to the device, and a driver of the kernel stays bound.
+ * Whether interface 0 could be claimed now: "available", "in use", or what is in the way and the
+ * cure. Nothing is sent to the device, and a driver of the kernel stays bound.
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 

@@ -24,8 +24,9 @@ public:
   UsbEvents(UsbInterface& usb, HardwareExchange& exchange);
 
   /**
-   * Until transfers have ended, whose owners are told, the exchange wakes up, or for a time (ns). Whether
-   * it woke up; where the system can't say so it waits for a millisecond at most, and it always did.
+   * Until transfers have ended, whose owners are told, the exchange wakes up, or for a time (ns).
+   * Whether it woke up; where the system can't say so it waits for a millisecond at most, and it
+   * always did.
    */
   bool Wait(std::int64_t time) noexcept;
 

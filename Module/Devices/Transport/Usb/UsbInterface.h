@@ -23,15 +23,17 @@ public:
   UsbInterface& operator=(const UsbInterface&) = delete;
 
   /**
-   * Opens the device of a number in FindUsbDevices, detaches a driver of the kernel until Close, and claims
-   * interface 0. False, with the reason and the cure.
+   * Opens the device of a number in FindUsbDevices, detaches a driver of the kernel until Close,
+   * and claims interface 0. False, with the reason and the cure.
    */
   bool Open(const UsbProduct& product, int number, std::string& error);
   void Close() noexcept;
   bool IsOpen() const noexcept { return this->Handle != nullptr; }
 
   ///@{
-  /** Each waits until it is done or the time (ms) is over; the size, or a libusb error below zero. */
+  /**
+   * Each waits until it is done or the time (ms) is over; the size, or a libusb error below zero.
+   */
   int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
     unsigned int time) noexcept;
   int Transfer(

@@ -53,7 +53,9 @@ public:
   std::size_t GetSize() const noexcept;
   std::uint8_t GetEndpoint() const noexcept;
 
-  /** Hands it to the system; it has no time limit of its own: Cancel it. Done where it flies now. */
+  /**
+   * Hands it to the system; it has no time limit of its own: Cancel it. Done where it flies now.
+   */
   UsbOutcome Submit(std::size_t size) noexcept;
   /** The owner is told when it has ended. */
   void Cancel() noexcept;
