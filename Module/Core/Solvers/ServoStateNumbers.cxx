@@ -107,7 +107,7 @@ constexpr double UnitTolerance = 1e-6;
 /** Of newtons, newtons per metre and joules: products of two of them are far from overflow. */
 constexpr double MostOfMaterial = 1e100;
 /** The gain that a solver learns stays within half of 1. */
-constexpr double MostGain = 2.0;
+constexpr double MostStateGain = 2.0;
 
 bool IsNear(const Vector3& v, double most)
 {
@@ -132,7 +132,7 @@ bool IsPossible(const PreciseState& precise)
   const Spot& here = precise.Here;
   return IsNear(precise.ReachedTip, FarthestTip) && IsAmount(spring.Tissue) &&
     spring.Tension >= 0.0 && spring.Tension <= 1.0 && IsAmount(spring.Reserve) &&
-    precise.Gain > 0.0 && precise.Gain <= MostGain && IsDirection(here.Normal) &&
+    precise.Gain > 0.0 && precise.Gain <= MostStateGain && IsDirection(here.Normal) &&
     here.GradientMagnitude >= 0.0 && IsAmount(here.Stiffness) && IsAmount(here.Friction) &&
     IsAmount(here.Viscosity) && IsAmount(here.SurfaceStrength) && precise.Stray >= 0.0;
 }
