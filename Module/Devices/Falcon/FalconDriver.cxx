@@ -3,8 +3,8 @@
 #include "Devices/Falcon/FalconDriver.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "Devices/Falcon/FalconController.h"
 #include "Devices/Falcon/FalconFirmware.h"
-#include "Devices/Falcon/FalconPilot.h"
 #include "Devices/Falcon/FalconRounds.h"
 #include "Devices/Falcon/FalconSerial.h"
 
@@ -120,7 +120,7 @@ FalconDriver::End FalconDriver::Load(HardwareExchange& exchange)
 
 FalconDriver::End FalconDriver::Talk(HardwareExchange& exchange)
 {
-  FalconPilot pilot(exchange, this->Options.HomingTime);
+  FalconController controller(exchange, this->Options.HomingTime);
   FalconRounds rounds(this->Usb, exchange);
   std::int64_t last = ServoClock::Now();
   while (!exchange.MustStop())
@@ -132,27 +132,27 @@ FalconDriver::End FalconDriver::Talk(HardwareExchange& exchange)
     }
     if (rounds.GetTrouble() > UsbOutcome::Cancelled)
     {
-      pilot.Lose(TroubleText(rounds.GetTrouble()));
+      controller.Lose(TroubleText(rounds.GetTrouble()));
     }
     if (exchange.HasSlept())
     {
-      pilot.Stop();
+      controller.Stop();
     }
     if (exchange.TakeHomeRequest())
     {
-      pilot.Restart();
+      controller.Restart();
     }
     if (rounds.HasReport() || rounds.HasMissed())
     {
       const std::int64_t now = ServoClock::Now();
       const double elapsed = static_cast<double>(now - last) * ServoClock::SecondsPerNanosecond;
       last = now;
-      rounds.HasReport() ? pilot.Take(rounds.GetReport(), elapsed)
-                         : pilot.Miss(elapsed, rounds.GetGarbage());
+      rounds.HasReport() ? controller.Take(rounds.GetReport(), elapsed)
+                         : controller.Miss(elapsed, rounds.GetGarbage());
     }
     if (rounds.IsDue())
     {
-      rounds.Send(pilot.GetOrder());
+      rounds.Send(controller.GetOrder());
     }
   }
   return End::Done;

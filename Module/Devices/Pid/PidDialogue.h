@@ -12,7 +12,7 @@
 #ifndef PidDialogue_h
 #define PidDialogue_h
 
-#include "Devices/Pid/PidProtocol.h"
+#include "Devices/Pid/PidDevice.h"
 
 namespace VolumeHaptics
 {

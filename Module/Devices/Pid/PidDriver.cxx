@@ -19,10 +19,10 @@ namespace
 /** That many repeated packets are no chance: the stick reports at its own rate. */
 constexpr int RepeatsOfStream = 20;
 
-bool MapBoth(const HidPlace& place, PidDevice& device, HidStick& stick, std::string& error)
+bool MapBoth(const HidDeviceInfo& info, PidDevice& device, HidStick& stick, std::string& error)
 {
   HidReportDescriptor descriptor;
-  const bool isMapped = place.ReadDescriptor(descriptor, error) && device.Map(descriptor, error) &&
+  const bool isMapped = info.ReadDescriptor(descriptor, error) && device.Map(descriptor, error) &&
     stick.Map(descriptor, error);
   if (isMapped && !stick.HasSecondAxis())
   {
@@ -58,20 +58,20 @@ bool PidDriver::ReadNumbers(const std::string& id, Numbers& numbers)
   return isWhole;
 }
 
-bool PidDriver::IsPid(const HidPlace& place)
+bool PidDriver::IsPid(const HidDeviceInfo& info)
 {
   PidDevice device;
   HidStick stick;
   std::string error;
-  return MapBoth(place, device, stick, error);
+  return MapBoth(info, device, stick, error);
 }
 
-std::string PidDriver::FindObjection(const HidPlace& place)
+std::string PidDriver::FindObjection(const HidDeviceInfo& info)
 {
   PidDevice device;
   HidStick stick;
   std::string error;
-  return MapBoth(place, device, stick, error) && device.GetNumberOfAxes() > 1 ? TwoAxes : "";
+  return MapBoth(info, device, stick, error) && device.GetNumberOfAxes() > 1 ? TwoAxes : "";
 }
 
 PidDriver::PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale)
@@ -93,34 +93,34 @@ DeviceLimits PidDriver::GetLimits() const
   return limits;
 }
 
-std::vector<HidPlace> PidDriver::Choose(std::string& error) const
+std::vector<HidDeviceInfo> PidDriver::Choose(std::string& error) const
 {
-  std::vector<HidPlace> places;
+  std::vector<HidDeviceInfo> devices;
   std::string reason;
-  for (const HidPlace& place : FindHidDevices())
+  for (const HidDeviceInfo& info : FindHidDevices())
   {
     const bool isNamed =
-      place.Vendor == this->Wanted.Vendor && place.ProductId == this->Wanted.Product;
+      info.Vendor == this->Wanted.Vendor && info.ProductId == this->Wanted.Product;
     PidDevice device;
     HidStick stick;
-    if ((this->Wanted.Any || isNamed) && MapBoth(place, device, stick, reason))
+    if ((this->Wanted.Any || isNamed) && MapBoth(info, device, stick, reason))
     {
       if (device.GetNumberOfAxes() > 1)
       {
-        error = place.GetLabel() + " can't be used: " + TwoAxes + ".";
+        error = info.GetLabel() + " can't be used: " + TwoAxes + ".";
       }
       else
       {
-        places.push_back(place);
+        devices.push_back(info);
       }
     }
     else if (isNamed && !this->Wanted.Any)
     {
-      error = place.GetLabel() + " can't be used: " + reason +
+      error = info.GetLabel() + " can't be used: " + reason +
         ". Choose a device that EnumerateDevices() lists.";
     }
   }
-  if (places.empty() && error.empty())
+  if (devices.empty() && error.empty())
   {
     error = this->Wanted.Any
       ? "No force-feedback stick or wheel is plugged in. Plug it in and switch it on; it has to "
@@ -128,14 +128,14 @@ std::vector<HidPlace> PidDriver::Choose(std::string& error) const
       : "No device with these numbers is plugged in. Plug it in, or give an id that "
         "EnumerateDevices() lists.";
   }
-  return places;
+  return devices;
 }
 
-bool PidDriver::Prepare(const HidPlace& place, std::string& error)
+bool PidDriver::Prepare(const HidDeviceInfo& info, std::string& error)
 {
-  if (!MapBoth(place, this->Device, this->Stick, error))
+  if (!MapBoth(info, this->Device, this->Stick, error))
   {
-    error = place.GetLabel() + " can't be used: " + error + ". Plug it in anew.";
+    error = info.GetLabel() + " can't be used: " + error + ". Plug it in anew.";
     return false;
   }
   return true;

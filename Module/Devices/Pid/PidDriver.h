@@ -47,17 +47,17 @@ public:
   /** False for what is not "pid" or "pid:VVVV:PPPP". */
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
   /** Whether its report descriptor has what forces need. */
-  static bool IsPid(const HidPlace& place);
+  static bool IsPid(const HidDeviceInfo& info);
   /** Why forces are refused although it has, and what to do; empty if they are not. */
-  static std::string FindObjection(const HidPlace& place);
+  static std::string FindObjection(const HidDeviceInfo& info);
 
   PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
 
   DeviceLimits GetLimits() const override;
 
 private:
-  std::vector<HidPlace> Choose(std::string& error) const override;
-  bool Prepare(const HidPlace& place, std::string& error) override;
+  std::vector<HidDeviceInfo> Choose(std::string& error) const override;
+  bool Prepare(const HidDeviceInfo& info, std::string& error) override;
   void Begin(HardwareExchange& exchange, bool isAnew) override;
   void Work(HardwareExchange& exchange) override;
   void Rest() noexcept override;

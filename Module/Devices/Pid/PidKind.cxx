@@ -14,15 +14,15 @@ namespace
 std::vector<DeviceListing> ListPid()
 {
   std::vector<DeviceListing> all;
-  for (const HidPlace& place : FindHidDevices())
+  for (const HidDeviceInfo& info : FindHidDevices())
   {
-    if (PidDriver::IsPid(place))
+    if (PidDriver::IsPid(info))
     {
       char id[16];
-      std::snprintf(id, sizeof(id), "pid:%04x:%04x", place.Vendor, place.ProductId);
-      const std::string objection = PidDriver::FindObjection(place);
+      std::snprintf(id, sizeof(id), "pid:%04x:%04x", info.Vendor, info.ProductId);
+      const std::string objection = PidDriver::FindObjection(info);
       all.push_back(
-        { id, place.GetLabel(), objection.empty() ? place.GetState() : "refused: " + objection });
+        { id, info.GetLabel(), objection.empty() ? info.GetState() : "refused: " + objection });
     }
   }
   return all;

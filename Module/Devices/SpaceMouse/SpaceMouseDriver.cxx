@@ -38,7 +38,7 @@ SpaceMouseDriver::SpaceMouseDriver(int number)
 {
 }
 
-bool SpaceMouseDriver::IsSpaceMouse(const HidPlace& place)
+bool SpaceMouseDriver::IsSpaceMouse(const HidDeviceInfo& info)
 {
   // Receivers have an interface for a mouse or a keyboard, too: only the one with report 1 of six
   // axes counts.
@@ -49,36 +49,36 @@ bool SpaceMouseDriver::IsSpaceMouse(const HidPlace& place)
     return field.Kind == HidReportKind::Input && field.Usage >= MakeHidUsage(DesktopPage, 0x33) &&
       field.Usage <= MakeHidUsage(DesktopPage, 0x35);
   };
-  return SpaceMouse::IsKnown(place.Vendor, place.ProductId) &&
-    (!place.ReadDescriptor(descriptor, error) ||
+  return SpaceMouse::IsKnown(info.Vendor, info.ProductId) &&
+    (!info.ReadDescriptor(descriptor, error) ||
       std::any_of(descriptor.GetFields().begin(), descriptor.GetFields().end(), isTurn));
 }
 
-std::vector<HidPlace> SpaceMouseDriver::Choose(std::string& error) const
+std::vector<HidDeviceInfo> SpaceMouseDriver::Choose(std::string& error) const
 {
-  std::vector<HidPlace> places;
-  for (const HidPlace& place : FindHidDevices())
+  std::vector<HidDeviceInfo> devices;
+  for (const HidDeviceInfo& info : FindHidDevices())
   {
-    if (SpaceMouseDriver::IsSpaceMouse(place))
+    if (SpaceMouseDriver::IsSpaceMouse(info))
     {
-      places.push_back(place);
+      devices.push_back(info);
     }
   }
-  if (static_cast<std::size_t>(this->Number) >= places.size())
+  if (static_cast<std::size_t>(this->Number) >= devices.size())
   {
-    error = places.empty()
+    error = devices.empty()
       ? "No SpaceMouse is plugged in. Plug it in, or its receiver, and switch it on."
       : "There is no SpaceMouse with this number. Count from 0, as EnumerateDevices() does.";
     return {};
   }
-  return { places[static_cast<std::size_t>(this->Number)] };
+  return { devices[static_cast<std::size_t>(this->Number)] };
 }
 
-bool SpaceMouseDriver::Prepare(const HidPlace& place, std::string&)
+bool SpaceMouseDriver::Prepare(const HidDeviceInfo& info, std::string&)
 {
   HidReportDescriptor descriptor;
   std::string reason;
-  this->LightSize = place.ReadDescriptor(descriptor, reason)
+  this->LightSize = info.ReadDescriptor(descriptor, reason)
     ? descriptor.GetReportSize(HidReportKind::Output, LightReport)
     : 0;
   this->LightSize = std::min(this->LightSize, static_cast<std::size_t>(LongestReport - 1));

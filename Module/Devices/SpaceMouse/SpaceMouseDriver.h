@@ -33,12 +33,12 @@ public:
 
   explicit SpaceMouseDriver(int number);
 
-  static bool IsSpaceMouse(const HidPlace& place);
+  static bool IsSpaceMouse(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 0.0, 0.0, 0.0, 0.0, 0.0, Radius }; }
 
 private:
-  std::vector<HidPlace> Choose(std::string& error) const override;
-  bool Prepare(const HidPlace& place, std::string& error) override;
+  std::vector<HidDeviceInfo> Choose(std::string& error) const override;
+  bool Prepare(const HidDeviceInfo& info, std::string& error) override;
   void Begin(HardwareExchange& exchange, bool isAnew) override;
   void Work(HardwareExchange& exchange) override;
   void Rest() noexcept override {}

@@ -49,13 +49,13 @@ Vector3 ToArm(const Vector3& device)
 ///@}
 
 /** Whether it has the controller's numbers, and this word in its name, whatever its case. */
-bool IsNamed(const HidPlace& place, const char* word)
+bool IsNamed(const HidDeviceInfo& info, const char* word)
 {
-  std::string product = place.Product;
+  std::string product = info.Product;
   std::transform(product.begin(), product.end(), product.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return place.Vendor == TeensyVendor && place.ProductId == TeensyProduct &&
-    place.UsagePage != LogPage && product.find(word) != std::string::npos;
+  return info.Vendor == TeensyVendor && info.ProductId == TeensyProduct &&
+    info.UsagePage != LogPage && product.find(word) != std::string::npos;
 }
 
 double Since(std::int64_t time)
@@ -71,27 +71,27 @@ WoodenDriver::WoodenDriver(int number)
 {
 }
 
-bool WoodenDriver::IsWooden(const HidPlace& place)
+bool WoodenDriver::IsWooden(const HidDeviceInfo& info)
 {
-  return IsNamed(place, "woodenhaptics") && !IsNamed(place, "polhem");
+  return IsNamed(info, "woodenhaptics") && !IsNamed(info, "polhem");
 }
 
-bool WoodenDriver::IsPolhem(const HidPlace& place)
+bool WoodenDriver::IsPolhem(const HidDeviceInfo& info)
 {
-  return IsNamed(place, "polhem");
+  return IsNamed(info, "polhem");
 }
 
-std::vector<HidPlace> WoodenDriver::Choose(std::string& error) const
+std::vector<HidDeviceInfo> WoodenDriver::Choose(std::string& error) const
 {
-  std::vector<HidPlace> places = FindHidDevices();
-  const auto polhem = std::find_if(places.begin(), places.end(), &WoodenDriver::IsPolhem);
-  const std::string other = polhem != places.end() ? polhem->GetLabel() : "";
-  places.erase(std::remove_if(places.begin(), places.end(),
-                 [](const HidPlace& place) { return !WoodenDriver::IsWooden(place); }),
-    places.end());
-  if (static_cast<std::size_t>(this->Number) >= places.size())
+  std::vector<HidDeviceInfo> devices = FindHidDevices();
+  const auto polhem = std::find_if(devices.begin(), devices.end(), &WoodenDriver::IsPolhem);
+  const std::string other = polhem != devices.end() ? polhem->GetLabel() : "";
+  devices.erase(std::remove_if(devices.begin(), devices.end(),
+                  [](const HidDeviceInfo& info) { return !WoodenDriver::IsWooden(info); }),
+    devices.end());
+  if (static_cast<std::size_t>(this->Number) >= devices.size())
   {
-    error = !places.empty()
+    error = !devices.empty()
       ? "There is no WoodenHaptics with this number. Count from 0, as EnumerateDevices() does."
       : !other.empty()
       ? other +
@@ -101,15 +101,15 @@ std::vector<HidPlace> WoodenDriver::Choose(std::string& error) const
         "contain \"WoodenHaptics\", since other devices have the same USB ids, 16c0:0486.";
     return {};
   }
-  return { places[static_cast<std::size_t>(this->Number)] };
+  return { devices[static_cast<std::size_t>(this->Number)] };
 }
 
-bool WoodenDriver::Prepare(const HidPlace& place, std::string& error)
+bool WoodenDriver::Prepare(const HidDeviceInfo& info, std::string& error)
 {
   HidReportDescriptor descriptor;
   std::string reason;
   this->InputSize = this->OutputSize = WoodenHaptics::PacketSize;
-  if (place.ReadDescriptor(descriptor, reason))
+  if (info.ReadDescriptor(descriptor, reason))
   {
     this->InputSize = descriptor.GetReportSize(HidReportKind::Input, 0);
     this->OutputSize = descriptor.GetReportSize(HidReportKind::Output, 0);
@@ -119,7 +119,7 @@ bool WoodenDriver::Prepare(const HidPlace& place, std::string& error)
     this->OutputSize < WoodenHaptics::PacketSize ||
     std::max(this->InputSize, this->OutputSize) > most)
   {
-    error = place.GetLabel() +
+    error = info.GetLabel() +
       " does not exchange packets of 14 bytes, as its report descriptor says. It needs the "
       "firmware of WoodenHaptics.";
     return false;

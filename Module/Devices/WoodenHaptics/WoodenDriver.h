@@ -37,9 +37,9 @@ public:
 
   explicit WoodenDriver(int number);
 
-  static bool IsWooden(const HidPlace& place);
+  static bool IsWooden(const HidDeviceInfo& info);
   /** The sister with another geometry, which this driver does not have. */
-  static bool IsPolhem(const HidPlace& place);
+  static bool IsPolhem(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 5.0, 1000.0, 0.0, 2.5, 0.0, 0.10 }; }
 
 private:
@@ -51,8 +51,8 @@ private:
     Ready
   };
 
-  std::vector<HidPlace> Choose(std::string& error) const override;
-  bool Prepare(const HidPlace& place, std::string& error) override;
+  std::vector<HidDeviceInfo> Choose(std::string& error) const override;
+  bool Prepare(const HidDeviceInfo& info, std::string& error) override;
   void Begin(HardwareExchange& exchange, bool isAnew) override;
   void Work(HardwareExchange& exchange) override;
   void Rest() noexcept override;

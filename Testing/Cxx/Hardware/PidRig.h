@@ -9,7 +9,7 @@
 #define PidRig_h
 
 #include "DescriptorRig.h"
-#include "Devices/Pid/PidProtocol.h"
+#include "Devices/Pid/PidDevice.h"
 
 namespace hardwaretest
 {

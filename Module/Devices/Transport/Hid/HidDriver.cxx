@@ -20,13 +20,13 @@ constexpr int LostPause = 10; // ms
 
 bool HidDriver::Connect(std::string& error)
 {
-  const std::vector<HidPlace> places = this->Choose(error);
-  for (const HidPlace& place : places)
+  const std::vector<HidDeviceInfo> devices = this->Choose(error);
+  for (const HidDeviceInfo& info : devices)
   {
-    if (this->Port.Open(place, error))
+    if (this->Port.Open(info, error))
     {
-      this->Label = place.GetLabel();
-      if (this->Prepare(place, error))
+      this->Label = info.GetLabel();
+      if (this->Prepare(info, error))
       {
         return true;
       }

@@ -46,9 +46,9 @@ protected:
    * The devices to try, in this order, where others hold the first ones. None: the reason and the
    * cure.
    */
-  virtual std::vector<HidPlace> Choose(std::string& error) const = 0;
+  virtual std::vector<HidDeviceInfo> Choose(std::string& error) const = 0;
   /** Learns what the device says of itself. False, with the reason and the cure. */
-  virtual bool Prepare(const HidPlace& place, std::string& error) = 0;
+  virtual bool Prepare(const HidDeviceInfo& info, std::string& error) = 0;
   /**
    * At the start of the thread and after a loss, anew; and where homing is requested of one that is
    * well.

@@ -13,10 +13,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Who only looks whether a device is free holds it for a moment. */
+/** HidDeviceInfo::GetState holds a device for a moment: Open tries again. */
 constexpr int Attempts = 10;
 constexpr std::chrono::milliseconds AttemptPause(5);
-/** ns: longer than devices that are well take, and as long as the slowest one's own watchdog. */
+/**
+ * ns: longer than a device in order takes, and as long as the watchdog of the slowest one.
+ */
 constexpr std::int64_t StuckTime = 500000000;
 
 std::string ErrorOf(hid_device* device)
@@ -32,7 +34,7 @@ std::string ErrorOf(hid_device* device)
 
 } // namespace
 
-bool HidPort::Open(const HidPlace& place, std::string& error)
+bool HidPort::Open(const HidDeviceInfo& info, std::string& error)
 {
   this->Close();
   this->TryAgain();
@@ -44,29 +46,29 @@ bool HidPort::Open(const HidPlace& place, std::string& error)
       std::this_thread::sleep_for(AttemptPause);
     }
     const std::lock_guard<std::mutex> lock(GetHidMutex());
-    answer = this->Claim.Take(place.Path);
+    answer = this->Claim.Take(info.Path);
   }
   this->InUse = answer == HidClaim::Answer::InUse;
   switch (answer)
   {
     case HidClaim::Answer::InUse:
-      error = place.GetLabel() +
+      error = info.GetLabel() +
         " is in use. Close it where it is open, in this program or in another one.";
       return false;
     case HidClaim::Answer::Forbidden:
-      error = place.GetLabel() + ": " + PermissionCure("hidraw", place.Vendor, place.ProductId);
+      error = info.GetLabel() + ": " + PermissionCure("hidraw", info.Vendor, info.ProductId);
       return false;
     case HidClaim::Answer::Missing:
-      error = place.GetLabel() + " is not there any more. Plug it in and open it again.";
+      error = info.GetLabel() + " is not there any more. Plug it in and open it again.";
       return false;
     case HidClaim::Answer::Held:
       break;
   }
   const std::lock_guard<std::mutex> lock(GetHidMutex());
-  this->Device = hid_open_path(place.Path.c_str());
+  this->Device = hid_open_path(info.Path.c_str());
   if (!this->Device)
   {
-    error = place.GetLabel() + " can't be opened (" + ErrorOf(nullptr) +
+    error = info.GetLabel() + " can't be opened (" + ErrorOf(nullptr) +
       "). Plug it in anew and open it again.";
     this->Claim.Release();
     return false;
@@ -117,23 +119,6 @@ bool HidPort::SendFeature(const std::uint8_t* report, std::size_t size) noexcept
 int HidPort::GetFeature(std::uint8_t* report, std::size_t size) noexcept
 {
   return hid_get_feature_report(this->Device, report, size);
-}
-
-std::string HidPlace::GetState() const
-{
-  HidClaim claim;
-  const std::lock_guard<std::mutex> lock(GetHidMutex());
-  switch (claim.Take(this->Path))
-  {
-    case HidClaim::Answer::InUse:
-      return "in use";
-    case HidClaim::Answer::Forbidden:
-      return PermissionCure("hidraw", this->Vendor, this->ProductId);
-    case HidClaim::Answer::Missing:
-      return "unplugged. Plug it in again.";
-    default:
-      return "available";
-  }
 }
 
 } // namespace VolumeHaptics

@@ -16,15 +16,16 @@ namespace VolumeHaptics
 {
 
 /** The devices of a kind whose ids count them: wooden:0, wooden:1. */
-inline std::vector<DeviceListing> ListNumbered(const char* kind, bool (*isSome)(const HidPlace&))
+inline std::vector<DeviceListing> ListNumbered(
+  const char* kind, bool (*isSome)(const HidDeviceInfo&))
 {
   std::vector<DeviceListing> all;
-  for (const HidPlace& place : FindHidDevices())
+  for (const HidDeviceInfo& info : FindHidDevices())
   {
-    if (isSome(place))
+    if (isSome(info))
     {
       all.push_back(
-        { kind + (":" + std::to_string(all.size())), place.GetLabel(), place.GetState() });
+        { kind + (":" + std::to_string(all.size())), info.GetLabel(), info.GetState() });
     }
   }
   return all;
@@ -32,7 +33,7 @@ inline std::vector<DeviceListing> ListNumbered(const char* kind, bool (*isSome)(
 
 /** A kind of such devices, each run by a driver that is made of its number. */
 template <typename Driver>
-DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidPlace&))
+DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&))
 {
   return { kind, [kind, isSome] { return ListNumbered(kind, isSome); },
     [kind](const std::string& id, const DeviceOptions&,

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Devices/Transport/Hid/HidPort.h"
+#include "Devices/Transport/Hid/HidDeviceInfo.h"
+
+#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Transport/Hid/HidClaim.h"
+
+#include <hidapi.h>
 
 #include <algorithm>
 
 #if defined(__linux__)
-#include <cerrno>
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 #endif
 
@@ -66,41 +69,35 @@ std::vector<std::uint8_t> ReadAll(const std::string& path, std::size_t most)
 
 } // namespace
 
-std::mutex& GetHidMutex()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
-std::vector<HidPlace> FindHidDevices()
+std::vector<HidDeviceInfo> FindHidDevices()
 {
   const std::lock_guard<std::mutex> lock(GetHidMutex());
   static const int isInitialized = hid_init();
-  std::vector<HidPlace> places;
+  std::vector<HidDeviceInfo> devices;
   if (isInitialized != 0)
   {
-    return places;
+    return devices;
   }
   hid_device_info* const list = hid_enumerate(0, 0);
-  for (const hid_device_info* info = list; info; info = info->next)
+  for (const hid_device_info* entry = list; entry; entry = entry->next)
   {
     // A device is listed once for each of its collections.
-    const auto isSame = [info](const HidPlace& place) { return place.Path == info->path; };
-    if (info->path && std::none_of(places.begin(), places.end(), isSame))
+    const auto isSame = [entry](const HidDeviceInfo& info) { return info.Path == entry->path; };
+    if (entry->path && std::none_of(devices.begin(), devices.end(), isSame))
     {
-      places.push_back({ info->path, Narrow(info->manufacturer_string),
-        Narrow(info->product_string), info->vendor_id, info->product_id, info->usage_page });
+      devices.push_back({ entry->path, Narrow(entry->manufacturer_string),
+        Narrow(entry->product_string), entry->vendor_id, entry->product_id, entry->usage_page });
     }
   }
   hid_free_enumeration(list);
   // hidraw10 comes after hidraw9.
-  std::sort(places.begin(), places.end(),
-    [](const HidPlace& a, const HidPlace& b)
+  std::sort(devices.begin(), devices.end(),
+    [](const HidDeviceInfo& a, const HidDeviceInfo& b)
     { return a.Path.size() != b.Path.size() ? a.Path.size() < b.Path.size() : a.Path < b.Path; });
-  return places;
+  return devices;
 }
 
-std::string HidPlace::GetLabel() const
+std::string HidDeviceInfo::GetLabel() const
 {
   std::string label = this->Product.empty() ? "A HID device" : this->Product;
   // Some makers put themselves into the name of the product.
@@ -111,7 +108,7 @@ std::string HidPlace::GetLabel() const
   return label + " (" + this->Path + ")";
 }
 
-bool HidPlace::ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const
+bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const
 {
 #if defined(__linux__)
   // The system's copy, which everyone may read; hidapi hands it out from version 0.14 on only.
@@ -129,35 +126,21 @@ bool HidPlace::ReadDescriptor(HidReportDescriptor& descriptor, std::string& erro
   return false;
 }
 
-HidClaim::Answer HidClaim::Take(const std::string& path) noexcept
+std::string HidDeviceInfo::GetState() const
 {
-  this->Release();
-#if defined(__linux__)
-  this->Descriptor = open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-  if (this->Descriptor < 0)
+  HidClaim claim;
+  const std::lock_guard<std::mutex> lock(GetHidMutex());
+  switch (claim.Take(this->Path))
   {
-    return errno == EACCES || errno == EPERM ? Answer::Forbidden : Answer::Missing;
+    case HidClaim::Answer::InUse:
+      return "in use";
+    case HidClaim::Answer::Forbidden:
+      return PermissionCure("hidraw", this->Vendor, this->ProductId);
+    case HidClaim::Answer::Missing:
+      return "unplugged. Plug it in again.";
+    default:
+      return "available";
   }
-  if (flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0)
-  {
-    this->Release();
-    return Answer::InUse;
-  }
-#else
-  (void)path;
-#endif
-  return Answer::Held;
-}
-
-void HidClaim::Release() noexcept
-{
-#if defined(__linux__)
-  if (this->Descriptor >= 0)
-  {
-    close(this->Descriptor);
-    this->Descriptor = -1;
-  }
-#endif
 }
 
 } // namespace VolumeHaptics

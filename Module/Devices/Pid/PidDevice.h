@@ -3,16 +3,18 @@
 /**
  * @file
  * The reports of a force-feedback stick or wheel, after the USB PID 1.0 specification (usage page
- * 0x0F): which of a device's reports and fields are which, and how they are filled.
+ * 0x0F): where a device's reports have their fields, and how these are filled.
  *
- * Report ids, sizes and ranges differ from device to device, so that everything is found by its
- * usage. PID knows no newtons: magnitudes are parts of a full scale that the user has to say. The
- * sequence in which reports go is in PidDialogue.h. What the servo calls is noexcept and does not
- * allocate.
+ * Report ids, sizes and ranges differ from device to device: PidMapper finds everything by its
+ * usage. PID knows no newtons: magnitudes are parts of a full scale that the user states. The
+ * sequence of the reports is in PidDialogue.h. All functions that the servo calls are noexcept and
+ * do not allocate.
  */
-#ifndef PidProtocol_h
-#define PidProtocol_h
+#ifndef PidDevice_h
+#define PidDevice_h
 
+#include "Devices/Pid/PidUsage.h"
+#include "Devices/Transport/Hid/HidReport.h"
 #include "Devices/Transport/Hid/HidReportDescriptor.h"
 
 #include <array>
@@ -20,57 +22,11 @@
 namespace VolumeHaptics
 {
 
-/** Usages of the page 0x0F. */
-enum class PidUsage : std::uint16_t
-{
-  SetEffectReport = 0x21,
-  EffectBlockIndex = 0x22,
-  EffectType = 0x25,
-  ConstantForce = 0x26,
-  Duration = 0x50,
-  Gain = 0x52,
-  AxesEnable = 0x55,
-  DirectionEnable = 0x56,
-  Direction = 0x57,
-  Magnitude = 0x70,
-  SetConstantForceReport = 0x73,
-  EffectOperationReport = 0x77,
-  EffectStart = 0x79,
-  EffectStop = 0x7B,
-  LoopCount = 0x7C,
-  DeviceGainReport = 0x7D,
-  DeviceGain = 0x7E,
-  PoolReport = 0x7F,
-  SimultaneousEffects = 0x83,
-  BlockLoadReport = 0x89,
-  BlockLoadSuccess = 0x8C,
-  BlockLoadFull = 0x8D,
-  BlockLoadError = 0x8E,
-  DeviceControlReport = 0x95,
-  DeviceControl = 0x96,
-  EnableActuators = 0x97,
-  StopAllEffects = 0x99,
-  DeviceReset = 0x9A,
-  CreateNewEffect = 0x9E,
-  CreateNewEffectReport = 0xAB
-};
-
-/** Bytes to send, or to have filled by the device. */
-struct HidReport
-{
-  static constexpr std::size_t Capacity = 64; ///< bytes of the payload
-
-  HidReportKind Kind = HidReportKind::Output;
-  std::size_t Size = 0; ///< bytes of the payload
-  /// The id (0 without ids), then the payload: as hidapi wants it, Size + 1 bytes.
-  std::array<std::uint8_t, Capacity + 1> Bytes{};
-  std::uint8_t* Payload() noexcept { return this->Bytes.data() + 1; }
-};
-
-/** How forces become magnitudes, for each axis: x, y. */
+/** How forces become magnitudes. */
 struct PidSettings
 {
-  /// N at full magnitude, which only the user knows; below zero it turns the sign; 0: no force.
+  /// N at full magnitude, for x and y. Only the user knows it. Below zero it turns the sign; 0: no
+  /// force.
   std::array<double, 2> NewtonsPerFullScale{ 1.0, 1.0 };
   /// s, 0.05 to 0.1: how long a force acts when the host sends nothing more.
   double Duration = 0.1;
@@ -88,30 +44,30 @@ class PidDevice
 {
 public:
   /**
-   * Finds the reports. False, with all that is missing, where no constant forces can be made with
-   * them.
+   * Finds the reports. False, with a list of all that is missing, if they don't allow constant
+   * forces.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
   bool HasPool() const noexcept { return this->Pool.Known; }
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
-  /** 1, or 2 where the second axis can be told from the first. */
+  /** 2 if the second axis can be told from the first, else 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
   /**
-   * The device has no second axis that a hand could move: a wheel whose descriptor is that of a
+   * For a device without a second axis that a hand could move: a wheel with the descriptor of a
    * stick.
    */
   void UseOneAxis() noexcept { this->Axes = 1; }
 
   ///@{
-  /** What to send. The effects' block indices are the device's, from 1 on; axes are 0 and 1. */
+  /** Reports to send. The device numbers its effects' blocks from 1 on; axes are 0 and 1. */
   HidReport Control(PidUsage command) const noexcept;
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction is where the
-   * force comes from, here as in DirectInput and in Linux' hid-pidff.c: a positive magnitude pushes
-   * an axis towards its negative end. So does OpenFFBoard (EffectsCalculator.cpp, commit 160af910).
+   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction says from which
+   * side the force comes, here as in DirectInput and in Linux' hid-pidff.c: a positive magnitude
+   * pushes an axis towards its negative end. So does OpenFFBoard (EffectsCalculator.cpp, commit 160af910).
    * Compared with its own springs, ArduinoJoystickWithFFBLibrary pushes the other way (YukMingLaw's
    * Joystick.cpp, commit ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such devices need a
    * NewtonsPerFullScale below zero.
@@ -119,7 +75,7 @@ public:
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
   /**
-   * A magnitude: newtons over newtons per full scale, at most the full scale; 0 for what is not
+   * A magnitude: newtons over newtons per full scale, at most the full scale; 0 if either is not
    * finite.
    */
   HidReport SetConstant(
@@ -127,13 +83,13 @@ public:
   ///@}
 
   ///@{
-  /** What to fetch: feature reports, empty so far. */
+  /** Feature reports to fetch, still empty. */
   HidReport AskPool() const noexcept;
   HidReport AskBlockLoad() const noexcept;
   ///@}
 
   ///@{
-  /** What came: payloads. Zero effects: the device did not say. */
+  /** Read the payloads that came. Zero effects: the device did not say. */
   int ReadPool(const std::uint8_t* payload, std::size_t size) const noexcept;
   BlockLoadStatus ReadBlockLoad(
     const std::uint8_t* payload, std::size_t size, std::int64_t& block) const noexcept;
@@ -149,7 +105,7 @@ private:
     std::uint8_t Id = 0;
     std::size_t Size = 0;
   };
-  /** A field, and the value that stands for a usage where it chooses one. */
+  /** A field, and the value that stands for a usage if the field chooses one. */
   struct Slot
   {
     bool Known = false;

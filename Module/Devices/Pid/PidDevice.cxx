@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Devices/Pid/PidProtocol.h"
+#include "Devices/Pid/PidDevice.h"
+
+#include "Devices/Pid/PidMapper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +11,9 @@ namespace VolumeHaptics
 {
 namespace
 {
+constexpr std::uint16_t OrdinalPage = 0x0A;
+constexpr HidUsage AxisUsages[] = { MakeHidUsage(0x01, 0x30), MakeHidUsage(0x01, 0x31) };
+
 /** A duration (s) as the field's logical value, in its own unit and scale. */
 std::int64_t ToLogical(const HidField& field, double quantity, double unitWithoutUnit) noexcept
 {
@@ -25,6 +30,90 @@ std::int64_t ToLogical(const HidField& field, double quantity, double unitWithou
   return std::llround(std::max(0.0, std::min(value, most)));
 }
 } // namespace
+
+bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
+{
+  *this = PidDevice();
+  PidMapper mapper(descriptor);
+  const auto need = [&mapper](PidUsage report, HidReportKind kind, const char* name, Shape& shape)
+  {
+    if (!mapper.Turn(report, kind, name, shape))
+    {
+      mapper.NoteMissing(name);
+    }
+  };
+  constexpr HidReportKind output = HidReportKind::Output;
+  constexpr HidReportKind feature = HidReportKind::Feature;
+
+  // The report's usage may be left out around the control's own.
+  if (!mapper.Turn(PidUsage::DeviceControlReport, output, "Device Control", this->ControlShape))
+  {
+    need(PidUsage::DeviceControl, output, "Device Control", this->ControlShape);
+  }
+  mapper.Need(PidUsage::EnableActuators, "Enable Actuators", this->Enable);
+  mapper.Need(PidUsage::StopAllEffects, "Stop All Effects", this->StopAll);
+  mapper.Need(PidUsage::DeviceReset, "Device Reset", this->Reset);
+
+  if (!mapper.Turn(PidUsage::CreateNewEffectReport, feature, "Create New Effect", this->Create))
+  {
+    need(PidUsage::CreateNewEffect, feature, "Create New Effect", this->Create);
+  }
+  mapper.Need(PidUsage::ConstantForce, "Constant Force", this->CreateType);
+
+  need(PidUsage::BlockLoadReport, feature, "Block Load", this->Load);
+  mapper.Need(PidUsage::EffectBlockIndex, "Effect Block Index", this->LoadBlock);
+  mapper.Need(PidUsage::BlockLoadSuccess, "Block Load Success", this->Success);
+  mapper.Find(PidUsage::BlockLoadFull, this->Full);
+  mapper.Find(PidUsage::BlockLoadError, this->LoadError);
+
+  need(PidUsage::SetEffectReport, output, "Set Effect", this->Effect);
+  mapper.Need(PidUsage::EffectBlockIndex, "Effect Block Index", this->EffectBlock);
+  mapper.Need(PidUsage::ConstantForce, "Constant Force", this->EffectType);
+  mapper.Need(PidUsage::Duration, "Duration", this->Duration);
+  mapper.Find(PidUsage::Gain, this->EffectGain);
+  mapper.Find(PidUsage::DirectionEnable, this->DirectionEnable);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    mapper.Find(AxisUsages[axis], this->AxisEnable[axis], PidMapper::Of(PidUsage::AxesEnable));
+  }
+  // One angle, or one of more that are numbered.
+  const bool isNumbered =
+    mapper.Find(MakeHidUsage(OrdinalPage, 1), this->Direction, PidMapper::Of(PidUsage::Direction));
+  if (!isNumbered)
+  {
+    mapper.Find(PidUsage::Direction, this->Direction);
+  }
+  const bool hasPolar = this->Direction.Known && this->DirectionEnable.Known;
+  this->Axes = this->AxisEnable[1].Known || (!this->AxisEnable[0].Known && hasPolar) ? 2 : 1;
+
+  need(PidUsage::SetConstantForceReport, output, "Set Constant Force", this->Constant);
+  mapper.Need(PidUsage::EffectBlockIndex, "Effect Block Index", this->ConstantBlock);
+  mapper.Need(PidUsage::Magnitude, "Magnitude", this->Magnitude);
+  if (this->Magnitude.Known &&
+    (!this->Magnitude.Field.IsSigned || this->Magnitude.Field.LogicalMaximum <= 0))
+  {
+    mapper.NoteMissing("a Magnitude that can be below and above zero");
+  }
+
+  need(PidUsage::EffectOperationReport, output, "Effect Operation", this->Operation);
+  mapper.Need(PidUsage::EffectBlockIndex, "Effect Block Index", this->OperationBlock);
+  mapper.Need(PidUsage::EffectStart, "Effect Start", this->Start);
+  mapper.Need(PidUsage::EffectStop, "Effect Stop", this->Stop);
+  mapper.Find(PidUsage::LoopCount, this->Loops);
+
+  mapper.Turn(PidUsage::PoolReport, feature, "Pool", this->Pool);
+  mapper.Find(PidUsage::SimultaneousEffects, this->Simultaneous);
+  mapper.Turn(PidUsage::DeviceGainReport, output, "Device Gain", this->Gain);
+  mapper.Find(PidUsage::DeviceGain, this->DeviceGain);
+
+  if (!mapper.GetMissing().empty())
+  {
+    error = "No force feedback with this HID device; missing: " + mapper.GetMissing();
+    *this = PidDevice();
+    return false;
+  }
+  return true;
+}
 
 HidReport PidDevice::Begin(const Shape& shape) noexcept
 {
@@ -86,7 +175,7 @@ HidReport PidDevice::CreateConstant() const noexcept
   return report;
 }
 
-// What is not written here stays 0: no trigger button, no delay, no sample period of its own.
+// All other fields stay 0: no trigger button, no delay, no sample period of its own.
 HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) const noexcept
 {
   HidReport report = PidDevice::Begin(this->Effect);
@@ -95,8 +184,8 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::Put(report, this->Duration,
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
-  // By the direction wherever there is one, as Linux does. Where the axes' bits are set instead,
-  // the firmwares disagree about what the direction means then.
+  // By the direction if there is one, as Linux does. If the axes' bits are set instead, firmwares
+  // disagree about the meaning of the direction.
   if (this->DirectionEnable.Known)
   {
     PidDevice::Put(report, this->DirectionEnable, 1);
@@ -129,7 +218,7 @@ HidReport PidDevice::SetConstant(
 {
   HidReport report = PidDevice::Begin(this->Constant);
   PidDevice::Put(report, this->ConstantBlock, block);
-  // The same scale both ways, also where the range has one value more below zero.
+  // The same scale both ways, even if the range has one value more below zero.
   const HidField& field = this->Magnitude.Field;
   const auto fullScale = static_cast<double>(std::min(
     -ClampToField(field, field.LogicalMinimum), ClampToField(field, field.LogicalMaximum)));

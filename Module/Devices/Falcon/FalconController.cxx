@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Devices/Falcon/FalconPilot.h"
+#include "Devices/Falcon/FalconController.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -36,14 +36,14 @@ std::uint32_t FalconButtonsOf(std::uint8_t buttons) noexcept
     ((buttons & FalconMinus) != 0 ? 4u : 0u) | ((buttons & FalconForwardButton) != 0 ? 8u : 0u);
 }
 
-FalconPilot::FalconPilot(HardwareExchange& exchange, double homingTime) noexcept
+FalconController::FalconController(HardwareExchange& exchange, double homingTime) noexcept
   : Exchange(exchange)
   , Homing(homingTime)
 {
   this->TellState();
 }
 
-void FalconPilot::Restart() noexcept
+void FalconController::Restart() noexcept
 {
   this->IsStopped = false;
   this->Missed = 0;
@@ -53,7 +53,7 @@ void FalconPilot::Restart() noexcept
   this->TellState();
 }
 
-void FalconPilot::Lose(const char* text) noexcept
+void FalconController::Lose(const char* text) noexcept
 {
   if (!this->IsStopped)
   {
@@ -62,7 +62,7 @@ void FalconPilot::Lose(const char* text) noexcept
   }
 }
 
-void FalconPilot::TellState() noexcept
+void FalconController::TellState() noexcept
 {
   const FalconHomingState state = this->Homing.GetState();
   if (state == this->Told)
@@ -88,14 +88,14 @@ void FalconPilot::TellState() noexcept
   }
 }
 
-bool FalconPilot::IsPossible(const Vector3& position, double elapsed) const noexcept
+bool FalconController::IsPossible(const Vector3& position, double elapsed) const noexcept
 {
   // Twice the speed at which the servo cuts the force: here the device itself is in doubt.
   const double far = Tolerance + 2.0 * MaximumSpeed * std::max(elapsed, ShortestTime);
   return Norm(position - this->Pose.Position) <= std::min(far, LongestStep);
 }
 
-void FalconPilot::FollowHoming(const FalconReport& report) noexcept
+void FalconController::FollowHoming(const FalconReport& report) noexcept
 {
   if (this->Homing.GetState() != FalconHomingState::Ready)
   {
@@ -124,7 +124,7 @@ void FalconPilot::FollowHoming(const FalconReport& report) noexcept
   this->Exchange.Tell(sample);
 }
 
-void FalconPilot::Take(const FalconReport& report, double elapsed) noexcept
+void FalconController::Take(const FalconReport& report, double elapsed) noexcept
 {
   this->Missed = 0;
   if (this->IsStopped)
@@ -140,7 +140,7 @@ void FalconPilot::Take(const FalconReport& report, double elapsed) noexcept
   }
 }
 
-void FalconPilot::Miss(double elapsed, const char* why) noexcept
+void FalconController::Miss(double elapsed, const char* why) noexcept
 {
   ++this->Missed;
   if (this->IsStopped)
@@ -161,7 +161,7 @@ void FalconPilot::Miss(double elapsed, const char* why) noexcept
   }
 }
 
-FalconOrder FalconPilot::GetOrder() noexcept
+FalconOrder FalconController::GetOrder() noexcept
 {
   const int lights = this->Exchange.GetLights();
   FalconOrder order;

@@ -10,8 +10,8 @@
  * in the frame of FalconKinematics.h; forces are the same in both. Which way the axes point on a
  * real device is not verified.
  */
-#ifndef FalconPilot_h
-#define FalconPilot_h
+#ifndef FalconController_h
+#define FalconController_h
 
 #include "Devices/Common/HardwareExchange.h"
 #include "Devices/Falcon/FalconHoming.h"
@@ -36,7 +36,7 @@ constexpr std::uint8_t FalconColours(int lights) noexcept
   return static_cast<std::uint8_t>((lights & 7) << 1);
 }
 
-class FalconPilot
+class FalconController
 {
 public:
   /** How far (m) the grip may be from the last report, however long that was ago. */
@@ -45,7 +45,7 @@ public:
   static constexpr int MostMissed = 10;
 
   /** Begins with homing, each of whose steps may take that long (s). */
-  FalconPilot(HardwareExchange& exchange, double homingTime) noexcept;
+  FalconController(HardwareExchange& exchange, double homingTime) noexcept;
 
   /** A report, the latest one, and the time (s) since the last call of this or of Miss. */
   void Take(const FalconReport& report, double elapsed) noexcept;

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Finds the reports and fields of a force-feedback device by their usages.
+ */
+#ifndef PidMapper_h
+#define PidMapper_h
+
+#include "Devices/Pid/PidDevice.h"
+
+namespace VolumeHaptics
+{
+
+/**
+ * Reads one device's descriptor for PidDevice::Map, and collects all that is missing.
+ *
+ * Turn selects a report; Find and Need then look for fields in it.
+ */
+class PidMapper
+{
+public:
+  explicit PidMapper(const HidReportDescriptor& descriptor)
+    : Descriptor(descriptor)
+  {
+  }
+
+  /** A usage of the PID page, with its page. */
+  static constexpr HidUsage Of(PidUsage usage) noexcept
+  {
+    return MakeHidUsage(0x0F, static_cast<std::uint16_t>(usage));
+  }
+
+  /** Selects the report with this usage. False if there is none that can be used. */
+  bool Turn(PidUsage report, HidReportKind kind, const char* name, PidDevice::Shape& shape);
+
+  ///@{
+  /**
+   * A field that holds a number, or a bit or an array's choice that stands for the usage. `within`
+   * is the usage of a collection around it.
+   */
+  bool Find(HidUsage usage, PidDevice::Slot& slot, HidUsage within = 0) const;
+  bool Find(PidUsage usage, PidDevice::Slot& slot) const { return this->Find(Of(usage), slot); }
+  ///@}
+
+  /** As Find; notes it as missing if it is not there. */
+  void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
+
+  void NoteMissing(const std::string& what);
+  /** All that is missing, separated by commas. */
+  const std::string& GetMissing() const { return this->Missing; }
+
+private:
+  const HidReportDescriptor& Descriptor;
+  PidUsage Report = PidUsage::SetEffectReport;
+  const char* Name = "";
+  const PidDevice::Shape* Current = nullptr;
+  std::string Missing;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The HID devices that are plugged in.
+ */
+#ifndef HidDeviceInfo_h
+#define HidDeviceInfo_h
+
+#include "Devices/Transport/Hid/HidReportDescriptor.h"
+
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** An interface of a HID device that is plugged in, as the system lists it. */
+struct HidDeviceInfo
+{
+  std::string Path; ///< opens the device; on Linux its node
+  std::string Maker;
+  std::string Product; ///< the name that the device reports
+  std::uint16_t Vendor = 0;
+  std::uint16_t ProductId = 0;
+  std::uint16_t UsagePage = 0; ///< of its first collection; 0 if unknown
+
+  /** Maker, product and path, for people. */
+  std::string GetLabel() const;
+  /** "available", "in use", or the obstacle and its cure. */
+  std::string GetState() const;
+  /** Reads and parses the report descriptor. False, with the reason, if that is not possible. */
+  bool ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const;
+};
+
+/** In the order in which the system numbers them. Any thread. */
+std::vector<HidDeviceInfo> FindHidDevices();
+
+} // namespace VolumeHaptics
+
+#endif
