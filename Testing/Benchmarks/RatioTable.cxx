@@ -15,7 +15,7 @@ namespace
 constexpr double NoTarget = 0.0;
 /** Warm ticks in a volume 32 times as large should cost the same; this allows for noise. */
 constexpr double SameCost = 1.15;
-/** SPEC 5: PRECISE in contact costs four times PAPER at most. */
+/** PRECISE in contact costs four times PAPER at most. */
 constexpr double PreciseTarget = 4.0;
 /** A gradient beside reading its taps, when they are in the cache and when they are not. */
 constexpr double WarmTarget = 2.0;

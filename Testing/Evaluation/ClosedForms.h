@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The closed forms of SPEC 4 with the right answer at every tick, also where PAPER gives another
- * one.
+ * The closed forms of Documentation/evaluation.md with the right answer at every tick, even if
+ * PAPER gives another one.
  */
 #ifndef Evaluation_ClosedForms_h
 #define Evaluation_ClosedForms_h

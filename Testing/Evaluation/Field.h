@@ -32,7 +32,7 @@ struct Sampling
   bool IsTurned = false; ///< by an odd rotation, about an odd centre
 };
 
-/** What is felt, and how it is solved; see SPEC 4 for the defaults. */
+/** What is felt, and how it is solved; the defaults are those of the closed forms. */
 struct Touching
 {
   VolumeHaptics::HapticSolver Solver = VolumeHaptics::HapticSolver::Precise;

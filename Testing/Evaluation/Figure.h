@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The figures of SPEC 5, each measured for one solver. Deterministic: seeds are fixed.
+ * The figures of the evaluation, each measured for one solver. Deterministic: seeds are fixed.
  */
 #ifndef Evaluation_Figure_h
 #define Evaluation_Figure_h
@@ -77,7 +77,7 @@ inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::Hapt
   return touching;
 }
 
-/** Force against the closed forms T1 to T16 of SPEC 4, as shares of each form's largest force. */
+/** Force against the closed forms T1 to T13, as shares of each form's largest force. */
 Figures MeasureClosedForms(const Candidate& candidate, const Effort& effort);
 /** Iso-level tracking and drift on balls and in cavities of 20 voxels. */
 Figures MeasureTracking(const Candidate& candidate, const Effort& effort);

@@ -4,10 +4,10 @@
  * @file
  * volumehaptics-evaluation [--quick] [--volume FILE.mhd] [--output FOLDER]
  *
- * Measures the figures of SPEC 5 for PAPER and PRECISE, compares them with other methods, prints
- * the tables, and writes a report with plots to FOLDER (default: evaluation). The exit status is
- * the number of figures (times aside) that PRECISE does not reach with the default estimator or the
- * B-spline. --quick takes seconds instead of minutes.
+ * Measures the figures of Documentation/evaluation.md for PAPER and PRECISE, compares them with
+ * other methods, prints the tables, and writes a report with plots to FOLDER (default: evaluation).
+ * The exit status is the number of figures (times aside) that PRECISE does not reach with the
+ * default estimator or the B-spline. --quick takes seconds instead of minutes.
  */
 #include "RealVolume.h"
 #include "Report.h"

@@ -17,7 +17,7 @@ using WallMaker = std::function<std::shared_ptr<const VolumeHaptics::HapticModel
 
 /**
  * The stiffest wall (N/m) on which a device of 0.1 kg with a damping (N s/m) comes to rest, with
- * the force some ticks late. Theory (Gil et al. 2004; SPEC 4, T16): 2 b / T without delay.
+ * the force some ticks late. Theory (Gil et al. 2004; T16): 2 b / T without delay.
  */
 double FindStiffestWall(const WallMaker& makeWall, double damping, int delay);
 

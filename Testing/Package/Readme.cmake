@@ -1,18 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The README's examples are the files that the other tests build and run, to the letter.
+# The examples in README.md and in Documentation are the files that the other tests build and run, to the letter.
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
-file(READ "${root}/README.md" readme)
 foreach (example IN ITEMS
-    "Examples/Cxx/FirstTouch.cxx|{\n|"
-    "Examples/Python/first_touch.py|import vtkLineSource\n|"
-    "Examples/Cxx/DropIn.cxx|  vtkNew<vtkVolumeHapticsFilter>|\n\n  window->Render")
+    "README.md|Examples/Cxx/FirstTouch.cxx|{\n|"
+    "README.md|Examples/Python/first_touch.py|import vtkLineSource\n|"
+    "Documentation/devices.md|Examples/Cxx/DropIn.cxx|  vtkNew<vtkVolumeHapticsFilter>|\n\n  window->Render")
   string(REPLACE "|" ";" example "${example}")
-  list(GET example 0 file)
-  list(GET example 1 start)
-  list(GET example 2 end)
+  list(GET example 0 document)
+  list(GET example 1 file)
+  list(GET example 2 start)
+  list(GET example 3 end)
+  file(READ "${root}/${document}" text)
   file(READ "${root}/${file}" code)
   # What counts is the code behind the includes, or what is added to an application.
   string(FIND "${code}" "${start}" from)
@@ -21,8 +22,8 @@ foreach (example IN ITEMS
     string(FIND "${code}" "${end}" to)
     string(SUBSTRING "${code}" 0 ${to} code)
   endif ()
-  string(FIND "${readme}" "${code}" found)
+  string(FIND "${text}" "${code}" found)
   if (from LESS 0 OR found LESS 0)
-    message(SEND_ERROR "README.md does not show ${file} as it is.")
+    message(SEND_ERROR "${document} does not show ${file} as it is.")
   endif ()
 endforeach ()

@@ -1,15 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scripts in README.md, section "In ParaView", run one after the other, and their hands feel something."""
+"""The scripts in Documentation/paraview.md run one after the other, and their hands feel something."""
 
 import os
 import re
 import sys
 
 PLUGIN, _, SOURCE, _ = sys.argv[1:5]
-with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
-    section = file.read().split("\n## In ParaView\n")[1].split("\n## ")[0]
-scripts = [script for script in re.findall("```python\n(.*?)```", section, re.S) if "Connect(" not in script]
+DOCUMENT = os.path.join(SOURCE, "Documentation", "paraview.md")
+with open(DOCUMENT, encoding="utf-8") as file:
+    text = file.read()
+scripts = [script for script in re.findall("```python\n(.*?)```", text, re.S) if "Connect(" not in script]
 assert len(scripts) == 3
 scripts[0], replaced = re.subn(r'"build/plugin/[^"]*VolumeHapticsPlugin\.so"', repr(PLUGIN), scripts[0])
 assert replaced == 1, scripts[0]
@@ -19,7 +20,7 @@ names = {"__name__": "__main__"}
 felt = []
 names["print"] = lambda *words: felt.append(words[0])
 for script in scripts:
-    exec(compile(script, "README.md", "exec"), names)
+    exec(compile(script, DOCUMENT, "exec"), names)
 touch, device, link = names["touch"], names["device"], names["link"]
 assert touch.PointData["Force"].GetRange(-1)[1] > 1.0
 assert touch.Preset == "Custom" and touch.StiffnessScale == 800

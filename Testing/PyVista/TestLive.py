@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Live touch as a user has it: the README's script, and a real window with its event loop, its timer and its keys."""
+"""Live touch as a user has it: the documented script, and a real window with its event loop, its timer and its keys."""
 
 import pytest
 import pyvista as pv
@@ -13,8 +13,9 @@ def script(root):
     return text.split('"""\n', 1)[1]
 
 
-def test_script_is_the_readmes_and_short(root):
-    section = (root / "README.md").read_text(encoding="utf-8").split("\n## In PyVista\n")[1].split("\n## ")[0]
+def test_script_is_the_documented_one_and_short(root):
+    text = (root / "Documentation" / "python.md").read_text(encoding="utf-8")
+    section = text.split("\n## In PyVista\n")[1].split("\n## ")[0]
     code = script(root)
     assert f"```python\n{code}```" in section
     assert len(code.strip().splitlines()) < 20

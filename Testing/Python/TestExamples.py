@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package's examples, those of its documentation and those of the README."""
+"""The package's examples, those of its documentation and those of Documentation."""
 
 import doctest
 import math
@@ -53,19 +53,20 @@ def test_phantom_is_the_repositorys(data):
         assert ours.read() == (data / "HeadPhantom.vti").read_bytes()
 
 
-def test_readme(readme, capsys):
-    section = readme.split("\n## In Python\n")[1].split("\n## ")[0]
+def test_document_python(document, capsys):
+    section = document("python.md").split("\n## In Python\n")[1].split("\n## ")[0]
     code = "\n".join(re.findall(r"```python\n(.*?)```", section, re.DOTALL))
-    exec(compile(code, "README.md", "exec"), {})
+    exec(compile(code, "python.md", "exec"), {})
     assert re.fullmatch(r"\d+\.\d+ N\n", capsys.readouterr().out)
 
 
-def test_readme_live_device(readme):
+def test_document_live_device(document):
     """The script of "A live device", alone and as printed, feels the head and lets go of it."""
-    (code,) = re.findall(r"```python\n(.*?)```", readme.split("\n## A live device\n")[1].split("\n## ")[0], re.DOTALL)
+    section = document("devices.md").split("\n## A live device\n")[1].split("\n## ")[0]
+    (code,) = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
     printed = []
     names = {"print": lambda *words: printed.append(words)}
-    exec(compile(code, "README.md", "exec"), names)
+    exec(compile(code, "devices.md", "exec"), names)
     assert len(printed) == 101 and printed[-1][0].startswith(("Active", "Armed"))
     assert max(math.hypot(*force) for _, force, _ in printed[:-1]) > 0.5
     assert any(contact for _, _, contact in printed[:-1])

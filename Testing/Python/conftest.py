@@ -57,5 +57,6 @@ def baselines():
 
 
 @pytest.fixture(scope="session")
-def readme():
-    return (ROOT / "README.md").read_text(encoding="utf-8")
+def document():
+    """The text of a file in Documentation, by its name."""
+    return lambda name: (ROOT / "Documentation" / name).read_text(encoding="utf-8")

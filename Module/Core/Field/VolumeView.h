@@ -45,7 +45,7 @@ struct VolumeView
   std::int64_t First[3] = { 0, 0, 0 };
   /** Samples of the whole volume, of which these are a region; 0 where there are no others. */
   std::int64_t Whole[3] = { 0, 0, 0 };
-  /** What counts as the value where a sample is NaN or infinite (SPEC 2, ruling 8). */
+  /** The value that stands for a sample that is NaN or infinite (Documentation/method.md). */
   double BorderValue = 0.0;
 
   /** The largest index along an axis: of a sample that is here, and of the volume. */

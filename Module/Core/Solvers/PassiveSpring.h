@@ -5,8 +5,8 @@
  * A spring whose stiffness follows the tissue without giving energy away.
  *
  * Let the proxy rest d from the tip. When the tissue's stiffness K rises there, k = K at once would
- * store energy that no hand has put in (SPEC 4, T15). So a rise keeps the force: the spring has
- * slack,
+ * store energy that no hand has put in (T15 in Documentation/evaluation.md). So a rise keeps the
+ * force: the spring has slack,
  *
  *   |f| = K (|d| - s)   for |d| > s, else 0,
  *

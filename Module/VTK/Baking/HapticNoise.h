@@ -63,9 +63,9 @@ void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], c
 
 /**
  * The ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4 sigma_g,
- * which a hundredth of the gradients of pure noise exceed (SPEC 6), 1 from twice that on. sigma_g
- * is the noise of a component of the estimated gradient per world unit, along the axis with the
- * finest spacing. Empty without noise.
+ * which a hundredth of the gradients of pure noise exceed (Documentation/method.md), 1 from twice
+ * that on. sigma_g is the noise of a component of the estimated gradient per world unit, along the
+ * axis with the finest spacing. Empty without noise.
  */
 Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld);
 

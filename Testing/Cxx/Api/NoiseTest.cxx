@@ -123,7 +123,8 @@ protected:
 
 TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
 {
-  // SPEC 6: 0.106 sigma per voxel of the default Gaussian; 3.4 times that is no more than noise.
+  // Documentation/method.md: 0.106 sigma per voxel of the default Gaussian; up to 3.4 times that
+  // is noise.
   const double expected = 3.4 * 0.106 * Sigma;
   EXPECT_NEAR(this->FindStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
   EXPECT_NEAR(this->FindStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),

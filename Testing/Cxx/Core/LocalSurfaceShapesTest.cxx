@@ -23,7 +23,7 @@ TEST(LocalSurfaceShapes, FrictionSticksAndSlides)
   d.Material.Friction = ConstantPolyline(0.4);
   Hand hand(d, { 10.0, 10.0, 9.0 });
   hand.Lead({ 10.0, 10.0, 15.0 });
-  // Sticks until the lag is mu times the depth (SPEC 4, T4 and T5).
+  // Sticks until the lag is mu times the depth (T4 and T5 in Documentation/evaluation.md).
   hand.Lead({ 11.1, 10.0, 15.0 });
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
   EXPECT_LE(Norm(hand.Proxy() - Vector3{ 10.0, 10.0, 12.0 }), 1e-6);
