@@ -3,6 +3,7 @@
 #include "vtkHapticProperty.h"
 
 #include "VTK/Baking/HapticPresets.h"
+#include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Trace/HapticFiles.h"
 
 #include "vtkObjectFactory.h"
@@ -89,19 +90,20 @@ void vtkHapticProperty::NoteNoiseRamp(double start, double full)
 //------------------------------------------------------------------------------
 void vtkHapticProperty::DeepCopy(vtkHapticProperty* source)
 {
+  using namespace VolumeHaptics;
   if (!source || source == this)
   {
     return;
   }
-  this->GetStiffness()->DeepCopy(source->GetStiffness());
-  this->GetFriction()->DeepCopy(source->GetFriction());
-  this->GetViscosity()->DeepCopy(source->GetViscosity());
-  this->GetSurfaceStrength()->DeepCopy(source->GetSurfaceStrength());
-  this->GetDistinctness()->DeepCopy(source->GetDistinctness());
+  for (const PropertyFunction& function : PropertyFunctions)
+  {
+    (this->*function.Get)()->DeepCopy((source->*function.Get)());
+  }
   this->SetVisibilityFrom(source->GetVisibilityFrom());
-  this->SetComponent(source->GetComponent());
-  this->SetSurfaceSide(source->GetSurfaceSide());
-  this->SetDistinctnessFromNoise(source->GetDistinctnessFromNoise());
+  for (const PropertySetting& setting : PropertySettings)
+  {
+    setting.Set(this, setting.Get(source));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -139,10 +141,7 @@ void vtkHapticProperty::PrintSelf(ostream& os, vtkIndent indent)
   print("SurfaceStrength", this->SurfaceStrength);
   print("Distinctness", this->Distinctness);
   print("VisibilityFrom", this->VisibilityFrom);
-  os << indent << "Component: " << this->Component << "\n";
-  static const char* const sides[] = { "Higher", "Lower", "Both" };
-  os << indent << "SurfaceSide: " << sides[this->SurfaceSide] << "\n";
-  os << indent << "DistinctnessFromNoise: " << (this->DistinctnessFromNoise ? "On" : "Off") << "\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::PropertySettings);
   os << indent << "NoiseRamp: ";
   if (this->NoiseRamp[1] > 0.0)
   {

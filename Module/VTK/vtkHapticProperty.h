@@ -46,8 +46,9 @@ public:
 
   ///@{
   /**
-   * Stiffness k (N/m) of the spring between proxy and tip, against the scalar value. Created
-   * without points, clamped at the ends, on first Get; without points it stands for 500 N/m.
+   * Stiffness k of the spring between proxy and tip, against the data value just inside the
+   * surface (N/m). Created without points, clamped at the ends, on first Get; without points it
+   * stands for 500 N/m.
    */
   void SetStiffness(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetStiffness();
@@ -55,7 +56,8 @@ public:
 
   ///@{
   /**
-   * Coefficient of friction mu against the scalar value. Without points: 0.
+   * Coefficient of friction mu (eqs. 8 to 10), against the data value just inside the surface.
+   * Without points: 0.
    */
   void SetFriction(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetFriction();
@@ -63,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Coulomb drag R (N) of the medium around the proxy (eq. 14), against the scalar value. Without
-   * points: 0 N.
+   * Drag R of the medium against any motion (eq. 14), against the data value just outside the
+   * surface (N). Without points: 0 N.
    */
   void SetViscosity(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetViscosity();
@@ -72,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Surface strength T_N (N): the normal force at which a surface is penetrated (eq. 12), against
-   * the scalar value. Without points: 2 N.
+   * Surface strength T_N: the normal force at which a surface is penetrated (eq. 12), against the
+   * data value just inside the surface (N). Without points: 2 N.
    */
   void SetSurfaceStrength(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetSurfaceStrength();
@@ -90,13 +92,15 @@ public:
 
   ///@{
   /**
-   * What a Distinctness without points stands for. On (default): a ramp that keeps the noise of the
-   * image that is touched from being felt, 0 up to 3.4 times the noise of its gradient and 1 from
-   * twice that on; the noise is estimated from the flattest blocks of the image, and again after
-   * the image or its array is Modified(): call that after you changed values in place. 1 if the
-   * image has no noise. Off: 1. NoiseRamp has the two gradient magnitudes (scalar units per world
-   * unit) of the ramp that was set last, when a filter with this property last ran or was
-   * published; 0, 0 where none was.
+   * Whether distinctness (W_d, eq. 13) keeps the noise of the image from being felt as surfaces.
+   * On (default): it is 0 up to 3.4 times the noise of the gradient, and 1 from twice that on;
+   * the noise is estimated from the flattest blocks of the image. This is for a Distinctness
+   * without points; off, that stands for 1.
+   *
+   * The noise is estimated again after the image or its array is Modified(): call that after you
+   * changed values in place. Distinctness is 1 if the image has no noise. NoiseRamp has the two
+   * gradient magnitudes (scalar units per world unit) of the ramp that was set last, when a
+   * filter with this property last ran or was published; 0, 0 if none was.
    */
   vtkSetMacro(DistinctnessFromNoise, bool);
   vtkGetMacro(DistinctnessFromNoise, bool);
@@ -111,7 +115,7 @@ public:
 
   ///@{
   /**
-   * The component of the scalar array that is touched. Default 0.
+   * The component of the array that is touched, 0 or more. Default 0.
    */
   vtkSetClampMacro(Component, int, 0, VTK_INT_MAX);
   vtkGetMacro(Component, int);
@@ -127,8 +131,8 @@ public:
   ///@{
   /**
    * Which way a structure lies from its surface: towards higher values (default; bone in CT),
-   * towards lower values (lung seen from tissue), or whichever way one pushes (MRI). Surfaces
-   * resist the way in, never the way out.
+   * towards lower values (lung seen from tissue), or both, whichever way one pushes (MRI).
+   * Surfaces resist the way in, never the way out.
    */
   vtkSetClampMacro(SurfaceSide, int, HIGHER, BOTH);
   vtkGetMacro(SurfaceSide, int);

@@ -3,13 +3,13 @@
 #include "vtkVolumeHapticsAlgorithm.h"
 
 #include "VTK/Baking/HapticMethods.h"
+#include "VTK/Baking/HapticSettingLists.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 //------------------------------------------------------------------------------
 vtkVolumeHapticsAlgorithm::vtkVolumeHapticsAlgorithm() = default;
@@ -109,20 +109,16 @@ void vtkVolumeHapticsAlgorithm::NextMethod()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate) const
+std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate)
 {
-  const std::pair<const char*, double> settings[] = { { "ServoRate", rate },
-    { "MetersPerWorldUnit", this->MetersPerWorldUnit }, { "ForceFieldGain", this->ForceFieldGain },
-    { "ForceFieldDamping", this->ForceFieldDamping }, { "IsoValue", this->IsoValue },
-    { "ProxyRadius", this->ProxyRadius }, { "LocalSurfaceRate", this->LocalSurfaceRate },
-    { "RecoveryTime", this->RecoveryTime }, { "MaximumForce", this->MaximumForce },
-    { "MaximumStiffness", this->MaximumStiffness } };
-  for (const auto& [setting, value] : settings)
+  for (const VolumeHaptics::FilterSetting& setting : VolumeHaptics::FilterSettings)
   {
-    if (!std::isfinite(value))
+    // The servo's own rate stands for the filter's.
+    const bool isRate = std::string("ServoRate") == setting.Name;
+    if (!std::isfinite(isRate ? rate : setting.Get(this)))
     {
-      return std::string("The setting ") + setting +
-        " of vtkVolumeHapticsFilter is not a finite number. Set" + setting + "() to one.";
+      return std::string("The setting ") + setting.Name +
+        " of vtkVolumeHapticsFilter is not a finite number. Set" + setting.Name + "() to one.";
     }
   }
   return {};
@@ -141,27 +137,7 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
   {
     os << "(none)\n";
   }
-  static const char* const estimators[] = { "CentralDifference", "Gaussian", "CubicBSpline" };
-  os << indent << "Method: " << VolumeHaptics::GetMethodChoice(this->Method, this->Solver).Setting
-     << "\n";
-  os << indent << "Solver: " << (this->Solver == PAPER ? "Paper" : "Precise") << "\n";
-  os << indent << "ContactAlignment: " << (this->ContactAlignment == EDGE ? "Edge" : "Distinctness")
-     << "\n";
-  os << indent << "GradientEstimator: " << estimators[this->GradientEstimator] << "\n";
-  os << indent << "KernelRadius: " << this->KernelRadius << " voxels\n";
-  os << indent << "ServoRate: " << this->ServoRate << " Hz\n";
-  os << indent << "MetersPerWorldUnit: " << this->MetersPerWorldUnit << "\n";
-  os << indent << "ForceFieldGain: " << this->ForceFieldGain << "\n";
-  os << indent << "ForceFieldDamping: " << this->ForceFieldDamping << "\n";
-  os << indent << "IsoValue: " << this->IsoValue << "\n";
-  os << indent << "ProxyRadius: " << this->ProxyRadius << "\n";
-  os << indent << "ForceShading: " << (this->ForceShading ? "On" : "Off") << "\n";
-  os << indent
-     << "LocalSurfaceShape: " << (this->LocalSurfaceShape == QUADRIC ? "Quadric" : "Plane") << "\n";
-  os << indent << "LocalSurfaceRate: " << this->LocalSurfaceRate << " Hz\n";
-  os << indent << "RecoveryTime: " << this->RecoveryTime << " s\n";
-  os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
-  os << indent << "MaximumStiffness: " << this->MaximumStiffness << " N/m\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::FilterSettings);
 }
 
 //------------------------------------------------------------------------------

@@ -40,17 +40,22 @@ public:
 
   ///@{
   /**
-   * PROXY (default): what vtkVolumeHapticsFilter describes. FORCE_FIELD, eq. 1 of the paper, which
-   * compares itself with this and the next two: f = -ForceFieldGain grad V - ForceFieldDamping
-   * v_tip, without a proxy; NormalForce and DragForce are the magnitudes of the two terms.
-   * SURFACE_PROXY, polygonal surface haptics (Ruspini et al. 1997): a sphere of ProxyRadius that no
-   * triangle of the surface lets through. LOCAL_SURFACE, an intermediate representation (Mark et
-   * al. 1996): a slow loop fits a plane or a quadric to the isosurface near the proxy, and the
-   * servo touches that; what the hand meets before the slow loop has looked, it falls through. Both
-   * surfaces have stiffness and friction of the material at IsoValue, and neither drag nor a limit
-   * to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. Chosen while a servo
-   * runs, they hold a hand that is up to three kernel radii inside the isosurface from outside; one
-   * that is deeper SURFACE_PROXY holds from within, and LOCAL_SURFACE not at all.
+   * PROXY (default): a proxy held back by virtual surfaces everywhere in the volume, eqs. 2 to
+   * 14. The others are for comparison. FORCE_FIELD, eq. 1: the gradient pushes, -C1 grad V - C2
+   * v, without a proxy. SURFACE_PROXY: a small ball that no triangle of the isosurface at the
+   * IsoValue (or of the surface) lets through. LOCAL_SURFACE: a slow loop fits a plane or a
+   * quadric to that isosurface near the proxy, and the servo touches that.
+   *
+   * C1 is ForceFieldGain and C2 ForceFieldDamping; NormalForce and DragForce are then the
+   * magnitudes of the two terms. SURFACE_PROXY is polygonal surface haptics (Ruspini et al. 1997)
+   * with a ball of ProxyRadius. LOCAL_SURFACE is an intermediate representation (Mark et al.
+   * 1996): the hand falls through a surface that it meets before the slow loop has looked.
+   *
+   * Both surfaces have stiffness and friction of the material at IsoValue, and neither drag nor a
+   * limit to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. If they are
+   * chosen while a servo runs, they hold a hand that is up to three kernel radii inside the
+   * isosurface from outside; a hand that is deeper SURFACE_PROXY holds from within, and
+   * LOCAL_SURFACE not at all.
    */
   vtkSetClampMacro(Method, int, PROXY, LOCAL_SURFACE);
   vtkGetMacro(Method, int);
@@ -68,9 +73,9 @@ public:
 
   ///@{
   /**
-   * How PROXY advances the proxy in a tick. PAPER: as published, one look at the volume where the
-   * proxy is when the tick begins. PRECISE (default): the same law, in balance where the proxy
-   * ends.
+   * How the method PROXY moves the proxy in a tick. PAPER: as published, one look at the volume
+   * where the proxy is when the tick begins. PRECISE (default): the same law, in balance where
+   * the proxy ends; it neither drifts off curved walls nor leaks out of cavities.
    */
   vtkSetClampMacro(Solver, int, PAPER, PRECISE);
   vtkGetMacro(Solver, int);
@@ -86,10 +91,12 @@ public:
 
   ///@{
   /**
-   * Where a surface begins to hold, with PRECISE. DISTINCTNESS (default): as soon as W_d and T_N
-   * say so, on a blurred edge some voxels before its middle, since x_s is r ahead. EDGE: not before
-   * V(x_p) >= (V(x_s) + V(x_v)) / 2 (within 0.1 % of their difference), so that what is felt lies
-   * on what is seen. On a linear ramp both are alike.
+   * Where a surface begins to hold, with the solver PRECISE. DISTINCTNESS (default): as soon as
+   * distinctness and strength say so, which on a blurred edge is some voxels before its middle.
+   * EDGE: not before the middle of the edge, so that what is felt lies on what is seen.
+   *
+   * The middle is where V(x_p) >= (V(x_s) + V(x_v)) / 2, within 0.1 % of their difference. On a
+   * linear ramp both are alike.
    */
   vtkSetClampMacro(ContactAlignment, int, DISTINCTNESS, EDGE);
   vtkGetMacro(ContactAlignment, int);
@@ -106,10 +113,11 @@ public:
 
   ///@{
   /**
-   * How gradients are estimated: CENTRAL_DIFFERENCE of six trilinear samples KernelRadius voxels
-   * away; GAUSSIAN (default), the derivative of a Gaussian of scale 0.53 KernelRadius voxels, which
-   * noise disturbs least; CUBIC_BSPLINE, the analytic derivative of a smoothing cubic B-spline over
-   * 64 voxels. Values are trilinear with the first two and B-spline values with the third.
+   * How gradients are estimated. CENTRAL_DIFFERENCE: of six trilinear samples KernelRadius voxels
+   * away. GAUSSIAN (default): the derivative of a Gaussian of scale 0.53 KernelRadius voxels,
+   * which noise disturbs least. CUBIC_BSPLINE: the analytic derivative of a smoothing cubic
+   * B-spline over 64 voxels. Values are trilinear with the first two and B-spline values with the
+   * third.
    */
   vtkSetClampMacro(GradientEstimator, int, CENTRAL_DIFFERENCE, CUBIC_BSPLINE);
   vtkGetMacro(GradientEstimator, int);
@@ -120,8 +128,9 @@ public:
 
   ///@{
   /**
-   * Radius of the gradient kernel in voxels, 1 to 16. Times the largest spacing it is the distance
-   * r from the proxy at which materials are picked. Default 2.
+   * Radius of the gradient kernel in voxels, 1 to 16. Times the largest spacing it is the
+   * distance r from the proxy at which materials are picked (fig. 4): larger ones are smoother
+   * and feel less detail. Default 2.
    */
   vtkSetClampMacro(KernelRadius, int, 1, 16);
   vtkGetMacro(KernelRadius, int);
@@ -135,29 +144,33 @@ public:
 
   ///@{
   /**
-   * Metres of hand motion for one world unit, 1e-12 or more. The default 0.001 means life-size for
-   * data in millimetres; 0.002 means twice life-size, and no stiffer.
+   * Metres of hand motion for one world unit, 1e-12 to 1e12. The default 0.001 means life-size
+   * for data in millimetres; 0.002 means twice life-size, and no stiffer.
    */
   vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
   vtkGetMacro(MetersPerWorldUnit, double);
   ///@}
 
   ///@{
-  /** C1 of eq. 1 (N per scalar unit per world unit), for FORCE_FIELD. Default 0.01. */
+  /**
+   * C1 of eq. 1 (N per scalar unit per world unit), for the method FORCE_FIELD. Default 0.01.
+   */
   vtkSetMacro(ForceFieldGain, double);
   vtkGetMacro(ForceFieldGain, double);
   ///@}
 
   ///@{
-  /** C2 of eq. 1 (N s/m), 0 or more, for FORCE_FIELD. Default 0. */
+  /**
+   * C2 of eq. 1 (N s/m), 0 or more, for the method FORCE_FIELD. Default 0.
+   */
   vtkSetClampMacro(ForceFieldDamping, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ForceFieldDamping, double);
   ///@}
 
   ///@{
   /**
-   * Scalar value whose isosurface SURFACE_PROXY and LOCAL_SURFACE touch, and whose material it has.
-   * Default 0.
+   * Scalar value whose isosurface the methods SURFACE_PROXY and LOCAL_SURFACE touch, and whose
+   * material it has. Default 0.
    */
   vtkSetMacro(IsoValue, double);
   vtkGetMacro(IsoValue, double);
@@ -165,10 +178,10 @@ public:
 
   ///@{
   /**
-   * Radius of the sphere (world units) of SURFACE_PROXY, 0 to 1e9; some voxels at most, since a
-   * tick looks at all triangles that it touches: a radius that is too large for the surface is an
-   * error. Gaps narrower than its diameter are not felt. 0 (default) stands for half of the
-   * smallest spacing.
+   * Radius of the ball (world units) of the method SURFACE_PROXY, 0 to 1e9; some voxels at most.
+   * Gaps narrower than its diameter are not felt. 0 (default) stands for half of the smallest
+   * spacing. A tick looks at all triangles that the ball touches: a radius that is too large for
+   * the surface is an error.
    */
   vtkSetClampMacro(ProxyRadius, double, 0.0, 1e9);
   vtkGetMacro(ProxyRadius, double);
@@ -176,8 +189,8 @@ public:
 
   ///@{
   /**
-   * Turn the force of SURFACE_PROXY smoothly from triangle to triangle, by the point normals.
-   * Default on.
+   * Turn the force of the method SURFACE_PROXY smoothly from triangle to triangle, by the point
+   * normals. Default on.
    */
   vtkSetMacro(ForceShading, bool);
   vtkGetMacro(ForceShading, bool);
@@ -192,11 +205,11 @@ public:
 
   ///@{
   /**
-   * What LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that also bends as the
-   * normal does over KernelRadius voxels to either side. A hand that slides over a plane is where
-   * the surface was at the last look: over a convex one that costs work, over a concave one it
-   * gives some. Both are found where V is IsoValue; only with CUBIC_BSPLINE is the gradient's
-   * direction exactly across that.
+   * What the method LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that also
+   * bends as the normal does over KernelRadius voxels to either side. A plane stays where the
+   * surface was at the last look: to slide over a convex surface costs work, and over a concave
+   * one it gives some. Both are found where V is IsoValue; only with CUBIC_BSPLINE is the
+   * gradient exactly normal to that isosurface.
    */
   vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
   vtkGetMacro(LocalSurfaceShape, int);
@@ -206,9 +219,9 @@ public:
 
   ///@{
   /**
-   * How often LOCAL_SURFACE's slow loop looks (Hz), 1 to 1000; 30 to 100 are usual. Its answer
-   * comes one period later: with a device from a thread of its own, offline in simulated time.
-   * Default 60.
+   * How often the slow loop of the method LOCAL_SURFACE looks (Hz), 1 to 1000; 30 to 100 are
+   * usual. Its answer comes one period later. Default 60. With a device the loop has a thread of
+   * its own; offline it runs in simulated time.
    */
   vtkSetClampMacro(LocalSurfaceRate, double, 1.0, 1000.0);
   vtkGetMacro(LocalSurfaceRate, double);
@@ -216,8 +229,8 @@ public:
 
   ///@{
   /**
-   * Time (s) in which LOCAL_SURFACE's force goes over from one surface to the next, 0 to 10: longer
-   * ones are smoother, and follow later. Default 0.015.
+   * Time (s) in which the force of the method LOCAL_SURFACE goes over from one surface to the
+   * next, 0 to 10: longer ones are smoother, and follow later. Default 0.015.
    */
   vtkSetClampMacro(RecoveryTime, double, 0.0, 10.0);
   vtkGetMacro(RecoveryTime, double);
@@ -272,7 +285,7 @@ protected:
    * What is wrong with the settings for a servo that ticks at a rate (Hz), and the cure; or
    * nothing.
    */
-  std::string CheckSettings(double rate) const;
+  std::string CheckSettings(double rate);
 #endif
 
   vtkSmartPointer<vtkHapticProperty> Property;

@@ -5,6 +5,7 @@
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticRegion.h"
+#include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/HapticVolumeView.h"
 #include "VTK/Trace/HapticFiles.h"
@@ -184,27 +185,20 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   }
   HapticModelOptions options;
   error = this->CheckSettings(1.0 / tickPeriod);
-  if (!error.empty() || !this->ReadPlacement(deviceToWorld, options.DeviceToWorld, error))
+  if (!error.empty() ||
+    !this->ReadPlacement(deviceToWorld, options.Description.DeviceToWorld, error))
   {
     return nullptr;
   }
-  options.Estimator = static_cast<VolumeHaptics::GradientEstimator>(this->GradientEstimator);
-  options.KernelRadius = this->KernelRadius;
-  options.Settings.Method = static_cast<HapticMethod>(this->Method);
-  options.Settings.Solver = static_cast<VolumeHaptics::HapticSolver>(this->Solver);
-  options.Settings.Alignment = static_cast<VolumeHaptics::ContactAlignment>(this->ContactAlignment);
-  options.Settings.TickPeriod = tickPeriod;
-  options.Settings.MaximumForce = this->MaximumForce;
-  options.Settings.Caps = this->Tighten(deviceCaps);
-  options.Settings.ForceFieldGain = this->ForceFieldGain;
-  options.Settings.ForceFieldDamping = this->ForceFieldDamping;
-  options.Settings.IsoValue = this->IsoValue;
-  options.Settings.ProxyRadius = this->ProxyRadius;
-  options.Settings.ForceShading = this->ForceShading;
-  options.Settings.LocalShape =
-    static_cast<VolumeHaptics::LocalSurfaceShape>(this->LocalSurfaceShape);
-  options.Settings.LocalSurfaceRate = this->LocalSurfaceRate;
-  options.Settings.RecoveryTime = this->RecoveryTime;
+  for (const FilterSetting& setting : FilterSettings)
+  {
+    if (setting.Bake)
+    {
+      setting.Bake(this, options.Description);
+    }
+  }
+  options.Description.Settings.TickPeriod = tickPeriod;
+  options.Description.Settings.Caps = this->Tighten(deviceCaps);
   options.Surfaces = this->Surfaces.get();
   options.Noise = this->Noise.get();
   options.Regions = this->Regions.get();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticMethods.h"
 
-#include "vtkVolumeHapticsAlgorithm.h"
+#include "VTK/Baking/HapticSettingLists.h"
 
 #include <algorithm>
 
@@ -13,13 +13,14 @@ const std::vector<MethodChoice>& MethodChoices()
 {
   using A = vtkVolumeHapticsAlgorithm;
   constexpr int any = MethodChoice::AnySolver;
+  const std::string proxy = MethodNames[A::PROXY].Text + std::string(", ");
   // Never destroyed: objects that are deleted while the process exits still ask for it.
   static const auto* const choices = new std::vector<MethodChoice>{
-    { A::PROXY, A::PRECISE, "Proxy", "proxy", "Proxy, PRECISE", false },
-    { A::PROXY, A::PAPER, "Proxy", "paper", "Proxy, PAPER", false },
-    { A::FORCE_FIELD, any, "ForceField", "force-field", "Force field", false },
-    { A::SURFACE_PROXY, any, "SurfaceProxy", "surface-proxy", "Surface proxy", true },
-    { A::LOCAL_SURFACE, any, "LocalSurface", "local-surface", "Local surface", false },
+    { A::PROXY, A::PRECISE, "proxy", proxy + "PRECISE", false },
+    { A::PROXY, A::PAPER, "paper", proxy + "PAPER", false },
+    { A::FORCE_FIELD, any, "force-field", MethodNames[A::FORCE_FIELD].Text, false },
+    { A::SURFACE_PROXY, any, "surface-proxy", MethodNames[A::SURFACE_PROXY].Text, true },
+    { A::LOCAL_SURFACE, any, "local-surface", MethodNames[A::LOCAL_SURFACE].Text, false },
   };
   return *choices;
 }
@@ -34,17 +35,6 @@ std::size_t FindMethodChoice(int method, int solver)
         (choice.Solver == solver || choice.Solver == MethodChoice::AnySolver);
     });
   return found == all.end() ? 0 : static_cast<std::size_t>(found - all.begin());
-}
-
-std::vector<const char*> MethodSettings()
-{
-  std::vector<const char*> names;
-  for (const MethodChoice& choice : MethodChoices())
-  {
-    names.resize(std::max<std::size_t>(names.size(), choice.Method + 1), "");
-    names[choice.Method] = choice.Setting;
-  }
-  return names;
 }
 
 } // namespace VolumeHaptics

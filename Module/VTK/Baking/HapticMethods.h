@@ -8,6 +8,7 @@
 #define HapticMethods_h
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace VolumeHaptics
@@ -18,12 +19,11 @@ struct MethodChoice
 {
   static constexpr int AnySolver = -1;
 
-  int Method;          ///< vtkVolumeHapticsAlgorithm::MethodType
-  int Solver;          ///< vtkVolumeHapticsAlgorithm::SolverType, or AnySolver
-  const char* Setting; ///< the method's, in setups and recordings
-  const char* Name;    ///< for programs
-  const char* Text;    ///< for people
-  bool IsPrepared;     ///< whether it may take a second to get ready, on the GUI thread
+  int Method;       ///< vtkVolumeHapticsAlgorithm::MethodType
+  int Solver;       ///< vtkVolumeHapticsAlgorithm::SolverType, or AnySolver
+  const char* Name; ///< for programs
+  std::string Text; ///< for people
+  bool IsPrepared;  ///< whether it may take a second to get ready, on the GUI thread
 };
 
 /** All of them, in the order in which one switches from each to the next. */
@@ -37,9 +37,6 @@ inline const MethodChoice& GetMethodChoice(int method, int solver)
 {
   return MethodChoices()[FindMethodChoice(method, solver)];
 }
-
-/** The settings' names of the methods: the name of method i is at i. */
-std::vector<const char*> MethodSettings();
 
 } // namespace VolumeHaptics
 

@@ -7,6 +7,7 @@
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticRegion.h"
+#include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/HapticVolumeView.h"
 
@@ -24,44 +25,30 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A function of the property, what it is by default, and the values it may have. */
-struct FunctionRule
+/** The values that a function may have, for people. */
+std::string DescribeRange(const PropertyFunction& function)
 {
-  const char* Name;
-  vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
-  Polyline HapticMaterial::*Baked;
-  double Most;
-  const char* Range;
-};
-
-const FunctionRule FunctionRules[] = {
-  { "Stiffness", &vtkHapticProperty::GetStiffness, &HapticMaterial::Stiffness, HUGE_VAL,
-    "0 N/m or more" },
-  { "Friction", &vtkHapticProperty::GetFriction, &HapticMaterial::Friction, HUGE_VAL, "0 or more" },
-  { "SurfaceStrength", &vtkHapticProperty::GetSurfaceStrength, &HapticMaterial::SurfaceStrength,
-    HUGE_VAL, "0 N or more" },
-  { "Viscosity", &vtkHapticProperty::GetViscosity, &HapticMaterial::Viscosity, HUGE_VAL,
-    "0 N or more" },
-  { "Distinctness", &vtkHapticProperty::GetDistinctness, &HapticMaterial::Distinctness, 1.0,
-    "between 0 and 1" },
-};
+  const std::string unit = *function.Unit ? std::string(" ") + function.Unit : std::string();
+  return function.Maximum == 1.0 ? "between 0 and 1" + unit : "0" + unit + " or more";
+}
 
 bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::string& error)
 {
-  for (const FunctionRule& rule : FunctionRules)
+  for (const PropertyFunction& rule : PropertyFunctions)
   {
     Polyline& line = material.*rule.Baked;
-    line = ToPolyline((property->*rule.Get)(), line.front().Y);
+    line = ToPolyline((property->*rule.Get)(), rule.Default);
     for (const Vertex& vertex : line)
     {
       // Also false for NaN.
-      if (!(vertex.Y >= 0.0 && vertex.Y <= rule.Most && std::isfinite(vertex.Y) &&
+      if (!(vertex.Y >= 0.0 && vertex.Y <= rule.Maximum && std::isfinite(vertex.Y) &&
             std::isfinite(vertex.X)))
       {
         std::ostringstream message;
         message << "The function " << rule.Name << " of the haptic property has the value "
-                << vertex.Y << " at " << vertex.X << ": it must be finite and " << rule.Range
-                << ". Correct this point of vtkHapticProperty::Get" << rule.Name << "().";
+                << vertex.Y << " at " << vertex.X << ": it must be finite and "
+                << DescribeRange(rule) << ". Correct this point of vtkHapticProperty::Get"
+                << rule.Name << "().";
         error = message.str();
         return false;
       }
@@ -159,11 +146,11 @@ std::shared_ptr<const void> ShareArray(vtkDataArray* array)
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
   vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
 {
-  HapticModelDescription d;
+  HapticModelDescription d = options.Description;
   WholeFacts whole;
   vtkSmartPointer<vtkDataArray> holder;
   if (!MakeVolumeView(
-        image, scalars, property->GetComponent(), options.KernelRadius, d.View, holder, error) ||
+        image, scalars, property->GetComponent(), d.KernelRadius, d.View, holder, error) ||
     !ReadWholeFacts(image, property->GetComponent(), whole, error) ||
     !MakeIndexToWorld(
       image, whole.IsThere ? whole.Extent : image->GetExtent(), d.IndexToWorld, error) ||
@@ -176,25 +163,26 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     PlaceInWhole(image, whole, d.View);
   }
   const std::int64_t* const n = d.View.Dimensions;
-  const std::int64_t needed = PointsNeeded(options.KernelRadius);
+  const std::int64_t needed = PointsNeeded(d.KernelRadius);
   if (std::min({ n[0], n[1], n[2] }) < needed)
   {
     std::ostringstream message;
-    message << "The kernel is larger than the input image: a KernelRadius of "
-            << options.KernelRadius << " needs " << needed
-            << " points along every axis, and the image is " << n[0] << " x " << n[1] << " x "
-            << n[2] << ". Lower KernelRadius or use a larger image"
+    message << "The kernel is larger than the input image: a KernelRadius of " << d.KernelRadius
+            << " needs " << needed << " points along every axis, and the image is " << n[0] << " x "
+            << n[1] << " x " << n[2] << ". Lower KernelRadius or use a larger image"
             << (ResidentBox(d.View).IsWhole() ? "." : ", here a larger region of the volume.");
     error = message.str();
     return nullptr;
   }
   BakeVisibility(property, image, d.Material);
   d.Samples = ShareArray(holder);
-  d.DeviceToWorld = options.DeviceToWorld;
-  d.Estimator = options.Estimator;
-  d.KernelRadius = options.KernelRadius;
-  d.Settings = options.Settings;
-  d.Settings.Side = static_cast<SurfaceSide>(property->GetSurfaceSide());
+  for (const PropertySetting& setting : PropertySettings)
+  {
+    if (setting.Bake)
+    {
+      setting.Bake(property, d);
+    }
+  }
   if (!BakeSurface(image, scalars, property->GetComponent(), options, d, error))
   {
     return nullptr;

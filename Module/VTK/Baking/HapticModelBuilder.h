@@ -24,11 +24,11 @@ class RegionSeries;
 
 struct HapticModelOptions
 {
-  GradientEstimator Estimator = GradientEstimator::Gaussian;
-  int KernelRadius = 2;
-  Affine3 DeviceToWorld;
-  HapticSettings
-    Settings; ///< the surface side is taken from the property; a radius of 0 is half a voxel
+  /**
+   * The kernel, the settings and the placement of the device; a radius of 0 is half a voxel. The
+   * volume, the material and what the property says are filled in.
+   */
+  HapticModelDescription Description;
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
   NoiseOfScalars* Noise = nullptr;   ///< required

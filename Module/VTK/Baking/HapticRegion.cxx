@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticRegion.h"
 
+#include "VTK/Baking/HapticSettingLists.h"
+
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHapticRegionFilter.h"
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
-#include <tuple>
 
 namespace VolumeHaptics
 {
@@ -29,19 +31,25 @@ bool IsSameLine(const Polyline& a, const Polyline& b)
 
 bool IsSameMaterial(const HapticMaterial& a, const HapticMaterial& b)
 {
-  return IsSameLine(a.Stiffness, b.Stiffness) && IsSameLine(a.Friction, b.Friction) &&
-    IsSameLine(a.SurfaceStrength, b.SurfaceStrength) && IsSameLine(a.Viscosity, b.Viscosity) &&
-    IsSameLine(a.Distinctness, b.Distinctness) &&
+  return std::all_of(std::begin(PropertyFunctions), std::end(PropertyFunctions),
+           [&](const PropertyFunction& f) { return IsSameLine(a.*f.Baked, b.*f.Baked); }) &&
     IsSameLine(a.ScalarVisibility, b.ScalarVisibility) &&
     IsSameLine(a.GradientVisibility, b.GradientVisibility);
 }
 
-auto Tie(const HapticSettings& s)
+template <typename Settings>
+bool IsSameIn(
+  const Settings& settings, const HapticModelDescription& a, const HapticModelDescription& b)
 {
-  return std::tie(s.Method, s.Solver, s.Alignment, s.Side, s.TickPeriod, s.Caps.Stiffness,
-    s.Caps.Damping, s.MaximumForce, s.ForceFieldGain, s.ForceFieldDamping, s.IsoValue,
-    s.HasIsoSurface, s.ProxyRadius, s.ForceShading, s.LocalSurfaceRate, s.RecoveryTime,
-    s.LocalShape);
+  return std::all_of(std::begin(settings), std::end(settings),
+    [&](const auto& setting) { return !setting.IsSame || setting.IsSame(a, b); });
+}
+
+bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)
+{
+  return IsSameIn(FilterSettings, a, b) && IsSameIn(PropertySettings, a, b) &&
+    a.Settings.TickPeriod == b.Settings.TickPeriod && a.Settings.Caps == b.Settings.Caps &&
+    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface;
 }
 
 /**
@@ -166,8 +174,7 @@ bool RegionSeries::IsSame(const Entry& a, const Entry& b)
     a.Facts.Noise == b.Facts.Noise && a.Facts.BorderValue == b.Facts.BorderValue &&
     a.Facts.Time == b.Facts.Time && a.Array == b.Array && d.View.Type == e.View.Type &&
     IsIdentical(d.IndexToWorld, e.IndexToWorld);
-  return isSameWhole && d.Estimator == e.Estimator && d.KernelRadius == e.KernelRadius &&
-    IsSameMaterial(d.Material, e.Material) && Tie(d.Settings) == Tie(e.Settings) &&
+  return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
     (d.Settings.HasIsoSurface || d.Mesh == e.Mesh);
 }
 

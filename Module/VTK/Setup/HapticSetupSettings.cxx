@@ -3,7 +3,7 @@
 #include "VTK/Setup/HapticSetupSettings.h"
 
 #include "Core/Model/HapticModel.h"
-#include "VTK/Baking/HapticMethods.h"
+#include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticVolumeView.h"
 
 #include "vtkCamera.h"
@@ -42,31 +42,48 @@ namespace VolumeHaptics
 namespace
 {
 
+template <typename Owner, std::size_t Size>
+void PassSettings(SetupNode& node, Owner* owner, const HapticSetting<Owner> (&settings)[Size])
+{
+  for (const HapticSetting<Owner>& setting : settings)
+  {
+    const auto get = [owner, get = setting.Get] { return get(owner); };
+    const auto set = [owner, set = setting.Set](double value) { set(owner, value); };
+    switch (setting.Kind)
+    {
+      case SettingKind::Number:
+        node.Number(setting.Name,
+          { setting.Minimum,
+            setting.Maximum < VTK_DOUBLE_MAX ? setting.Maximum : NotNegative().Maximum },
+          get, set);
+        break;
+      case SettingKind::Integer:
+        node.Integer(setting.Name, static_cast<int>(setting.Minimum),
+          static_cast<int>(setting.Maximum), get, set);
+        break;
+      case SettingKind::Flag:
+        node.Flag(setting.Name, get, set);
+        break;
+      case SettingKind::Choice:
+        std::vector<const char*> names;
+        for (int i = 0; i <= static_cast<int>(setting.Maximum); ++i)
+        {
+          names.push_back(setting.Choices[i].Name);
+        }
+        node.Choice(setting.Name, names, get, set);
+        break;
+    }
+  }
+}
+
 void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
-  struct Function
+  for (const PropertyFunction& f : PropertyFunctions)
   {
-    const char* Name;
-    vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
-    double Maximum;
-  };
-  const double most = std::numeric_limits<double>::max();
-  const Function functions[] = { { "Stiffness", &vtkHapticProperty::GetStiffness, most },
-    { "Friction", &vtkHapticProperty::GetFriction, most },
-    { "Viscosity", &vtkHapticProperty::GetViscosity, most },
-    { "SurfaceStrength", &vtkHapticProperty::GetSurfaceStrength, most },
-    { "Distinctness", &vtkHapticProperty::GetDistinctness, 1.0 } };
-  for (const Function& f : functions)
-  {
-    const auto get = f.Get;
     PassFunction(node.Child(f.Name), { 0.0, f.Maximum },
-      [filter, get] { return (filter->GetProperty()->*get)(); });
+      [filter, get = f.Get] { return (filter->GetProperty()->*get)(); });
   }
-  PassIntegerMacro(node, filter->GetProperty(), Component, 0, VTK_INT_MAX);
-  PassChoiceMacro(node, filter->GetProperty(), SurfaceSide, { "Higher", "Lower", "Both" });
-  node.Flag(
-    "DistinctnessFromNoise", [=] { return filter->GetProperty()->GetDistinctnessFromNoise(); },
-    [=](bool on) { filter->GetProperty()->SetDistinctnessFromNoise(on); });
+  PassSettings(node, filter->GetProperty(), PropertySettings);
   // Another property's visibility is nothing that this setup could bring back.
   if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
     filter->GetProperty()->GetVisibilityFrom() == visible)
@@ -114,26 +131,7 @@ NumberRow ToRow(const double x[3])
 //------------------------------------------------------------------------------
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
-  PassChoiceMacro(node, filter, Method, MethodSettings());
-  PassChoiceMacro(node, filter, Solver, { "Paper", "Precise" });
-  PassChoiceMacro(node, filter, ContactAlignment, { "Distinctness", "Edge" });
-  PassChoiceMacro(
-    node, filter, GradientEstimator, { "CentralDifference", "Gaussian", "CubicBSpline" });
-  PassIntegerMacro(node, filter, KernelRadius, 1, 16);
-  PassNumberMacro(node, filter, ServoRate, (NumberRange{ 1.0, 1e5 }));
-  PassNumberMacro(node, filter, MetersPerWorldUnit, (NumberRange{ 1e-12, 1e12 }));
-  PassNumberMacro(node, filter, ForceFieldGain, AnyNumber());
-  PassNumberMacro(node, filter, ForceFieldDamping, NotNegative());
-  PassNumberMacro(node, filter, IsoValue, AnyNumber());
-  PassNumberMacro(node, filter, ProxyRadius, NotNegative());
-  node.Flag(
-    "ForceShading", [=] { return filter->GetForceShading(); },
-    [=](bool on) { filter->SetForceShading(on); });
-  PassChoiceMacro(node, filter, LocalSurfaceShape, { "Plane", "Quadric" });
-  PassNumberMacro(node, filter, LocalSurfaceRate, (NumberRange{ 1.0, 1000.0 }));
-  PassNumberMacro(node, filter, RecoveryTime, (NumberRange{ 0.0, 10.0 }));
-  PassNumberMacro(node, filter, MaximumForce, NotNegative());
-  PassNumberMacro(node, filter, MaximumStiffness, NotNegative());
+  PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterSettings);
   PassProperty(node, filter, visible);
 }
 

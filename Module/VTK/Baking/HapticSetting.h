@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * One row of a list of settings, such as those in HapticSettingLists.h.
+ *
+ * A row says everything about a setting: its name, range, default, unit and documentation, the
+ * names of its choices, how it is got and set, and where a model keeps it. PrintSelf, setup files,
+ * baking and the comparison of models walk the lists; a test compares the public headers and
+ * ParaView's XML with them.
+ */
+#ifndef HapticSetting_h
+#define HapticSetting_h
+
+#include "Core/Model/HapticModel.h"
+
+#include "vtkIndent.h"
+
+#include <cstddef>
+#include <ostream>
+#include <type_traits>
+
+namespace VolumeHaptics
+{
+
+/** One value of a setting that is a choice; the value is its place in the list. */
+struct SettingChoice
+{
+  const char* Name; ///< in files
+  const char* Text; ///< for people
+};
+
+enum class SettingKind
+{
+  Number,
+  Integer,
+  Flag,
+  Choice
+};
+
+/** What does not depend on the class that has the setting. */
+struct SettingFacts
+{
+  SettingKind Kind;
+  const char* Name; ///< as in Get... and Set...
+  double Minimum;
+  double Maximum;
+  double Default;
+  const char* Unit;             ///< empty for a setting that has none
+  const SettingChoice* Choices; ///< of SettingKind::Choice: Maximum + 1 of them
+  /**
+   * As ParaView shows it. The comment in the public header begins with the same words, with the
+   * names of constants instead of those of choices.
+   */
+  const char* Documentation;
+};
+
+/** A setting of the class Owner. Every value that a setting can have fits into a double. */
+template <typename Owner>
+struct HapticSetting : SettingFacts
+{
+  double (*Get)(Owner*);
+  void (*Set)(Owner*, double);
+  ///@{
+  /** Null for a setting that a model does not keep as it is. */
+  void (*Bake)(Owner*, HapticModelDescription&);
+  bool (*IsSame)(const HapticModelDescription&, const HapticModelDescription&);
+  ///@}
+};
+
+/** A transfer function of the class Owner. Its values are 0 or more. */
+template <typename Owner, typename Function>
+struct HapticFunctionSetting
+{
+  const char* Name;
+  double Maximum;
+  double Default; ///< of a function without points
+  const char* Unit;
+  Function* (Owner::*Get)();
+  Polyline HapticMaterial::*Baked;
+  const char* Documentation;
+};
+
+/** For settings that a model does not keep as they are. */
+constexpr std::nullptr_t NotBaked = nullptr;
+
+/** Makes the functions of a setting from the members of its class and of a model. */
+template <auto Getter, auto Setter, auto Baked>
+struct SettingAccess;
+
+template <typename Owner, typename Value, Value (Owner::*Getter)(), void (Owner::*Setter)(Value),
+  auto Baked>
+struct SettingAccess<Getter, Setter, Baked>
+{
+  static double Get(Owner* owner) { return static_cast<double>((owner->*Getter)()); }
+  static void Set(Owner* owner, double value) { (owner->*Setter)(static_cast<Value>(value)); }
+
+  /** The member of a model's description, or of the settings in it. */
+  template <typename Description>
+  static auto& Find(Description& description)
+  {
+    if constexpr (std::is_invocable_v<decltype(Baked), HapticSettings&>)
+    {
+      return description.Settings.*Baked;
+    }
+    else
+    {
+      return description.*Baked;
+    }
+  }
+  static void Bake(Owner* owner, HapticModelDescription& description)
+  {
+    auto& value = Find(description);
+    value = static_cast<std::remove_reference_t<decltype(value)>>((owner->*Getter)());
+  }
+  static bool IsSame(const HapticModelDescription& a, const HapticModelDescription& b)
+  {
+    return Find(a) == Find(b);
+  }
+
+  static constexpr HapticSetting<Owner> Make(const SettingFacts& facts)
+  {
+    if constexpr (std::is_null_pointer_v<decltype(Baked)>)
+    {
+      return { facts, &Get, &Set, nullptr, nullptr };
+    }
+    else
+    {
+      return { facts, &Get, &Set, &Bake, &IsSame };
+    }
+  }
+};
+
+/** Prints settings for PrintSelf, one a line. */
+template <typename Owner, std::size_t Size>
+void PrintSettings(
+  std::ostream& os, vtkIndent indent, Owner* owner, const HapticSetting<Owner> (&settings)[Size])
+{
+  for (const HapticSetting<Owner>& setting : settings)
+  {
+    const double value = setting.Get(owner);
+    os << indent << setting.Name << ": ";
+    switch (setting.Kind)
+    {
+      case SettingKind::Number:
+        os << value;
+        break;
+      case SettingKind::Integer:
+        os << static_cast<int>(value);
+        break;
+      case SettingKind::Flag:
+        os << (value != 0.0 ? "On" : "Off");
+        break;
+      case SettingKind::Choice:
+        os << setting.Choices[static_cast<int>(value)].Name;
+        break;
+    }
+    os << (*setting.Unit ? " " : "") << setting.Unit << "\n";
+  }
+}
+
+} // namespace VolumeHaptics
+
+#endif

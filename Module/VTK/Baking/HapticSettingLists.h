@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The settings of vtkVolumeHapticsFilter and vtkHapticProperty.
+ *
+ * To add a setting: a member with its macros in the public header, a row here, a property in
+ * ParaView's XML, and what the core does with it.
+ */
+#ifndef HapticSettingLists_h
+#define HapticSettingLists_h
+
+#include "VTK/Baking/HapticSetting.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkVolumeHapticsAlgorithm.h"
+
+#include <limits>
+
+namespace VolumeHaptics
+{
+
+using FilterSetting = HapticSetting<vtkVolumeHapticsAlgorithm>;
+using PropertySetting = HapticSetting<vtkHapticProperty>;
+using PropertyFunction = HapticFunctionSetting<vtkHapticProperty, vtkPiecewiseFunction>;
+
+/// Of settings without limit; those that VTK's macros clamp at 0 have VTK_DOUBLE_MAX, 1e299.
+inline constexpr double LargestNumber = std::numeric_limits<double>::max();
+inline constexpr double LargestInteger = std::numeric_limits<int>::max();
+
+inline constexpr SettingChoice MethodNames[] = { { "Proxy", "Proxy" },
+  { "ForceField", "Force field" }, { "SurfaceProxy", "Surface proxy" },
+  { "LocalSurface", "Local surface" } };
+inline constexpr SettingChoice SolverNames[] = { { "Paper", "Paper" }, { "Precise", "Precise" } };
+inline constexpr SettingChoice ContactAlignmentNames[] = { { "Distinctness", "Distinctness" },
+  { "Edge", "Edge" } };
+inline constexpr SettingChoice GradientEstimatorNames[] = { { "CentralDifference",
+                                                              "Central difference" },
+  { "Gaussian", "Gaussian" }, { "CubicBSpline", "Cubic B-spline" } };
+inline constexpr SettingChoice LocalSurfaceShapeNames[] = { { "Plane", "Plane" },
+  { "Quadric", "Quadric" } };
+inline constexpr SettingChoice SurfaceSideNames[] = { { "Higher", "Higher" }, { "Lower", "Lower" },
+  { "Both", "Both" } };
+
+// One row each, for the class `Owner`. `baked` is the member of HapticSettings or of
+// HapticModelDescription that keeps the setting, or NotBaked.
+#define HapticRowMacro(name, baked, ...) \
+  SettingAccess<&Owner::Get##name, &Owner::Set##name, baked>::Make({ __VA_ARGS__ })
+#define HapticNumberMacro(name, minimum, maximum, standard, unit, baked, text) \
+  HapticRowMacro(                                                              \
+    name, baked, SettingKind::Number, #name, minimum, maximum, standard, unit, nullptr, text)
+#define HapticIntegerMacro(name, minimum, maximum, standard, unit, baked, text) \
+  HapticRowMacro(                                                               \
+    name, baked, SettingKind::Integer, #name, minimum, maximum, standard, unit, nullptr, text)
+#define HapticFlagMacro(name, standard, baked, text) \
+  HapticRowMacro(name, baked, SettingKind::Flag, #name, 0.0, 1.0, standard, "", nullptr, text)
+#define HapticChoiceMacro(name, standard, baked, text)         \
+  HapticRowMacro(name, baked, SettingKind::Choice, #name, 0.0, \
+    static_cast<double>(std::size(name##Names) - 1), standard, "", name##Names, text)
+
+namespace FilterSettingRows
+{
+using Owner = vtkVolumeHapticsAlgorithm;
+using S = HapticSettings;
+using D = HapticModelDescription;
+
+inline constexpr FilterSetting All[] = {
+  HapticChoiceMacro(Method, Owner::PROXY, &S::Method,
+    "Proxy (default): a proxy held back by virtual surfaces everywhere in the volume, eqs. 2 to "
+    "14. The others are for comparison. Force field, eq. 1: the gradient pushes, -C1 grad V - C2 "
+    "v, without a proxy. Surface proxy: a small ball that no triangle of the isosurface at the Iso "
+    "Value (or of the Surface) lets through. Local surface: a slow loop fits a plane or a quadric "
+    "to that isosurface near the proxy, and the servo touches that."),
+  HapticChoiceMacro(Solver, Owner::PRECISE, &S::Solver,
+    "How the method Proxy moves the proxy in a tick. Paper: as published, one look at the volume "
+    "where the proxy is when the tick begins. Precise (default): the same law, in balance where "
+    "the proxy ends; it neither drifts off curved walls nor leaks out of cavities."),
+  HapticChoiceMacro(ContactAlignment, Owner::DISTINCTNESS, &S::Alignment,
+    "Where a surface begins to hold, with the solver Precise. Distinctness (default): as soon as "
+    "distinctness and strength say so, which on a blurred edge is some voxels before its middle. "
+    "Edge: not before the middle of the edge, so that what is felt lies on what is seen."),
+  HapticChoiceMacro(GradientEstimator, Owner::GAUSSIAN, &D::Estimator,
+    "How gradients are estimated. Central difference: of six trilinear samples Kernel Radius "
+    "voxels away. Gaussian (default): the derivative of a Gaussian of scale 0.53 Kernel Radius "
+    "voxels, which noise disturbs least. Cubic B-spline: the analytic derivative of a smoothing "
+    "cubic B-spline over 64 voxels."),
+  HapticIntegerMacro(KernelRadius, 1, 16, 2, "voxels", &D::KernelRadius,
+    "Radius of the gradient kernel in voxels, 1 to 16. Times the largest spacing it is the "
+    "distance r from the proxy at which materials are picked (fig. 4): larger ones are smoother "
+    "and feel less detail. Default 2."),
+  HapticNumberMacro(ServoRate, 1.0, 1e5, 1000.0, "Hz", NotBaked,
+    "Ticks per second (Hz), 1 to 100000. Default 1000."),
+  HapticNumberMacro(MetersPerWorldUnit, 1e-12, 1e12, 0.001, "", NotBaked,
+    "Metres of hand motion for one world unit, 1e-12 to 1e12. The default 0.001 means life-size "
+    "for data in millimetres; 0.002 means twice life-size, and no stiffer."),
+  HapticNumberMacro(ForceFieldGain, -LargestNumber, LargestNumber, 0.01, "", &S::ForceFieldGain,
+    "C1 of eq. 1 (N per scalar unit per world unit), for the method Force field. Default 0.01."),
+  HapticNumberMacro(ForceFieldDamping, 0.0, VTK_DOUBLE_MAX, 0.0, "", &S::ForceFieldDamping,
+    "C2 of eq. 1 (N s/m), 0 or more, for the method Force field. Default 0."),
+  HapticNumberMacro(IsoValue, -LargestNumber, LargestNumber, 0.0, "", &S::IsoValue,
+    "Scalar value whose isosurface the methods Surface proxy and Local surface touch, and whose "
+    "material it has. Default 0."),
+  HapticNumberMacro(ProxyRadius, 0.0, 1e9, 0.0, "", &S::ProxyRadius,
+    "Radius of the ball (world units) of the method Surface proxy, 0 to 1e9; some voxels at most. "
+    "Gaps narrower than its diameter are not felt. 0 (default) stands for half of the smallest "
+    "spacing."),
+  HapticFlagMacro(ForceShading, true, &S::ForceShading,
+    "Turn the force of the method Surface proxy smoothly from triangle to triangle, by the point "
+    "normals. Default on."),
+  HapticChoiceMacro(LocalSurfaceShape, Owner::PLANE, &S::LocalShape,
+    "What the method Local surface fits: the tangent Plane (default), or the Quadric that also "
+    "bends as the normal does over Kernel Radius voxels to either side."),
+  HapticNumberMacro(LocalSurfaceRate, 1.0, 1000.0, 60.0, "Hz", &S::LocalSurfaceRate,
+    "How often the slow loop of the method Local surface looks (Hz), 1 to 1000; 30 to 100 are "
+    "usual. Its answer comes one period later. Default 60."),
+  HapticNumberMacro(RecoveryTime, 0.0, 10.0, 0.015, "s", &S::RecoveryTime,
+    "Time (s) in which the force of the method Local surface goes over from one surface to the "
+    "next, 0 to 10: longer ones are smoother, and follow later. Default 0.015."),
+  HapticNumberMacro(MaximumForce, 0.0, VTK_DOUBLE_MAX, 0.0, "N", &S::MaximumForce,
+    "Longest force (N) that the trace shows; longer ones are shortened. 0 (default) does not "
+    "limit."),
+  HapticNumberMacro(MaximumStiffness, 0.0, VTK_DOUBLE_MAX, 0.0, "N/m", NotBaked,
+    "Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can "
+    "hold stable. 0 (default) does not cap."),
+};
+} // namespace FilterSettingRows
+
+namespace PropertySettingRows
+{
+using Owner = vtkHapticProperty;
+
+inline constexpr PropertyFunction Functions[] = {
+  { "Stiffness", LargestNumber, 500.0, "N/m", &Owner::GetStiffness, &HapticMaterial::Stiffness,
+    "Stiffness k of the spring between proxy and tip, against the data value just inside the "
+    "surface" },
+  { "Friction", LargestNumber, 0.0, "", &Owner::GetFriction, &HapticMaterial::Friction,
+    "Coefficient of friction mu (eqs. 8 to 10), against the data value just inside the surface" },
+  { "SurfaceStrength", LargestNumber, 2.0, "N", &Owner::GetSurfaceStrength,
+    &HapticMaterial::SurfaceStrength,
+    "Surface strength T_N: the normal force at which a surface is penetrated (eq. 12), against the "
+    "data value just inside the surface" },
+  { "Viscosity", LargestNumber, 0.0, "N", &Owner::GetViscosity, &HapticMaterial::Viscosity,
+    "Drag R of the medium against any motion (eq. 14), against the data value just outside the "
+    "surface" },
+  { "Distinctness", 1.0, 1.0, "", &Owner::GetDistinctness, &HapticMaterial::Distinctness,
+    "Distinctness W_d (0 to 1), which scales the surface strength (eq. 13), against the gradient "
+    "magnitude in scalar units per world unit" },
+};
+
+inline constexpr PropertySetting All[] = {
+  HapticIntegerMacro(Component, 0, LargestInteger, 0, "", NotBaked,
+    "The component of the array that is touched, 0 or more. Default 0."),
+  HapticChoiceMacro(SurfaceSide, Owner::HIGHER, &HapticSettings::Side,
+    "Which way a structure lies from its surface: towards Higher values (default; bone in CT), "
+    "towards Lower values (lung seen from tissue), or Both, whichever way one pushes (MRI). "
+    "Surfaces resist the way in, never the way out."),
+  HapticFlagMacro(DistinctnessFromNoise, true, NotBaked,
+    "Whether distinctness (W_d, eq. 13) keeps the noise of the image from being felt as surfaces. "
+    "On (default): it is 0 up to 3.4 times the noise of the gradient, and 1 from twice that on; "
+    "the noise is estimated from the flattest blocks of the image."),
+};
+} // namespace PropertySettingRows
+
+#undef HapticRowMacro
+#undef HapticNumberMacro
+#undef HapticIntegerMacro
+#undef HapticFlagMacro
+#undef HapticChoiceMacro
+
+inline constexpr const auto& FilterSettings = FilterSettingRows::All;
+inline constexpr const auto& PropertySettings = PropertySettingRows::All;
+inline constexpr const auto& PropertyFunctions = PropertySettingRows::Functions;
+
+} // namespace VolumeHaptics
+
+#endif
