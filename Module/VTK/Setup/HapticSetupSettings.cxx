@@ -15,6 +15,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -102,24 +103,27 @@ void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProp
   }
 }
 
-/** VTK normalizes the view up, which changes the last digit of some that are normal already. */
-void SetViewUp(vtkCamera* camera, const NumberRow& wanted)
+/**
+ * Gives a camera back the view up that another one had. vtkCamera normalizes what it is given, and
+ * of most unit vectors that changes the last digit: as the file has a view up that was normalized,
+ * its digits are what is set.
+ */
+struct CameraAccess : vtkCamera
 {
-  vtkNew<vtkCamera> trial;
-  NumberRow up = wanted;
-  for (int scale = 1; scale < 1000; ++scale)
+  static void SetViewUp(vtkCamera* camera, const NumberRow& wanted)
   {
-    std::transform(
-      wanted.begin(), wanted.end(), up.begin(), [scale](double x) { return scale * x; });
-    trial->SetViewUp(up.data());
-    if (std::equal(wanted.begin(), wanted.end(), trial->GetViewUp()))
+    constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+    camera->SetViewUp(wanted.data());
+    double(vtkCamera::*const up)[3] = &CameraAccess::ViewUp;
+    if (std::equal(wanted.begin(), wanted.end(), camera->*up,
+          [](double a, double b) { return std::abs(a - b) <= rounding; }))
     {
-      camera->SetViewUp(up.data());
-      return;
+      std::copy(wanted.begin(), wanted.end(), camera->*up);
+      camera->Modified();
+      (camera->*(&CameraAccess::ComputeViewTransform))();
     }
   }
-  camera->SetViewUp(wanted.data());
-}
+};
 
 NumberRow ToRow(const double x[3])
 {
@@ -201,7 +205,7 @@ void PassCamera(SetupNode node, vtkCamera* camera)
   node.Require("FocalPoint", position != focus, "another place than Position");
   const NumberRow up = node.Row(
     "ViewUp", 3, [=] { return ToRow(camera->GetViewUp()); },
-    [=](const NumberRow& x) { SetViewUp(camera, x); });
+    [=](const NumberRow& x) { CameraAccess::SetViewUp(camera, x); });
   node.Require("ViewUp", up != NumberRow(3, 0.0), "a direction, with a number other than 0");
   PassNumberMacro(node, camera, ViewAngle, (NumberRange{ 1e-8, 179.9 }));
   node.Flag(
