@@ -95,6 +95,8 @@ test_wheel()
   with_own_screen "$root/Testing/Wheel/test.sh" "$folder" "$build_dir" /usr/bin/python3
 }
 
+"$root/Testing/lint.sh"
+
 echo "== Building in $build_dir"
 cmake -S "$root" -B "$build_dir" -G Ninja "${linker[@]}" -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
 cmake --build "$build_dir" -j "$jobs"
@@ -108,7 +110,7 @@ sanitizer_options=("${linker[@]}" "${at_once[@]}" -DBUILD_TESTING=ON -DCMAKE_BUI
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1 -DNDEBUG")
 echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
 cmake -S "$root" -B "$build_dir-sanitize" -G Ninja "${sanitizer_options[@]}" \
-  -DVolumeHaptics_SANITIZE=address,undefined -DVolumeHaptics_WRAP_PYTHON=$([ $full = yes ] && echo ON || echo OFF)
+  -DVolumeHaptics_SANITIZE=address,undefined -DVolumeHaptics_WRAP_PYTHON="$([ $full = yes ] && echo ON || echo OFF)"
 if [ $full = yes ]; then
   cmake --build "$build_dir-sanitize" -j "$jobs"
   run_tests "$build_dir-sanitize" -LE package
@@ -133,7 +135,7 @@ fi
 unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 
 echo "== Fuzzing"
-"$root/Testing/Fuzz/fuzz.sh" "$build_dir-fuzz" $([ $full = yes ] && echo 600 || echo 20)
+"$root/Testing/Fuzz/fuzz.sh" "$build_dir-fuzz" "$([ $full = yes ] && echo 600 || echo 20)"
 
 if [ $full = yes ]; then
   echo "== Benchmarks"

@@ -21,7 +21,8 @@ for name in [names.GetValue(i) for i in range(names.GetNumberOfValues())]:
     trace = touch(head, tip, property=solid, method_by_name=name, iso_value=-300.0, force_field_gain=1 / 450)
     curves[name] = (trace["Time"], gallery.strength(trace))
     print(f"{name}: strongest {gallery.strength(trace).max():.3f} N")
-    shown = trace if name == "proxy" else shown
+    if name == "proxy":
+        shown = trace
 
 plotter = gallery.make_plotter(picture, size=(1300, 650), shape=(1, 2))
 gallery.add_head(plotter, head)

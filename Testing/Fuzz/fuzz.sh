@@ -16,7 +16,7 @@ source "$root/CMake/install-packages.sh"
 require_packages clang libclang-rt-14-dev
 targets=(TouchAnything TouchDescriptor TouchFalcon)
 mkdir -p "$build_dir"
-options=(-std=c++17 -g -ffp-contract=off -fsanitize=fuzzer-no-link,address,undefined
+options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,undefined"
   -fno-sanitize-recover=all -I"$root/Module")
 # The kernels are many: optimised they take minutes.
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \

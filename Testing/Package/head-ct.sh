@@ -12,6 +12,7 @@ source "$1/Data/head-ct.sh"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# shellcheck disable=SC2032 # root needs no sudo
 apt-get() { touch invesalius-examples_1_all.deb; }
 dpkg()
 {

@@ -65,7 +65,7 @@ fi
 # The headers that are installed are those of the public classes and of the seams for vendors' libraries and for
 # volumes in pieces, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
-expected=$({ cd "$source_dir/Module/VTK" && ls vtk*.h | grep -vE 'Compat|Internals'
+expected=$({ cd "$source_dir/Module/VTK" && printf '%s\n' vtk*.h | grep -vE 'Compat|Internals'
   printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h WholeSamples.h; } | sort)
 if [ "$installed" != "$expected" ]; then
   printf 'installed headers:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2

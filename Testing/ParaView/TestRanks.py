@@ -9,7 +9,7 @@ import numpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
-from paraview import servermanager, simple  # noqa: E402
+from paraview import simple  # noqa: E402
 from paraview.modules.vtkRemotingCore import vtkProcessModule  # noqa: E402
 
 ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()

@@ -3,7 +3,6 @@
 """A filter comes back from state files, of both kinds, and from its own trace, with the same trace of the hand."""
 
 import os
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))

@@ -31,7 +31,7 @@ EOF
 # A new environment NAME with the wheel and the packages REQUIREMENT...
 make_environment()
 {
-  rm -rf "$folder/$1"
+  rm -rf "${folder:?}/$1"
   "$python" -m venv "$folder/$1"
   "$folder/$1/bin/pip" install -q "${@:2}" "$wheel"
   VOLUMEHAPTICS_BUILD=$("$folder/$1/bin/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')

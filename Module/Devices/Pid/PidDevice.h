@@ -65,12 +65,13 @@ public:
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction says from which
-   * side the force comes, here as in DirectInput and in Linux' hid-pidff.c: a positive magnitude
-   * pushes an axis towards its negative end. So does OpenFFBoard (EffectsCalculator.cpp, commit 160af910).
-   * Compared with its own springs, ArduinoJoystickWithFFBLibrary pushes the other way (YukMingLaw's
-   * Joystick.cpp, commit ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such devices need a
-   * NewtonsPerFullScale below zero.
+   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction says from
+   * which side the force comes, here as in DirectInput and in Linux' hid-pidff.c: a positive
+   * magnitude pushes an axis towards its negative end. So does OpenFFBoard
+   * (EffectsCalculator.cpp, commit 160af910). Compared with its own springs,
+   * ArduinoJoystickWithFFBLibrary pushes the other way (YukMingLaw's Joystick.cpp, commit
+   * ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such devices need a NewtonsPerFullScale
+   * below zero.
    */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;

@@ -7,8 +7,8 @@
 namespace VolumeHaptics
 {
 
-// The length of its item gives a minimum its sign. A maximum has a sign only if the minimum is below
-// zero: else a byte of 0xFF is 255, as devices mean it.
+// The length of its item gives a minimum its sign. A maximum has a sign only if the minimum is
+// below zero: else a byte of 0xFF is 255, as devices mean it.
 std::int64_t HidItemReader::Item::Signed() const
 {
   const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;

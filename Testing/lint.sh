@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Checks layout, spelling and common faults of all sources, and installs what it needs for that.
+#
+# usage: Testing/lint.sh [CHECK...]
+#
+# Checks: format, columns, spelling, python, shell, documents, tidy; all of them by default. clang-tidy looks at the
+# real-time core only, which takes a minute on two cores.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+case ${1:-} in
+  -h | --help) sed -n '5,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+esac
+cd "$root"
+# shellcheck source=../CMake/install-packages.sh
+source CMake/install-packages.sh
+
+ruff_version=0.8.4
+
+# The files with one of the given endings, separated by zeros.
+list_files()
+{
+  local ending names=()
+  for ending in "$@"; do
+    names+=(-o -name "*$ending")
+  done
+  find Module Plugin Examples Testing CMake Data -type f \( "${names[@]:1}" \) -print0
+}
+
+# The results of clang-format differ from version to version: that of Debian 12 decides.
+check_format()
+{
+  require_packages clang-format-14
+  list_files .h .cxx | xargs -0 clang-format-14 --dry-run --Werror
+}
+
+# Code and comments. Help texts in raw strings may be wider.
+check_columns()
+{
+  list_files .h .cxx | xargs -0 awk '
+    FNR == 1 { raw = 0 }
+    /R"[a-z]*\(/ { raw = 1 }
+    !raw && length > 100 { print FILENAME ":" FNR ": has " length " columns, 100 are allowed"; wide = 1 }
+    /\)[a-z]*"/ { raw = 0 }
+    END { exit wide }'
+}
+
+check_spelling()
+{
+  require_packages codespell
+  codespell --config .codespellrc Module Plugin Examples Testing CMake Data Documentation ./*.md ./*.toml .github
+}
+
+# Debian 12 has no ruff: it comes from PyPI into an environment of its own.
+check_python()
+{
+  local environment=build/ruff-$ruff_version
+  require_packages python3 python3-venv
+  if [ ! -x "$environment/bin/ruff" ]; then
+    if ! python3 -m venv "$environment" || ! "$environment/bin/pip" install -q "ruff==$ruff_version"; then
+      rm -rf "$environment"
+      echo "!!!! SKIPPED: ruff $ruff_version could not be installed, so Python sources were not checked !!!!" >&2
+      return 0
+    fi
+  fi
+  "$environment/bin/ruff" check -q --no-cache .
+}
+
+check_shell()
+{
+  require_packages shellcheck
+  list_files .sh | xargs -0 shellcheck --severity=style .ci/run
+}
+
+check_documents()
+{
+  Testing/Package/documents.py
+}
+
+# No build is needed: the core is plain C++17. Some 85 s of one processor.
+check_tidy()
+{
+  require_packages clang-tidy-14 libstdc++-12-dev
+  # shellcheck disable=SC2016 # the inner shell expands it
+  find Module/Core -name '*.cxx' -print0 | xargs -0 -P "$(nproc)" -I '{}' bash -c '
+    options=(-std=c++17 -IModule)
+    [[ $1 == *AVX2* ]] && options+=(-mavx2)
+    clang-tidy-14 --quiet --warnings-as-errors="*" "$1" -- "${options[@]}" 2> /dev/null' _ '{}'
+}
+
+failed=()
+for check in "${@:-format columns spelling python shell documents tidy}"; do
+  # One word each, if they are the default.
+  for name in $check; do
+    echo "== Checking: $name"
+    "check_$name" || failed+=("$name")
+  done
+done
+if [ ${#failed[@]} -gt 0 ]; then
+  echo "These checks failed: ${failed[*]}. Repeat one with $0 NAME." >&2
+  exit 1
+fi
