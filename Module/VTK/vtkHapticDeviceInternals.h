@@ -9,6 +9,7 @@
 
 #include "vtkHapticDevice.h"
 
+#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticVolumeView.h"
 #include "VTK/Session/HapticChangeTime.h"
 #include "VTK/Session/HapticDeviceHolder.h"
@@ -47,10 +48,10 @@ struct vtkHapticDevice::vtkInternals
     const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
     if (filter)
     {
-      const VolumeHaptics::LongWork work(
-        self, "the surface is meshed", self->IsRunning() ? filter->EstimateBakeTime() : 0.0);
+      const VolumeHaptics::LongWork work(self, "the surface is meshed",
+        self->IsRunning() ? VolumeHaptics::HapticBaker(filter).EstimateTime() : 0.0);
       const auto caps = VolumeHaptics::CapsOf(this->Holder.GetLimits(), 1.0 / rate);
-      model = filter->Bake(rate, caps, this->DeviceToWorld);
+      model = VolumeHaptics::HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
       this->PublishedTime = VolumeHaptics::FindChangeTime(filter);
     }
     return !filter || model;

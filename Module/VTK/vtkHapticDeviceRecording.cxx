@@ -176,7 +176,7 @@ bool vtkHapticDevice::BeginRecording(const std::string& name)
     filter->PrintSettings(settings, vtkIndent());
     settings << "ServoRate of the device: " << d.Holder.GetRate() << " Hz\n";
     about.Settings = settings.str();
-    const LongWork work(this, "the volume is hashed", filter->EstimateHashTime());
+    const LongWork work(this, "the volume is hashed", HapticBaker(filter).EstimateHashTime());
     about.VolumeHash = filter->HashScalars();
   }
   // Observers of the long work may have stopped the servo, or begun a recording.

@@ -28,7 +28,7 @@
  *
  * Collecting the noise needs the whole once; it is kept until the input changes. A subclass for
  * volumes that lie in pieces on several processes overrides the three protected virtual functions
- * (C++ only).
+ * (C++ only), and includes "Core/Field/WholeSamples.h".
  *
  * @sa vtkHapticRegionPlanner, vtkVolumeHapticsFilter, vtkHapticDevice
  */
@@ -39,10 +39,13 @@
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #ifndef __VTK_WRAP__
-#include "Core/Field/WholeSamples.h"
-
 #include <string> // for std::string
 #include <vector> // for std::vector
+
+namespace VolumeHaptics
+{
+struct WholeSamples;
+}
 #endif
 
 class vtkDataArray;

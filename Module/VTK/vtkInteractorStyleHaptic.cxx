@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInteractorStyleHaptic.h"
 
+#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Scene/HapticViewRay.h"
 #include "vtkInteractorStyleHapticInternals.h"
 
@@ -331,7 +332,7 @@ void vtkInteractorStyleHaptic::BeginTouch()
     start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      const LongWork work(device, "the surface is meshed", filter->EstimateBakeTime());
+      const LongWork work(device, "the surface is meshed", HapticBaker(filter).EstimateTime());
       if (d.IsTouchBeginning)
       {
         FindFirstContact(renderer, pointer, filter, start);

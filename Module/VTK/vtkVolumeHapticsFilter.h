@@ -108,6 +108,7 @@ class vtkMatrix4x4;
 #ifndef __VTK_WRAP__
 namespace VolumeHaptics
 {
+class HapticBaker;
 class HapticModel;
 class HapticSurface;
 class NoiseOfScalars;
@@ -142,27 +143,6 @@ public:
    */
   std::string HashScalars();
 
-#ifndef __VTK_WRAP__
-  ///@{
-  /**
-   * About how long (s) HashScalars() and Bake() would take now on a desktop computer, not counting
-   * the pipeline before this filter. Bake() takes time only to make the mesh of SURFACE_PROXY, and
-   * 0 if the mesh is up to date. In C++ only.
-   */
-  double EstimateHashTime();
-  double EstimateBakeTime();
-  ///@}
-
-  /**
-   * Bring port 0 up to date and bake it, with the property and all settings, for a servo that ticks
-   * at a rate (Hz) and drives a device with caps of its own. The matrix takes the servo's device
-   * space (m) to the world; nullptr stands for the world scaled by MetersPerWorldUnit. Returns null
-   * after an error. For vtkHapticDevice and the like; in C++ only.
-   */
-  std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
-    double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
-#endif
-
 protected:
   vtkVolumeHapticsFilter();
   ~vtkVolumeHapticsFilter() override;
@@ -173,6 +153,16 @@ protected:
 
 private:
 #ifndef __VTK_WRAP__
+  friend class VolumeHaptics::HapticBaker;
+
+  ///@{
+  /** See HapticBaker. */
+  std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
+    double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
+  double EstimateBakeTime();
+  double EstimateHashTime();
+  ///@}
+
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(

@@ -3,6 +3,8 @@
 // The part of vtkPVHapticRegionFilter in which processes send each other what they hold.
 #include "vtkPVHapticRegionFilter.h"
 
+#include "Core/Field/WholeSamples.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods.h"
 
+#include "VTK/Baking/HapticBaker.h"
+
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
@@ -102,7 +104,7 @@ std::shared_ptr<const HapticModel> Scene::Bake(const Method& method)
 {
   this->Filter->SetMethod(method.Kind);
   this->Filter->SetSolver(method.Solver);
-  return this->Filter->Bake(1000.0, {}, nullptr);
+  return VolumeHaptics::HapticBaker(this->Filter).Bake(1000.0, {}, nullptr);
 }
 
 Trace Scene::Feel(const Method& method, const Stroke& stroke)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RealVolume.h"
 
+#include "VTK/Baking/HapticBaker.h"
+
 #include "Energy.h"
 #include "Shapes.h"
 
@@ -76,7 +78,7 @@ Figures MeasureRealVolume(vtkImageData* image, HapticSolver solver, const Effort
   filter->GetProperty()->ApplyPreset("CT contrast");
   filter->SetSolver(solver == HapticSolver::Paper ? vtkVolumeHapticsFilter::PAPER
                                                   : vtkVolumeHapticsFilter::PRECISE);
-  const auto model = filter->Bake(1000.0, {}, nullptr);
+  const auto model = VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
   if (!model)
   {
     return {};

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmoothedVolume.h"
 
+#include "VTK/Baking/HapticBaker.h"
+
 #include "Methods.h"
 
 #include "vtkFlyingEdges3D.h"
@@ -22,7 +24,7 @@ SmoothedVolume::SmoothedVolume(vtkImageData* image)
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputDataObject(0, image);
-  this->Model = filter->Bake(1000.0, {}, nullptr);
+  this->Model = VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
 }
 
 double SmoothedVolume::Value(const Vector3& world) const

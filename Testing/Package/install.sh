@@ -46,6 +46,11 @@ cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/consumer" -G Ninja \
 cmake --build "$work/consumer" >"$work/build-consumer.log"
 "$work/consumer/consumer"
 
+# The build tree shows as little.
+from_build=$(dirname "$(find "$build_dir/lib" -path '*/cmake/*/VolumeHapticsConfig.cmake')")
+cmake -S "$source_dir/Testing/Package/Consumer" -B "$work/build-tree" -G Ninja \
+  -DVolumeHaptics_DIR="$from_build" >"$work/configure-build-tree.log"
+
 # Opens a window, which has to stay.
 stays_open() {
   "$@" &

@@ -4,6 +4,7 @@
 
 #include "Core/Regions/Residency.h"
 #include "Core/Servo/ServoTick.h"
+#include "VTK/Baking/HapticBaker.h"
 
 #include "vtkBox.h"
 #include "vtkCamera.h"
@@ -53,7 +54,7 @@ bool FindFirstContact(
   vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position)
 {
   // In millimetres to metres or whatever the filter says; where the device is does not matter here.
-  const auto model = filter->Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
+  const auto model = HapticBaker(filter).Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
   vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
   if (!model || !image)
   {

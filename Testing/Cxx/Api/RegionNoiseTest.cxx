@@ -7,6 +7,8 @@
 
 #include "RegionRig.h"
 
+#include "Core/Field/WholeSamples.h"
+
 #include <vtkFieldData.h>
 #include <vtkObjectFactory.h>
 
