@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Servo/ForceGate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+void ForceGate::Settle() noexcept
+{
+  if (this->IsOpen())
+  {
+    this->State = this->Ending != End::None ? GateState::Fading
+      : this->Held                          ? GateState::Holding
+      : this->Retreats                      ? GateState::Retreating
+      : this->Ramp < 1.0                    ? GateState::Ramping
+                                            : GateState::Armed;
+  }
+}
+
+void ForceGate::Shut(GateReason why) noexcept
+{
+  this->State = GateState::Disarmed;
+  this->Cause = IsFault(this->Cause) ? this->Cause : why;
+}
+
+bool ForceGate::Arm(bool isSole) noexcept
+{
+  const bool isFelt = isSole && this->Flows && this->Ending == End::None;
+  this->Ending = End::None;
+  if (!isFelt)
+  {
+    this->Restarts = this->Restarts || IsFault(this->Cause);
+    this->Cause = GateReason::None;
+    this->State = GateState::Ramping;
+    this->Ramp = 0.0;
+    this->Retreats = this->Retreated = false;
+  }
+  this->Settle();
+  return !isFelt;
+}
+
+void ForceGate::Disarm() noexcept
+{
+  this->Ending = End::None;
+  this->Shut(GateReason::Ordered);
+}
+
+void ForceGate::FadeOut() noexcept
+{
+  this->Ending = this->Ending == End::None ? End::Disarmed : this->Ending;
+  this->Settle();
+}
+
+void ForceGate::SetHeld(bool held) noexcept
+{
+  // A fade that has begun goes on to zero: the force begins anew after it.
+  const bool isHeld = held || (this->Held && !this->Rests);
+  if (this->Held && !isHeld)
+  {
+    // The hand went on while it felt nothing: a spring from where it was would push it back.
+    this->Restarts = true;
+    this->Ramp = 0.0;
+  }
+  this->Held = isHeld;
+  this->Settle();
+}
+
+void ForceGate::NoteSilence() noexcept
+{
+  if (this->IsOpen() && !this->Held)
+  {
+    // An owner that comes back meanwhile does not stop the fade: the hand has to be told before it
+    // is held again.
+    this->Ending = End::Fault;
+    this->Settle();
+  }
+}
+
+void ForceGate::NoteNotReady() noexcept
+{
+  this->Shut(GateReason::NotReady);
+}
+
+void ForceGate::NoteData(double residency, double period) noexcept
+{
+  const double step = period / FadeTime;
+  const double wanted = this->IsClosing() ? 0.0 : residency;
+  const double change = wanted - this->Opening;
+  // Not std::clamp: a target within a step is reached to the bit.
+  this->Opening = std::fabs(change) <= step ? wanted : this->Opening + std::copysign(step, change);
+  this->Data = residency;
+}
+
+void ForceGate::NoteFault(GateReason fault) noexcept
+{
+  if (this->IsOpen())
+  {
+    this->State = GateState::Fault;
+    this->Cause = fault;
+  }
+}
+
+void ForceGate::NoteGap(bool isStale, bool flows) noexcept
+{
+  if (this->IsOpen())
+  {
+    this->Ramp = 0.0;
+    this->Retreats = isStale || flows;
+    this->Settle();
+  }
+}
+
+double ForceGate::Pass(double step) noexcept
+{
+  this->Share = this->Opening * this->Ramp;
+  this->Ramp = std::min(1.0, this->Ramp + step);
+  return this->Share;
+}
+
+void ForceGate::NoteRetreat(bool isStale, bool flows) noexcept
+{
+  this->Share = 0.0;
+  this->Retreats = isStale || flows;
+}
+
+void ForceGate::Cut() noexcept
+{
+  this->Share = 0.0;
+  this->Ramp = 0.0;
+  this->Retreats = false;
+}
+
+void ForceGate::EndFade() noexcept
+{
+  this->Ending == End::Fault ? this->NoteFault(GateReason::Unattended)
+                             : this->Shut(GateReason::Ordered);
+  this->Ending = End::None;
+}
+
+void ForceGate::NoteCommand(bool flows) noexcept
+{
+  this->Flows = flows;
+  // A command may follow its share late, by the limit of its growth: a fade ends with the command.
+  if (!flows && this->Ending != End::None && this->Opening == 0.0)
+  {
+    this->EndFade();
+  }
+  // It is not known where the hand went meanwhile. Not while force is left: it would end in a step.
+  this->Restarts = this->Restarts || (!flows && (this->Retreated || this->Retreats));
+  this->Retreated = this->Retreats;
+  this->Rests = this->Held && !flows;
+  // If it is armed during a hold, the force must not begin with the rest of a fade.
+  this->Opening = this->Rests ? 0.0 : this->Opening;
+  this->Settle();
+}
+
+GateReason ForceGate::GetReason() const noexcept
+{
+  switch (this->State)
+  {
+    case GateState::Fading:
+      return this->Ending == End::Fault ? GateReason::Unattended : GateReason::Ordered;
+    case GateState::Holding:
+      return GateReason::LongWork;
+    case GateState::Retreating:
+      return GateReason::NoSamples;
+    case GateState::Ramping:
+    case GateState::Armed:
+      return this->Data < 1.0                     ? GateReason::NoData
+        : this->Ramp < 1.0 || this->Opening < 1.0 ? GateReason::Rising
+                                                  : GateReason::None;
+    default:
+      return this->Cause;
+  }
+}
+
+bool ForceGate::TakeRestart() noexcept
+{
+  return std::exchange(this->Restarts, false);
+}
+
+} // namespace VolumeHaptics

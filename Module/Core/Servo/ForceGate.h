@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Whether force may flow: the one state machine that decides it.
+ *
+ * Orders of the owner and everything that the servo loop finds go in as events; a state, a share
+ * of the force from 0 to 1 and one reason come out. SafetyStage.h multiplies the force by the
+ * share, limits its growth, and cuts it in the states in which nothing may flow.
+ *
+ * States
+ * ------
+ *
+ *   Disarmed    no force, from the tick on in which it is entered
+ *   Fault       the same; the reason says what is wrong, and stays until Arm
+ *   Fading      the share falls to 0 within FadeTime, after FadeOut or since the owner is silent
+ *   Holding     the same for as long as it is held, for example during long work
+ *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows
+ *   Ramping     the share rises from 0 to 1 over SafetyLimits::RampTime
+ *   Armed       the whole force flows, as far as the data are there
+ *
+ * The last five are *open*. A hold may begin in any state and outlives all orders, and samples may
+ * be missing during a fade; so the gate remembers each cause, and its open state is the first of
+ * the list whose cause is there. That is why Holding and Retreating are states: the force ends in
+ * another way than in Fading and comes back by itself.
+ *
+ * Events
+ * ------
+ *
+ * "open" stands for: the open state by the list above. "-" changes nothing.
+ *
+ *   event                     Disarmed    Fault          open
+ *   Arm                       open (a)    open (a, b)    open (a, c)
+ *   Disarm                    -           Disarmed (d)   Disarmed
+ *   FadeOut                   - (e)       - (e)          Fading
+ *   SetHeld(true)             - (f)       - (f)          Holding, unless Fading
+ *   SetHeld(false)            - (b, f)    - (b, f)       open (b, g)
+ *   NoteSilence               -           -              Fading, unless held
+ *   NoteNotReady              -           Disarmed (d)   Disarmed
+ *   NoteFault                 -           -              Fault
+ *   NoteGap                   -           -              open: Retreating or Ramping (h)
+ *   NoteCommand of zero:
+ *     the end of a retreat    - (b)       - (b)          open (b)
+ *     the end of a fade       -           Disarmed (d)   Disarmed; Fault if the owner was silent
+ *   NoteData                  -           -              - (i)
+ *
+ *   (a) Ends a fade and a retreat; the ramp begins at 0.
+ *   (b) The proxy begins at the tip: TakeRestart.
+ *   (c) Changes nothing while force flows, unless the force fades or other orders came with it.
+ *   (d) The fault stays the reason.
+ *   (e) The share of the data falls to 0 and rises again, as in Fading: see GetOpening.
+ *   (f) Remembered for Arm.
+ *   (g) A hold that has not come to its end goes on until no force flows. Then the ramp begins at
+ *       0.
+ *   (h) The ramp begins at 0. Retreating if samples are still missing or force flows.
+ *   (i) Moves the opening towards the share of the data that are there, by 1 in FadeTime.
+ *
+ * Faults and Disarm act in the tick in which they come. Nothing that opens the gate makes the
+ * share jump: it rises by RampTime, and the opening by FadeTime.
+ *
+ * Share
+ * -----
+ *
+ * While the gate is open and the force does not retreat: share = opening * ramp. Else 0.
+ */
+#ifndef ForceGate_h
+#define ForceGate_h
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+enum class GateState : std::uint8_t
+{
+  Disarmed,
+  Ramping,
+  Armed,
+  Fading,
+  Holding,
+  Retreating,
+  Fault
+};
+
+/**
+ * Why the share is not 1. The array Reason of recordings has these numbers, Fault the first five.
+ */
+enum class GateReason : std::uint8_t
+{
+  None,       ///< it is
+  NotFinite,  ///< a fault: a force or a tip that is not a finite number
+  OverSpeed,  ///< a fault: a tip that is faster than SafetyLimits::MaximumSpeed
+  DeviceLost, ///< a fault
+  Unattended, ///< a fault, once the fade is over: SafetyLimits::AttentionTime
+  Ordered,    ///< the owner has not armed it, has disarmed it or lets it fade
+  NotReady,   ///< the device is not: it has to be armed anew once it is
+  LongWork,   ///< held by the owner
+  NoSamples,  ///< none within SafetyLimits::WatchdogTime
+  NoData,     ///< the samples of the volume around the tip are not all there (Residency.h)
+  Rising      ///< after Arm, a hold, a gap or missing data
+};
+
+constexpr bool IsFault(GateReason reason) noexcept
+{
+  return reason >= GateReason::NotFinite && reason <= GateReason::Unattended;
+}
+/** The fault that has to be cleared by Arm; None if there is none. */
+constexpr GateReason FindFault(GateState state, GateReason reason) noexcept
+{
+  const bool isShut = state == GateState::Disarmed || state == GateState::Fault;
+  return isShut && IsFault(reason) ? reason : GateReason::None;
+}
+
+class ForceGate
+{
+public:
+  /** The opening changes by 1 in this time at the most (s). */
+  static constexpr double FadeTime = 0.05;
+
+  ///@{
+  /**
+   * Orders, before a tick. Arm is true unless it changes nothing: what was felt before then means
+   * nothing any more. `isSole` is false if other orders came at the same time, of which one may
+   * have been Disarm.
+   */
+  bool Arm(bool isSole = true) noexcept;
+  void Disarm() noexcept;
+  void FadeOut() noexcept;
+  void SetHeld(bool held) noexcept;
+  ///@}
+
+  ///@{
+  /** The owner was silent for longer than SafetyLimits::AttentionTime; the device is not ready. */
+  void NoteSilence() noexcept;
+  void NoteNotReady() noexcept;
+  ///@}
+
+  /** The share of the data that are there for this tick of a period (s): 1, or the residency. */
+  void NoteData(double residency, double period) noexcept;
+
+  ///@{
+  /**
+   * For SafetyStage, in this order: a fault; samples that were missing, and may still be; then one
+   * of Pass, which returns the share and lets the ramp rise by a step, NoteRetreat and Cut; and
+   * last whether force flows to the device.
+   */
+  void NoteFault(GateReason fault) noexcept;
+  void NoteGap(bool isStale, bool flows) noexcept;
+  double Pass(double step) noexcept;
+  void NoteRetreat(bool isStale, bool flows) noexcept;
+  void Cut() noexcept;
+  void NoteCommand(bool flows) noexcept;
+  ///@}
+
+  GateState GetState() const noexcept { return this->State; }
+  GateReason GetReason() const noexcept;
+  GateReason GetFault() const noexcept { return FindFault(this->State, this->GetReason()); }
+  bool IsOpen() const noexcept
+  {
+    return this->State != GateState::Disarmed && this->State != GateState::Fault;
+  }
+  /** The share of the last tick: 0 to 1. */
+  double GetShare() const noexcept { return this->Share; }
+  /** The share that fades, holds and missing data leave, without the ramp: 0 to 1. */
+  double GetOpening() const noexcept { return this->Opening; }
+  /** Whether an order moves the opening to 0, data or not. */
+  bool IsClosing() const noexcept { return this->Held || this->Ending != End::None; }
+  /**
+   * Whether the last force goes down to zero by itself, or stays there, since samples are missing.
+   */
+  bool IsRetreating() const noexcept { return this->Retreats; }
+  /** Whether it is held and no force flows. */
+  bool IsAtRest() const noexcept { return this->Rests; }
+
+  /** True once after an event by which the proxy has to begin at the tip. */
+  bool TakeRestart() noexcept;
+
+private:
+  /** How a fade ends. */
+  enum class End : std::uint8_t
+  {
+    None,
+    Disarmed,
+    Fault
+  };
+  void Shut(GateReason why) noexcept;
+  void EndFade() noexcept;
+  /** Finds the open state by its causes. */
+  void Settle() noexcept;
+
+  GateState State = GateState::Disarmed;
+  GateReason Cause = GateReason::Ordered; ///< of Disarmed and Fault
+  End Ending = End::None;
+  bool Held = false;
+  bool Rests = false;
+  bool Retreats = false;
+  bool Retreated = false; ///< Retreats, when the last tick ended
+  bool Flows = false;     ///< force, with the last command
+  bool Restarts = false;
+  double Data = 1.0; ///< the share of them that are there
+  double Opening = 1.0;
+  double Ramp = 0.0;
+  double Share = 0.0;
+};
+
+} // namespace VolumeHaptics
+
+#endif
