@@ -30,11 +30,14 @@ import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
 import vtkmodules.vtkCommonMath
-import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingCore
 
+from ._version import HAS_RENDERING as _HAS_RENDERING
 from ._version import VTK_VERSION as _COMPILED_WITH
 from ._version import __version__
+
+if _HAS_RENDERING:
+    import vtkmodules.vtkInteractionStyle
 
 _vtk = vtkmodules.vtkCommonCore.vtkVersion
 _FOUND = f"{_vtk.GetVTKMajorVersion()}.{_vtk.GetVTKMinorVersion()}.{_vtk.GetVTKBuildVersion()}"
@@ -60,6 +63,9 @@ _FUNCTIONS = ("image", "path")
 if not TYPE_CHECKING:  # a type checker would take every misspelt name for one of these
 
     def __getattr__(name: str):
+        if name == "pyvista" and not _HAS_RENDERING:
+            raise ImportError("this volumehaptics was built without rendering, which PyVista's windows need. "
+                              "Cure: one that was built with VolumeHaptics_USE_RENDERING=ON")
         if name in _MODULES or name == "pyvista":
             return importlib.import_module(f".{name}", __name__)
         if name in _FUNCTIONS:
