@@ -117,7 +117,7 @@ public:
   ///@}
 
   ///@{
-  /** Ticks per second, 100 to 10000. Default 1000. Takes effect with Start. */
+  /** Ticks per second (Hz), 100 to 10000. Default 1000. Takes effect with Start. */
   void SetServoRate(double rate);
   vtkGetMacro(ServoRate, double);
   ///@}

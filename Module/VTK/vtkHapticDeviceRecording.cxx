@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkHapticDevice that limits, records and measures.
+#include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticRecordingFile.h"
 #include "vtkHapticDeviceInternals.h"
@@ -95,8 +96,7 @@ void vtkHapticDevice::SendLimits()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetServoRate(double rate)
 {
-  // The comparison is false for NaN, which the clamp would let through.
-  const double clamped = rate > 100.0 ? std::min(rate, 10000.0) : 100.0;
+  const double clamped = Clamp(DeviceSettingRows::ServoRate, rate);
   if (clamped != this->ServoRate)
   {
     this->ServoRate = clamped;
@@ -109,8 +109,7 @@ void vtkHapticDevice::SetMaximumForce(double force)
 {
   auto& holder = this->Internals->Holder;
   const double most = holder.IsOpen() ? holder.GetLimits().MaximumForce : VTK_DOUBLE_MAX;
-  // False for NaN, too: no force is the safe answer.
-  this->WantedForce = force > 0.0 ? force : 0.0;
+  this->WantedForce = Clamp(DeviceSettingRows::MaximumForce, force);
   const double clamped = std::min(this->WantedForce, most);
   if (clamped != this->MaximumForce)
   {
@@ -122,8 +121,8 @@ void vtkHapticDevice::SetMaximumForce(double force)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumForceRate(double rate)
 {
-  // A rate of 0 would hold the force of now in the hand for ever. False for NaN, too.
-  const double clamped = rate > 1.0 ? rate : 1.0;
+  // A rate of 0 would hold the force of now in the hand for ever.
+  const double clamped = Clamp(DeviceSettingRows::MaximumForceRate, rate);
   if (clamped != this->MaximumForceRate)
   {
     this->MaximumForceRate = clamped;
@@ -346,10 +345,7 @@ void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Status: " << this->GetStatusText() << "\n";
   os << indent << "VolumeHaptics: " << d.Filter.GetPointer() << "\n";
   os << indent << "DeviceToWorld: " << d.DeviceToWorld.GetPointer() << "\n";
-  os << indent << "ServoRate: " << this->ServoRate << " Hz\n";
-  os << indent << "MaximumForce: " << this->MaximumForce << " N\n";
-  os << indent << "MaximumForceRate: " << this->MaximumForceRate << " N/s\n";
-  os << indent << "AttentionTime: " << this->AttentionTime << " s\n";
+  PrintSettings(os, indent, this, DeviceSettings);
   os << indent << "Recording: " << (d.RecordingFile.empty() ? "(none)" : d.RecordingFile.c_str())
      << "\n";
 }

@@ -3,6 +3,7 @@
 #include "vtkHapticHardware.h"
 
 #include "Devices/Common/DeviceRegistry.h"
+#include "VTK/Session/HapticDeviceSettings.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -140,7 +141,7 @@ void vtkHapticHardware::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FirmwareFile: " << (this->FirmwareFile.empty() ? "(none)" : this->FirmwareFile)
      << "\n";
-  os << indent << "HomingTime: " << this->HomingTime << " s\n";
+  PrintSettings(os, indent, this, HardwareSettings);
   os << indent << "NewtonsPerFullScale: " << this->NewtonsPerFullScale[0] << " "
      << this->NewtonsPerFullScale[1] << " N\n";
 }

@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * How long (s) each step of homing may take, 1 to 3600; then Home() begins again. Default 120.
-   * Takes effect with Open.
+   * How long (s) each step of homing by hand may take, 1 to 3600. Default 120. After that, Home()
+   * begins again. Takes effect with Open.
    */
   vtkSetClampMacro(HomingTime, double, 1.0, 3600.0);
   vtkGetMacro(HomingTime, double);

@@ -71,7 +71,7 @@ allow(Devices/Replay ${device_basis})
 
 allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers)
 allow(VTK/Trace Core VTK/Baking)
-allow(VTK/Session Core Devices VTK/Trace)
+allow(VTK/Session Core Devices VTK/Baking VTK/Trace)
 allow(VTK/Scene Core VTK/Baking VTK/Session)
 allow(VTK/Charts)
 allow(VTK/Setup Core/Model VTK/Baking VTK/Trace)

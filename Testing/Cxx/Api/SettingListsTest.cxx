@@ -6,6 +6,7 @@
  */
 
 #include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Session/HapticDeviceSettings.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -70,7 +71,7 @@ std::string HeaderComment(const std::string& header, const std::string& name)
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   std::size_t setter = std::string::npos;
   for (const std::string& start :
-    { "vtkSetMacro(" + name + ",", "vtkSetClampMacro(" + name + ",", "void Set" + name + "(vtk" })
+    { "vtkSetMacro(" + name + ",", "vtkSetClampMacro(" + name + ",", "void Set" + name + "(" })
   {
     setter = std::min(setter, text.find(start));
   }
@@ -85,13 +86,13 @@ std::string HeaderComment(const std::string& header, const std::string& name)
   return comment;
 }
 
-/// The filter as ParaView has it.
-class ParaViewFilter
+/// The filter or the device as ParaView has it: the first proxy of a file.
+class ParaViewProxy
 {
 public:
-  ParaViewFilter()
+  explicit ParaViewProxy(const char* file)
     : Tree(vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(
-        (Root + "/Plugin/VolumeHapticsPlugin/VolumeHapticsFilter.xml").c_str())))
+        (Root + "/Plugin/VolumeHapticsPlugin/" + file).c_str())))
   {
   }
 
@@ -159,16 +160,12 @@ void ExpectRange(vtkXMLDataElement* property, const SettingFacts& setting)
     return;
   }
   EXPECT_EQ(integers != nullptr, setting.Kind == SettingKind::Integer);
-  const double minimum = ParaViewFilter::Number(range, "min");
-  const double maximum = ParaViewFilter::Number(range, "max");
+  const double minimum = ParaViewProxy::Number(range, "min");
+  const double maximum = ParaViewProxy::Number(range, "max");
   EXPECT_EQ(std::isnan(minimum) ? -LargestNumber : minimum, setting.Minimum);
-  if (setting.Maximum <= LongestSlider)
+  if (setting.Maximum <= LongestSlider || !std::isnan(maximum))
   {
     EXPECT_EQ(maximum, setting.Maximum);
-  }
-  else
-  {
-    EXPECT_TRUE(std::isnan(maximum));
   }
 }
 
@@ -180,7 +177,7 @@ void ExpectChoices(vtkXMLDataElement* property, const SettingFacts& setting)
   for (int i = 0; i < list->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* const entry = list->GetNestedElement(i);
-    EXPECT_EQ(ParaViewFilter::Number(entry, "value"), i);
+    EXPECT_EQ(ParaViewProxy::Number(entry, "value"), i);
     EXPECT_STREQ(entry->GetAttribute("text"), setting.Choices[i].Text);
   }
 }
@@ -188,11 +185,10 @@ void ExpectChoices(vtkXMLDataElement* property, const SettingFacts& setting)
 void ExpectProperty(vtkXMLDataElement* property, const SettingFacts& setting)
 {
   ASSERT_NE(property, nullptr);
-  EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
   EXPECT_EQ(property->GetName(),
     std::string(
       setting.Kind == SettingKind::Number ? "DoubleVectorProperty" : "IntVectorProperty"));
-  EXPECT_EQ(ParaViewFilter::Number(property, "default_values"), setting.Default);
+  EXPECT_EQ(ParaViewProxy::Number(property, "default_values"), setting.Default);
   if (setting.Kind == SettingKind::Choice)
   {
     ExpectChoices(property, setting);
@@ -221,6 +217,18 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
     SCOPED_TRACE(setting.Name);
     vtkNew<vtkHapticProperty> property;
     ExpectHeaderBehaves<vtkHapticProperty>(property, setting);
+  }
+  for (const DeviceSetting& setting : DeviceSettings)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkNew<vtkHapticDevice> device;
+    ExpectHeaderBehaves<vtkHapticDevice>(device, setting);
+  }
+  for (const HardwareSetting& setting : HardwareSettings)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkNew<vtkHapticDevice> device;
+    ExpectHeaderBehaves<vtkHapticHardware>(device, setting);
   }
 }
 
@@ -271,17 +279,20 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   expect("vtkVolumeHapticsAlgorithm", FilterSettings);
   expect("vtkHapticProperty", PropertySettings);
   expect("vtkHapticProperty", PropertyFunctions);
+  expect("vtkHapticDevice", DeviceSettings);
+  expect("vtkHapticHardware", HardwareSettings);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)
 {
-  const ParaViewFilter paraview;
+  const ParaViewProxy paraview("VolumeHapticsFilter.xml");
   for (const FilterSetting& setting : FilterSettings)
   {
     SCOPED_TRACE(setting.Name);
     vtkXMLDataElement* const property = paraview.Find(setting.Name);
     ExpectProperty(property, setting);
-    EXPECT_EQ(ParaViewFilter::Documentation(property), setting.Documentation);
+    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
+    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
   }
   // A preset and the scales of the functions are ParaView's own: it adds what they mean here.
   for (const PropertySetting& setting : PropertySettings)
@@ -289,21 +300,45 @@ TEST(SettingLists, ParaViewHasTheSameSettings)
     SCOPED_TRACE(setting.Name);
     vtkXMLDataElement* const property = paraview.Find(setting.Name);
     ExpectProperty(property, setting);
-    EXPECT_PRED2(BeginsWith, ParaViewFilter::Documentation(property), setting.Documentation);
+    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
+    EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), setting.Documentation);
   }
   for (const PropertyFunction& function : PropertyFunctions)
   {
     SCOPED_TRACE(function.Name);
     vtkXMLDataElement* const property = paraview.Find(function.Name);
     ASSERT_NE(property, nullptr);
-    EXPECT_PRED2(BeginsWith, ParaViewFilter::Documentation(property), function.Documentation);
+    EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), function.Documentation);
     vtkXMLDataElement* const scale = paraview.Find(function.Name + std::string("Scale"));
     vtkXMLDataElement* const domain = property->FindNestedElementWithName("HapticFunctionDomain");
     ASSERT_NE(domain, nullptr);
-    EXPECT_EQ(ParaViewFilter::Number(domain, "initial") *
-        (scale ? ParaViewFilter::Number(scale, "default_values") : 1.0),
+    EXPECT_EQ(ParaViewProxy::Number(domain, "initial") *
+        (scale ? ParaViewProxy::Number(scale, "default_values") : 1.0),
       function.Default);
   }
+}
+
+TEST(SettingLists, ParaViewHasTheSameDevice)
+{
+  const ParaViewProxy paraview("HapticDevice.xml");
+  const auto expect = [&](const auto& settings)
+  {
+    for (const auto& setting : settings)
+    {
+      SCOPED_TRACE(setting.Name);
+      if (vtkXMLDataElement* const property = paraview.Find(setting.Name))
+      {
+        ExpectProperty(property, setting);
+        EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), setting.Documentation);
+      }
+      else // ParaView calls the device all the time
+      {
+        EXPECT_STREQ(setting.Name, "AttentionTime");
+      }
+    }
+  };
+  expect(DeviceSettings);
+  expect(HardwareSettings);
 }
 
 TEST(SettingLists, TheCoreHasTheSameDefaults)

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The settings of vtkHapticDevice and vtkHapticHardware, one row each: see HapticSetting.h.
+ */
+#ifndef HapticDeviceSettings_h
+#define HapticDeviceSettings_h
+
+#include "VTK/Baking/HapticSetting.h"
+
+#include "vtkHapticDevice.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace VolumeHaptics
+{
+
+using DeviceSetting = HapticSetting<vtkHapticDevice>;
+using HardwareSetting = HapticSetting<vtkHapticHardware>;
+
+// One row for a number of the class `Owner`.
+#define HapticNumberMacro(name, minimum, maximum, standard, unit, text) \
+  SettingAccess<&Owner::Get##name, &Owner::Set##name, NotBaked>::Make(  \
+    { SettingKind::Number, #name, minimum, maximum, standard, unit, nullptr, text })
+
+namespace DeviceSettingRows
+{
+using Owner = vtkHapticDevice;
+inline constexpr double Unlimited = std::numeric_limits<double>::infinity();
+
+inline constexpr DeviceSetting ServoRate = HapticNumberMacro(
+  ServoRate, 100.0, 10000.0, 1000.0, "Hz", "Ticks per second (Hz), 100 to 10000. Default 1000.");
+inline constexpr DeviceSetting MaximumForce = HapticNumberMacro(MaximumForce, 0.0, VTK_DOUBLE_MAX,
+  0.0, "N", "Longest force (N) on the hand, at most the device's own maximum.");
+inline constexpr DeviceSetting MaximumForceRate =
+  HapticNumberMacro(MaximumForceRate, 1.0, Unlimited, 500.0, "N/s",
+    "Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that "
+    "becomes smaller does so at once");
+inline constexpr DeviceSetting AttentionTime = HapticNumberMacro(AttentionTime, 0.0, Unlimited, 2.0,
+  "s", "How long (s) an armed device keeps its force if the program stands still");
+
+inline constexpr DeviceSetting All[] = { ServoRate, MaximumForce, MaximumForceRate, AttentionTime };
+} // namespace DeviceSettingRows
+
+namespace HardwareSettingRows
+{
+using Owner = vtkHapticHardware;
+
+inline constexpr HardwareSetting All[] = { HapticNumberMacro(HomingTime, 1.0, 3600.0, 120.0, "s",
+  "How long (s) each step of homing by hand may take, 1 to 3600. Default 120.") };
+} // namespace HardwareSettingRows
+
+#undef HapticNumberMacro
+
+inline constexpr const auto& DeviceSettings = DeviceSettingRows::All;
+inline constexpr const auto& HardwareSettings = HardwareSettingRows::All;
+
+/** The nearest value that a setting may have; the minimum, which is the safe one, for NaN. */
+inline double Clamp(const SettingFacts& setting, double value)
+{
+  return value > setting.Minimum ? std::min(value, setting.Maximum) : setting.Minimum;
+}
+
+} // namespace VolumeHaptics
+
+#endif
