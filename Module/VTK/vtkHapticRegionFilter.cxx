@@ -225,7 +225,7 @@ int vtkHapticRegionFilter::RequestData(
     this->GatherSamples(samples);
     this->Noise.clear();
     this->BorderValues.clear();
-    for (const VolumeHaptics::WholeSamples& component : samples)
+    for (const VolumeHaptics::NoiseSamples& component : samples)
     {
       this->Noise.push_back(VolumeHaptics::EstimateNoise(component));
       this->BorderValues.push_back(VolumeHaptics::FindBorderValue(component));

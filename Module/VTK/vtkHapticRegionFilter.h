@@ -28,7 +28,7 @@
  *
  * Collecting the noise needs the whole once; it is kept until the input changes. A subclass for
  * volumes that lie in pieces on several processes overrides the three protected virtual functions
- * (C++ only), and includes "Core/Field/WholeSamples.h".
+ * (C++ only), and includes "Core/Field/NoiseSamples.h".
  *
  * @sa vtkHapticRegionPlanner, vtkVolumeHapticsFilter, vtkHapticDevice
  */
@@ -44,7 +44,7 @@
 
 namespace VolumeHaptics
 {
-struct WholeSamples;
+struct NoiseSamples;
 }
 #endif
 
@@ -84,7 +84,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 #ifndef __VTK_WRAP__
-  using SamplesOfComponents = std::vector<VolumeHaptics::WholeSamples>;
+  using SamplesOfComponents = std::vector<VolumeHaptics::NoiseSamples>;
 
   /**
    * Whether the samples that were gathered last still hold, for an input that is as it was at a
@@ -95,7 +95,7 @@ protected:
 
   /**
    * Completes what the piece that is here gave (one entry a component; none where it has no array)
-   * with what the other pieces give: see WholeSamples::Merge. Afterwards, the entries of all
+   * with what the other pieces give: see NoiseSamples::Merge. Afterwards, the entries of all
    * processes, or at least of those that use the output, are those of the whole. Default: nothing,
    * since the piece is the whole.
    */

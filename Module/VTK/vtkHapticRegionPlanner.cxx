@@ -5,7 +5,7 @@
 #include "Core/Field/ResidentBox.h"
 #include "Core/Regions/RegionPlan.h"
 #include "Core/Regions/Residency.h"
-#include "Core/Solvers/LocalSurface/LocalSurface.h"
+#include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticRegion.h"
 

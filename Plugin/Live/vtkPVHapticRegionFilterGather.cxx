@@ -3,7 +3,7 @@
 // The part of vtkPVHapticRegionFilter in which processes send each other what they hold.
 #include "vtkPVHapticRegionFilter.h"
 
-#include "Core/Field/WholeSamples.h"
+#include "Core/Field/NoiseSamples.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -100,7 +100,7 @@ void vtkPVHapticRegionFilter::GatherSamples(SamplesOfComponents& samples)
     return;
   }
   samples.resize(static_cast<std::size_t>(this->Components));
-  for (VolumeHaptics::WholeSamples& component : samples)
+  for (VolumeHaptics::NoiseSamples& component : samples)
   {
     int extent[6];
     this->Producer->GetOutputInformation(0)->Get(
@@ -111,15 +111,15 @@ void vtkPVHapticRegionFilter::GatherSamples(SamplesOfComponents& samples)
     }
     if (this->Controller->GetLocalProcessId() > 0)
     {
-      SendNumbers(this->Controller, component.Places, 0);
+      SendNumbers(this->Controller, component.Indices, 0);
       SendNumbers(this->Controller, component.Values, 0);
       SendNumbers(this->Controller, std::vector<double>(component.Range, component.Range + 2), 0);
       continue;
     }
     for (int from = 1; from < this->Controller->GetNumberOfProcesses(); ++from)
     {
-      VolumeHaptics::WholeSamples other;
-      other.Places = ReceiveNumbers<std::int64_t>(this->Controller, from);
+      VolumeHaptics::NoiseSamples other;
+      other.Indices = ReceiveNumbers<std::int64_t>(this->Controller, from);
       other.Values = ReceiveNumbers<double>(this->Controller, from);
       const std::vector<double> range = ReceiveNumbers<double>(this->Controller, from);
       std::copy(range.begin(), range.end(), other.Range);

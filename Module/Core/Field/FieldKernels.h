@@ -25,12 +25,12 @@ VOLUME_HAPTICS_INLINE void LocateSpline(
 {
   // Coefficients of 1, t, t^2 and t^3, a lane for each tap; the slope's follow from them.
   constexpr double sixth = 1.0 / 6.0;
-  const Pack4 c0 = { sixth, 4.0 * sixth, sixth, 0.0 };
-  const Pack4 c1 = { -0.5, 0.0, 0.5, 0.0 };
-  const Pack4 c2 = { 0.5, -1.0, 0.5, 0.0 };
-  const Pack4 c3 = { -sixth, 0.5, -0.5, sixth };
-  const Pack4 d2 = { 1.0, -2.0, 1.0, 0.0 };
-  const Pack4 d3 = { -0.5, 1.5, -1.5, 0.5 };
+  const Double4 c0 = { sixth, 4.0 * sixth, sixth, 0.0 };
+  const Double4 c1 = { -0.5, 0.0, 0.5, 0.0 };
+  const Double4 c2 = { 0.5, -1.0, 0.5, 0.0 };
+  const Double4 c3 = { -sixth, 0.5, -0.5, sixth };
+  const Double4 d2 = { 1.0, -2.0, 1.0, 0.0 };
+  const Double4 d3 = { -0.5, 1.5, -1.5, 0.5 };
   const double position[3] = { x, y, z };
   for (int a = 0; a < 3; ++a)
   {
@@ -38,10 +38,10 @@ VOLUME_HAPTICS_INLINE void LocateSpline(
     const double t = axis.Fraction;
     const double t2 = t * t;
     foot.First[a] = axis.Cell - 1;
-    StorePack4((c0 + t * c1) + t2 * (c2 + t * c3), foot.Weights[a]);
+    StoreDouble4((c0 + t * c1) + t2 * (c2 + t * c3), foot.Weights[a]);
     if constexpr (WithGradient)
     {
-      StorePack4((c1 + t * d2) + t2 * d3, foot.Weights[a] + 4);
+      StoreDouble4((c1 + t * d2) + t2 * d3, foot.Weights[a] + 4);
     }
   }
 }
@@ -91,11 +91,11 @@ VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
     kernel.Table + (interval % intervals) * GradientKernel::Coefficients * count;
   for (int i = 0; i < count; i += 4)
   {
-    const auto term = [&](int power) { return LoadPack4(c + power * count + i); };
-    const Pack4 low = term(0) + t * term(1);
-    const Pack4 middle = term(2) + t * term(3);
-    const Pack4 high = term(4) + t * term(5);
-    StorePack4(low + t2 * (middle + t2 * high), weights + i);
+    const auto term = [&](int power) { return LoadDouble4(c + power * count + i); };
+    const Double4 low = term(0) + t * term(1);
+    const Double4 middle = term(2) + t * term(3);
+    const Double4 high = term(4) + t * term(5);
+    StoreDouble4(low + t2 * (middle + t2 * high), weights + i);
   }
   return static_cast<std::int64_t>(interval / intervals) - kernel.Radius;
 }

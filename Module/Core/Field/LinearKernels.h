@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where a position lies along an axis, and what is interpolated linearly. The rules of
- * FieldKernels.h hold here too.
+ * The cell of a position along an axis, and the linear kernels. The rules of FieldKernels.h hold
+ * here too.
  */
 #ifndef LinearKernels_h
 #define LinearKernels_h
 
 #include "Core/Field/FieldSampler.h"
-#include "Core/Math/Pack4.h"
+#include "Core/Math/Double4.h"
 
 #include <type_traits>
 
@@ -71,10 +71,10 @@ VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y
       return LoadPairs(q, q + sy);
     }
     const T taps[4] = { q[0], q[sx], q[sy], q[sy + sx] };
-    return LoadPack4(taps);
+    return LoadDouble4(taps);
   };
-  const Pack4 near = plane(p);
-  const Pack4 lines = near + az.Fraction * (plane(p + sz) - near);
+  const Double4 near = plane(p);
+  const Double4 lines = near + az.Fraction * (plane(p + sz) - near);
   const double a = lines[0] + ay.Fraction * (lines[2] - lines[0]);
   const double b = lines[1] + ay.Fraction * (lines[3] - lines[1]);
   const double value = a + ax.Fraction * (b - a);

@@ -8,7 +8,7 @@
 #define SeparableSum_h
 
 #include "Core/Field/FieldSampler.h"
-#include "Core/Math/Pack4.h"
+#include "Core/Math/Double4.h"
 
 #include <type_traits>
 
@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Weights of N taps along each axis, and where the first taps stand. */
+/** Weights of N taps along each axis, and the indices of the first taps. */
 template <int N>
 struct Footprint
 {
@@ -27,24 +27,24 @@ struct Footprint
 };
 
 /**
- * Two rows of N samples, N even: whole packs of each, and one pack of what is left over of both.
- * The leftover of a sum of rows holds two partial sums.
+ * Two rows of N samples, N even: in fours, and one four with the remaining pairs of both. The
+ * remainder of a sum of rows holds two partial sums.
  */
 template <int N>
 struct RowPair
 {
   static constexpr int Whole = N / 4;
   static constexpr bool HasRest = N % 4 != 0;
-  Pack4 Even[Whole];
-  Pack4 Odd[Whole];
-  Pack4 Rest;
+  Double4 Even[Whole];
+  Double4 Odd[Whole];
+  Double4 Rest;
 };
 
 template <int N>
 struct RowSum
 {
-  Pack4 Whole[N / 4] = {};
-  Pack4 Rest = {};
+  Double4 Whole[N / 4] = {};
+  Double4 Rest = {};
 };
 
 template <typename T, int N>
@@ -53,8 +53,8 @@ VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& row
   constexpr int whole = RowPair<N>::Whole;
   for (int p = 0; p < whole; ++p)
   {
-    rows.Even[p] = LoadPack4(even + 4 * p);
-    rows.Odd[p] = LoadPack4(odd + 4 * p);
+    rows.Even[p] = LoadDouble4(even + 4 * p);
+    rows.Odd[p] = LoadDouble4(odd + 4 * p);
   }
   if constexpr (RowPair<N>::HasRest)
   {
@@ -69,12 +69,12 @@ VOLUME_HAPTICS_INLINE void AddRows(
 {
   for (int p = 0; p < RowPair<N>::Whole; ++p)
   {
-    const Pack4 both = weights[0] * rows.Even[p] + weights[1] * rows.Odd[p];
+    const Double4 both = weights[0] * rows.Even[p] + weights[1] * rows.Odd[p];
     sum.Whole[p] = isFirst ? both : sum.Whole[p] + both;
   }
   if constexpr (RowPair<N>::HasRest)
   {
-    const Pack4 each = { weights[0], weights[0], weights[1], weights[1] };
+    const Double4 each = { weights[0], weights[0], weights[1], weights[1] };
     sum.Rest = isFirst ? each * rows.Rest : sum.Rest + each * rows.Rest;
   }
 }
@@ -96,23 +96,23 @@ VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, double weight, RowS
 template <int N>
 VOLUME_HAPTICS_INLINE double DotRow(const RowSum<N>& sum, const double* weights)
 {
-  Pack4 products = sum.Whole[0] * LoadPack4(weights);
+  Double4 products = sum.Whole[0] * LoadDouble4(weights);
   for (int p = 1; p < RowPair<N>::Whole; ++p)
   {
-    products = products + sum.Whole[p] * LoadPack4(weights + 4 * p);
+    products = products + sum.Whole[p] * LoadDouble4(weights + 4 * p);
   }
   if constexpr (RowPair<N>::HasRest)
   {
     const double a = weights[N - 2];
     const double b = weights[N - 1];
-    products = products + sum.Rest * Pack4{ a, b, a, b };
+    products = products + sum.Rest * Double4{ a, b, a, b };
   }
   return (products[0] + products[2]) + (products[1] + products[3]);
 }
 
 /**
- * The sum over the N^3 taps behind `corner`, and, where wanted, the gradient's. Rows lie along x:
- * they are combined over y and z first, as packs, and weighted along x last.
+ * The sum over the N^3 taps behind `corner` and, with WithGradient, the gradient's. Rows lie along x:
+ * they are combined over y and z first, in fours, and weighted along x last.
  */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
@@ -153,7 +153,7 @@ VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::i
   return DotRow<N>(sum, foot.Weights[0]);
 }
 
-/** Offset of a tap along an axis; taps beyond the samples that are there replicate the last one. */
+/** Offset of a tap along an axis; taps beyond the resident samples replicate the last one. */
 VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axis, std::int64_t tap)
 {
   // Not VolumeView's own functions: see FieldKernels.h.
@@ -163,8 +163,8 @@ VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axi
 }
 
 /**
- * The sum over a copy of the taps: at the border, where those beyond it replicate it; between other
- * components; and around samples that are not numbers, which count only where they have a weight.
+ * The sum over a copy of the taps: at the border, where taps beyond it replicate it; between other
+ * components; and around samples that are not numbers, which count only if they have a weight.
  */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumCopy(
@@ -196,8 +196,7 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
 }
 
 /**
- * More rows than the processor sees ahead of the sum: cold, they are to be on their way all at
- * once.
+ * Fetches all rows at once: they are more than the processor looks ahead in the sum.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void PrefetchRows(

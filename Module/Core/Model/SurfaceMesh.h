@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Triangles in the world, and which of them are near: an immutable tree of boxes.
+ * Triangles in the world, with an immutable tree of boxes that finds those nearby.
  *
- * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. They
- * take what they look at from a budget of boxes, and return false where that does not do.
+ * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. Each
+ * box that they look at is taken from a budget; they return false if the budget is spent.
  */
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
 
-#include "Core/Math/SweptSphere.h"
+#include "Core/Math/Triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +26,8 @@ public:
   using Indices = std::array<std::int32_t, 3>;
 
   /**
-   * Triangles of indices into points (world units), and unit normals of the points, for shading; or
-   * none. Triangles without an area, or with a corner that is not finite, are left out.
+   * Triangles as indices into points (world units). `normals` are unit normals of the points, for
+   * shading, or empty. Triangles without an area or with a corner that is not finite are left out.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals);
@@ -48,12 +48,12 @@ public:
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
   /**
-   * The most boxes that a query takes for the surroundings of some hundred triangles, from all over
-   * the mesh.
+   * The largest number of boxes that VisitNear takes around some hundred triangles, which are
+   * spread over the mesh.
    */
   int EstimateVisits(double distance) const noexcept;
 
-  /** Calls visit(i) for all triangles of which the boxes are within a distance of a position. */
+  /** Calls visit(i) for all triangles whose boxes are within a distance of a position. */
   template <typename Visitor>
   bool VisitNear(
     const Vector3& position, double distance, int& budget, Visitor&& visit) const noexcept
@@ -72,15 +72,15 @@ public:
   }
 
   /**
-   * Calls visit(i) for the triangles that a sphere may meet on a way; visit returns up to which
-   * share of the way (0 to 1) others are still of interest.
+   * Calls visit(i) for the triangles that a sphere may meet on a displacement. `visit` returns the
+   * share of the displacement (0 to 1) beyond which other triangles no longer matter.
    */
   template <typename Visitor>
-  bool VisitAlong(const Vector3& start, const Vector3& way, double radius, int& budget,
+  bool VisitAlong(const Vector3& start, const Vector3& displacement, double radius, int& budget,
     Visitor&& visit) const noexcept
   {
     const double from[3] = { start.X, start.Y, start.Z };
-    const double inverse[3] = { 1.0 / way.X, 1.0 / way.Y, 1.0 / way.Z };
+    const double inverse[3] = { 1.0 / displacement.X, 1.0 / displacement.Y, 1.0 / displacement.Z };
     double last = 1.0;
     const auto isOnTheWay = [&](const Box& box)
     {
@@ -115,12 +115,12 @@ private:
   struct Node
   {
     Box Bounds;
-    std::int32_t First; ///< triangle of a leaf; else the child beside which the other stands
+    std::int32_t First; ///< of a leaf, its first triangle; else the first of its two children
     std::int32_t Count; ///< triangles of a leaf; else 0
   };
 
   static constexpr int LeafSize = 4;
-  /** Halved as it is, a tree of 2^31 triangles is not deeper. */
+  /** Nodes are halved: a tree of 2^31 triangles is not deeper. */
   static constexpr int Deepest = 64;
 
   void Build();

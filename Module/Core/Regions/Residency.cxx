@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Regions/Residency.h"
 
-#include "Core/Solvers/LocalSurface/LocalSurface.h"
+#include "Core/Model/HapticModel.h"
+#include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics
@@ -78,12 +79,12 @@ double FindResidency(const HapticModel& model, const ServoState& state, const Ve
     }
     if (settings.Method == HapticMethod::LocalSurface)
     {
-      const LocalQuestion& asked = state.Local.Asked;
-      include(model.DeviceToIndex(model.WorldToDevice(asked.Where)));
+      const LocalSurfaceRequest& request = state.Local.Request;
+      include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
       const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
       // The nearest place of a surface that is met ahead may lie on any side.
       const double most = LocalReachAhead * LargestColumn(model.IndexToWorld.Linear);
-      const double ahead = std::fmin(Norm(asked.Ahead), most) - LocalDistance(model);
+      const double ahead = std::fmin(Norm(request.Ahead), most) - LocalDistance(model);
       margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * perMeter;
     }
   }

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How often to look whether there is something to do (ns). */
+/** The longest wait between two looks at the requests (ns). */
 constexpr std::int64_t IdlePeriod = 10000000;
 constexpr double NanosecondsPerSecond = 1e9;
 
@@ -29,15 +29,15 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
   if (now - this->Looked >= period)
   {
     this->Looked = std::max(this->Looked + period, now - period);
-    if (isAsked && this->Questions.Update())
+    if (isAsked && this->Requests.Update())
     {
-      const Question& question = this->Questions.Read();
-      this->Answers.Write(
-        { FitLocalSurface(*model, question.Asked), question.Number, model->BakedNumber });
+      const Request& request = this->Requests.Read();
+      this->Results.Write(
+        { FitLocalSurface(*model, request.Wanted), request.Number, model->BakedNumber });
     }
   }
   this->Models.LetGo();
-  // Models and stops are seen soon, however slow the loop is.
+  // New models and stop requests are seen soon, however slow the loop is.
   return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
 }
 
@@ -52,21 +52,21 @@ void LocalSurfaceFitter::Run() noexcept
   }
 }
 
-LocalAnswer LocalSurfaceFitter::FindAnswer(
+LocalSurfaceResult LocalSurfaceFitter::FindResult(
   const HapticModel& model, const LocalState& local) noexcept
 {
-  this->Answers.Update();
-  const Answer& answer = this->Answers.Read();
-  const bool isMeant = answer.Number == local.Number && answer.Baked == model.BakedNumber;
-  return { false, isMeant ? &answer.Surface : nullptr };
+  this->Results.Update();
+  const Result& result = this->Results.Read();
+  const bool isMeant = result.Number == local.Number && result.Baked == model.BakedNumber;
+  return { false, isMeant ? &result.Surface : nullptr };
 }
 
-void LocalSurfaceFitter::Ask(const HapticModel& model, const LocalState& local) noexcept
+void LocalSurfaceFitter::Send(const HapticModel& model, const LocalState& local) noexcept
 {
   if (model.Settings.Method == HapticMethod::LocalSurface)
   {
-    // With every tick, until there is an answer: the fitter may have taken one for another model.
-    this->Questions.Write({ local.Asked, local.Number });
+    // In every tick, until there is a result: the fitter may have taken one for another model.
+    this->Requests.Write({ local.Request, local.Number });
   }
 }
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The slow loop of HapticMethod::LocalSurface, on a thread of its own: it answers the servo's
- * latest question HapticSettings::LocalSurfaceRate times a second.
+ * The slow loop of HapticMethod::LocalSurface, on a thread of its own: it fits a surface for the
+ * servo's latest request HapticSettings::LocalSurfaceRate times a second.
  *
- * Questions and answers go through triple buffers: neither side waits for the other. An answer
- * counts for the question whose number it carries, and for the volume and settings that the servo
- * uses.
+ * Requests and results go through triple buffers: neither side waits for the other. A result is
+ * valid for the request with its number, on the volume and settings that the servo uses.
  */
 #ifndef LocalSurfaceFitter_h
 #define LocalSurfaceFitter_h
@@ -35,31 +34,31 @@ public:
 
   ///@{
   /** The servo's side. */
-  LocalAnswer FindAnswer(const HapticModel& model, const LocalState& local) noexcept;
-  void Ask(const HapticModel& model, const LocalState& local) noexcept;
+  LocalSurfaceResult FindResult(const HapticModel& model, const LocalState& local) noexcept;
+  void Send(const HapticModel& model, const LocalState& local) noexcept;
   ///@}
 
 private:
-  struct Question
+  struct Request
   {
-    LocalQuestion Asked;
+    LocalSurfaceRequest Wanted;
     std::uint32_t Number = 0;
   };
-  struct Answer
+  struct Result
   {
     LocalSurface Surface;
     std::uint32_t Number = 0;
-    std::uint64_t Baked = 0; ///< of the volume and the settings
+    std::uint64_t Baked = 0; ///< BakedNumber of the volume and the settings
   };
 
-  /** Looks once; ns until the next look. */
+  /** Fits once, if it is time. Returns the time until the next call (ns). */
   std::int64_t Look() noexcept;
 
   ModelExchange& Models;
-  TripleBuffer<Question> Questions;
-  TripleBuffer<Answer> Answers;
+  TripleBuffer<Request> Requests;
+  TripleBuffer<Result> Results;
   std::atomic<bool> StopRequested{ false };
-  std::int64_t Looked = 0; ///< the slow thread's: when the last look was due
+  std::int64_t Looked = 0; ///< the slow thread's: when the last fit was due
 };
 
 } // namespace VolumeHaptics

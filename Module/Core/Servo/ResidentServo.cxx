@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Servo/ResidentServo.h"
 
+#include "Core/Model/HapticModel.h"
 #include "Core/Regions/Residency.h"
-#include "Core/Servo/ResidentServo.h"
 #include "Core/Servo/ServoTick.h"
 
 namespace VolumeHaptics
@@ -26,7 +26,7 @@ void ResidentServo::Rest(double period) noexcept
 }
 
 void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vector3& tip,
-  double period, TickRecord& record, const LocalAnswer& answer) noexcept
+  double period, TickRecord& record, const LocalSurfaceResult& result) noexcept
 {
   const double there = model.Resident.IsWhole() ? 1.0 : FindResidency(model, state, tip);
   if (!(there > 0.0) && !this->IsOut)
@@ -41,7 +41,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
     (this->IsOut || (this->Share < 1.0 && !this->FadesOut && !this->Held));
   if (!this->IsOut)
   {
-    VolumeHaptics::Tick(model, state, tip, record, answer);
+    VolumeHaptics::Tick(model, state, tip, record, result);
     return;
   }
   if (this->Share == 0.0 || !state.Enabled)

@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 class HapticModel;
-struct LocalAnswer;
+struct LocalSurfaceResult;
 struct ServoState;
 struct TickRecord;
 
@@ -34,7 +34,7 @@ public:
    * record has to be that of the tick before.
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
-    TickRecord& record, const LocalAnswer& answer) noexcept;
+    TickRecord& record, const LocalSurfaceResult& result) noexcept;
   /** A tick of a period (s) without a model. */
   void Rest(double period) noexcept;
 

@@ -165,8 +165,8 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   if (model)
   {
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
-      this->Fitter.FindAnswer(*model, this->State.Local));
-    this->Fitter.Ask(*model, this->State.Local);
+      this->Fitter.FindResult(*model, this->State.Local));
+    this->Fitter.Send(*model, this->State.Local);
     if (s.Record.IsUnfinished)
     {
       this->UnfinishedTicks.fetch_add(1, std::memory_order_relaxed);

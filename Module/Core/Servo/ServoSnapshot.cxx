@@ -40,7 +40,7 @@ std::uint64_t ComputeSeal(const ServoSnapshot& s) noexcept
   seal = Mix(Mix(seal, s.Record.Stiffness), s.Record.SurfaceStrength);
   seal = Mix(Mix(seal, s.Record.NormalForce), s.Record.FrictionForce);
   seal = Mix(Mix(Mix(seal, s.Before.Proxy), s.Before.PreviousTip), s.Record.MediumValue);
-  seal = Mix(Mix(Mix(seal, s.Before.Local.Place), s.Before.Local.Fading),
+  seal = Mix(Mix(Mix(seal, s.Before.Local.Position), s.Before.Local.Fading),
     std::uint64_t{ s.Before.Local.Number });
   const std::uint64_t flags = static_cast<std::uint64_t>(s.Armed) << 1 |
     static_cast<std::uint64_t>(s.Stale) << 2 | static_cast<std::uint64_t>(s.Awaiting) << 4 |

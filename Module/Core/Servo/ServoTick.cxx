@@ -10,7 +10,7 @@
 namespace VolumeHaptics
 {
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalAnswer& answer) noexcept
+  const LocalSurfaceResult& result) noexcept
 {
   // Also false for NaN.
   const bool isSomewhere =
@@ -23,7 +23,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
     state.Enabled = false;
     return;
   }
-  // What the methods below do not always write.
+  // The methods below do not always write these.
   record.Tip = tip;
   record.Force = Vector3{};
   record.NormalForce = record.FrictionForce = record.DragForce = 0.0;
@@ -37,7 +37,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   else if (method == HapticMethod::LocalSurface)
   {
-    StepLocalSurface(model, state, record, answer);
+    StepLocalSurface(model, state, record, result);
   }
   else if (method == HapticMethod::Proxy && model.Settings.Solver == HapticSolver::Precise)
   {
@@ -83,20 +83,20 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   if (isRegion && from.BakedNumber == to.BakedNumber &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // Another part of the same: nothing has changed for what is felt.
+    // Another part of the same volume: the felt force does not change.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
   state.Proxy = carry(state.Proxy);
   state.Precise.ReachedTip = carry(state.Precise.ReachedTip);
   state.Precise.Spring.DropReserve();
-  state.Precise.Stray = PreciseState::Unknown;
-  state.Precise.Gain = 1.0;
+  state.Precise.CachedSampleDistance = PreciseState::Unknown;
+  state.Precise.StepPrediction = 1.0;
   const HapticSettings& was = from.Settings;
   const bool isOther = was.Method != to.Settings.Method;
   if (isOther || was.Solver != to.Settings.Solver)
   {
-    // Methods and solvers keep but their own state up to date.
+    // Methods and solvers keep only their own state up to date.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = carry(state.PreviousTip);
   }

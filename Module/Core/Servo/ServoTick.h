@@ -10,6 +10,7 @@
 #ifndef ServoTick_h
 #define ServoTick_h
 
+#include "Core/Model/HapticModel.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 #include "Core/Solvers/ServoState.h"
 
@@ -20,15 +21,15 @@ namespace VolumeHaptics
  * Advances the state by one tick and writes what happened.
  *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
- * finite, or a million kilometres away, gives zero force and disables the state. The answer is for
+ * finite, or a million kilometres away, gives zero force and disables the state. `result` is for
  * LOCAL_SURFACE only.
  */
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalAnswer& answer = LocalAnswer::Simulated()) noexcept;
+  const LocalSurfaceResult& result = LocalSurfaceResult::Simulated()) noexcept;
 
 /**
- * The part of a tick's force (N) that is drag, which only takes energy; for FORCE_FIELD, zero for
- * the methods that pull with a spring.
+ * The drag in a tick's force (N), which only takes energy: that of FORCE_FIELD; zero for the methods
+ * that pull with a spring.
  */
 Vector3 FindDrag(
   const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The material law: what a place in the volume does to a spring that pulls a proxy.
+ * The material law: how the material at a point balances the spring that pulls the proxy.
  *
- * With N the normal into the structure, d = x_tip - x_p the spring and F = k d its force, the
- * surface takes F.N up to T = T_N W_d (eqs. 12, 13; nothing outward), friction takes the rest up to
- * mu times that (eqs. 8 to 10), and the drag up to R of what then remains (eq. 14). What nobody
- * takes moves the proxy. All solvers share this; they differ in where they look a place up, and how
+ * With N the normal into the structure, d = x_tip - x_p the lag and F = k d the spring's force:
+ * - the surface takes F.N up to T = T_N W_d (eqs. 12, 13), and nothing outward;
+ * - friction takes the tangential part up to mu times that (eqs. 8 to 10);
+ * - the drag takes up to R of the remainder (eq. 14);
+ * - the rest moves the proxy.
+ *
+ * All solvers share this law. They differ in the points at which they read the material, and how
  * often.
  *
  * Everything is inlined: the law is a small part of a tick that has to stay small.
@@ -16,34 +19,22 @@
 #define MaterialLaw_h
 
 #include "Core/Model/HapticModel.h"
+#include "Core/Solvers/MaterialPoint.h"
 
 namespace VolumeHaptics
 {
 
-/** A place of the volume as the law knows it. */
-struct Place
-{
-  Vector3 Normal;                 ///< unit, into the structure
-  double GradientMagnitude = 0.0; ///< scalar units per world unit
-  double SurfaceValue = 0.0;      ///< V(x_s)
-  double MediumValue = 0.0;       ///< V(x_v)
-  double Stiffness = 0.0;         ///< k, N/m
-  double Friction = 0.0;          ///< mu
-  double Viscosity = 0.0;         ///< R, N
-  double SurfaceStrength = 0.0;   ///< T_N W_d, N
-};
-
-/** Where a surface lies through a position. */
+/** The surface through a position. */
 struct Surface
 {
   Vector3 Normal; ///< unit, into the structure
   Vector3 Reach;  ///< x_s - x_p, as index steps
   double GradientMagnitude = 0.0;
-  double Value = 0.0; ///< the estimator's own, of which the gradient is taken
-  double Fade = 0.0;  ///< by how much the border lets it be felt; 0 without a gradient
+  double Value = 0.0; ///< the estimator's own value, whose gradient this is
+  double Fade = 0.0;  ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
 };
 
-/** What the tip asks for: how far along the normal, and the rest. */
+/** A lag, split into its part along the normal and its tangential part. */
 struct SplitLag
 {
   double Push;
@@ -51,7 +42,7 @@ struct SplitLag
   double Length; ///< of Tangent
 };
 
-/** Who takes how much of the spring's force (N), and what is left to move the proxy. */
+/** How surface and friction share the spring's force (N), and the excess that moves the proxy. */
 struct Balance
 {
   double Normal;        ///< taken by the surface
@@ -93,7 +84,7 @@ inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexc
   const double floor = RelativeGradientEpsilon * sample.Value;
   const Vector3 gradient = model.GradientToDevice * sample.Gradient;
   const double square = Dot(gradient, gradient);
-  // False for NaN, too: no surface where a sample is not finite.
+  // False for NaN, too: no surface if a sample is not finite.
   if (Dot(sample.Gradient, sample.Gradient) > floor * floor && square > SmallestSquare &&
     std::isfinite(square))
   {
@@ -109,7 +100,7 @@ inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexc
   return surface;
 }
 
-/** Whether the structure lies against the gradient, as the settings say. */
+/** Whether, by the settings, the structure lies against the gradient. */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
 {
@@ -117,7 +108,7 @@ inline bool IsDescending(
   return side == SurfaceSide::Lower || (side == SurfaceSide::Both && Dot(lag, normal) < 0.0);
 }
 
-/** Turns a surface towards its structure; whether that is against the gradient. */
+/** Turns a surface towards its structure. True if that is against the gradient. */
 inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
 {
   const bool isDescending = IsDescending(model, lag, surface.Normal);
@@ -136,58 +127,55 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
   return { push, tangent, Norm(tangent) };
 }
 
-/** Materials at x_s and x_v of an index (eq. 13, section 3.3). */
-inline void ReadMaterials(
-  const HapticModel& model, const Vector3& index, const Surface& surface, Place& place) noexcept
+/** The material at an index: read at x_s and x_v (eq. 13, section 3.3). */
+inline void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
+  MaterialPoint& point) noexcept
 {
-  // Before the values, whose sampling hides it.
+  // Before the values: their sampling hides the lookup's latency.
   const DistinctnessTable::Values distinct = model.Distinctness(surface.GradientMagnitude);
   const ValuePair values = model.Field.Values(index, surface.Reach);
   const MaterialTable::Values inside = model.Materials(values.Ahead);
   const MaterialTable::Values outside = model.Materials(values.Behind);
-  place.Normal = surface.Normal;
-  place.GradientMagnitude = surface.GradientMagnitude;
-  place.SurfaceValue = values.Ahead;
-  place.MediumValue = values.Behind;
-  place.Stiffness = Capped(inside[0], model.Settings.Caps.Stiffness);
-  place.Friction = inside[1];
-  place.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
-  place.Viscosity = outside[3] * (outside[4] * distinct[1]);
+  point.Normal = surface.Normal;
+  point.GradientMagnitude = surface.GradientMagnitude;
+  point.SurfaceValue = values.Ahead;
+  point.MediumValue = values.Behind;
+  point.Stiffness = Capped(inside[0], model.Settings.Caps.Stiffness);
+  point.Friction = inside[1];
+  point.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
+  point.Viscosity = outside[3] * (outside[4] * distinct[1]);
 }
 
-/**
- * For methods whose surface is that of one value: its material; whether anything at all is felt
- * there.
- */
-inline bool ReadIsoMaterial(const HapticModel& model, Place& place) noexcept
+/** The material at the isovalue, for methods that touch an isosurface. False if it is not felt. */
+inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noexcept
 {
   const double iso = model.Settings.IsoValue;
   const MaterialTable::Values material = model.Materials(iso);
-  place = Place{};
-  place.Normal = model.FallbackNormal;
-  place.SurfaceValue = place.MediumValue = iso;
-  place.Stiffness = Capped(material[0], model.Settings.Caps.Stiffness);
-  place.Friction = material[1];
-  return place.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
+  point = MaterialPoint{};
+  point.Normal = model.FallbackNormal;
+  point.SurfaceValue = point.MediumValue = iso;
+  point.Stiffness = Capped(material[0], model.Settings.Caps.Stiffness);
+  point.Friction = material[1];
+  return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
 }
 
-/** Whether anything at all is felt here; where not, the proxy goes with the tip. */
-inline bool IsFelt(const Place& place) noexcept
+/** Whether the material is felt at all; if not, the proxy goes with the tip. */
+inline bool IsFelt(const MaterialPoint& point) noexcept
 {
-  return place.Stiffness > HapticModel::MinimumStiffness;
+  return point.Stiffness > HapticModel::MinimumStiffness;
 }
 
 /** Eqs. 8 to 13, for a spring of stiffness k (N/m). */
-inline Balance Weigh(const Place& place, double k, const SplitLag& lag) noexcept
+inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) noexcept
 {
   Balance b;
-  const double threshold = lag.Push > 0.0 ? place.SurfaceStrength : 0.0;
+  const double threshold = lag.Push > 0.0 ? point.SurfaceStrength : 0.0;
   const double pushForce = k * std::abs(lag.Push);
   b.IsThrough = pushForce > threshold;
   b.Normal = b.IsThrough ? threshold : pushForce;
   b.NormalExcess = pushForce - b.Normal;
   b.Pull = k * lag.Length;
-  const double grip = place.Friction * b.Normal;
+  const double grip = point.Friction * b.Normal;
   b.Slides = lag.Length > DistanceEpsilon && b.Pull > grip;
   b.Friction = b.Slides ? grip : b.Pull;
   b.TangentExcess = b.Pull - b.Friction;
@@ -196,16 +184,16 @@ inline Balance Weigh(const Place& place, double k, const SplitLag& lag) noexcept
   return b;
 }
 
-/** Eq. 14: the motion that is left of the excess. */
-inline Vector3 Move(const Place& place, double k, const SplitLag& lag, const Balance& b,
+/** Eq. 14: the proxy after the motion that the drag leaves of the excess. */
+inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, const Balance& b,
   const Vector3& start) noexcept
 {
-  const double drag = place.Viscosity;
+  const double drag = point.Viscosity;
   Vector3 proxy = start;
   if (drag < b.Excess)
   {
     const double share = 1.0 - drag / b.ExcessSquare * b.Excess;
-    proxy += (share * (std::copysign(b.NormalExcess, lag.Push) / k)) * place.Normal;
+    proxy += (share * (std::copysign(b.NormalExcess, lag.Push) / k)) * point.Normal;
     if (b.Slides)
     {
       proxy += (share * (b.TangentExcess / b.Pull)) * lag.Tangent;

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A spring whose stiffness follows the tissue without giving energy away.
+ * A spring whose stiffness follows the tissue without giving energy to the hand.
  *
- * Let the proxy rest d from the tip. When the tissue's stiffness K rises there, k = K at once would
- * store energy that no hand has put in (T15 in Documentation/evaluation.md). So a rise keeps the
- * force: the spring has slack,
+ * Let the proxy rest at a distance d from the tip. If the tissue's stiffness K rises there, k = K at
+ * once would store energy that the hand has not put in (T15 in Documentation/evaluation.md). So a
+ * rise keeps the force instead: the spring gets slack s,
  *
  *   |f| = K (|d| - s)   for |d| > s, else 0,
  *
- * and pressing on is felt with the new stiffness. A fall keeps the stretch |d| - s and with that
- * loses energy; this goes to a reserve, out of which a later rise may first be paid, so that
- * sliding over uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus
- * the reserve never rises but by the hand's work. Slack and reserve end with the contact.
+ * and pressing on is felt with the new stiffness. A fall of K keeps the stretch |d| - s and loses
+ * energy, which goes to a reserve. A later rise is first paid from the reserve, so that sliding over
+ * uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus the reserve
+ * rises only by the hand's work. Slack and reserve end with the contact.
  */
 #ifndef PassiveSpring_h
 #define PassiveSpring_h
@@ -42,19 +42,19 @@ struct PassiveSpring
     }
   }
 
-  /** The tissue's stiffness (N/m) at the proxy is now another one, with the tip d (m) away. */
+  /** The tissue's stiffness (N/m) at the proxy changes, with the tip d (m) away. */
   void Pass(double stiffness, double d) noexcept
   {
     const double before = this->Tissue;
     const double stretch = this->Tension * d;
     this->Tissue = stiffness;
-    const double gain = 0.5 * (stiffness - before) * stretch * stretch;
-    if (gain <= this->Reserve)
+    const double gained = 0.5 * (stiffness - before) * stretch * stretch;
+    if (gained <= this->Reserve)
     {
-      this->Reserve -= gain;
+      this->Reserve -= gained;
       return;
     }
-    // As far as the reserve goes the stretch stays, from there on the force.
+    // The stretch stays as far as the reserve pays for it; beyond that, the force stays.
     const double paid = before + 2.0 * this->Reserve / (stretch * stretch);
     this->Tension *= paid / stiffness;
     this->Reserve = 0.0;
@@ -68,10 +68,10 @@ struct PassiveSpring
     this->Reserve = 0.0;
   }
 
-  /** What a fall lost is not to pay for a rise beyond this moment. */
+  /** Energy lost in falls so far does not pay for later rises. */
   void DropReserve() noexcept { this->Reserve = 0.0; }
 
-  /** Keeps the law's quotients finite where all is slack. */
+  /** Keeps the law's quotients finite if the spring is all slack. */
   static constexpr double Least = 1e-6;
 };
 

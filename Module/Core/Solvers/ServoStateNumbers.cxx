@@ -36,7 +36,7 @@ void VisitPrecise(State& precise, Function&& visit)
   visit(precise.Spring.Tissue);
   visit(precise.Spring.Tension);
   visit(precise.Spring.Reserve);
-  visit(precise.Gain);
+  visit(precise.StepPrediction);
   auto& here = precise.Here;
   VisitVector(here.Normal, visit);
   visit(here.GradientMagnitude);
@@ -48,7 +48,7 @@ void VisitPrecise(State& precise, Function&& visit)
   visit(here.SurfaceStrength);
   visit(here.Value);
   visit(here.Slope);
-  visit(precise.Stray);
+  visit(precise.CachedSampleDistance);
 }
 
 template <typename State, typename Function>
@@ -56,19 +56,19 @@ void VisitLocal(State& local, Function&& visit)
 {
   visit(local.Surface.IsThere);
   VisitQuadric(local.Surface.Shape, visit);
-  VisitVector(local.Place, visit);
+  VisitVector(local.Position, visit);
   visit(local.IsHeld);
   VisitVector(local.Tip, visit);
   VisitVector(local.Fading, visit);
   visit(local.Fall);
   visit(local.Age);
   visit(local.Number);
-  VisitVector(local.Asked.Where, visit);
-  VisitVector(local.Asked.Ahead, visit);
-  VisitVector(local.Asked.Normal, visit);
+  VisitVector(local.Request.Position, visit);
+  VisitVector(local.Request.Ahead, visit);
+  VisitVector(local.Request.Normal, visit);
 }
 
-/** False where a number can't be of that type; the value is then one that does no harm. */
+/** False if a number can't be of that type; the value is then harmless. */
 bool Read(double number, double& value)
 {
   value = number;
@@ -100,21 +100,21 @@ void VisitState(State& state, Function&& visit)
   VisitLocal(state.Local, visit);
 }
 
-/** World units, with which FarthestTip is passed even where they are micrometres. */
+/** World units: beyond FarthestTip even if they are micrometres. */
 constexpr double FarthestPlace = 1e15;
 /** Of a length, for rounding. */
 constexpr double UnitTolerance = 1e-6;
-/** Of newtons, newtons per metre and joules: products of two of them are far from overflow. */
+/** Of newtons, newtons per metre and joules: products of two of them are far below overflow. */
 constexpr double MostOfMaterial = 1e100;
-/** The gain that a solver learns stays within half of 1. */
-constexpr double MostStateGain = 2.0;
+/** The prediction that a solver learns stays within half of 1. */
+constexpr double MostStatePrediction = 2.0;
 
 bool IsNear(const Vector3& v, double most)
 {
   return std::abs(v.X) < most && std::abs(v.Y) < most && std::abs(v.Z) < most;
 }
 
-/** Of a direction; 0 where none is known. */
+/** Whether a vector is of unit length; or 0, for an unknown direction. */
 bool IsDirection(const Vector3& v)
 {
   const double square = Dot(v, v);
@@ -129,12 +129,13 @@ bool IsAmount(double x)
 bool IsPossible(const PreciseState& precise)
 {
   const PassiveSpring& spring = precise.Spring;
-  const Spot& here = precise.Here;
+  const PrecisePoint& here = precise.Here;
   return IsNear(precise.ReachedTip, FarthestTip) && IsAmount(spring.Tissue) &&
     spring.Tension >= 0.0 && spring.Tension <= 1.0 && IsAmount(spring.Reserve) &&
-    precise.Gain > 0.0 && precise.Gain <= MostStateGain && IsDirection(here.Normal) &&
-    here.GradientMagnitude >= 0.0 && IsAmount(here.Stiffness) && IsAmount(here.Friction) &&
-    IsAmount(here.Viscosity) && IsAmount(here.SurfaceStrength) && precise.Stray >= 0.0;
+    precise.StepPrediction > 0.0 && precise.StepPrediction <= MostStatePrediction &&
+    IsDirection(here.Normal) && here.GradientMagnitude >= 0.0 && IsAmount(here.Stiffness) &&
+    IsAmount(here.Friction) && IsAmount(here.Viscosity) && IsAmount(here.SurfaceStrength) &&
+    precise.CachedSampleDistance >= 0.0;
 }
 
 bool IsPossible(const LocalState& local)
@@ -142,10 +143,10 @@ bool IsPossible(const LocalState& local)
   const Quadric& shape = local.Surface.Shape;
   return IsNear(shape.Centre, FarthestPlace) && IsDirection(shape.Gradient) &&
     IsNear(shape.Curvature.Diagonal, FarthestPlace) &&
-    IsNear(shape.Curvature.Mixed, FarthestPlace) && IsNear(local.Place, FarthestPlace) &&
+    IsNear(shape.Curvature.Mixed, FarthestPlace) && IsNear(local.Position, FarthestPlace) &&
     IsNear(local.Tip, FarthestPlace) && IsNear(local.Fading, FarthestPlace) && local.Fall >= 0.0 &&
-    local.Fall < FarthestPlace && IsNear(local.Asked.Where, FarthestPlace) &&
-    IsNear(local.Asked.Ahead, FarthestPlace) && IsDirection(local.Asked.Normal);
+    local.Fall < FarthestPlace && IsNear(local.Request.Position, FarthestPlace) &&
+    IsNear(local.Request.Ahead, FarthestPlace) && IsDirection(local.Request.Normal);
 }
 
 } // namespace

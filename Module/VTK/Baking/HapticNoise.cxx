@@ -147,7 +147,7 @@ double EstimateNoise(vtkDataArray* scalars, const VolumeView& view, int componen
     extent[2 * a] = 0;
     extent[2 * a + 1] = static_cast<int>(view.Dimensions[a] - 1);
   }
-  WholeSamples samples;
+  NoiseSamples samples;
   CollectSamples(scalars, component, extent, extent, samples);
   return EstimateNoise(samples);
 }
@@ -168,7 +168,7 @@ double NoiseOfScalars::Get(
 }
 
 void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], const int whole[6],
-  WholeSamples& samples)
+  NoiseSamples& samples)
 {
   std::int64_t n[3];    // of the piece
   std::int64_t from[3]; // of its first sample, in the whole
@@ -205,7 +205,7 @@ void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], c
         }
         if (isInBlock || isCorner)
         {
-          samples.Places.push_back(
+          samples.Indices.push_back(
             at[0] + samples.Dimensions[0] * (at[1] + samples.Dimensions[1] * at[2]));
           samples.Values.push_back(scalars->GetComponent(i + n[0] * (j + n[1] * k), component));
         }
@@ -217,14 +217,14 @@ void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], c
   samples.MergeRange(range);
 }
 
-double FindBorderValue(const WholeSamples& samples)
+double FindBorderValue(const NoiseSamples& samples)
 {
   const std::int64_t* const n = samples.Dimensions;
   int first = 8;
   double value = 0.0;
-  for (std::size_t s = 0; s < samples.Places.size(); ++s)
+  for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
-    const std::int64_t place = samples.Places[s];
+    const std::int64_t place = samples.Indices[s];
     const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
     int corner = 0;
     bool isCorner = true;
@@ -242,16 +242,16 @@ double FindBorderValue(const WholeSamples& samples)
   return value;
 }
 
-double EstimateNoise(const WholeSamples& samples)
+double EstimateNoise(const NoiseSamples& samples)
 {
   const std::int64_t* const n = samples.Dimensions;
   const BlockAxis axes[3] = { BlockAxis(n[0]), BlockAxis(n[1]), BlockAxis(n[2]) };
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   constexpr double missing = std::numeric_limits<double>::infinity();
   std::vector<double> all(static_cast<std::size_t>(blocks * Samples), missing);
-  for (std::size_t s = 0; s < samples.Places.size(); ++s)
+  for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
-    const std::int64_t place = samples.Places[s];
+    const std::int64_t place = samples.Indices[s];
     const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
     const std::int64_t x = axes[0].Find(at[0]);
     const std::int64_t y = axes[1].Find(at[1]);

@@ -7,7 +7,7 @@
 #ifndef HapticNoise_h
 #define HapticNoise_h
 
-#include "Core/Field/WholeSamples.h"
+#include "Core/Field/NoiseSamples.h"
 #include "Core/Model/HapticModel.h"
 
 #include "vtkType.h"
@@ -49,17 +49,17 @@ private:
 };
 
 /** The same from what all pieces of a volume gave; blocks that are not whole do not count. */
-double EstimateNoise(const WholeSamples& samples);
+double EstimateNoise(const NoiseSamples& samples);
 
 /** The first finite value among the corners of a volume that were given; 0 where there is none. */
-double FindBorderValue(const WholeSamples& samples);
+double FindBorderValue(const NoiseSamples& samples);
 
 /**
  * Adds what one piece of a volume holds: samples of noise blocks and corners, and its range. The
  * array has a tuple for every sample of `extent`, whose indices count as those of `whole`.
  */
 void CollectSamples(vtkDataArray* scalars, int component, const int extent[6], const int whole[6],
-  WholeSamples& samples);
+  NoiseSamples& samples);
 
 /**
  * The ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4 sigma_g,

@@ -91,8 +91,8 @@ public:
   double GetTime() const;
 
 private:
-  void Step(
-    const HapticModel& model, const Vector3& tip, TickRecord& record, const LocalAnswer& answer);
+  void Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
+    const LocalSurfaceResult& result);
 
   const TipPath& Path;
   const double Period;

@@ -18,7 +18,8 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
   const std::size_t i = this->Next++;
   if (!this->Path.IsRecording)
   {
-    this->Step(*model, model->WorldToDevice(this->Path.Tips[i]), record, LocalAnswer::Simulated());
+    this->Step(
+      *model, model->WorldToDevice(this->Path.Tips[i]), record, LocalSurfaceResult::Simulated());
     return model;
   }
   // What the servo did, in its order: first the model, then enabling, then the tick.
@@ -36,22 +37,22 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
   {
     this->State.Enabled = false;
   }
-  // A surface counts from the tick in which the slow loop's answer came.
+  // A surface counts from the tick in which the slow loop's result came.
   LocalSurface surface;
-  LocalAnswer answer;
+  LocalSurfaceResult result;
   if (this->Path.Renewed[i])
   {
-    surface = FitLocalSurface(*model, this->State.Local.Asked);
-    answer.Surface = &surface;
+    surface = FitLocalSurface(*model, this->State.Local.Request);
+    result.Surface = &surface;
   }
-  this->Step(*model, this->Path.Tips[i], record, answer);
+  this->Step(*model, this->Path.Tips[i], record, result);
   return model;
 }
 
-void TipPathWalk::Step(
-  const HapticModel& model, const Vector3& tip, TickRecord& record, const LocalAnswer& answer)
+void TipPathWalk::Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
+  const LocalSurfaceResult& result)
 {
-  this->Servo.Tick(model, this->State, tip, model.Settings.TickPeriod, this->Whole, answer);
+  this->Servo.Tick(model, this->State, tip, model.Settings.TickPeriod, this->Whole, result);
   record = this->Whole;
   if (this->Servo.GetShare() < 1.0)
   {

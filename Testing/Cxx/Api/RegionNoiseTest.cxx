@@ -7,7 +7,7 @@
 
 #include "RegionRig.h"
 
-#include "Core/Field/WholeSamples.h"
+#include "Core/Field/NoiseSamples.h"
 
 #include <vtkFieldData.h>
 #include <vtkObjectFactory.h>

@@ -109,9 +109,9 @@ TEST(LocalSurface, DoesNotDependOnWhereTheDeviceIsPlaced)
   const HapticModel moved(model,
     { { { { 300.0 * s, 300.0 * s, 0.0 }, { -300.0 * s, 300.0 * s, 0.0 }, { 0.0, 0.0, 300.0 } } },
       { 1.1, 2.2, 3.3 } });
-  const LocalQuestion question{ { 32.1, 25.3, 27.7 }, { -1.0, 0.5, 0.2 }, {} };
-  const LocalSurface a = FitLocalSurface(model, question);
-  const LocalSurface b = FitLocalSurface(moved, question);
+  const LocalSurfaceRequest request{ { 32.1, 25.3, 27.7 }, { -1.0, 0.5, 0.2 }, {} };
+  const LocalSurface a = FitLocalSurface(model, request);
+  const LocalSurface b = FitLocalSurface(moved, request);
   ASSERT_TRUE(a.IsThere);
   EXPECT_TRUE(IsSame(a.Shape.Centre, b.Shape.Centre));
   EXPECT_TRUE(IsSame(a.Shape.Gradient, b.Shape.Gradient));

@@ -36,7 +36,7 @@ protected:
   {
     const double share = this->Servo.GetShare();
     this->Servo.Tick(
-      *this->Model, this->State, tip, Period, this->Record, LocalAnswer::Simulated());
+      *this->Model, this->State, tip, Period, this->Record, LocalSurfaceResult::Simulated());
     EXPECT_LE(std::abs(this->Servo.GetShare() - share), LargestShareStep);
     SafetyInput input;
     input.Force = this->Record.Force;

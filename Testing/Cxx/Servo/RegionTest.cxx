@@ -46,7 +46,7 @@ protected:
         region = next;
       }
       Tick(whole, state, tip, record);
-      servo.Tick(*region, regionState, tip, 1e-3, felt, LocalAnswer::Simulated());
+      servo.Tick(*region, regionState, tip, 1e-3, felt, LocalSurfaceResult::Simulated());
       ASSERT_EQ(servo.GetShare(), 1.0) << i;
       ASSERT_FALSE(servo.IsAwaiting());
       ASSERT_TRUE(IsSame(felt.Force, record.Force)) << i << ": " << Norm(felt.Force - record.Force);
@@ -92,7 +92,7 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
     const double x = -40.0 + 25.0 * std::sin(0.0035 * i);
     const Vector3 tip = 1e-3 * Vector3{ x, 3.0 * std::sin(0.01 * i), 0.02 * i };
     Tick(whole, state, tip, record);
-    servo.Tick(region, regionState, tip, 1e-3, felt, LocalAnswer::Simulated());
+    servo.Tick(region, regionState, tip, 1e-3, felt, LocalSurfaceResult::Simulated());
     ASSERT_EQ(servo.GetShare(), 1.0) << i;
     ASSERT_TRUE(IsSame(felt.Force, record.Force)) << i;
     const Vector3 at = whole.DeviceToIndex(tip);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 
+#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics
@@ -9,21 +10,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A surface is no function of place where its slope (1 at its centre) is less. */
+/** If its slope (1 at its centre) is less than this, a surface can't be followed. */
 constexpr double LeastSlope = 0.1;
-/**
- * Shares: of the proxy's depth below which it has arrived, and of what friction holds by which it
- * is called all.
- */
+/** Share of the depth below which the proxy has arrived; share of friction that counts as all. */
 constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
 constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
 constexpr int MostSlips = 16;
-/**
- * A step turns the normal by no more than this (radian), and by no more than this much of what a
- * plane asks.
- */
+/** A step turns the normal by no more than this (radian), and is no longer than 4 Newton steps. */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
 /** Times the tip's motion by which a lag changes without a jump. */
@@ -31,7 +26,7 @@ constexpr double MostFollowing = 2.0;
 /** Share of a period that is a whole one but for rounding. */
 constexpr double AlmostOne = 1.0 - 1e-9;
 
-/** Takes a place back to the surface, along its slope; false where there is no way. */
+/** Moves a point back to the surface, along the slope; false if that is not possible. */
 bool Return(const Quadric& shape, Vector3& x) noexcept
 {
   for (int i = 0; i < MostReturns; ++i)
@@ -47,7 +42,7 @@ bool Return(const Quadric& shape, Vector3& x) noexcept
   return true;
 }
 
-/** From a place on the surface to the one that is nearest to the tip (Newton, on the surface). */
+/** Moves a point on the surface to the one that is nearest to the tip (Newton's method). */
 bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
 {
   for (int i = 0; i < MostSteps; ++i)
@@ -56,16 +51,17 @@ bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
     const double norm = Norm(slope);
     const Vector3 lag = tip - x;
     const double depth = Dot(lag, slope) / norm;
-    const Vector3 way = lag - (depth / norm) * slope;
-    const double length = Norm(way);
+    const Vector3 displacement = lag - (depth / norm) * slope;
+    const double length = Norm(displacement);
     if (length <= Arrived * std::abs(depth))
     {
       return true;
     }
-    const double bend = Dot(way, shape.Curvature * way) / (length * length * norm);
+    const double bend =
+      Dot(displacement, shape.Curvature * displacement) / (length * length * norm);
     const double step = 1.0 / std::max(LeastStiffening, 1.0 + bend * depth);
     const double turn = std::abs(bend) * step * length;
-    x += (turn > MostTurn ? step * (MostTurn / turn) : step) * way;
+    x += (turn > MostTurn ? step * (MostTurn / turn) : step) * displacement;
     if (!Return(shape, x))
     {
       return false;
@@ -74,7 +70,7 @@ bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
   return true;
 }
 
-/** Where the tip came through the surface. */
+/** The point where the tip came through the surface. */
 Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip) noexcept
 {
   const double before = shape.Depth(from);
@@ -82,10 +78,7 @@ Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip)
   return before < 0.0 && now > 0.0 ? from + (before / (before - now)) * (tip - from) : tip;
 }
 
-/**
- * By how much the tangential part of the lag of a proxy on the surface is more than friction holds
- * (world units).
- */
+/** By how much the tangential lag of a proxy on the surface exceeds friction (world units). */
 double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
 {
   const Vector3 slope = shape.Slope(x);
@@ -95,7 +88,7 @@ double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double f
   return Norm(lag - along * normal) - friction * std::max(0.0, along);
 }
 
-/** Moves the proxy's place; false where nothing holds it. */
+/** Moves the proxy on the surface; false if the surface does not hold it. */
 bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
 {
   const Quadric& shape = local.Surface.Shape;
@@ -103,12 +96,12 @@ bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& 
   {
     return false;
   }
-  Vector3 stuck = local.IsHeld ? local.Place : FindEntry(shape, local.Tip, tip);
+  Vector3 stuck = local.IsHeld ? local.Position : FindEntry(shape, local.Tip, tip);
   if (!Return(shape, stuck))
   {
     return false;
   }
-  local.Place = stuck;
+  local.Position = stuck;
   contact = ContactState::Sticking;
   double high = 1.0;
   double atHigh = Slip(shape, tip, stuck, friction);
@@ -121,9 +114,9 @@ bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& 
   {
     return false;
   }
-  local.Place = goal;
+  local.Position = goal;
   contact = ContactState::Sliding;
-  // As far from the goal as friction holds it (Illinois); the last place that it does hold counts.
+  // As far from the goal as friction holds it (Illinois); the last point that it holds counts.
   double low = 0.0;
   double atLow = Slip(shape, tip, goal, friction);
   const double near = -CloseToCone * atLow;
@@ -142,7 +135,7 @@ bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& 
     (isLow ? atHigh : atLow) *= side == now ? 0.5 : 1.0;
     (isLow ? low : high) = share;
     (isLow ? atLow : atHigh) = at;
-    local.Place = isLow ? x : local.Place;
+    local.Position = isLow ? x : local.Position;
     side = now;
   }
   return true;
@@ -153,14 +146,14 @@ void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) no
 {
   const double period = model.Settings.TickPeriod;
   local.Fading = local.Fading - jump;
-  // What fades already is not to take longer.
+  // A jump that is fading already must not take longer.
   local.Fall = std::max(
     local.Fall, Norm(local.Fading) * period / std::max(model.Settings.RecoveryTime, period));
 }
 
 Vector3 LagOf(const LocalState& local) noexcept
 {
-  return local.IsHeld ? local.Place - local.Tip : Vector3{};
+  return local.IsHeld ? local.Position - local.Tip : Vector3{};
 }
 
 /** Moves the tip and the proxy, with the surface as it is. */
@@ -182,7 +175,7 @@ void Follow(const HapticModel& model, const Vector3& tip, double friction, Local
   const bool isLeft = left > local.Fall;
   local.Fading = isLeft ? (1.0 - local.Fall / left) * local.Fading : Vector3{};
   local.Fall = isLeft ? local.Fall : 0.0;
-  // A hand that goes out before a surface has come up whole is not to be pulled in.
+  // A hand that leaves before the whole surface has come up must not be pulled in.
   const double norm = Norm(lag);
   if (norm > 0.0)
   {
@@ -192,12 +185,12 @@ void Follow(const HapticModel& model, const Vector3& tip, double friction, Local
   }
 }
 
-/** Takes an answer in, without any change to what is felt. */
+/** Takes another surface, without any change of the felt force. */
 void Renew(const HapticModel& model, const LocalSurface& found, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
   const Quadric& shape = found.Shape;
-  // The far side of something thin is not what holds the proxy.
+  // The far side of a thin structure does not hold the proxy.
   const bool isFar = local.IsHeld && found.IsThere &&
     Dot(local.Surface.Shape.Slope(shape.Centre), shape.Gradient) <= 0.0;
   const Vector3 before = LagOf(local);
@@ -218,7 +211,7 @@ void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState
   const double k = record.Stiffness;
   record.Proxy = model.WorldToDevice(local.Tip + felt);
   record.Force = k * (record.Proxy - record.Tip);
-  const Vector3 slope = local.IsHeld ? local.Surface.Shape.Slope(local.Place) : -felt;
+  const Vector3 slope = local.IsHeld ? local.Surface.Shape.Slope(local.Position) : -felt;
   const Vector3 normal = (1.0 / Norm(slope)) * slope;
   const double along = -Dot(felt, normal);
   record.Normal = Transpose(model.DeviceToWorldRotation) * normal;
@@ -226,23 +219,23 @@ void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState
   record.FrictionForce = k * Norm(felt + along * normal) / scale;
 }
 
-/** Where the next surface is looked for. */
-void Ask(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
+/** Requests the next surface. */
+void Request(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
 {
   const HapticSettings& settings = model.Settings;
-  // The answer comes one period from now, and stays for another.
+  // The result comes one period from now, and stays for another.
   const double ticksAhead = std::max(2.0, 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod));
   const double near = LocalReach * model.WorldUnitsPerMeter / model.MostVoxelsPerMeter;
-  local.Asked.Where = local.IsHeld ? local.Place : local.Tip;
-  local.Asked.Ahead = ticksAhead * motion;
-  local.Asked.Normal = {};
+  local.Request.Position = local.IsHeld ? local.Position : local.Tip;
+  local.Request.Ahead = ticksAhead * motion;
+  local.Request.Normal = {};
   const Quadric& shape = local.Surface.Shape;
-  const Vector3 slope = shape.Slope(local.Asked.Where);
-  // Near a surface that it has not come through it is outside, whatever the value says: behind a
-  // plane that is tangent to a hollow there is some of the structure.
-  if (local.Surface.IsThere && std::abs(shape.Depth(local.Asked.Where)) < near)
+  const Vector3 slope = shape.Slope(local.Request.Position);
+  // A proxy near a surface that it has not come through is outside, whatever the value is there:
+  // some of the structure lies behind a plane that is tangent to a hollow.
+  if (local.Surface.IsThere && std::abs(shape.Depth(local.Request.Position)) < near)
   {
-    local.Asked.Normal = (1.0 / Norm(slope)) * slope;
+    local.Request.Normal = (1.0 / Norm(slope)) * slope;
   }
   local.Age = 0;
   ++local.Number;
@@ -250,18 +243,18 @@ void Ask(const HapticModel& model, const Vector3& motion, LocalState& local) noe
 
 } // namespace
 
-void StartLocalSurface(const Vector3& where, const Vector3& tip, LocalState& local) noexcept
+void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept
 {
-  // An answer to what was asked before is none to this.
+  // The result of an earlier request is none for this one.
   const std::uint32_t number = local.Number + 1;
   local = LocalState{};
   local.Number = number;
   local.Tip = tip;
-  local.Asked.Where = where;
+  local.Request.Position = position;
 }
 
 void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& record,
-  const LocalAnswer& answer) noexcept
+  const LocalSurfaceResult& result) noexcept
 {
   LocalState& local = state.Local;
   const HapticSettings& settings = model.Settings;
@@ -277,15 +270,15 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
   const Vector3 motion = tip - local.Tip;
   Follow(model, tip, friction, local, record.Contact);
   ++local.Age;
-  record.IsRenewed = answer.IsSimulated
+  record.IsRenewed = result.IsSimulated
     ? local.Age * settings.TickPeriod * settings.LocalSurfaceRate >= AlmostOne
-    : answer.Surface != nullptr;
+    : result.Surface != nullptr;
   if (record.IsRenewed)
   {
     const LocalSurface found =
-      answer.IsSimulated ? FitLocalSurface(model, local.Asked) : *answer.Surface;
+      result.IsSimulated ? FitLocalSurface(model, local.Request) : *result.Surface;
     Renew(model, found, friction, local, record.Contact);
-    Ask(model, motion, local);
+    Request(model, motion, local);
   }
   record.Contact = local.IsHeld && isFelt ? record.Contact : ContactState::Free;
   if (isFelt)

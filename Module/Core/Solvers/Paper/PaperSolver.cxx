@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Paper/PaperSolver.h"
 
+#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics

@@ -2,48 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Precise/PreciseFollower.h"
 
+#include "Core/Solvers/Precise/ProxyDisplacement.h"
+
 namespace VolumeHaptics
 {
 namespace
 {
 
-/**
- * Voxels that tip and proxy go at a time; the tip may go this share of the spring, if that is more.
- */
+/** The longest step of tip and proxy (voxels); or this share of the lag, if that is more. */
 constexpr double LongestStep = 0.25;
 constexpr double SpringShare = 0.02;
-/** A motion this short (voxels) is not judged at its end. */
+/** A motion as short as this (voxels) is not judged at its end. */
 constexpr double ShortStep = 1e-3;
-/** Nor is a longer one, up to this, that would leave so little to be done. */
+/** Nor is a motion up to this long (voxels), if those that follow it are no longer than that. */
 constexpr double LongestCreep = 0.03;
 constexpr double LongestRest = 2e-3;
 
 /**
- * Voxels that a proxy may creep before its place is looked up again, and what a tick counts at
- * least: a place that is kept from another model, by a recording that is played there, does not
+ * The cached sample serves until the proxy has moved this far from it (voxels); every tick counts at
+ * least the second length. So a sample from another model, where a recording is played, does not
  * last.
  */
-constexpr double LongestStray = 1e-3;
-constexpr double LeastStray = LongestStray / 32.0;
+constexpr double LongestSampleDistance = 1e-3;
+constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
 
-/** A bolder guess is not worth its judgement. */
-constexpr double LeastGain = 0.5;
-constexpr double MostGain = 1.5;
-/** Of a new gain: what it leaves over shows in the next tick's. */
+/** Predictions beyond these are not worth the sample that judges them. */
+constexpr double LeastPrediction = 0.5;
+constexpr double MostPrediction = 1.5;
+/** The share of a tick's prediction that is learned: the rest shows in the next tick. */
 constexpr double LearnedShare = 0.5;
 
-/** Of a quotient: a way of just so many steps is not to be one step more on another machine. */
+/** Of a quotient: rounding on another machine must not add a step. */
 constexpr double Rounding = 1e-9;
-/** Motions at one tip that may lengthen the spring. */
+/** The most motions at one tip that may lengthen the spring. */
 constexpr int MostSetbacks = 8;
 
 } // namespace
 
-void Follower::Follow(const Vector3& tip) noexcept
+void PreciseFollower::Follow(const Vector3& tip) noexcept
 {
   const Vector3 from = this->State.ReachedTip;
   const Vector3 lag = from - this->Proxy;
-  if (this->State.Stray > LongestStray)
+  if (this->State.CachedSampleDistance > LongestSampleDistance)
   {
     this->LookAround(lag);
     this->Refresh(Norm(lag));
@@ -51,18 +51,18 @@ void Follower::Follow(const Vector3& tip) noexcept
   Vector3 at = from;
   for (double steps = 2.0; steps > 1.0;)
   {
-    const Vector3 way = tip - at;
-    const double voxels = this->Field.Voxels(way);
+    const Vector3 displacement = tip - at;
+    const double voxels = this->Field.Voxels(displacement);
     steps = 1.0;
     if (voxels > LongestStep * (1.0 + Rounding) &&
       !(this->Field.IsBeyond(at, tip) && this->Field.IsBeyond(this->Proxy, tip)))
     {
-      // Far from the proxy a longer step turns the spring no more.
+      // Far from the proxy, longer steps do not turn the spring more.
       const double longest =
         std::max(LongestStep, SpringShare * this->Field.Voxels(at - this->Proxy));
       steps = std::ceil(voxels / longest - Rounding);
     }
-    at = steps > 1.0 ? at + (1.0 / steps) * way : tip;
+    at = steps > 1.0 ? at + (1.0 / steps) * displacement : tip;
     if (!this->Settle(at))
     {
       return;
@@ -70,9 +70,9 @@ void Follower::Follow(const Vector3& tip) noexcept
   }
 }
 
-void Follower::Write(TickRecord& record) const noexcept
+void PreciseFollower::Write(TickRecord& record) const noexcept
 {
-  static_cast<Place&>(record) = this->State.Here;
+  static_cast<MaterialPoint&>(record) = this->State.Here;
   record.Proxy = this->Proxy;
   if (!Law::IsFelt(this->State.Here))
   {
@@ -91,13 +91,13 @@ void Follower::Write(TickRecord& record) const noexcept
   }
 }
 
-void Follower::LookAround(const Vector3& lag) noexcept
+void PreciseFollower::LookAround(const Vector3& lag) noexcept
 {
   this->State.Here = this->Field.Look(this->Proxy, lag);
-  this->State.Stray = 0.0;
+  this->State.CachedSampleDistance = 0.0;
 }
 
-void Follower::Refresh(double lag) noexcept
+void PreciseFollower::Refresh(double lag) noexcept
 {
   PassiveSpring& spring = this->State.Spring;
   const double reserve = spring.Reserve;
@@ -106,13 +106,12 @@ void Follower::Refresh(double lag) noexcept
   spring.Reserve += spring.Tension > 0.0 && lag > 0.0 ? reserve : 0.0;
 }
 
-bool Follower::Settle(const Vector3& tip) noexcept
+bool PreciseFollower::Settle(const Vector3& tip) noexcept
 {
   const Vector3 before = this->State.ReachedTip;
   if (!Law::IsFelt(this->State.Here))
   {
-    // All slack, but for what the hand does now: a proxy on its way to the tip brings no force
-    // along.
+    // All slack except for the tip's step: a proxy that follows the tip brings no force along.
     this->State.Spring.Tension = 0.0;
   }
   if (this->State.Spring.Tension < 1.0)
@@ -122,9 +121,9 @@ bool Follower::Settle(const Vector3& tip) noexcept
   this->State.ReachedTip = tip;
   bool isFirst = true;
   const Vector3 start = this->Proxy;
-  Vector3 firstWay;
+  Vector3 firstDisplacement;
   double lastVoxels = 0.0;
-  Vector3 lastWay;
+  Vector3 lastDisplacement;
   int setbacks = 0;
   for (;;)
   {
@@ -137,31 +136,31 @@ bool Follower::Settle(const Vector3& tip) noexcept
     if (isFirst)
     {
       isFirst = false;
-      firstWay = motion.Way;
+      firstDisplacement = motion.Displacement;
       if (motion.IsHeld)
       {
-        this->Lengthen(motion, this->State.Gain, tip);
+        this->Lengthen(motion, this->State.StepPrediction, tip);
       }
     }
-    const double voxels = this->Field.Voxels(motion.Way);
+    const double voxels = this->Field.Voxels(motion.Displacement);
     this->Note(voxels);
-    // Motions at one tip shrink at a rate: what this one and all that follow it would do is known.
+    // Motions at one tip shrink at a rate, which gives the sum of this one and all that follow.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
-    if (isLast && Dot(motion.Way, lastWay) > 0.0)
+    if (isLast && Dot(motion.Displacement, lastDisplacement) > 0.0)
     {
       this->Lengthen(motion, 1.0 / (1.0 - rate), tip);
     }
     if (isLast || voxels <= ShortStep)
     {
       this->Creep(motion, tip);
-      this->Learn(firstWay, this->Proxy - start, motion.IsHeld && lastVoxels > 0.0);
+      this->Learn(firstDisplacement, this->Proxy - start, motion.IsHeld && lastVoxels > 0.0);
       return true;
     }
     if (!this->Field.CanGoOn() || setbacks > MostSetbacks)
     {
       this->LooksAreSpent = true;
-      this->State.ReachedTip = tip - motion.Way;
+      this->State.ReachedTip = tip - motion.Displacement;
       this->State.Spring.Stretch(
         Norm(tip - this->Proxy), Norm(this->State.ReachedTip - this->Proxy));
       return false;
@@ -171,20 +170,20 @@ bool Follower::Settle(const Vector3& tip) noexcept
       { this->Proxy, this->State.Spring, this->State.Level }, motion, share, tip);
     const Vector3 lag = tip - end.Proxy;
     const Vector3 lagBefore = tip - this->Proxy;
-    // Only the way back to the level makes the spring longer, and never for long.
+    // Only the return to the level makes the spring longer, and not for long.
     setbacks += Dot(lag, lag) > Dot(lagBefore, lagBefore) ? 1 : 0;
     lastVoxels = share * voxels;
-    lastWay = motion.Way;
+    lastDisplacement = motion.Displacement;
     this->Proxy = end.Proxy;
     this->State.Here = end.There;
-    this->State.Stray = end.Stray;
+    this->State.CachedSampleDistance = end.CachedSampleDistance;
     this->State.Spring = end.Spring;
   }
 }
 
-Motion Follower::Plan(const Vector3& tip, const Vector3* tipBefore) noexcept
+Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexcept
 {
-  const Spot& here = this->State.Here;
+  const PrecisePoint& here = this->State.Here;
   Motion motion;
   const Vector3 lag = tip - this->Proxy;
   this->Pushes = false;
@@ -192,7 +191,7 @@ Motion Follower::Plan(const Vector3& tip, const Vector3* tipBefore) noexcept
   if (!Law::IsFelt(here))
   {
     this->State.IsHeld = false;
-    motion.Way = lag;
+    motion.Displacement = lag;
     motion.IsFree = true;
     return motion;
   }
@@ -205,14 +204,15 @@ Motion Follower::Plan(const Vector3& tip, const Vector3* tipBefore) noexcept
   const bool turns = here.Friction * this->Last.Normal + here.Viscosity > 0.0;
   if (motion.IsFree)
   {
-    motion.Way = lag;
+    motion.Displacement = lag;
   }
   else
   {
-    motion.Way = Law::Move(here, k, split, this->Last, Vector3{});
+    motion.Displacement = Law::Move(here, k, split, this->Last, Vector3{});
     if (tipBefore && turns && this->Last.Excess > here.Viscosity)
     {
-      motion.Way = MoveAlong(here, k, *tipBefore - this->Proxy, lag, motion.Way);
+      motion.Displacement =
+        FindProxyDisplacement(here, k, *tipBefore - this->Proxy, lag, motion.Displacement);
     }
   }
   if (!motion.IsHeld)
@@ -220,57 +220,60 @@ Motion Follower::Plan(const Vector3& tip, const Vector3* tipBefore) noexcept
     this->State.IsHeld = false;
     return motion;
   }
-  // The surface may have been left and met again on the way.
-  const double inward = Dot(motion.Way, here.Normal);
-  if (!this->State.IsHeld || std::abs(inward) > Rounding * Norm(motion.Way))
+  // The proxy may have left the surface and met it again.
+  const double inward = Dot(motion.Displacement, here.Normal);
+  if (!this->State.IsHeld || std::abs(inward) > Rounding * Norm(motion.Displacement))
   {
     this->State.IsHeld = true;
     this->State.Level = here.Value + here.Slope * inward;
     return motion;
   }
-  motion.Way += this->Field.ToLevel(here, k, this->State.Level, lag) * here.Normal;
+  motion.Displacement += this->Field.ToLevel(here, k, this->State.Level, lag) * here.Normal;
   return motion;
 }
 
-void Follower::Note(double voxels) noexcept
+void PreciseFollower::Note(double voxels) noexcept
 {
   const bool moves = voxels > 0.0 && this->Pushes;
   this->WentThrough = this->WentThrough || (moves && this->Last.IsThrough);
   this->Slid = this->Slid || (moves && this->Last.Slides);
 }
 
-void Follower::Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept
+void PreciseFollower::Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept
 {
-  const Vector3 way = factor * motion.Way;
-  const double force = this->State.Spring.GetEffective() * Norm(tip - this->Proxy - way);
-  const Spot& here = this->State.Here;
+  const Vector3 displacement = factor * motion.Displacement;
+  const double force = this->State.Spring.GetEffective() * Norm(tip - this->Proxy - displacement);
+  const PrecisePoint& here = this->State.Here;
   if (force <
     here.SurfaceStrength * std::sqrt(1.0 + here.Friction * here.Friction) + here.Viscosity)
   {
-    motion.Way = way;
+    motion.Displacement = displacement;
   }
 }
 
-void Follower::Learn(const Vector3& firstWay, const Vector3& way, bool isJudged) noexcept
+void PreciseFollower::Learn(
+  const Vector3& firstDisplacement, const Vector3& displacement, bool isJudged) noexcept
 {
   if (isJudged)
   {
-    const double gain = Dot(firstWay, way) / Dot(firstWay, firstWay);
-    this->State.Gain += LearnedShare * (std::clamp(gain, LeastGain, MostGain) - this->State.Gain);
+    const double prediction =
+      Dot(firstDisplacement, displacement) / Dot(firstDisplacement, firstDisplacement);
+    this->State.StepPrediction += LearnedShare *
+      (std::clamp(prediction, LeastPrediction, MostPrediction) - this->State.StepPrediction);
   }
   else if (!this->State.IsHeld)
   {
-    this->State.Gain = 1.0;
+    this->State.StepPrediction = 1.0;
   }
 }
 
-void Follower::Creep(const Motion& motion, const Vector3& tip) noexcept
+void PreciseFollower::Creep(const Motion& motion, const Vector3& tip) noexcept
 {
-  Spot& here = this->State.Here;
-  const double voxels = this->Field.GetVoxelsPerMeter() * Norm(motion.Way);
-  this->State.Stray += std::max(voxels, LeastStray);
-  this->Proxy = motion.IsFree ? tip : this->Proxy + motion.Way;
-  here.Value += here.Slope * Dot(motion.Way, here.Normal);
+  PrecisePoint& here = this->State.Here;
+  const double voxels = this->Field.GetVoxelsPerMeter() * Norm(motion.Displacement);
+  this->State.CachedSampleDistance += std::max(voxels, LeastSampleDistance);
+  this->Proxy = motion.IsFree ? tip : this->Proxy + motion.Displacement;
+  here.Value += here.Slope * Dot(motion.Displacement, here.Normal);
   if (motion.IsFree)
   {
     this->State.Spring.Relax(here.Stiffness);

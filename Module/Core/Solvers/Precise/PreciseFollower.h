@@ -2,21 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How solver PRECISE moves the proxy of one tick, see PreciseSolver.h.
+ * One tick of solver PRECISE (PreciseSolver.h).
  */
 #ifndef PreciseFollower_h
 #define PreciseFollower_h
 
-#include "Core/Solvers/Precise/PreciseMotion.h"
+#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Solvers/Precise/PreciseSurroundings.h"
+#include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics
 {
 
-/** Takes a tip along, and the proxy after it; changes all of the state but its proxy. */
-class Follower
+/** Moves the tip, and the proxy after it. Changes all of the state except its proxy. */
+class PreciseFollower
 {
 public:
-  Follower(const HapticModel& model, ServoState& state) noexcept
+  PreciseFollower(const HapticModel& model, ServoState& state) noexcept
     : Field(model)
     , IsTwoSided(model.Settings.Side == SurfaceSide::Both)
     , Proxy(state.Proxy)
@@ -24,32 +26,31 @@ public:
   {
   }
 
-  /** Takes the tip along a straight way, and the proxy after it. */
+  /** Moves the tip straight to a position, and the proxy after it. */
   void Follow(const Vector3& tip) noexcept;
-  /** Place, proxy and forces. */
+  /** Writes material, proxy and forces. */
   void Write(TickRecord& record) const noexcept;
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
+  /** Samples the material at the proxy. */
   void LookAround(const Vector3& lag) noexcept;
-  /**
-   * The tissue where the proxy has been since the last tick: whatever changed there, nobody moved.
-   */
+  /** Takes a change of the tissue at the proxy since the last tick, which no motion has caused. */
   void Refresh(double lag) noexcept;
-  /** Moves the proxy until the law leaves it in place; false if the looks do not suffice. */
+  /** Moves the proxy until the law leaves it in place; false if the budget does not suffice. */
   bool Settle(const Vector3& tip) noexcept;
-  /** What the law asks for, with the place where the proxy is. Null: the tip stays. */
+  /** The motion by the law at the proxy's point. `tipBefore` is null if the tip stays. */
   Motion Plan(const Vector3& tip, const Vector3* tipBefore) noexcept;
-  /** What the tick's contact will be called. */
+  /** Notes the kind of contact for the record. */
   void Note(double voxels) noexcept;
-  /** Makes a motion longer, if the spring stays within what the place holds. */
+  /** Makes a motion longer, if the material still holds the spring. */
   void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept;
-  /** How much longer a whole way was than its first motion asked for: the next will be alike. */
-  void Learn(const Vector3& firstWay, const Vector3& way, bool isJudged) noexcept;
-  /** A motion too short to be judged. */
+  /** Learns StepPrediction: by how much a tick's displacement exceeds its first motion. */
+  void Learn(const Vector3& firstDisplacement, const Vector3& displacement, bool isJudged) noexcept;
+  /** Makes a motion that is too short to be judged. */
   void Creep(const Motion& motion, const Vector3& tip) noexcept;
 
-  Surroundings Field;
+  PreciseSurroundings Field;
   const bool IsTwoSided;
   Vector3 Proxy;
   PreciseState& State;

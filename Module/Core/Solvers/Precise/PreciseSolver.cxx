@@ -15,7 +15,7 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }
-  Follower follower(model, state);
+  PreciseFollower follower(model, state);
   follower.Follow(record.Tip);
   follower.Write(record);
   record.IsUnfinished = follower.IsUnfinished();

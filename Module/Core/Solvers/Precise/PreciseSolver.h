@@ -2,41 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Solver PRECISE: the paper's material law in balance where the proxy ends, not where it began.
+ * Solver PRECISE: the paper's material law in balance at the proxy's end point.
  *
- * What is solved. Along the tip's straight way in a tick, the rate-independent law of
- * MaterialLaw.h,
+ * PAPER takes one explicit step with the material at the point where a tick's motion begins;
+ * PRECISE makes the law hold at the point where it ends.
  *
- *   x' = 0                                     while the spring's force F = k (x_tip - x) is taken,
- *   F  = q + R x'/|x'|,  q = what surface and friction take of F at x,         while it is not,
+ * ## Equations
  *
- * with normal, material and thresholds of the place x where the proxy is. PAPER is one explicit
- * step of it.
+ * Along the tip's straight path in a tick, the rate-independent law of MaterialLaw.h:
  *
- * How. The tip goes in steps of a quarter of a voxel or 2 % of the spring; after each, the proxy
- * moves until the law leaves it in place. A motion is that of Law::Move, no longer than a quarter
- * of a voxel, and is judged at its end: where the place there holds more than the spring pulls, the
- * end is drawn back to where both are equal (regula falsi, along the normal and across it; at a
- * step of a transfer function, bisection to a thousandth of a voxel, on the side that holds). While
- * a surface holds, the proxy stays on the level of the estimator's own value that it met first (a
- * Newton step after each motion), so that nothing drifts. Where friction or drag turn the motion,
+ *   x' = 0                  while surface, friction and drag take the force F = k (x_tip - x),
+ *   F  = q + R x'/|x'|      else, with q the force that surface and friction take at x,
+ *
+ * with normal, material and thresholds at the proxy x.
+ *
+ * ## Method
+ *
+ * The tip moves in steps of a quarter of a voxel or 2 % of the lag. After each step the proxy moves
+ * until the law leaves it in place. A motion is that of Law::Move, no longer than a quarter of a
+ * voxel, and is judged at its end: if the material there holds more than the spring pulls, the end
+ * is drawn back to the point at which both are equal (regula falsi, along the normal and across it;
+ * at a step of a transfer function, bisection to a thousandth of a voxel, on the side that holds).
+ * While a surface holds, the proxy stays on the level of the estimator's own value that it met first
+ * (a Newton step after each motion), so that it does not drift. If friction or drag turn a motion,
  * it takes the mean of its first and last direction (second order).
  *
- * A hand that slides does from tick to tick what it did before, which saves most of the looks: the
- * place where the last tick ended is kept until the proxy has strayed from it by 1e-3 voxels, and
- * where a surface holds, a tick's first motion is as much longer than what its beginning asks for
- * as the whole ways of the last ticks were. A tick of a tenth of a voxel then looks once or twice.
- * No judgement rests on what is kept: it only proposes motions.
+ * A sliding hand repeats its motion from tick to tick, which saves most samples. The last sample is
+ * cached until the proxy is 1e-3 voxels away from it. While a surface holds, a tick's first motion
+ * is lengthened by the ratio that the last ticks have shown (PreciseState::StepPrediction). A tick
+ * of a tenth of a voxel then takes one or two samples. Cache and prediction only propose motions; no
+ * judgement rests on them.
  *
- * Existence and uniqueness. With the place frozen, a motion is unique: the drag's is the proximal
- * map of R|m| after that of the surface (both convex; the law takes normal before friction, which
- * makes it unique, too). Each accepted motion shortens the spring; what is found is the first place
- * on the way where the law holds.
+ * ## Existence and uniqueness
  *
- * Work. A tick looks at MaximumLooks places at most. If that is not enough (a tip at tens of voxels
- * a tick), the proxy is where it came to, the force is that of a tip some way back, where this
- * proxy is in balance, and the next tick goes on from there: the force neither jumps nor exceeds
- * what the material can hold, nothing is skipped, and TickRecord::IsUnfinished says so.
+ * For one material point a motion is unique: the drag's is the proximal map of R|m| after that of
+ * the surface. Both are convex; the law takes normal before friction, which makes the latter unique,
+ * too. Each accepted motion shortens the spring, and the solver finds the first point at which the
+ * law holds.
+ *
+ * ## Work
+ *
+ * A tick takes at most MaximumLooks samples. If these do not suffice (for a tip at tens of voxels a
+ * tick), the proxy stays at the point that it has reached, the force is that of the earlier tip with
+ * which this proxy is in balance, and the next tick goes on from there. So the force neither jumps
+ * nor exceeds the material's strength, no point is skipped, and TickRecord::IsUnfinished is set.
  */
 #ifndef PreciseSolver_h
 #define PreciseSolver_h
@@ -47,10 +56,10 @@ class HapticModel;
 struct ServoState;
 struct TickRecord;
 
-/** Places that a tick looks at, at most. */
+/** The largest number of samples in a tick. */
 constexpr int MaximumLooks = 256;
 
-/** One tick from record.Tip; writes the record and all of the state but its proxy. */
+/** One tick from record.Tip; writes the record and all of the state except its proxy. */
 void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
 } // namespace VolumeHaptics

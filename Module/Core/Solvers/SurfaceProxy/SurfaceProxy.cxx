@@ -4,6 +4,7 @@
 
 #include "Core/Math/HalfSpaces.h"
 #include "Core/Model/SurfaceMesh.h"
+#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics
@@ -74,21 +75,22 @@ public:
   /** Goes a way, the first part of a long one, or up to the first triangle. */
   void Move(const Vector3& whole) noexcept
   {
-    const Vector3 way = std::min(1.0, LongestWay * this->Radius / Norm(whole)) * whole;
+    const Vector3 displacement = std::min(1.0, LongestWay * this->Radius / Norm(whole)) * whole;
     double first = Never;
-    const bool isWhole = this->Mesh.VisitAlong(this->Centre, way, this->Radius, this->Budget,
+    const bool isWhole = this->Mesh.VisitAlong(this->Centre, displacement, this->Radius,
+      this->Budget,
       [&](std::int32_t i)
       {
-        first = std::min(
-          first, MeetingTime(this->Mesh.GetTriangle(i), this->Centre, way, this->Radius, first));
+        first = std::min(first,
+          MeetingTime(this->Mesh.GetTriangle(i), this->Centre, displacement, this->Radius, first));
         return std::min(first, 1.0);
       });
     if (!isWhole)
     {
       return;
     }
-    const double gap = Distance * this->Radius / Norm(way);
-    this->Centre += (first <= 1.0 ? std::max(0.0, first - gap) : 1.0) * way;
+    const double gap = Distance * this->Radius / Norm(displacement);
+    this->Centre += (first <= 1.0 ? std::max(0.0, first - gap) : 1.0) * displacement;
   }
 
 private:
@@ -165,9 +167,9 @@ void StepSurfaceProxy(
     {
       break;
     }
-    const Vector3 way = subgoal - sphere.GetCentre();
+    const Vector3 displacement = subgoal - sphere.GetCentre();
     held = goal - subgoal;
-    rest = Norm(way);
+    rest = Norm(displacement);
     const double excess = rest - record.Friction * Norm(held);
     // While it touches. Between, it may fall towards the tip.
     const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
@@ -179,7 +181,7 @@ void StepSurfaceProxy(
     }
     // Not against friction: a way too far is not taken back.
     const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
-    sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * way);
+    sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * displacement);
     slides = slides || sphere.IsTouching();
     lastExcess = sphere.IsTouching() ? (isSlow ? 0.0 : excess) : lastExcess;
   }

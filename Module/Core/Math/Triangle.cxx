@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Math/SweptSphere.h"
+#include "Core/Math/Triangle.h"
 
 #include <algorithm>
 
@@ -9,42 +9,40 @@ namespace VolumeHaptics
 namespace
 {
 
-/**
- * Share of a time by which meetings may be called simultaneous: less than what is kept from a
- * triangle.
- */
+/** Meetings closer in time than this share are simultaneous: less than the gap that is kept. */
 constexpr double Rounding = 1e-9;
 
-/** Where a way meets a sphere round a point, from outside. */
-double MeetCorner(const Vector3& corner, const Vector3& centre, const Vector3& way, double radius)
+/** The share of a displacement after which it meets a sphere round a point from outside. */
+double MeetCorner(
+  const Vector3& corner, const Vector3& centre, const Vector3& displacement, double radius)
 {
   const Vector3 from = centre - corner;
-  const double a = Dot(way, way);
-  const double b = Dot(from, way);
+  const double a = Dot(displacement, displacement);
+  const double b = Dot(from, displacement);
   const double c = Dot(from, from) - radius * radius;
   const double discriminant = b * b - a * c;
   if (b >= 0.0 || c < 0.0 || discriminant < 0.0)
   {
     return Never;
   }
-  // Not (-b - root) / a: that cancels where the way is long.
+  // Not (-b - root) / a: for a long displacement that cancels.
   const double time = c / (-b + std::sqrt(discriminant));
   return time <= 1.0 ? time : Never;
 }
 
-/** Where a way meets a cylinder round an edge, between the edge's ends. */
-double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre, const Vector3& way,
-  double radius)
+/** The same for a cylinder round an edge, between the edge's ends. */
+double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre,
+  const Vector3& displacement, double radius)
 {
   const Vector3 edge = end - begin;
   const double square = Dot(edge, edge);
   const Vector3 from = centre - begin;
   const double fromAlong = Dot(from, edge) / square;
-  const double wayAlong = Dot(way, edge) / square;
+  const double displacementAlong = Dot(displacement, edge) / square;
   const Vector3 across = from - fromAlong * edge;
-  const Vector3 wayAcross = way - wayAlong * edge;
-  const double time = MeetCorner({}, across, wayAcross, radius);
-  const double along = fromAlong + time * wayAlong;
+  const Vector3 displacementAcross = displacement - displacementAlong * edge;
+  const double time = MeetCorner({}, across, displacementAcross, radius);
+  const double along = fromAlong + time * displacementAlong;
   return along >= 0.0 && along <= 1.0 ? time : Never;
 }
 
@@ -102,7 +100,7 @@ TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept
   return at(va / sum, vb / sum, vc / sum);
 }
 
-double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector3& way,
+double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector3& displacement,
   double radius, double latest) noexcept
 {
   const auto& [a, b, c] = triangle.Corner;
@@ -110,10 +108,10 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   normal = (1.0 / Norm(normal)) * normal;
   const double height = Dot(centre - a, normal);
   normal = height < 0.0 ? -normal : normal;
-  const double closing = -Dot(way, normal);
+  const double closing = -Dot(displacement, normal);
   const double gap = std::abs(height) - radius;
-  // Nothing of a triangle is met before its plane is. Of many in one plane, this leaves few to look
-  // at closely.
+  // No point of a triangle is met before its plane. Of many triangles in one plane, this leaves few
+  // for a closer look.
   if (gap > 0.0 && gap >= closing * latest * (1.0 - Rounding))
   {
     return Never;
@@ -123,18 +121,18 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   const double square = Dot(off, off);
   if (square <= radius * radius)
   {
-    return Dot(off, way) < 0.0 ? 0.0 : Never;
+    return Dot(off, displacement) < 0.0 ? 0.0 : Never;
   }
-  if (square > (radius + Norm(way)) * (radius + Norm(way)))
+  if (square > (radius + Norm(displacement)) * (radius + Norm(displacement)))
   {
     return Never;
   }
   if (closing > 0.0 && gap >= 0.0)
   {
     const double time = gap / closing;
-    const Vector3 touched = centre + time * way - radius * normal;
+    const Vector3 touched = centre + time * displacement - radius * normal;
     const auto& weight = NearestPoint(triangle, touched).Weight;
-    // Else an edge is met, at the same time where this is only just not so.
+    // Else an edge is met; at the limit, at the same time.
     if (time <= 1.0 && weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0)
     {
       return time;
@@ -145,8 +143,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   {
     const Vector3& begin = triangle.Corner[i];
     const Vector3& end = triangle.Corner[(i + 1) % 3];
-    first = std::min(first, MeetEdge(begin, end, centre, way, radius));
-    first = std::min(first, MeetCorner(begin, centre, way, radius));
+    first = std::min(first, MeetEdge(begin, end, centre, displacement, radius));
+    first = std::min(first, MeetCorner(begin, centre, displacement, radius));
   }
   return first;
 }

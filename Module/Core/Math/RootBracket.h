@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The search for the place where a motion has to end.
+ * The search for the root of a falling function, such as the point where a motion has to end.
  */
-#ifndef Bracket_h
-#define Bracket_h
+#ifndef RootBracket_h
+#define RootBracket_h
 
 #include <algorithm>
 #include <limits>
@@ -13,17 +13,29 @@
 namespace VolumeHaptics
 {
 
-/** A remainder where there is nothing to go too far. */
-constexpr double Nothing = std::numeric_limits<double>::infinity();
+/** The function's value if it has no root: the bracket then goes to its far end. */
+constexpr double NoRoot = std::numeric_limits<double>::infinity();
 
-/** The nearest (voxels) that a bracket around a step of a material function gets. */
+/** A bracket is not made narrower than this (voxels): a step of a material function has no root. */
 constexpr double NarrowBracket = 1e-3;
 
-/** Finds where a falling function crosses zero between 0 and 1: regula falsi, Illinois' way. */
-class Bracket
+/**
+ * Encloses the root of a falling function on [0, 1] (regula falsi, Illinois variant).
+ *
+ * Next proposes an argument, Narrow takes the function's value there:
+ *
+ *   RootBracket bracket(f(0), f(1), length);
+ *   for (int trial = 0; !bracket.IsNarrow(); ++trial)
+ *   {
+ *     bracket.Narrow(f(bracket.Next(trial)));
+ *   }
+ *
+ * `length` is the length (voxels) of a motion from 0 to 1.
+ */
+class RootBracket
 {
 public:
-  Bracket(double low, double high, double voxels) noexcept
+  RootBracket(double low, double high, double voxels) noexcept
     : AtLow(low)
     , AtHigh(high)
     , Length(voxels)
@@ -31,12 +43,15 @@ public:
   {
   }
 
+  /** Whether there is no root, or no need to look closer. */
   bool IsNarrow() const noexcept
   {
     return !this->IsOpen || (this->High - this->Low) * this->Length <= NarrowBracket;
   }
+  /** The end at which the function is below zero. */
   double GetHigh() const noexcept { return this->High; }
 
+  /** The next argument; every third one halves the bracket. */
   double Next(int trial) noexcept
   {
     if (this->IsNarrow())
@@ -48,13 +63,14 @@ public:
     return this->Now = this->Low + share * (this->High - this->Low);
   }
 
+  /** Takes the function's value at the argument that Next returned. */
   void Narrow(double value) noexcept
   {
     if (!this->IsOpen || this->Now >= this->High)
     {
       return;
     }
-    if (value == Nothing)
+    if (value == NoRoot)
     {
       this->Low = this->Now;
     }

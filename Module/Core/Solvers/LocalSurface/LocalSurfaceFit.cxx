@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solvers/LocalSurface/LocalSurface.h"
+#include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 
 #include "Core/Model/HapticModel.h"
 
@@ -9,12 +9,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How finely rays look for a crossing (voxels). */
+/** Steps of the search along a ray (voxels). */
 constexpr double RayStep = 0.5;
-/** Feet nearer to each other than this (voxels) are one; and so are ends of a bracket. */
+/** Feet closer together than this (voxels) are the same; and so are the ends of a crossing. */
 constexpr double SameFoot = 1e-3;
 constexpr double SameCrossing = 1e-7;
-/** To either side of a foot, to tell where V rises (voxels). */
+/** The step to either side of a foot that tells in which direction V rises (voxels). */
 constexpr double RiseStep = 0.25;
 constexpr int MostFeet = 6;
 constexpr int MostHalvings = 60;
@@ -35,25 +35,25 @@ Symmetric3 Sum(const Symmetric3& a, const Symmetric3& b) noexcept
 class IsoSurfaceFinder
 {
 public:
-  IsoSurfaceFinder(const HapticModel& model, const LocalQuestion& question) noexcept
+  IsoSurfaceFinder(const HapticModel& model, const LocalSurfaceRequest& request) noexcept
     : Model(model)
-    , Question(question)
+    , Request(request)
     , IndexToWorld(model.IndexToWorld)
     , WorldToIndex(Inverse(model.IndexToWorld))
     , GradientToWorld(Transpose(this->WorldToIndex.Linear))
     , Voxel(1.0 / LargestColumn(this->GradientToWorld))
-    , IsKnown(Dot(question.Normal, question.Normal) > 0.0)
+    , IsKnown(Dot(request.Normal, request.Normal) > 0.0)
   {
     const SurfaceSide side = model.Settings.Side;
-    const bool isHigh = this->Excess(question.Where) > 0.0;
+    const bool isHigh = this->Excess(request.Position) > 0.0;
     this->Sign = side == SurfaceSide::Lower || (side == SurfaceSide::Both && isHigh) ? -1.0 : 1.0;
   }
 
   LocalSurface Find() noexcept
   {
     LocalSurface found;
-    if (!IsFinite(this->Question.Where) ||
-      (!this->IsKnown && this->Sign * this->Excess(this->Question.Where) > 0.0))
+    if (!IsFinite(this->Request.Position) ||
+      (!this->IsKnown && this->Sign * this->Excess(this->Request.Position) > 0.0))
     {
       return found;
     }
@@ -65,9 +65,9 @@ public:
     }
     this->FollowFoot(foot, normal);
     const bool isBoth = this->Model.Settings.Side == SurfaceSide::Both;
-    // The proxy may lie on either side of what holds it, by rounding. And where a structure is
-    // thinner than the kernel, the gradient may be that of what is behind it.
-    const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Question.Normal) < 0.0
+    // By rounding, the proxy may lie on either side of the surface that holds it. And if a structure
+    // is thinner than the kernel, the gradient may be that of the structure behind it.
+    const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Request.Normal) < 0.0
                                                   : this->Sign * this->Rise(foot, normal) < 0.0;
     if (isTurned)
     {
@@ -90,7 +90,7 @@ private:
     return this->Model.Field.Value(this->WorldToIndex(x)) - this->Model.Settings.IsoValue;
   }
 
-  /** Unit, into the structure; false where there is no gradient. */
+  /** Unit, into the structure; false without a gradient. */
   bool FindNormal(const Vector3& x, Vector3& normal) const noexcept
   {
     const Vector3 index = this->WorldToIndex(x);
@@ -109,14 +109,14 @@ private:
     return true;
   }
 
-  /** By how much V rises across a place. */
+  /** By how much V rises across a position. */
   double Rise(const Vector3& x, const Vector3& normal) const noexcept
   {
     const Vector3 step = (RiseStep * this->Voxel) * normal;
     return this->Excess(x + step) - this->Excess(x - step);
   }
 
-  /** Narrows a crossing between two places, whose excesses have different signs. */
+  /** Halves the segment between two positions whose excesses have different signs. */
   Vector3 Narrow(Vector3 a, Vector3 b, double atA) const noexcept
   {
     for (int i = 0; i < MostHalvings && Norm(b - a) > SameCrossing * this->Voxel; ++i)
@@ -128,17 +128,15 @@ private:
     return 0.5 * (a + b);
   }
 
-  /**
-   * The first crossing along a way from Where; takes it if it is nearer than the nearest so far.
-   */
-  void LookAlong(const Vector3& way, int steps, double& nearest, Vector3& crossing) const noexcept
+  /** Takes the first crossing along a ray from Position, if it is the nearest so far. */
+  void LookAlong(const Vector3& ray, int steps, double& nearest, Vector3& crossing) const noexcept
   {
-    const Vector3& start = this->Question.Where;
+    const Vector3& start = this->Request.Position;
     double before = this->Excess(start);
     for (int i = 1; i <= steps; ++i)
     {
-      const Vector3 x = start + (static_cast<double>(i) / steps) * way;
-      const Vector3 last = start + (static_cast<double>(i - 1) / steps) * way;
+      const Vector3 x = start + (static_cast<double>(i) / steps) * ray;
+      const Vector3 last = start + (static_cast<double>(i - 1) / steps) * ray;
       if (Norm(last - start) >= nearest)
       {
         return;
@@ -172,20 +170,20 @@ private:
           this->IndexToWorld.Linear * (LocalReach * offset), steps, nearest, crossing);
       }
     }
-    const double voxels = Norm(this->WorldToIndex.Linear * this->Question.Ahead);
+    const double voxels = Norm(this->WorldToIndex.Linear * this->Request.Ahead);
     if (nearest == HUGE_VAL && voxels > 0.0 && std::isfinite(voxels))
     {
       const double reach = std::min<double>(voxels, LocalReachAhead);
-      this->LookAlong((reach / voxels) * this->Question.Ahead,
+      this->LookAlong((reach / voxels) * this->Request.Ahead,
         static_cast<int>(std::ceil(reach / RayStep)), nearest, crossing);
     }
     return nearest < HUGE_VAL;
   }
 
-  /** From a crossing to the point of the surface that is nearest to Where. */
+  /** From a crossing to the point of the surface that is nearest to Position. */
   void FollowFoot(Vector3& foot, Vector3& normal) const noexcept
   {
-    const Vector3& start = this->Question.Where;
+    const Vector3& start = this->Request.Position;
     for (int i = 0; i < MostFeet; ++i)
     {
       const double along = Dot(foot - start, normal);
@@ -212,7 +210,7 @@ private:
     }
   }
 
-  /** How the normal changes across the foot; 0 where a kernel radius away there is none. */
+  /** The change of the normal across the foot; 0 if there is no normal a kernel radius away. */
   Symmetric3 FindCurvature(const Vector3& foot, const Vector3& normal) const noexcept
   {
     const double step = this->Model.Kernel.Radius * LargestColumn(this->IndexToWorld.Linear);
@@ -246,7 +244,7 @@ private:
   }
 
   const HapticModel& Model;
-  const LocalQuestion& Question;
+  const LocalSurfaceRequest& Request;
   const Affine3 IndexToWorld;
   const Affine3 WorldToIndex;
   const Matrix3 GradientToWorld;
@@ -257,9 +255,9 @@ private:
 
 } // namespace
 
-LocalSurface FitLocalSurface(const HapticModel& model, const LocalQuestion& question) noexcept
+LocalSurface FitLocalSurface(const HapticModel& model, const LocalSurfaceRequest& request) noexcept
 {
-  return IsoSurfaceFinder(model, question).Find();
+  return IsoSurfaceFinder(model, request).Find();
 }
 
 } // namespace VolumeHaptics

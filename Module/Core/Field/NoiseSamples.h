@@ -10,8 +10,8 @@
  * holds; blocks that pieces share come together when they are merged. Plain numbers, which can be
  * sent as they are.
  */
-#ifndef WholeSamples_h
-#define WholeSamples_h
+#ifndef NoiseSamples_h
+#define NoiseSamples_h
 
 #include <algorithm>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace VolumeHaptics
 {
 
 /** Of one component of an array. */
-struct WholeSamples
+struct NoiseSamples
 {
   /** Of the whole volume. */
   std::int64_t Dimensions[3] = { 0, 0, 0 };
@@ -29,7 +29,7 @@ struct WholeSamples
    * Numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any order,
    * and their values.
    */
-  std::vector<std::int64_t> Places;
+  std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
    * Smallest and largest value of all samples of the pieces; the first is the larger where there
@@ -38,9 +38,9 @@ struct WholeSamples
   double Range[2] = { 1.0, 0.0 };
 
   /** Takes what another piece of the same volume gave; what both gave counts once. */
-  void Merge(const WholeSamples& other)
+  void Merge(const NoiseSamples& other)
   {
-    this->Places.insert(this->Places.end(), other.Places.begin(), other.Places.end());
+    this->Indices.insert(this->Indices.end(), other.Indices.begin(), other.Indices.end());
     this->Values.insert(this->Values.end(), other.Values.begin(), other.Values.end());
     this->MergeRange(other.Range);
   }

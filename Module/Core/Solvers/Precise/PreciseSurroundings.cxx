@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solvers/Precise/PreciseMotion.h"
+#include "Core/Solvers/Precise/PreciseSurroundings.h"
 
-#include "Core/Math/Bracket.h"
+#include "Core/Math/RootBracket.h"
+#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/Precise/PreciseSolver.h"
 
 namespace VolumeHaptics
@@ -10,22 +11,22 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Share of the spring that a motion may go too far. */
+/** Share of the lag by which a motion may go too far. */
 constexpr double Tolerance = 2e-4;
-/** What is left of a direction's part after taking this off is rounding. */
+/** A smaller part of a direction is rounding. */
 constexpr double SmallPart = 1e-3;
-/** To which share of itself a motion is drawn back at most; a thousandth of a voxel is less. */
+/** Trials of the search that draws a motion back. */
 constexpr int MostTrials = 10;
-/** How far (voxels) a proxy is from its level at most. */
+/** The largest distance (voxels) from a proxy to its level. */
 constexpr double FarthestLevel = 0.25;
-/** V(x_p) may be this share of |V(x_s) - V(x_v)| below their mean at an edge. */
+/** At an edge, V(x_p) may be this share of |V(x_s) - V(x_v)| below their mean. */
 constexpr double EdgeTolerance = 1e-3;
 
-/** 1 where the proxy is at or past the middle of an edge, 0 before. */
-double AtEdge(const Place& place, double value, bool isDescending) noexcept
+/** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
+double AtEdge(const MaterialPoint& point, double value, bool isDescending) noexcept
 {
-  const double above = value - 0.5 * (place.SurfaceValue + place.MediumValue);
-  const double width = EdgeTolerance * std::abs(place.SurfaceValue - place.MediumValue);
+  const double above = value - 0.5 * (point.SurfaceValue + point.MediumValue);
+  const double width = EdgeTolerance * std::abs(point.SurfaceValue - point.MediumValue);
   const double share = 1.0 + (isDescending ? -above : above) / std::max(width, 1e-300);
   return std::clamp(share, 0.0, 1.0);
 }
@@ -45,36 +46,36 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
   }
   else
   {
-    // Where nothing is felt the spring has no energy to keep. Its slack stays what it is.
+    // If nothing is felt, the spring has no energy to keep. Its slack stays.
     spring.Tissue = stiffness;
     spring.DropReserve();
   }
 }
 
-Spot Surroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept
+PrecisePoint PreciseSurroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept
 {
   ++this->Looks;
   const Vector3 index = this->Model.DeviceToIndex(proxy);
   Surface surface = Law::FindSurface(this->Model, index);
   const bool isDescending = Law::Orient(this->Model, lag, surface);
-  Spot spot;
-  Law::ReadMaterials(this->Model, index, surface, spot);
-  spot.Value = surface.Value;
+  PrecisePoint point;
+  Law::ReadMaterials(this->Model, index, surface, point);
+  point.Value = surface.Value;
   const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
-  spot.Slope = isDescending ? -slope : slope;
-  if (this->Model.Settings.Alignment == ContactAlignment::Edge && spot.SurfaceStrength > 0.0)
+  point.Slope = isDescending ? -slope : slope;
+  if (this->Model.Settings.Alignment == ContactAlignment::Edge && point.SurfaceStrength > 0.0)
   {
-    spot.SurfaceStrength *= AtEdge(spot, this->Model.Field.Value(index), isDescending);
+    point.SurfaceStrength *= AtEdge(point, this->Model.Field.Value(index), isDescending);
   }
-  return spot;
+  return point;
 }
 
-bool Surroundings::CanGoOn() const noexcept
+bool PreciseSurroundings::CanGoOn() const noexcept
 {
   return this->Looks + MostTrials + 2 <= MaximumLooks;
 }
 
-bool Surroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
+bool PreciseSurroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
 {
   const Vector3 i = this->Model.DeviceToIndex(a);
   const Vector3 j = this->Model.DeviceToIndex(b);
@@ -87,34 +88,34 @@ bool Surroundings::IsBeyond(const Vector3& a, const Vector3& b) const noexcept
   return beyond(i.X, j.X, 0) || beyond(i.Y, j.Y, 1) || beyond(i.Z, j.Z, 2);
 }
 
-double Surroundings::ToLevel(
-  const Spot& here, double k, double level, const Vector3& lag) const noexcept
+double PreciseSurroundings::ToLevel(
+  const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept
 {
   const double most = FarthestLevel / this->Model.MostVoxelsPerMeter;
   const double push = Dot(lag, here.Normal);
-  const double way = (level - here.Value) / here.Slope;
-  // Not past the tip, and not out to where the surface could not hold the spring.
+  const double displacement = (level - here.Value) / here.Slope;
+  // Not past the tip, and not so far out that the surface could not hold the spring.
   const double in = std::clamp(push, 0.0, most);
   const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
-  return std::clamp(way, -out, in);
+  return std::clamp(displacement, -out, in);
 }
 
-Arrival Surroundings::Arrive(
+Arrival PreciseSurroundings::Arrive(
   const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept
 {
-  const Vector3 way = share * motion.Way;
-  const Arrival end = this->Try(start, motion, way, tip);
-  const Remainder rest = this->Judge(motion, way, tip, end);
+  const Vector3 displacement = share * motion.Displacement;
+  const Arrival end = this->Try(start, motion, displacement, tip);
+  const Remainder rest = this->Judge(motion, displacement, tip, end);
   const double tolerance = -Tolerance * Norm(tip - end.Proxy);
   return rest.Normal < tolerance || rest.Tangent < tolerance
-    ? this->DrawBack(start, motion, way, tip, end, rest)
+    ? this->DrawBack(start, motion, displacement, tip, end, rest)
     : end;
 }
 
-Arrival Surroundings::Try(
-  const Departure& start, const Motion& motion, const Vector3& way, const Vector3& tip) noexcept
+Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
+  const Vector3& displacement, const Vector3& tip) noexcept
 {
-  Arrival end{ start.Proxy + way, {}, 0.0, start.Spring };
+  Arrival end{ start.Proxy + displacement, {}, 0.0, start.Spring };
   const Vector3 lag = tip - end.Proxy;
   end.There = this->Look(end.Proxy, lag);
   PassOn(end.Spring, end.There.Stiffness, Norm(lag));
@@ -122,20 +123,20 @@ Arrival Surroundings::Try(
   {
     const double back = this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, lag);
     end.Proxy += back * end.There.Normal;
-    end.Stray = this->Model.MostVoxelsPerMeter * std::abs(back);
+    end.CachedSampleDistance = this->Model.MostVoxelsPerMeter * std::abs(back);
     end.There.Value += end.There.Slope * back;
   }
   return end;
 }
 
-Surroundings::Remainder Surroundings::Judge(
-  const Motion& motion, const Vector3& way, const Vector3& tip, const Arrival& end) const noexcept
+PreciseSurroundings::Remainder PreciseSurroundings::Judge(const Motion& motion,
+  const Vector3& displacement, const Vector3& tip, const Arrival& end) const noexcept
 {
-  const Spot& there = end.There;
+  const PrecisePoint& there = end.There;
   const bool isFelt = Law::IsFelt(there);
   const double compliance = isFelt ? 1.0 / end.Spring.GetEffective() : 0.0;
   const SplitLag lag = Law::Split(tip - end.Proxy, there.Normal);
-  const Vector3 direction = (1.0 / Norm(way)) * way;
+  const Vector3 direction = (1.0 / Norm(displacement)) * displacement;
   const double inward = Dot(direction, there.Normal);
   const Vector3 aside = direction - inward * there.Normal;
   const double across = Norm(aside);
@@ -143,42 +144,44 @@ Surroundings::Remainder Surroundings::Judge(
   const double holds = there.SurfaceStrength * compliance;
   const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
 
-  // What surface and friction leave of the spring. Outward there is no surface; aside from its way
-  // the spring is held just the same.
+  // The spring that surface and friction leave. Outward there is no surface. The part of the spring
+  // aside from the motion is held just the same.
   const bool goesIn = !motion.IsHeld && inward > SmallPart;
   const bool goesOut = !motion.IsHeld && inward < -SmallPart;
   const bool goesAcross = across > SmallPart;
   const double pull = Dot(lag.Tangent, aside);
   const double normal = goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
   const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
-  // Drag holds both together where both are left, and each for itself where one is overdrawn.
+  // Drag holds both parts together if both are left, and each by itself if one went too far.
   const bool isWhole = normal >= 0.0 && tangent >= 0.0;
   const double total = std::sqrt(normal * normal + tangent * tangent) - drag;
   const bool saysNormal = goesIn || (goesOut && drag > 0.0);
-  return { saysNormal ? (isWhole ? total : normal - drag * std::abs(inward)) : Nothing,
-    goesAcross ? (isWhole ? total : tangent - drag * across) : Nothing, isWhole };
+  return { saysNormal ? (isWhole ? total : normal - drag * std::abs(inward)) : NoRoot,
+    goesAcross ? (isWhole ? total : tangent - drag * across) : NoRoot, isWhole };
 }
 
-Arrival Surroundings::DrawBack(const Departure& start, const Motion& motion, const Vector3& way,
-  const Vector3& tip, const Arrival& first, const Remainder& rest) noexcept
+Arrival PreciseSurroundings::DrawBack(const Departure& start, const Motion& motion,
+  const Vector3& displacement, const Vector3& tip, const Arrival& first,
+  const Remainder& rest) noexcept
 {
-  const Vector3 normalWay = rest.IsWhole ? way : Dot(way, first.There.Normal) * first.There.Normal;
-  const Vector3 tangentWay = way - normalWay;
-  // By the law of the place where it begins, a motion ends with a remainder of 0.
+  const Vector3 normalPart =
+    rest.IsWhole ? displacement : Dot(displacement, first.There.Normal) * first.There.Normal;
+  const Vector3 tangentPart = displacement - normalPart;
+  // By the law at its beginning, a motion ends with a remainder of 0.
   const auto along = [&](const Remainder& r)
   { return rest.IsWhole ? std::min(r.Normal, r.Tangent) : r.Normal; };
-  Bracket normal(Norm(normalWay), along(rest), this->Voxels(normalWay));
-  Bracket tangent(
-    Norm(tangentWay), rest.IsWhole ? Nothing : rest.Tangent, this->Voxels(tangentWay));
+  RootBracket normal(Norm(normalPart), along(rest), this->Voxels(normalPart));
+  RootBracket tangent(
+    Norm(tangentPart), rest.IsWhole ? NoRoot : rest.Tangent, this->Voxels(tangentPart));
   Arrival end = first;
   for (int trial = 0; trial < MostTrials; ++trial)
   {
     const bool isLast = normal.IsNarrow() && tangent.IsNarrow();
-    const Vector3 shorter = normal.Next(trial) * normalWay + tangent.Next(trial) * tangentWay;
+    const Vector3 shorter = normal.Next(trial) * normalPart + tangent.Next(trial) * tangentPart;
     end = this->Try(start, motion, shorter, tip);
-    const Remainder now = this->Judge(motion, way, tip, end);
+    const Remainder now = this->Judge(motion, displacement, tip, end);
     const double tolerance = Tolerance * Norm(tip - end.Proxy);
-    const auto isDone = [&](const Bracket& bracket, double value)
+    const auto isDone = [&](const RootBracket& bracket, double value)
     { return bracket.IsNarrow() || std::abs(value) <= tolerance; };
     if (isLast || (isDone(normal, along(now)) && isDone(tangent, now.Tangent)))
     {
@@ -187,9 +190,9 @@ Arrival Surroundings::DrawBack(const Departure& start, const Motion& motion, con
     normal.Narrow(along(now));
     tangent.Narrow(now.Tangent);
   }
-  // The side that holds.
+  // The end at which the material holds.
   return this->Try(
-    start, motion, normal.GetHigh() * normalWay + tangent.GetHigh() * tangentWay, tip);
+    start, motion, normal.GetHigh() * normalPart + tangent.GetHigh() * tangentPart, tip);
 }
 
 } // namespace VolumeHaptics

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Four doubles at a time, for the instruction set of the translation unit.
+ *
+ * Double4Avx.h has a vector type of the compiler, Double4Portable.h a plain struct; both give the
+ * same results.
+ */
+#ifndef Double4_h
+#define Double4_h
+
+#if defined(__GNUC__) && defined(__x86_64__) && defined(__AVX__)
+#include "Core/Math/Double4Avx.h"
+#else
+#include "Core/Math/Double4Portable.h"
+#endif
+
+#include <cstring>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** False for NaN and infinities. Not std::isfinite: see FieldKernels.h. */
+VOLUME_HAPTICS_INLINE bool IsNumber(double x)
+{
+  return x - x == 0.0;
+}
+
+/** Two samples from each of two places. */
+template <typename T>
+VOLUME_HAPTICS_INLINE Double4 LoadPairs(const T* low, const T* high)
+{
+  T joined[4];
+  std::memcpy(joined, low, 2 * sizeof(T));
+  std::memcpy(joined + 2, high, 2 * sizeof(T));
+  return LoadDouble4(joined);
+}
+
+VOLUME_HAPTICS_INLINE void StoreDouble4(const Double4& from, double* to)
+{
+  std::memcpy(to, &from, sizeof(from));
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

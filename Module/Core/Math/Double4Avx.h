@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Four doubles in one AVX register; included by Double4.h only.
+ */
+#ifndef Double4Avx_h
+#define Double4Avx_h
+
+#include "Core/Math/KernelInline.h"
+
+#include <cstdint>
+#include <cstring>
+#include <immintrin.h>
+#include <type_traits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+typedef double Double4 __attribute__((vector_size(32)));
+typedef std::int32_t Int4 __attribute__((vector_size(16)));
+
+/**
+ * Four samples of 8 or 16 bits. GCC takes a generic conversion apart; these are the instructions
+ * meant for it.
+ */
+template <typename T>
+VOLUME_HAPTICS_INLINE Int4 LoadInt4(const T* from)
+{
+  constexpr bool isSigned = std::is_signed<T>::value;
+  std::conditional_t<sizeof(T) == 1, std::int32_t, std::int64_t> bits;
+  std::memcpy(&bits, from, sizeof(bits));
+  const __m128i narrow = _mm_cvtsi64_si128(bits);
+  if constexpr (sizeof(T) == 1)
+  {
+    return reinterpret_cast<Int4>(isSigned ? _mm_cvtepi8_epi32(narrow) : _mm_cvtepu8_epi32(narrow));
+  }
+  else
+  {
+    return reinterpret_cast<Int4>(
+      isSigned ? _mm_cvtepi16_epi32(narrow) : _mm_cvtepu16_epi32(narrow));
+  }
+}
+
+/** Four samples of any type. */
+template <typename T>
+VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
+{
+  if constexpr (sizeof(T) <= 2)
+  {
+    return _mm256_cvtepi32_pd(reinterpret_cast<__m128i>(LoadInt4(from)));
+  }
+  else if constexpr (std::is_same<T, float>::value)
+  {
+    return _mm256_cvtps_pd(_mm_loadu_ps(from));
+  }
+  else
+  {
+    typedef T Narrow __attribute__((vector_size(4 * sizeof(T))));
+    Narrow narrow;
+    std::memcpy(&narrow, from, sizeof(narrow));
+    return __builtin_convertvector(narrow, Double4);
+  }
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The state of HapticMethod::LocalSurface from tick to tick. In world units.
+ */
+#ifndef LocalState_h
+#define LocalState_h
+
+#include "Core/Math/Quadric.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** The plane or quadric that stands in for the isosurface near the proxy, if there is one. */
+struct LocalSurface
+{
+  bool IsThere = false;
+  Quadric Shape;
+};
+
+/** The next search of the slow loop, see LocalSurfaceFit.h. */
+struct LocalSurfaceRequest
+{
+  Vector3 Position; ///< of the proxy
+  Vector3 Ahead;    ///< how far the tip may have moved when the result is replaced
+  Vector3 Normal;   ///< of the surface that is known there, into the structure; 0 if there is none
+};
+
+/** What LOCAL_SURFACE carries from tick to tick. */
+struct LocalState
+{
+  LocalSurface Surface;
+  Vector3 Position;         ///< of the proxy on the surface
+  bool IsHeld = false;      ///< whether the surface holds the proxy, and Position is valid
+  Vector3 Tip;              ///< after the last tick
+  Vector3 Fading;           ///< added to Position - Tip to give the felt lag; fades to 0
+  double Fall = 0.0;        ///< by how much Fading gets shorter in a tick
+  std::uint32_t Age = 0;    ///< ticks since the request
+  std::uint32_t Number = 0; ///< of the request
+  LocalSurfaceRequest Request;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The material at a point of the volume.
+ */
+#ifndef MaterialPoint_h
+#define MaterialPoint_h
+
+#include "Core/Math/Vector3.h"
+
+namespace VolumeHaptics
+{
+
+/** The material at a point of the volume, as the law of MaterialLaw.h reads it. */
+struct MaterialPoint
+{
+  Vector3 Normal;                 ///< unit, into the structure
+  double GradientMagnitude = 0.0; ///< scalar units per world unit
+  double SurfaceValue = 0.0;      ///< V(x_s)
+  double MediumValue = 0.0;       ///< V(x_v)
+  double Stiffness = 0.0;         ///< k, N/m
+  double Friction = 0.0;          ///< mu
+  double Viscosity = 0.0;         ///< R, N
+  double SurfaceStrength = 0.0;   ///< T_N W_d, N
+};
+
+} // namespace VolumeHaptics
+
+#endif

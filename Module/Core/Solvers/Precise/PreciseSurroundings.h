@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Single motions of solver PRECISE (PreciseSolver.h): the material around a proxy, and the point
+ * where a motion ends.
+ */
+#ifndef PreciseSurroundings_h
+#define PreciseSurroundings_h
+
+#include "Core/Model/HapticModel.h"
+#include "Core/Solvers/PreciseState.h"
+
+namespace VolumeHaptics
+{
+
+/** The motion of the proxy by the law at its material point. */
+struct Motion
+{
+  Vector3 Displacement; ///< m
+  bool IsHeld = false;  ///< by a surface: the proxy keeps its level
+  bool IsFree = false;  ///< no material holds the proxy
+};
+
+/** The beginning of a motion. */
+struct Departure
+{
+  Vector3 Proxy;
+  PassiveSpring Spring;
+  double Level; ///< of the surface, if the motion is held
+};
+
+/** The end of a motion. */
+struct Arrival
+{
+  Vector3 Proxy;
+  PrecisePoint There;
+  double CachedSampleDistance; ///< voxels, at most, from the point that was sampled
+  PassiveSpring Spring;
+};
+
+/** The proxy moves to tissue of another stiffness (N/m), with the tip `lag` (m) away. */
+void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
+
+/** Samples the volume around a proxy, and counts the samples: a tick has a budget of them. */
+class PreciseSurroundings
+{
+public:
+  explicit PreciseSurroundings(const HapticModel& model) noexcept
+    : Model(model)
+  {
+  }
+
+  /** The material at a proxy. With two-sided surfaces the normal follows the lag. */
+  PrecisePoint Look(const Vector3& proxy, const Vector3& lag) noexcept;
+  /** Whether the budget suffices for another motion. */
+  bool CanGoOn() const noexcept;
+
+  /** The length of a displacement (m) in voxels. */
+  double Voxels(const Vector3& displacement) const noexcept
+  {
+    return Norm(this->Model.DeviceToIndex.Linear * displacement);
+  }
+
+  /** Voxels per metre along the axis of the smallest spacing. */
+  double GetVoxelsPerMeter() const noexcept { return this->Model.MostVoxelsPerMeter; }
+
+  /** Whether both positions lie beyond the same face of the volume. */
+  bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
+
+  /**
+   * The displacement (m) along the normal from a point to a level, as far as the spring's balance
+   * allows.
+   */
+  double ToLevel(
+    const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept;
+
+  /** Makes a share of a motion, or less: no farther than the material there allows. */
+  Arrival Arrive(
+    const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept;
+
+private:
+  /** The spring (m) that is left along a motion's parts; below 0 if the motion went too far. */
+  struct Remainder
+  {
+    double Normal;
+    double Tangent;
+    bool IsWhole; ///< both are that of the motion as a whole
+  };
+
+  Arrival Try(const Departure& start, const Motion& motion, const Vector3& displacement,
+    const Vector3& tip) noexcept;
+  Remainder Judge(const Motion& motion, const Vector3& displacement, const Vector3& tip,
+    const Arrival& end) const noexcept;
+  Arrival DrawBack(const Departure& start, const Motion& motion, const Vector3& displacement,
+    const Vector3& tip, const Arrival& end, const Remainder& rest) noexcept;
+
+  const HapticModel& Model;
+  int Looks = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

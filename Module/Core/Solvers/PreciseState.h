@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The state of solver PRECISE from tick to tick.
+ */
+#ifndef PreciseState_h
+#define PreciseState_h
+
+#include "Core/Solvers/MaterialPoint.h"
+#include "Core/Solvers/PassiveSpring.h"
+
+#include <limits>
+
+namespace VolumeHaptics
+{
+
+/** A material point with the estimator's own value and its slope. */
+struct PrecisePoint : MaterialPoint
+{
+  double Value = 0.0; ///< the estimator's own
+  double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
+};
+
+/** What PRECISE carries from tick to tick. */
+struct PreciseState
+{
+  static constexpr double Unknown = std::numeric_limits<double>::max();
+
+  Vector3 ReachedTip;  ///< the tip; if the solver's budget was spent, the tip that it has reached
+  double Level = 0.0;  ///< the estimator's value on the surface that holds the proxy
+  bool IsHeld = false; ///< whether a surface holds the proxy, and Level is valid
+  PassiveSpring Spring;
+  /** By how much the first step of a tick is lengthened; learned from the last ticks (1: not). */
+  double StepPrediction = 1.0;
+  PrecisePoint Here; ///< the material where the proxy was when it was last sampled
+  /** The distance (voxels), at most, of the proxy from there. */
+  double CachedSampleDistance = Unknown;
+};
+
+} // namespace VolumeHaptics
+
+#endif

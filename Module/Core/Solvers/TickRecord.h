@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What one tick found and did. In device space: metres, newtons.
+ */
+#ifndef TickRecord_h
+#define TickRecord_h
+
+#include "Core/Solvers/MaterialPoint.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+enum class ContactState : std::uint8_t
+{
+  Free = 0,       ///< no surface holds the proxy
+  Sticking = 1,   ///< a surface holds it, friction too
+  Sliding = 2,    ///< it slides over a surface
+  Penetrating = 3 ///< it is pushed through a surface
+};
+
+/** The record of one tick, with the material that it used. */
+struct TickRecord : MaterialPoint
+{
+  Vector3 Tip;
+  Vector3 Proxy;              ///< after the tick
+  Vector3 Force;              ///< N, on the hand
+  double NormalForce = 0.0;   ///< N, magnitude before the drag step
+  double FrictionForce = 0.0; ///< N, magnitude before the drag step
+  double DragForce = 0.0;     ///< N, stiffness times the distance that the drag step went back
+  ContactState Contact = ContactState::Free;
+  bool IsUnfinished = false; ///< PRECISE spent its budget: the force is that of an earlier tip
+  bool IsRenewed = false;    ///< LOCAL_SURFACE got a surface from the slow loop
+};
+
+} // namespace VolumeHaptics
+
+#endif
