@@ -22,6 +22,6 @@ options=(--output "$root/build/evaluation")
 head_ct=$root/build/explore/data/Cranium.mhd
 [ -f "$head_ct" ] && options+=(--volume "$head_ct")
 
-cmake -S "$root" -B "$root/build/test" -G Ninja -DBUILD_TESTING=ON > /dev/null
+cmake -S "$root" --preset dev -B "$root/build/test" > /dev/null
 cmake --build "$root/build/test" --target volumehaptics-evaluation
 with_own_screen "$root/build/test/bin/volumehaptics-evaluation" "${options[@]}" "$@"

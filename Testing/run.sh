@@ -47,12 +47,6 @@ run_tests()
   with_own_screen ctest "${on[@]}" -j 1 --rerun-failed
 }
 
-# Hundreds of test programs are linked: binutils' other linker takes a fifth of the time.
-linker=()
-if command -v ld.gold > /dev/null; then
-  linker=(-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold)
-fi
-
 # The plugin in ParaView, whose traces are compared with those of the build in $build_dir.
 test_paraview()
 {
@@ -71,8 +65,8 @@ test_paraview()
     echo "!!!! SKIPPED: no head CT, so traces are compared on the project's own volumes only !!!!" >&2
   paraview=$(echo "$prefix"/usr/lib/*/cmake/paraview-*)
   PATH=$prefix/usr/bin:$PATH PYTHONPATH=$prefix/usr/lib/python3/dist-packages \
-    cmake -S "$root" -B "$plugin_dir" -G Ninja -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_PARAVIEW_PLUGIN=ON \
-    "${at_once[@]}" -DParaView_DIR="$paraview" -DPython3_EXECUTABLE=/usr/bin/python3 -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
+    cmake -S "$root" --preset paraview -B "$plugin_dir" \
+    -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
   cmake --build "$plugin_dir" -j "$jobs"
   run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
@@ -98,19 +92,12 @@ test_wheel()
 "$root/Testing/lint.sh"
 
 echo "== Building in $build_dir"
-cmake -S "$root" -B "$build_dir" -G Ninja "${linker[@]}" -DBUILD_TESTING=ON -DVolumeHaptics_BUILD_BENCHMARKS=ON
+cmake -S "$root" --preset release -B "$build_dir"
 cmake --build "$build_dir" -j "$jobs"
 
-# The module's own sources compile in half the time as a few large ones. That each stands alone shows in $build_dir.
-at_once=(-DCMAKE_UNITY_BUILD=ON)
-
-# Line numbers are all that the sanitizers' reports need of the debug information, and optimising most of the compiler's
-# time; what is tested stays fast enough with some.
-sanitizer_options=("${linker[@]}" "${at_once[@]}" -DBUILD_TESTING=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo
-  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1 -DNDEBUG")
 echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
-cmake -S "$root" -B "$build_dir-sanitize" -G Ninja "${sanitizer_options[@]}" \
-  -DVolumeHaptics_SANITIZE=address,undefined -DVolumeHaptics_WRAP_PYTHON="$([ $full = yes ] && echo ON || echo OFF)"
+cmake -S "$root" --preset asan -B "$build_dir-sanitize" \
+  -DVolumeHaptics_WRAP_PYTHON="$([ $full = yes ] && echo ON || echo OFF)"
 if [ $full = yes ]; then
   cmake --build "$build_dir-sanitize" -j "$jobs"
   run_tests "$build_dir-sanitize" -LE package
@@ -120,8 +107,7 @@ else
 fi
 
 echo "== Building with the thread sanitizer in $build_dir-thread"
-cmake -S "$root" -B "$build_dir-thread" -G Ninja "${sanitizer_options[@]}" \
-  -DVolumeHaptics_SANITIZE=thread -DVolumeHaptics_WRAP_PYTHON=OFF
+cmake -S "$root" --preset tsan -B "$build_dir-thread"
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests

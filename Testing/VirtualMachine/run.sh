@@ -35,7 +35,7 @@ require_packages cmake ninja-build g++ libvtk9-dev libgtest-dev pkg-config libus
   qemu-system-x86 busybox-static cpio kmod
 
 echo "== Building in $build_dir"
-cmake -S "$root" -B "$build_dir" -G Ninja -DBUILD_TESTING=ON
+cmake -S "$root" --preset dev -B "$build_dir"
 cmake --build "$build_dir" --target VolumeHapticsVirtualMachineTest
 program=$build_dir/bin/VolumeHapticsVirtualMachineTest
 
