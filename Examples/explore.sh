@@ -7,7 +7,7 @@ set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build="$root/build/explore"
-program="$build/bin/volumehaptics-explore"
+program="$build/module/bin/volumehaptics-explore"
 
 usage()
 {
@@ -57,12 +57,8 @@ build_all()
 {
   quietly configure.log cmake -S "$root" -B "$build/module" -G Ninja \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_TESTING=OFF \
-    -DVolumeHaptics_WRAP_PYTHON=OFF
+    -DVolumeHaptics_WRAP_PYTHON=OFF -DVolumeHaptics_BUILD_EXPLORER=ON
   quietly build.log cmake --build "$build/module"
-  quietly configure-examples.log cmake -S "$root/Examples/Cxx" -B "$build/examples" -G Ninja \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_RUNTIME_OUTPUT_DIRECTORY="$build/bin" \
-    -DVolumeHaptics_DIR="$build/module/lib/cmake/VolumeHaptics"
-  quietly build-examples.log cmake --build "$build/examples"
 }
 
 explore()

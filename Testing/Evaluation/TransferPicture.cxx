@@ -4,11 +4,11 @@
 
 #include "TransferCharts.h"
 
-#include "BodyIsolation.h"
-#include "InputError.h"
-#include "SceneCamera.h"
-#include "VolumeLoader.h"
-#include "VolumeLook.h"
+#include "Applications/Explorer/BodyIsolation.h"
+#include "Applications/Explorer/InputError.h"
+#include "Applications/Explorer/SceneCamera.h"
+#include "Applications/Explorer/VolumeLoader.h"
+#include "Applications/Explorer/VolumeLook.h"
 
 #include "vtkCamera.h"
 #include "vtkContextActor.h"

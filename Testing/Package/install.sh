@@ -20,7 +20,7 @@ cmake --install "$build_dir" --prefix "$prefix" >"$work/install.log"
 config=$(find "$prefix" -name VolumeHapticsConfig.cmake)
 sanitize=$(sed -n 's/^VolumeHaptics_SANITIZE:STRING=//p' "$build_dir/CMakeCache.txt")
 cmake -S "$source_dir/Examples/Cxx" -B "$work/examples" -G Ninja \
-  -DVolumeHaptics_DIR="$(dirname "$config")" -DVolumeHapticsExamples_EXPLORE=OFF \
+  -DVolumeHaptics_DIR="$(dirname "$config")" \
   ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure.log"
 cmake --build "$work/examples" >"$work/build.log"
 from_cxx=$("$work/examples/first-touch" "$head")

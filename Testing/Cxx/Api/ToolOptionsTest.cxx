@@ -5,7 +5,7 @@
  * The command line of volumehaptics-device.
  */
 
-#include "ToolOptions.h"
+#include "Applications/DeviceTool/ToolOptions.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
  * where nobody has said how strong the stick is.
  */
 
-#include "DeviceTool.h"
+#include "Applications/DeviceTool/DeviceTool.h"
 #include "EmulatedHid.h"
 #include "ModelClock.h"
 #include "StickModel.h"

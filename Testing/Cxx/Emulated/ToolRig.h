@@ -7,7 +7,7 @@
 #ifndef ToolRig_h
 #define ToolRig_h
 
-#include "DeviceTool.h"
+#include "Applications/DeviceTool/DeviceTool.h"
 
 #include <gtest/gtest.h>
 

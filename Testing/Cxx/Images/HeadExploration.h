@@ -3,8 +3,8 @@
 #ifndef HeadExploration_h
 #define HeadExploration_h
 
-#include "Explorer.h"
-#include "VolumeLoader.h"
+#include "Applications/Explorer/Explorer.h"
+#include "Applications/Explorer/VolumeLoader.h"
 
 #include <vtksys/SystemTools.hxx>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever cannot be explored gets one message that says what is wrong and how to cure it.
+#include "Applications/Explorer/InputError.h"
 #include "HeadExploration.h"
-#include "InputError.h"
 
 #include "vtkExtractVOI.h"
 #include "vtkNew.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every method feels the same path over the same head, with forces that a hand can bear, and the
 // output says which it was.
+#include "Applications/Explorer/InputError.h"
+#include "Applications/Explorer/Options.h"
+#include "Applications/Explorer/TraceSummary.h"
+#include "Applications/Explorer/VolumeOrientation.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
-#include "InputError.h"
-#include "Options.h"
-#include "TraceSummary.h"
-#include "VolumeOrientation.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The planned path is one that a hand can follow, and it touches what it should.
+#include "Applications/Explorer/TissueTable.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
-#include "TissueTable.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -4,8 +4,8 @@
 #define TouchedHead_h
 
 #include "../Device/LoopPauses.h"
+#include "Applications/Explorer/TouchScene.h"
 #include "HeadExploration.h"
-#include "TouchScene.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderWindowInteractor.h"

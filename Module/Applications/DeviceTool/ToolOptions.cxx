@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/DeviceTool/ToolOptions.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+const char* const ToolUsage =
+  R"(usage: volumehaptics-device list
+       volumehaptics-device monitor ID [options]      live tip, force, rate and buttons; no force
+       volumehaptics-device home ID [options]         find the zero of its encoders, by hand
+       volumehaptics-device test ID [options]         feel a wall of at most 1 N in its middle
+       volumehaptics-device record ID FILE [options]  its path, to a .vtp or a .csv; no force
+
+ID is what list shows: falcon[:N], wooden[:N], pid[:VVVV:PPPP], spacemouse[:N]; also virtual, replay:FILE.
+
+  --firmware FILE     the image for a Novint Falcon that has none (else $VOLUMEHAPTICS_FALCON_FIRMWARE)
+  --homing-time S     how long each step of homing may take (120)
+  --newtons X         a force-feedback wheel's force at full scale, N; negative reverses it (100)
+  --axis x|y|z        across which the wall of test stands (z; x for a stick or a wheel)
+  --rate HZ           ticks of the servo per second, 100 to 10000 (1000)
+  --seconds S         end after that time (monitor, test: when interrupted; record: 10)
+)";
+
+namespace
+{
+
+bool ReadNumber(const std::string& text, double& number)
+{
+  char* end = nullptr;
+  number = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(number);
+}
+
+bool ReadInRange(const std::string& text, double least, double most, double& number)
+{
+  return ReadNumber(text, number) && number >= least && number <= most;
+}
+
+bool ReadNewtons(const std::string& text, double newtons[2])
+{
+  const std::size_t comma = text.find(',');
+  if (!ReadInRange(text.substr(0, comma), -100.0, 100.0, newtons[0]))
+  {
+    return false;
+  }
+  newtons[1] = newtons[0];
+  return comma == std::string::npos ||
+    ReadInRange(text.substr(comma + 1), -100.0, 100.0, newtons[1]);
+}
+
+bool ReadAxis(const std::string& text, int& axis)
+{
+  const std::size_t found = std::string("xyz").find(text);
+  axis = static_cast<int>(found);
+  return text.size() == 1 && found != std::string::npos;
+}
+
+/** Says what an option has to be where the value is none; else nullptr. */
+const char* ReadOption(const std::string& name, const std::string& value, ToolOptions& options)
+{
+  if (name == "--firmware")
+  {
+    options.Firmware = value;
+    return value.empty() ? "the name of a file" : nullptr;
+  }
+  if (name == "--homing-time")
+  {
+    return ReadInRange(value, 1.0, 3600.0, options.HomingTime) ? nullptr : "seconds, 1 to 3600";
+  }
+  if (name == "--newtons")
+  {
+    options.HasNewtons = true;
+    return ReadNewtons(value, options.Newtons) ? nullptr
+                                               : "newtons, -100 to 100, such as 2.5 or 2.5,-2.5";
+  }
+  if (name == "--axis")
+  {
+    return ReadAxis(value, options.Axis) ? nullptr : "x, y or z";
+  }
+  if (name == "--rate")
+  {
+    return ReadInRange(value, 100.0, 10000.0, options.ServoRate) ? nullptr : "Hz, 100 to 10000";
+  }
+  return ReadInRange(value, 0.001, 1e6, options.Seconds) ? nullptr : "seconds, more than 0";
+}
+
+} // namespace
+
+bool ReadToolOptions(
+  const std::vector<std::string>& arguments, ToolOptions& options, std::string& error)
+{
+  using Command = ToolOptions::Command;
+  static const std::map<std::string, Command> commands = { { "list", Command::List },
+    { "monitor", Command::Monitor }, { "home", Command::Home }, { "test", Command::Test },
+    { "record", Command::Record }, { "help", Command::Help }, { "--help", Command::Help },
+    { "-h", Command::Help } };
+  static const std::string names = " --firmware --homing-time --newtons --axis --rate --seconds ";
+
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  const auto command = commands.find(first);
+  if (command == commands.end())
+  {
+    error = first.empty() ? "What is to be done? Try --help."
+                          : "There is no command \"" + first + "\". Try --help.";
+    return false;
+  }
+  options.What = command->second;
+  std::vector<std::string> operands;
+  for (std::size_t i = 1; i < arguments.size(); ++i)
+  {
+    const std::string& name = arguments[i];
+    if (name.empty() || name[0] != '-')
+    {
+      operands.push_back(name);
+      continue;
+    }
+    if (names.find(" " + name + " ") == std::string::npos)
+    {
+      error = "There is no option \"" + name + "\". Try --help.";
+      return false;
+    }
+    const char* const wanted =
+      ReadOption(name, i + 1 < arguments.size() ? arguments[i + 1] : "", options);
+    if (wanted)
+    {
+      error = name + " wants " + wanted + ".";
+      return false;
+    }
+    ++i;
+  }
+
+  const std::size_t wanted = options.What == Command::Record         ? 2
+    : options.What == Command::Help || options.What == Command::List ? 0
+                                                                     : 1;
+  if (operands.size() != wanted)
+  {
+    error = first + " takes " +
+      (wanted == 0      ? "no operands"
+          : wanted == 1 ? "the id of a device, as list shows it"
+                        : "the id of a device, as list shows it, and a file named .vtp or .csv") +
+      ". Try --help.";
+    return false;
+  }
+  options.Id = wanted > 0 ? operands[0] : "";
+  options.File = wanted > 1 ? operands[1] : "";
+  return true;
+}

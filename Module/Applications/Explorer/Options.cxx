@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Options.h"
+
+#include "Applications/Explorer/InputError.h"
+#include "Applications/Explorer/StereoModes.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkStringArray.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace
+{
+using Explore::Estimator;
+using Explore::InputError;
+using Explore::MapperChoice;
+using Explore::Options;
+
+constexpr int SMALLEST_WIDTH = 100;
+constexpr int LARGEST_WIDTH = 8000;
+constexpr double MOST_NEWTONS = 100.0;
+
+const std::map<std::string, Estimator> ESTIMATORS = { { "central", Estimator::CentralDifference },
+  { "gaussian", Estimator::Gaussian }, { "bspline", Estimator::CubicBSpline } };
+
+const std::map<std::string, MapperChoice> MAPPERS = { { "auto", MapperChoice::Auto },
+  { "gpu", MapperChoice::GPU }, { "cpu", MapperChoice::CPU } };
+
+template <typename Value>
+Value Choose(
+  const std::map<std::string, Value>& choices, const std::string& option, const std::string& text)
+{
+  const auto choice = choices.find(text);
+  if (choice != choices.end())
+  {
+    return choice->second;
+  }
+  std::string list;
+  for (const auto& known : choices)
+  {
+    list += (list.empty() ? "" : ", ") + known.first;
+  }
+  throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
+}
+
+/// The names of the methods, each for itself.
+std::map<std::string, std::string> Methods()
+{
+  std::map<std::string, std::string> methods;
+  vtkStringArray* const names = vtkVolumeHapticsFilter::GetMethodNames();
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    methods[names->GetValue(i)] = names->GetValue(i);
+  }
+  return methods;
+}
+
+/// ", first, second" of names, each in quotes or not.
+std::string List(vtkStringArray* names, const std::string& quote)
+{
+  std::string list;
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    list += ", " + quote + names->GetValue(i) + quote;
+  }
+  return list;
+}
+
+double ParseNewtons(const std::string& text)
+{
+  char* end = nullptr;
+  const double newtons = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !(std::abs(newtons) <= MOST_NEWTONS))
+  {
+    throw InputError("--newtons '" + text + "'", "is no force of a stick", "take -100 to 100");
+  }
+  return newtons;
+}
+
+int ParseWidth(const std::string& text)
+{
+  char* end = nullptr;
+  const long width = std::strtol(text.c_str(), &end, 10);
+  if (text.empty() || *end != '\0' || width < SMALLEST_WIDTH || width > LARGEST_WIDTH)
+  {
+    throw InputError(
+      "--size '" + text + "'", "is not a width in pixels", "take a whole number from 100 to 8000");
+  }
+  return static_cast<int>(width);
+}
+
+void SetOption(Options& options, const std::string& name, const std::string& value)
+{
+  if (name == "--pictures")
+  {
+    options.Folder = value;
+    options.Pictures = true;
+  }
+  else if (name == "--preset")
+  {
+    options.How.Preset = value;
+  }
+  else if (name == "--estimator")
+  {
+    options.How.Gradient = Choose(ESTIMATORS, name, value);
+  }
+  else if (name == "--method")
+  {
+    options.How.Method = Choose(Methods(), name, value);
+  }
+  else if (name == "--mapper")
+  {
+    options.Mapper = Choose(MAPPERS, name, value);
+  }
+  else if (name == "--device")
+  {
+    options.Device.Id = value;
+  }
+  else if (name == "--firmware")
+  {
+    options.Device.Firmware = value;
+  }
+  else if (name == "--newtons")
+  {
+    options.Device.Newtons = ParseNewtons(value);
+  }
+  else if (name == "--setup")
+  {
+    options.Setup = value;
+  }
+  else if (name == "--stereo")
+  {
+    Explore::FindStereoMode(value); // complains, if it has to, before anything is computed
+    options.Stereo = value;
+  }
+  else if (name == "--size")
+  {
+    options.Width = ParseWidth(value);
+  }
+  else if (name == "--front")
+  {
+    options.How.Front = value;
+  }
+  else if (name == "--up")
+  {
+    options.How.Up = value;
+  }
+  else
+  {
+    throw InputError(name, "is not an option", "--help lists the options");
+  }
+}
+} // namespace
+
+namespace Explore
+{
+Options ParseOptions(int argc, char* argv[])
+{
+  Options options;
+  for (int i = 1; i < argc; ++i)
+  {
+    std::string word = argv[i];
+    if (word == "--help" || word == "-h")
+    {
+      options.Help = true;
+    }
+    else if (word == "--check-display")
+    {
+      options.CheckDisplay = true;
+    }
+    else if (word == "--live")
+    {
+      options.Live = true;
+    }
+    else if (word.size() > 1 && word[0] == '-')
+    {
+      const std::size_t equals = word.find('=');
+      if (equals == std::string::npos && i + 1 >= argc)
+      {
+        throw InputError(word, "needs a value", "--help lists the options");
+      }
+      const std::string value = equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
+      SetOption(options, word.substr(0, equals), value);
+    }
+    else if (options.VolumePath.empty())
+    {
+      options.VolumePath = word;
+    }
+    else
+    {
+      throw InputError(word, "is a second volume", "name one; quote names with blanks");
+    }
+  }
+  if (options.VolumePath.empty() && !options.Help && !options.CheckDisplay)
+  {
+    throw InputError("volumehaptics-explore", "no volume was named",
+      "name a volume file or a DICOM folder; Examples/explore.sh gets a head CT by itself");
+  }
+  return options;
+}
+
+std::string HelpText()
+{
+  const std::string presets = List(vtkHapticProperty::GetPresetNames(), "\"");
+  const std::string methods = List(vtkVolumeHapticsFilter::GetMethodNames(), "").substr(2);
+  return R"(Usage: volumehaptics-explore VOLUME [options]
+
+Feels its way over a volume: presses a tip into the outer surface, drags it, presses through to what is
+dense inside, drags it there, and says what a hand would feel. Then, where there is a display, opens a
+window in which the mouse, or a device, touches the volume. Elsewhere, or with --pictures, writes
+pictures, the trace and a summary.
+
+VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
+
+  --pictures DIR    no window, and where the results go (default explore-pictures):
+                    explore.png force.png trace.vtp trace.csv summary.txt
+  --device ID       of the window: virtual (default, the mouse), replay:FILE, or a real one, such as
+                    falcon: see volumehaptics-device list
+  --firmware FILE   the image for a Novint Falcon that has none
+  --newtons N       what a stick's force is at full scale (100): measure it, most have much less
+  --setup FILE      of the window: loaded if it is there, saved when the window is closed
+  --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
+                    split-viewport, dresden, left, right, fake, emulate
+  --preset NAME     materials: auto (default), histogram)" +
+    presets + R"(
+  --method NAME     of the path, and the first of the window: )" +
+    methods + R"(
+                    (default proxy, the others for comparison)
+  --estimator NAME  gradient: central, gaussian (default), bspline
+  --size PX         width of the picture (default 900)
+  --mapper NAME     volume rendering: auto (default), gpu, cpu
+  --front AXIS      where a face looks: -y (default), +y, +x, -x, +z, -z
+  --up AXIS         where the top is: +z (default), ...
+  --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt
+                    there is recorded in live.vtp and shown in the pictures
+  --check-display   do nothing but test whether the display can draw pictures: exit status 0 if it can;
+                    if not, VTK may crash
+  --help            this text
+
+Exit status: 0 done, 1 the computation failed, 2 the input or an option is wrong, 3 no display.
+)";
+}
+} // namespace Explore

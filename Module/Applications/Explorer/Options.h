@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_Options_h
+#define Explore_Options_h
+
+#include "Applications/Explorer/Explorer.h"
+#include "Applications/Explorer/ExplorerScene.h"
+#include "Applications/Explorer/TouchScene.h"
+
+#include <string>
+
+namespace Explore
+{
+struct Options
+{
+  bool Help = false;
+  bool CheckDisplay = false; // test the display and do nothing else
+  bool Live = false;         // in real time through the servo loop, too
+  std::string VolumePath;
+  std::string Folder = "explore-pictures";
+  bool Pictures = false; // even where there is a display
+  DeviceChoice Device;   // of the window
+  std::string Setup;     // file of the window's functions, settings and camera
+  std::string Stereo;    // of the window
+  Settings How;
+  MapperChoice Mapper = MapperChoice::Auto;
+  int Width = 900;
+};
+
+/// Throws InputError for an option that is not known or has no proper value.
+Options ParseOptions(int argc, char* argv[]);
+
+/// What --help prints.
+std::string HelpText();
+} // namespace Explore
+
+#endif
