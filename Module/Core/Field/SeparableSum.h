@@ -111,8 +111,8 @@ VOLUME_HAPTICS_INLINE double DotRow(const RowSum<N>& sum, const double* weights)
 }
 
 /**
- * The sum over the N^3 taps behind `corner` and, with WithGradient, the gradient's. Rows lie along x:
- * they are combined over y and z first, in fours, and weighted along x last.
+ * The sum over the N^3 taps behind `corner` and, with WithGradient, the gradient's. Rows lie along
+ * x: they are combined over y and z first, in fours, and weighted along x last.
  */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,

@@ -28,8 +28,8 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   const LocalSurfaceResult& result = LocalSurfaceResult::Simulated()) noexcept;
 
 /**
- * The drag in a tick's force (N), which only takes energy: that of FORCE_FIELD; zero for the methods
- * that pull with a spring.
+ * The drag in a tick's force (N), which only takes energy: that of FORCE_FIELD; zero for the
+ * methods that pull with a spring.
  */
 Vector3 FindDrag(
   const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;

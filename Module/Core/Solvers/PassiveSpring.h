@@ -4,16 +4,16 @@
  * @file
  * A spring whose stiffness follows the tissue without giving energy to the hand.
  *
- * Let the proxy rest at a distance d from the tip. If the tissue's stiffness K rises there, k = K at
- * once would store energy that the hand has not put in (T15 in Documentation/evaluation.md). So a
- * rise keeps the force instead: the spring gets slack s,
+ * Let the proxy rest at a distance d from the tip. If the tissue's stiffness K rises there, k = K
+ * at once would store energy that the hand has not put in (T15 in Documentation/evaluation.md). So
+ * a rise keeps the force instead: the spring gets slack s,
  *
  *   |f| = K (|d| - s)   for |d| > s, else 0,
  *
  * and pressing on is felt with the new stiffness. A fall of K keeps the stretch |d| - s and loses
- * energy, which goes to a reserve. A later rise is first paid from the reserve, so that sliding over
- * uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus the reserve
- * rises only by the hand's work. Slack and reserve end with the contact.
+ * energy, which goes to a reserve. A later rise is first paid from the reserve, so that sliding
+ * over uneven tissue does not wear the force down. The stored energy K (|d| - s)^2 / 2 plus the
+ * reserve rises only by the hand's work. Slack and reserve end with the contact.
  */
 #ifndef PassiveSpring_h
 #define PassiveSpring_h

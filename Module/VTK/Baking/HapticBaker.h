@@ -35,9 +35,9 @@ public:
   }
 
   /**
-   * About how long (s) Bake() would take now on a desktop computer, not counting the pipeline before
-   * the filter. It takes time only to make the mesh of SURFACE_PROXY, and 0 if the mesh is up to
-   * date.
+   * About how long (s) Bake() would take now on a desktop computer, not counting the pipeline
+   * before the filter. It takes time only to make the mesh of SURFACE_PROXY, and 0 if the mesh is
+   * up to date.
    */
   double EstimateTime() const { return this->Filter->EstimateBakeTime(); }
 

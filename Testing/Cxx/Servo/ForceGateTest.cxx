@@ -79,8 +79,8 @@ enum Event
   Events
 };
 
-/// The causes: f an ordered fade, s a fade since the owner is silent, h a hold, r a retreat. D, d, O
-/// and o stand for the shut states and for an open one.
+/// The causes: f an ordered fade, s a fade since the owner is silent, h a hold, r a retreat. D, d,
+/// O and o stand for the shut states and for an open one.
 struct Row
 {
   const char* Causes;

@@ -65,8 +65,8 @@ public:
     }
     this->FollowFoot(foot, normal);
     const bool isBoth = this->Model.Settings.Side == SurfaceSide::Both;
-    // By rounding, the proxy may lie on either side of the surface that holds it. And if a structure
-    // is thinner than the kernel, the gradient may be that of the structure behind it.
+    // By rounding, the proxy may lie on either side of the surface that holds it. And if a
+    // structure is thinner than the kernel, the gradient may be that of the structure behind it.
     const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Request.Normal) < 0.0
                                                   : this->Sign * this->Rise(foot, normal) < 0.0;
     if (isTurned)

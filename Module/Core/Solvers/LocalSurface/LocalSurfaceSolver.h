@@ -5,9 +5,9 @@
  * The servo's side of HapticMethod::LocalSurface: touches a surface that a slow loop renews.
  *
  * After Mark et al., "Adding Force Feedback to Graphics Systems", 1996. The proxy x is the point of
- * the surface depth(x) = 0 (LocalSurfaceFit.h) that is nearest to the tip, as far as friction allows:
- * it sticks while x_tip - x makes an angle of less than atan(mu) with the surface's normal at x.
- * With the material at HapticSettings::IsoValue the force is k (x - x_tip). The surface holds
+ * the surface depth(x) = 0 (LocalSurfaceFit.h) that is nearest to the tip, as far as friction
+ * allows: it sticks while x_tip - x makes an angle of less than atan(mu) with the surface's normal
+ * at x. With the material at HapticSettings::IsoValue the force is k (x - x_tip). The surface holds
  * without limit, and there is no drag.
  *
  * Every 1 / LocalSurfaceRate a request goes out and the result of the last one comes in: another
@@ -16,9 +16,9 @@
  * hand does not feel it at once but fades into it over RecoveryTime. So a surface that comes up
  * under the hand lifts it gently, none lets go at once, and a jump never pulls the hand in.
  *
- * One surface is known at a time. The hand falls through surfaces that it meets before the slow loop
- * has found them. A plane lags behind a curved surface that the hand slides over: it then takes
- * energy from the hand if the surface is convex, and gives some if it is concave.
+ * One surface is known at a time. The hand falls through surfaces that it meets before the slow
+ * loop has found them. A plane lags behind a curved surface that the hand slides over: it then
+ * takes energy from the hand if the surface is convex, and gives some if it is concave.
  */
 #ifndef LocalSurfaceSolver_h
 #define LocalSurfaceSolver_h

@@ -19,8 +19,8 @@ constexpr double LongestCreep = 0.03;
 constexpr double LongestRest = 2e-3;
 
 /**
- * The cached sample serves until the proxy has moved this far from it (voxels); every tick counts at
- * least the second length. So a sample from another model, where a recording is played, does not
+ * The cached sample serves until the proxy has moved this far from it (voxels); every tick counts
+ * at least the second length. So a sample from another model, where a recording is played, does not
  * last.
  */
 constexpr double LongestSampleDistance = 1e-3;

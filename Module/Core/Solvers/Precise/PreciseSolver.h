@@ -23,29 +23,30 @@
  * voxel, and is judged at its end: if the material there holds more than the spring pulls, the end
  * is drawn back to the point at which both are equal (regula falsi, along the normal and across it;
  * at a step of a transfer function, bisection to a thousandth of a voxel, on the side that holds).
- * While a surface holds, the proxy stays on the level of the estimator's own value that it met first
- * (a Newton step after each motion), so that it does not drift. If friction or drag turn a motion,
- * it takes the mean of its first and last direction (second order).
+ * While a surface holds, the proxy stays on the level of the estimator's own value that it met
+ * first (a Newton step after each motion), so that it does not drift. If friction or drag turn a
+ * motion, it takes the mean of its first and last direction (second order).
  *
  * A sliding hand repeats its motion from tick to tick, which saves most samples. The last sample is
  * cached until the proxy is 1e-3 voxels away from it. While a surface holds, a tick's first motion
  * is lengthened by the ratio that the last ticks have shown (PreciseState::StepPrediction). A tick
- * of a tenth of a voxel then takes one or two samples. Cache and prediction only propose motions; no
- * judgement rests on them.
+ * of a tenth of a voxel then takes one or two samples. Cache and prediction only propose motions;
+ * no judgement rests on them.
  *
  * ## Existence and uniqueness
  *
  * For one material point a motion is unique: the drag's is the proximal map of R|m| after that of
- * the surface. Both are convex; the law takes normal before friction, which makes the latter unique,
- * too. Each accepted motion shortens the spring, and the solver finds the first point at which the
- * law holds.
+ * the surface. Both are convex; the law takes normal before friction, which makes the latter
+ * unique, too. Each accepted motion shortens the spring, and the solver finds the first point at
+ * which the law holds.
  *
  * ## Work
  *
  * A tick takes at most MaximumLooks samples. If these do not suffice (for a tip at tens of voxels a
- * tick), the proxy stays at the point that it has reached, the force is that of the earlier tip with
- * which this proxy is in balance, and the next tick goes on from there. So the force neither jumps
- * nor exceeds the material's strength, no point is skipped, and TickRecord::IsUnfinished is set.
+ * tick), the proxy stays at the point that it has reached, the force is that of the earlier tip
+ * with which this proxy is in balance, and the next tick goes on from there. So the force neither
+ * jumps nor exceeds the material's strength, no point is skipped, and TickRecord::IsUnfinished is
+ * set.
  */
 #ifndef PreciseSolver_h
 #define PreciseSolver_h

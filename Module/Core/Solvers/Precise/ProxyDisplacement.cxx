@@ -16,7 +16,9 @@ constexpr double MostParts = 64.0;
 /** Share of a circle's radius beyond which a spring has a direction. */
 constexpr double OnCircle = 0.9;
 
-/** The part of a spring that the surface does not hold, and the circle that friction and drag do. */
+/**
+ * The part of a spring that the surface does not hold, and the circle that friction and drag do.
+ */
 struct UnheldSpring
 {
   Vector3 Lag;   ///< m
