@@ -2,91 +2,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInteractorStyleHaptic.h"
 
-#include "VTK/Baking/HapticBaker.h"
-#include "VTK/Scene/HapticViewRay.h"
-#include "vtkInteractorStyleHapticInternals.h"
+#include "VTK/Scene/HapticInteraction.h"
 
-#include "vtkCamera.h"
+#include "vtkCallbackCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
-#include "vtkVolumeHapticsFilter.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
+#include <string>
 
 vtkStandardNewMacro(vtkInteractorStyleHaptic);
 
 using namespace VolumeHaptics;
 
+namespace
+{
+
+/** Without a window there are no such events, and VTK's own styles would crash. */
+bool HasWindow(vtkRenderWindowInteractor* interactor)
+{
+  return interactor && interactor->GetRenderWindow();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+struct vtkInteractorStyleHaptic::vtkInternals
+{
+  explicit vtkInternals(vtkInteractorStyleHaptic* self)
+    : Interaction(self,
+        { [self](bool quickly) { self->DrawScene(quickly); },
+          [self] { return self->ArmsAfterClutch(); } })
+  {
+    this->TimerObserver->SetClientData(this);
+    this->TimerObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void* id)
+      { static_cast<vtkInternals*>(internals)->FiredTimer = id ? *static_cast<int*>(id) : 0; });
+  }
+
+  HapticInteraction Interaction;
+  int Timer = 0;      ///< 0 without a timer, as the application may bring its own
+  int FiredTimer = 0; ///< interactors pass the timer's id to observers, but not to styles
+  vtkNew<vtkCallbackCommand> TimerObserver;
+};
+
 //------------------------------------------------------------------------------
 vtkInteractorStyleHaptic::vtkInteractorStyleHaptic()
   : Internals(new vtkInternals(this))
 {
-  auto& d = *this->Internals;
-  d.TimerObserver->SetClientData(&d);
-  d.TimerObserver->SetCallback([](vtkObject*, unsigned long, void* self, void* id)
-    { static_cast<vtkInternals*>(self)->FiredTimer = id ? *static_cast<int*>(id) : 0; });
-  d.DisarmObserver->SetClientData(&d);
-  d.DisarmObserver->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*)
-    {
-      static_cast<vtkInternals*>(self)->ArmAfterClutch = false;
-      static_cast<vtkInternals*>(self)->IsTouchBeginning = false;
-    });
-  d.WorkObserver->SetClientData(this);
-  d.WorkObserver->SetCallback(
-    [](vtkObject* worker, unsigned long event, void* self, void*)
-    {
-      static_cast<vtkInteractorStyleHaptic*>(self)->FollowWork(
-        worker, event == vtkCommand::StartEvent);
-    });
 }
 
 //------------------------------------------------------------------------------
 vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
 {
   this->SetInteractor(nullptr);
-  if (this->Internals->Device)
-  {
-    this->Internals->Device->RemoveObserver(this->Internals->DisarmObserver);
-    this->Internals->Device->RemoveObserver(this->Internals->WorkObserver);
-    this->Internals->Device->RemoveReader(this->Internals->Reader);
-  }
-  this->SetFunctionEditor(nullptr);
+  this->Internals->Interaction.Leave();
 }
 
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
 {
-  auto& d = *this->Internals;
-  if (d.Device != device)
+  if (this->Internals->Interaction.SetDevice(device))
   {
-    this->LetGo(); // an observer of it may take the device away, too
-    if (d.Device)
-    {
-      d.Device->RemoveObserver(d.DisarmObserver);
-      d.Device->RemoveObserver(d.WorkObserver);
-      d.Device->RemoveReader(d.Reader);
-    }
-    d.Device = device;
-    if (device)
-    {
-      d.Reader = device->AddReader();
-      d.Updated = device->GetTime();
-      device->AddObserver(vtkCommand::DisableEvent, d.DisarmObserver);
-      device->AddObserver(vtkCommand::StartEvent, d.WorkObserver);
-      device->AddObserver(vtkCommand::EndEvent, d.WorkObserver);
-    }
-    d.ArmAfterClutch = false;
-    this->Clutch = false;
-    d.Watch.Reset();
-    d.IsPlaced = false;
-    d.Published = 0;
-    this->TouchMode = false;
     this->Modified();
   }
 }
@@ -94,15 +71,16 @@ void vtkInteractorStyleHaptic::SetDevice(vtkHapticDevice* device)
 //------------------------------------------------------------------------------
 vtkHapticDevice* vtkInteractorStyleHaptic::GetDevice()
 {
-  return this->Internals->Device;
+  return this->Internals->Interaction.Scene.Device;
 }
 
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetHeadUpDisplay(vtkHapticHeadUpDisplay* display)
 {
-  if (this->Internals->Display != display)
+  auto& scene = this->Internals->Interaction.Scene;
+  if (scene.Display != display)
   {
-    this->Internals->Display = display;
+    scene.Display = display;
     this->Modified();
   }
 }
@@ -110,26 +88,14 @@ void vtkInteractorStyleHaptic::SetHeadUpDisplay(vtkHapticHeadUpDisplay* display)
 //------------------------------------------------------------------------------
 vtkHapticHeadUpDisplay* vtkInteractorStyleHaptic::GetHeadUpDisplay()
 {
-  return this->Internals->Display;
+  return this->Internals->Interaction.Scene.Display;
 }
 
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetFunctionEditor(vtkHapticFunctionEditor* editor)
 {
-  auto& d = *this->Internals;
-  if (d.Editor != editor)
+  if (this->Internals->Interaction.SetFunctionEditor(editor))
   {
-    if (d.Editor)
-    {
-      d.Editor->RemoveObserver(d.WorkObserver);
-      this->FollowWork(d.Editor, false);
-    }
-    d.Editor = editor;
-    if (editor)
-    {
-      editor->AddObserver(vtkCommand::StartEvent, d.WorkObserver);
-      editor->AddObserver(vtkCommand::EndEvent, d.WorkObserver);
-    }
     this->Modified();
   }
 }
@@ -137,13 +103,67 @@ void vtkInteractorStyleHaptic::SetFunctionEditor(vtkHapticFunctionEditor* editor
 //------------------------------------------------------------------------------
 vtkHapticFunctionEditor* vtkInteractorStyleHaptic::GetFunctionEditor()
 {
-  return this->Internals->Editor;
+  return this->Internals->Interaction.Scene.Editor;
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetTouchMode(bool on)
+{
+  this->Internals->Interaction.Touch.Set(on);
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::GetTouchMode()
+{
+  return this->Internals->Interaction.Touch.IsOn();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::RecenterWorkspace()
+{
+  this->Internals->Interaction.Workspace.Recenter();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetClutch(bool on)
+{
+  this->Internals->Interaction.Workspace.SetClutch(on);
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::GetClutch()
+{
+  return this->Internals->Interaction.Workspace.IsClutched();
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::ArmsAfterClutch()
+{
+  return this->Internals->Interaction.Workspace.WasArmed();
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::NextMethod()
+{
+  return this->Internals->Interaction.NextMethod();
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::UpdateHaptics()
+{
+  return this->Internals->Interaction.UpdateHaptics();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::CheckShownVolumes()
+{
+  this->Internals->Interaction.CheckShownVolumes();
 }
 
 //------------------------------------------------------------------------------
 vtkTable* vtkInteractorStyleHaptic::GetStates()
 {
-  return this->Internals->States;
+  return this->Internals->Interaction.States;
 }
 
 //------------------------------------------------------------------------------
@@ -156,8 +176,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   }
   if (this->Interactor)
   {
-    this->LetGo();
-    // There is no timer (0) where the application brings its own.
+    d.Interaction.LetGo();
     if (d.Timer != 0)
     {
       this->Interactor->DestroyTimer(d.Timer);
@@ -166,7 +185,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
     d.Timer = 0;
   }
   this->Superclass::SetInteractor(interactor);
-  d.Window.SetInteractor(interactor);
+  d.Interaction.Window.SetInteractor(interactor);
   if (this->Interactor)
   {
     const double period = 1000.0 / this->DisplayRate;
@@ -178,198 +197,175 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
 }
 
 //------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::LetGo()
-{
-  this->SetTouchMode(false);
-  if (this->Internals->Device)
-  {
-    this->Internals->Device->Disarm();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkRenderer* vtkInteractorStyleHaptic::GetHapticRenderer()
-{
-  // There is no current one before the first button.
-  vtkRenderer* const chosen = this->CurrentRenderer ? this->CurrentRenderer : this->DefaultRenderer;
-  if (chosen || !this->Interactor || !this->Interactor->GetRenderWindow())
-  {
-    return chosen;
-  }
-  return this->Interactor->GetRenderWindow()->GetRenderers()->GetFirstRenderer();
-}
-
-//------------------------------------------------------------------------------
-bool vtkInteractorStyleHaptic::PlaceWorkspace(vtkRenderer* renderer)
+void vtkInteractorStyleHaptic::OnTimer()
 {
   auto& d = *this->Internals;
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  const vtkMTimeType time = std::max(camera->GetMTime(), this->GetMTime());
-  if (!this->WorkspaceFollowsCamera || !d.IsReal() || (d.IsPlaced && time == d.Placed))
-  {
-    return false;
-  }
-  d.Device->SetDeviceToWorld(d.Workspace.Place(camera, this->GetEffectiveScale()));
-  d.Placed = time;
-  d.IsPlaced = true;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-double vtkInteractorStyleHaptic::GetEffectiveScale()
-{
-  vtkVolumeHapticsFilter* const filter = this->Internals->Device->GetVolumeHaptics();
-  const double natural = filter ? 1.0 / filter->GetMetersPerWorldUnit() : 1000.0;
-  return this->WorkspaceScale > 0.0 ? this->WorkspaceScale : natural;
-}
-
-//------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::RecenterWorkspace()
-{
-  this->Internals->Workspace.Recenter();
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::SetClutch(bool on)
-{
-  auto& d = *this->Internals;
-  vtkRenderer* const renderer = this->GetHapticRenderer();
-  if (on == this->Clutch || !d.IsReal() || !renderer)
-  {
-    return;
-  }
-  d.Device->UpdateState();
-  const double* const x = d.Device->GetTipPosition();
-  const Vector3 tip{ x[0], x[1], x[2] };
-  this->Clutch = on;
-  if (on)
-  {
-    const bool wasArmed = d.IsArmed();
-    d.ClutchedTip = tip;
-    d.Device->Disarm();
-    d.ArmAfterClutch = wasArmed;
-  }
-  else
-  {
-    d.Workspace.Shift(renderer->GetActiveCamera(), tip, d.ClutchedTip);
-    this->Modified();
-    this->UpdateHaptics();
-    if (this->ArmsAfterClutch())
-    {
-      d.Device->Arm();
-    }
-    d.ArmAfterClutch = false;
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkInteractorStyleHaptic::ArmsAfterClutch()
-{
-  return this->Internals->ArmAfterClutch;
-}
-
-//------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::SetTouchMode(bool on)
-{
-  auto& d = *this->Internals;
-  if (!on)
-  {
-    d.IsTouchBeginning = false;
-  }
-  if (on == this->TouchMode)
-  {
-    return;
-  }
-  if (on)
-  {
-    this->BeginTouch();
-    return;
-  }
-  this->TouchMode = false;
-  d.Window.Look();
-  if (d.Device)
-  {
-    d.Device->Disarm();
-  }
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::BeginTouch()
-{
-  auto& d = *this->Internals;
-  if (!d.Device || !d.Device->IsRunning())
-  {
-    vtkErrorMacro("There is nothing to touch with: SetDevice() one that is open and started.");
-    return;
-  }
   if (!this->Interactor)
   {
-    vtkErrorMacro("The touch mode needs a window, but this style has no interactor: pass the style "
-                  "to SetInteractorStyle() of the window's interactor.");
     return;
   }
-  if (d.Window.IsClosed())
+  if (d.FiredTimer != d.Timer)
   {
-    vtkErrorMacro(
-      "The touch mode needs a window, but it was closed: Render() it to open it again.");
+    this->Superclass::OnTimer();
     return;
   }
-  // Observers of the long work may end the loop, disarm, or take the device or the interactor away.
-  // Each of these ends the beginning, too, and nothing is armed then.
-  const vtkSmartPointer<vtkInteractorStyleHaptic> self(this);
-  const vtkSmartPointer<vtkHapticDevice> device = d.Device;
-  const vtkSmartPointer<vtkRenderer> renderer = this->GetHapticRenderer();
-  const bool leadsTip = d.IsVirtual() && renderer;
-  Vector3 start;
-  d.IsTouchBeginning = true;
-  if (leadsTip)
-  {
-    const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
-    const int pointer[2] = { this->Interactor->GetEventPosition()[0],
-      this->Interactor->GetEventPosition()[1] };
-    start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
-    if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
-    {
-      const LongWork work(device, "the surface is meshed", HapticBaker(filter).EstimateTime());
-      if (d.IsTouchBeginning)
-      {
-        FindFirstContact(renderer, pointer, filter, start);
-      }
-    }
-  }
-  d.Window.Look();
-  if (!std::exchange(d.IsTouchBeginning, false))
+  const bool isNew = this->UpdateHaptics();
+  d.Interaction.Frames.DrawIfDue(isNew);
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::DrawScene(bool quickly)
+{
+  if (!this->Interactor)
   {
     return;
   }
-  if (leadsTip)
+  // Mappers draw as well as this rate of frames lets them.
+  if (vtkRenderWindow* window = this->Interactor->GetRenderWindow())
   {
-    d.Lead = start;
-    device->PlaceVirtualTip(start.X, start.Y, start.Z);
+    window->SetDesiredUpdateRate(
+      quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
   }
-  this->TouchMode = true;
-  if (!this->Clutch)
+  this->Interactor->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnMouseMove()
+{
+  if (!HasWindow(this->Interactor) || this->Internals->Interaction.MoveMouse())
   {
-    device->Arm();
+    return;
   }
-  this->Modified();
+  // The superclass asks the window of the renderer for its size: a renderer that was taken out of
+  // it meanwhile, or that the application has named, may have none.
+  const int* const now = this->Interactor->GetEventPosition();
+  this->FindPokedRenderer(now[0], now[1]);
+  if (this->CurrentRenderer && this->CurrentRenderer->GetRenderWindow())
+  {
+    this->Superclass::OnMouseMove();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnLeftButtonDown()
+{
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.PressLeftButton())
+  {
+    this->Superclass::OnLeftButtonDown();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnLeftButtonUp()
+{
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.ReleaseLeftButton())
+  {
+    this->Superclass::OnLeftButtonUp();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
+{
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.DoubleClickLeftButton())
+  {
+    this->Superclass::OnLeftButtonDoubleClick();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnRightButtonDown()
+{
+  if (!HasWindow(this->Interactor))
+  {
+    return;
+  }
+  // In the touch mode the right button turns the camera, without letting go of what is touched.
+  this->GetTouchMode() ? this->Superclass::OnLeftButtonDown()
+                       : this->Superclass::OnRightButtonDown();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnRightButtonUp()
+{
+  if (!HasWindow(this->Interactor))
+  {
+    return;
+  }
+  // Ends what the press began, even if the touch mode has changed meanwhile.
+  this->State == VTKIS_DOLLY ? this->Superclass::OnRightButtonUp()
+                             : this->Superclass::OnLeftButtonUp();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnMouseWheelForward()
+{
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.TurnWheel(1.0))
+  {
+    this->Superclass::OnMouseWheelForward();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnMouseWheelBackward()
+{
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.TurnWheel(-1.0))
+  {
+    this->Superclass::OnMouseWheelBackward();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnKeyPress()
+{
+  if (!HasWindow(this->Interactor))
+  {
+    return;
+  }
+  const char* const symbol = this->Interactor->GetKeySym();
+  if (!this->Internals->Interaction.PressKey(symbol ? symbol : ""))
+  {
+    this->Superclass::OnKeyPress();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnKeyRelease()
+{
+  if (!HasWindow(this->Interactor))
+  {
+    return;
+  }
+  const char* const symbol = this->Interactor->GetKeySym();
+  if (!this->Internals->Interaction.ReleaseKey(symbol ? symbol : ""))
+  {
+    this->Superclass::OnKeyRelease();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::OnChar()
+{
+  if (HasWindow(this->Interactor) &&
+    !this->Internals->Interaction.TypeKey(this->Interactor->GetKeyCode()))
+  {
+    this->Superclass::OnChar();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  auto& d = *this->Internals;
-  os << indent << "Device: " << d.Device.GetPointer() << "\n";
-  os << indent << "HeadUpDisplay: " << d.Display.GetPointer() << "\n";
-  os << indent << "FunctionEditor: " << d.Editor.GetPointer() << "\n";
-  os << indent << "TouchMode: " << (this->TouchMode ? "On" : "Off") << "\n";
+  auto& scene = this->Internals->Interaction.Scene;
+  os << indent << "Device: " << scene.Device.GetPointer() << "\n";
+  os << indent << "HeadUpDisplay: " << scene.Display.GetPointer() << "\n";
+  os << indent << "FunctionEditor: " << scene.Editor.GetPointer() << "\n";
+  os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   os << indent << "DepthStep: " << this->DepthStep << "\n";
   os << indent << "DisplayRate: " << this->DisplayRate << " Hz\n";
   os << indent << "WorkspaceFollowsCamera: " << (this->WorkspaceFollowsCamera ? "On" : "Off")
      << "\n";
   os << indent << "WorkspaceScale: " << this->WorkspaceScale << "\n";
-  os << indent << "Clutch: " << (this->Clutch ? "On" : "Off") << "\n";
+  os << indent << "Clutch: " << (this->GetClutch() ? "On" : "Off") << "\n";
 }

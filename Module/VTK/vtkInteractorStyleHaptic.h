@@ -63,7 +63,6 @@
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
-#include <string> // for std::string
 
 class vtkHapticDevice;
 class vtkHapticFunctionEditor;
@@ -77,25 +76,28 @@ public:
   vtkTypeMacro(vtkInteractorStyleHaptic, vtkInteractorStyleTrackballCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Invoked in the order in which they happened in the servo, once a change. */
+  /** Invoked in the order in which the changes happened in the servo, once a change. */
   enum HapticEvents
   {
     ContactBeginEvent = vtkCommand::UserEvent + 100, ///< a surface holds the proxy
-    ContactEndEvent,                                 ///< none does any more
+    ContactEndEvent,                                 ///< no surface holds it any more
     ArmedEvent,                                      ///< force may flow
-    DisarmedEvent,                                   ///< it may not; not after a fault
+    DisarmedEvent,                                   ///< force may not flow; not after a fault
     FaultEvent,                                      ///< the safety stage has cut the force off
     StatesEvent                                      ///< after each update with new states
   };
 
   ///@{
-  /** The device, as the application has opened and started it. */
+  /** The device, which the application has to open and start. */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
 
   ///@{
-  /** What is fed and toggled; optional. The application adds them to a renderer. */
+  /**
+   * The head-up display, which gets the states, and the function editor; both are optional. Keys
+   * toggle them. The application adds them to a renderer.
+   */
   void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
   void SetFunctionEditor(vtkHapticFunctionEditor* editor);
@@ -111,7 +113,7 @@ public:
    * disarmed, or the device or the interactor is removed.
    */
   void SetTouchMode(bool on);
-  vtkGetMacro(TouchMode, bool);
+  virtual bool GetTouchMode();
   vtkBooleanMacro(TouchMode, bool);
   ///@}
 
@@ -143,7 +145,7 @@ public:
   vtkGetMacro(WorkspaceScale, double);
   void RecenterWorkspace();
   void SetClutch(bool on);
-  vtkGetMacro(Clutch, bool);
+  virtual bool GetClutch();
   ///@}
 
   /**
@@ -158,8 +160,8 @@ public:
   bool NextMethod();
 
   /**
-   * What the timer does, once: states, events, changes, display. For applications without timers.
-   * True if there is something new to be seen.
+   * One update as the timer does it, without drawing: changes, states, events, head-up display. For
+   * applications without timers. True if there is something new to be seen.
    */
   bool UpdateHaptics();
 
@@ -213,31 +215,14 @@ protected:
    */
   virtual bool ArmsAfterClutch();
 
-  bool TouchMode = false;
   double DepthStep = 0.0;
   double DisplayRate = 60.0;
   bool WorkspaceFollowsCamera = true;
   double WorkspaceScale = 0.0;
-  bool Clutch = false;
 
 private:
   vtkInteractorStyleHaptic(const vtkInteractorStyleHaptic&) = delete;
   void operator=(const vtkInteractorStyleHaptic&) = delete;
-
-  /** Leave the touch mode and disarm, when the window closes or another style takes over. */
-  void LetGo();
-  void BeginTouch();
-  vtkRenderer* GetHapticRenderer();
-  bool PlaceWorkspace(vtkRenderer* renderer);
-  double GetEffectiveScale();
-  double GetEffectiveDepthStep();
-  bool HasMoved();
-  void Notify(const std::string& notice);
-  void FollowWork(vtkObject* worker, bool begins);
-  void TurnVolume(vtkRenderer* renderer, double time);
-  void Draw(bool quickly);
-  bool LeadsTip();
-  void MoveInDepth(double steps);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -85,7 +85,7 @@ void vtkHapticViewStyle::OnKeyPress()
   if (key == "a" && this->DeviceProxy)
   {
     const bool isArmed = vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() != 0;
-    this->SetArmed(!isArmed && !this->Clutch);
+    this->SetArmed(!isArmed && !this->GetClutch());
     this->DrawScene(true);
     return;
   }
@@ -95,9 +95,9 @@ void vtkHapticViewStyle::OnKeyPress()
     this->SetArmed(false);
   }
   this->Superclass::OnKeyPress();
-  if (key == "t" && (!this->TouchMode || !this->Clutch))
+  if (key == "t" && (!this->GetTouchMode() || !this->GetClutch()))
   {
-    this->SetArmed(this->TouchMode);
+    this->SetArmed(this->GetTouchMode());
   }
   else if (key == "m")
   {

@@ -3,6 +3,11 @@
 #include "VTK/Scene/HapticWorkspace.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkRenderer.h"
+#include "vtkTransform.h"
+
+#include <algorithm>
 
 namespace VolumeHaptics
 {
@@ -20,6 +25,30 @@ Matrix3 CameraAxes(vtkCamera* camera)
   axes.Row[1] = Cross(back, unit);
   axes.Row[2] = back;
   return axes;
+}
+
+bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool resetsClippingRange)
+{
+  constexpr double longest = 0.1;
+  const double angle = Norm(rate) * std::clamp(seconds, 0.0, longest);
+  if (angle == 0.0)
+  {
+    return false;
+  }
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const double* const focus = camera->GetFocalPoint();
+  const Vector3 axis = Transpose(CameraAxes(camera)) * rate;
+  vtkNew<vtkTransform> turn;
+  turn->Translate(focus);
+  turn->RotateWXYZ(-vtkMath::DegreesFromRadians(angle), axis.X, axis.Y, axis.Z);
+  turn->Translate(-focus[0], -focus[1], -focus[2]);
+  camera->ApplyTransform(turn);
+  camera->OrthogonalizeViewUp();
+  if (resetsClippingRange)
+  {
+    renderer->ResetCameraClippingRange();
+  }
+  return true;
 }
 
 vtkMatrix4x4* HapticWorkspace::Place(vtkCamera* camera, double scale)

@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 
 class vtkCamera;
+class vtkRenderer;
 
 namespace VolumeHaptics
 {
@@ -21,9 +22,16 @@ namespace VolumeHaptics
 Matrix3 CameraAxes(vtkCamera* camera);
 
 /**
+ * Turns the volume about the focal point, as seen: the camera goes the other way. The rate (rad/s)
+ * is along the camera's axes. Of a pause of the timer (s) only its first 0.1 s count, lest the view
+ * jump. False if nothing turns.
+ */
+bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool resetsClippingRange);
+
+/**
  * Device x, y and z are right, up and towards the user on the screen. The device's origin lies at
- * the camera's focal point plus an offset in the camera's axes, so that what the clutch has shifted
- * turns with the view.
+ * the camera's focal point plus an offset in the camera's axes, so that the clutch's shift turns
+ * with the view.
  */
 class HapticWorkspace
 {
@@ -31,7 +39,7 @@ public:
   /** From a metre of the device to the world, at a scale (world units per metre). */
   vtkMatrix4x4* Place(vtkCamera* camera, double scale);
 
-  /** Where a world position was under the hand, there another one is to be: after the clutch. */
+  /** After the clutch: the hand that was at one world position is now at another one. */
   void Shift(vtkCamera* camera, const Vector3& from, const Vector3& to);
   void Recenter() { this->Offset = {}; }
 

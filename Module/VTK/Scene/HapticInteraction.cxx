@@ -1,0 +1,430 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/HapticInteraction.h"
+
+#include "VTK/Scene/HapticViewRay.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** By how much a press of + and - scales the workspace. */
+constexpr double WorkspaceStep = 1.25;
+
+constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
+
+} // namespace
+
+//------------------------------------------------------------------------------
+HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls calls)
+  : Scene(style)
+  , Window(style, [this] { this->LetGo(); })
+  , Frames(Scene, Window, std::move(calls.DrawScene))
+  , Workspace(Scene, std::move(calls.ArmsAfterClutch))
+  , Touch(Scene, Window, Workspace)
+  , Publisher(Scene)
+{
+  this->DisarmObserver->SetClientData(this);
+  this->DisarmObserver->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void*)
+    {
+      static_cast<HapticInteraction*>(self)->Workspace.ForgetArmed();
+      static_cast<HapticInteraction*>(self)->Touch.StopBeginning();
+    });
+  this->WorkObserver->SetClientData(this);
+  this->WorkObserver->SetCallback(
+    [](vtkObject* worker, unsigned long event, void* self, void*) {
+      static_cast<HapticInteraction*>(self)->FollowWork(worker, event == vtkCommand::StartEvent);
+    });
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::Leave()
+{
+  this->LeaveDevice();
+  this->SetFunctionEditor(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::LeaveDevice()
+{
+  if (vtkHapticDevice* const device = this->Scene.Device)
+  {
+    device->RemoveObserver(this->DisarmObserver);
+    device->RemoveObserver(this->WorkObserver);
+    device->RemoveReader(this->Reader);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::SetDevice(vtkHapticDevice* device)
+{
+  if (this->Scene.Device == device)
+  {
+    return false;
+  }
+  this->LetGo(); // an observer of it may take the device away, too
+  this->LeaveDevice();
+  this->Scene.Device = device;
+  if (device)
+  {
+    this->Reader = device->AddReader();
+    this->Updated = device->GetTime();
+    device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver);
+    device->AddObserver(vtkCommand::StartEvent, this->WorkObserver);
+    device->AddObserver(vtkCommand::EndEvent, this->WorkObserver);
+  }
+  this->Workspace.Reset();
+  this->Watch.Reset();
+  this->Publisher.Reset();
+  this->Touch.Reset();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::SetFunctionEditor(vtkHapticFunctionEditor* editor)
+{
+  if (this->Scene.Editor == editor)
+  {
+    return false;
+  }
+  if (this->Scene.Editor)
+  {
+    this->Scene.Editor->RemoveObserver(this->WorkObserver);
+    this->FollowWork(this->Scene.Editor, false);
+  }
+  this->Scene.Editor = editor;
+  if (editor)
+  {
+    editor->AddObserver(vtkCommand::StartEvent, this->WorkObserver);
+    editor->AddObserver(vtkCommand::EndEvent, this->WorkObserver);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::LetGo()
+{
+  this->Touch.Set(false);
+  if (this->Scene.Device)
+  {
+    this->Scene.Device->Disarm();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::MoveMouse()
+{
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  const int* const now = interactor->GetEventPosition();
+  const int* const before = interactor->GetLastEventPosition();
+  if (this->Scene.Style->GetState() == VTKIS_NONE && this->Scene.Editor &&
+    this->Scene.Editor->MouseMove(now[0], now[1]))
+  {
+    this->Frames.Draw(true);
+    return true;
+  }
+  if (!this->Touch.LeadsTip())
+  {
+    return false;
+  }
+  if (interactor->GetControlKey())
+  {
+    constexpr double stepsPerPixel = 0.25;
+    this->Touch.MoveInDepth(stepsPerPixel * (now[1] - before[1]));
+  }
+  else
+  {
+    this->Touch.MoveInPlane(before, now);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::PressLeftButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (this->Scene.Editor && this->Scene.Editor->ButtonPress(LeftButton, at[0], at[1]))
+  {
+    this->EditorHasMouse = true;
+    return true;
+  }
+  if (this->Touch.LeadsTip())
+  {
+    this->Scene.Device->SetVirtualButtons(1);
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::ReleaseLeftButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (std::exchange(this->EditorHasMouse, false))
+  {
+    if (this->Scene.Editor) // else it was taken away meanwhile
+    {
+      this->Scene.Editor->ButtonRelease(LeftButton, at[0], at[1]);
+      this->Frames.Draw(true);
+    }
+    return true;
+  }
+  if (this->Touch.LeadsTip())
+  {
+    this->Scene.Device->SetVirtualButtons(0);
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::DoubleClickLeftButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (this->Scene.Editor && this->Scene.Editor->DoubleClick(LeftButton, at[0], at[1]))
+  {
+    this->Frames.Draw(true);
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::TurnWheel(double steps)
+{
+  if (!this->Touch.LeadsTip() || this->Scene.Style->GetInteractor()->GetControlKey())
+  {
+    return false;
+  }
+  this->Touch.MoveInDepth(steps);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::PressKey(const std::string& key)
+{
+  auto& scene = this->Scene;
+  const auto toggle = [](auto* prop, auto get, auto set)
+  {
+    if (prop)
+    {
+      (prop->*set)(!(prop->*get)());
+    }
+  };
+  if (key == "t")
+  {
+    this->Touch.Set(!this->Touch.IsOn());
+  }
+  else if (key == "Escape")
+  {
+    this->Touch.Set(false);
+    if (scene.Device)
+    {
+      scene.Device->Disarm();
+      // A window that loses the focus does not get the release of the key k.
+      this->Workspace.SetClutch(false);
+    }
+  }
+  else if (key == "a" && scene.Device)
+  {
+    this->Workspace.IsClutched() || scene.IsArmed() ? scene.Device->Disarm() : scene.Device->Arm();
+  }
+  else if (key == "c")
+  {
+    this->Workspace.Recenter();
+  }
+  else if (key == "k")
+  {
+    this->Workspace.SetClutch(true);
+  }
+  else if ((key == "plus" || key == "KP_Add" || key == "minus" || key == "KP_Subtract") &&
+    scene.Device)
+  {
+    const bool larger = key == "plus" || key == "KP_Add";
+    scene.Style->SetWorkspaceScale(
+      this->Workspace.GetScale() * (larger ? WorkspaceStep : 1.0 / WorkspaceStep));
+  }
+  else if (key == "Home" && scene.Device)
+  {
+    scene.Device->Home();
+  }
+  else if (key == "m" && scene.Device)
+  {
+    this->NextMethod();
+  }
+  else if (key == "h")
+  {
+    toggle(scene.Display.GetPointer(), &vtkHapticHeadUpDisplay::GetTextVisibility,
+      &vtkHapticHeadUpDisplay::SetTextVisibility);
+  }
+  else if (key == "g")
+  {
+    toggle(scene.Display.GetPointer(), &vtkHapticHeadUpDisplay::GetPlotVisibility,
+      &vtkHapticHeadUpDisplay::SetPlotVisibility);
+  }
+  else if (key == "v")
+  {
+    toggle(scene.Editor.GetPointer(), &vtkProp::GetVisibility, &vtkProp::SetVisibility);
+  }
+  else if (key == "n" && scene.Editor)
+  {
+    scene.Editor->NextFunction();
+  }
+  else
+  {
+    return false;
+  }
+  this->Frames.Draw(true);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::ReleaseKey(const std::string& key)
+{
+  if (key != "k")
+  {
+    return false;
+  }
+  this->Workspace.SetClutch(false);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::TypeKey(char key) const
+{
+  // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
+  // animation.
+  return (this->Touch.IsOn() && key == 'f') || key == 'm';
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
+{
+  auto& scene = this->Scene;
+  if (worker == scene.Editor)
+  {
+    if (this->DeviceAtRest)
+    {
+      // Taken first, since the end of the work calls back.
+      const auto device = std::move(this->DeviceAtRest);
+      this->DeviceAtRest = nullptr;
+      device->EndLongWork();
+    }
+    if (begins && scene.Device && scene.Editor)
+    {
+      this->DeviceAtRest = scene.Device;
+      scene.Device->BeginLongWork("the histogram is counted", scene.Editor->EstimateUpdateTime());
+    }
+    return;
+  }
+  vtkRenderWindowInteractor* const interactor = scene.Style->GetInteractor();
+  vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
+  this->Frames.NoteEvent();
+  if (begins && scene.Display && worker == scene.Device && scene.IsArmed() && window &&
+    !window->CheckInRenderStatus())
+  {
+    this->Frames.Draw(true);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::NextMethod()
+{
+  return this->Publisher.NextMethod(
+    [this](const std::string& notice) { this->Frames.Notify(notice); });
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::UpdateHaptics()
+{
+  auto& scene = this->Scene;
+  this->Window.Look();
+  if (!scene.Device || !scene.Device->IsRunning())
+  {
+    return false;
+  }
+  // Observers of what follows may take any of these away.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
+  const vtkSmartPointer<vtkHapticDevice> device = scene.Device;
+  const vtkSmartPointer<vtkRenderer> renderer = scene.FindRenderer();
+  // Changes go to the servo first, so that they are felt before they are seen.
+  const bool isPlaced =
+    renderer && !this->Workspace.IsClutched() && this->Workspace.Follow(renderer);
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  this->Publisher.Update(isPlaced);
+
+  bool isNew = device->UpdateState();
+  if (scene.Device != device || !device->IsRunning())
+  {
+    return false;
+  }
+  // Another style with this device may have taken the state before.
+  const double before = std::exchange(this->Updated, device->GetTime());
+  if (this->Updated > before && renderer)
+  {
+    const double* const rate = device->GetTurnRate();
+    if (TurnView(renderer, { rate[0], rate[1], rate[2] }, this->Updated - before,
+          style->GetAutoAdjustCameraClippingRange() != 0))
+    {
+      this->Frames.NoteEvent();
+    }
+  }
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  this->Workspace.Disarm();
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  device->DrainStates(this->States, this->Reader);
+  isNew = isNew || this->States->GetNumberOfRows() > 0;
+  if (scene.Display)
+  {
+    scene.Display->AddStates(this->States);
+  }
+  for (const unsigned long event : this->Watch.Watch(this->States))
+  {
+    this->Frames.NoteEvent();
+    style->InvokeEvent(event);
+  }
+  if (isNew)
+  {
+    style->InvokeEvent(vtkInteractorStyleHaptic::StatesEvent);
+  }
+  this->CheckShownVolumes();
+  // An observer of the events may have ended the loop.
+  this->Window.Look();
+  return isNew;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::CheckShownVolumes()
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  vtkImageData* const image = this->Scene.FindImage();
+  if (renderer && image)
+  {
+    for (const std::string& warning : this->Volumes.Check(renderer, image))
+    {
+      vtkWarningWithObjectMacro(this->Scene.Style, << warning);
+    }
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/SceneFrames.h"
+
+#include "VTK/Scene/HapticViewRay.h"
+#include "VTK/Scene/HapticWindowWatch.h"
+
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+SceneFrames::SceneFrames(
+  TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene)
+  : Scene(scene)
+  , Window(window)
+  , DrawScene(std::move(drawScene))
+{
+}
+
+void SceneFrames::Draw(bool quickly)
+{
+  if (!this->Scene.Style->GetInteractor() || this->Window.IsClosed())
+  {
+    return;
+  }
+  vtkHapticFunctionEditor* const editor = this->Scene.Editor;
+  if (editor && editor->GetVisibility())
+  {
+    // Before the frame: its long work draws the head-up display, which can't be done within one.
+    editor->Update();
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->DrawScene(quickly);
+  const double end = vtkTimerLog::GetUniversalTime();
+  this->Pace.Drawn(quickly, end, end - start);
+  this->HasHappened = false;
+  if (this->Scene.Device)
+  {
+    this->DrawnTip = this->Scene.GetTip();
+    this->DrawnProxy = this->Scene.GetProxy();
+  }
+}
+
+void SceneFrames::DrawIfDue(bool isNew)
+{
+  using Frame = HapticRenderPace::Frame;
+  const bool moves = this->Scene.Style->GetState() != VTKIS_NONE || this->HasMoved();
+  const Frame frame = this->Pace.Next(vtkTimerLog::GetUniversalTime(), moves, isNew);
+  if (frame != Frame::None)
+  {
+    this->Draw(frame == Frame::Quick);
+  }
+}
+
+bool SceneFrames::HasMoved() const
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  if (this->HasHappened || !this->Scene.Device || !renderer || !renderer->IsActiveCameraCreated())
+  {
+    return this->HasHappened;
+  }
+  const Vector3 tip = this->Scene.GetTip();
+  const int here[2] = { 0, 0 };
+  const int beside[2] = { 1, 0 };
+  const double pixel =
+    Norm(UnderPointer(renderer, beside, tip) - UnderPointer(renderer, here, tip));
+  // A hand never holds quite still: a motion of less than half a pixel is not drawn.
+  return Norm(tip - this->DrawnTip) > 0.5 * pixel ||
+    Norm(this->Scene.GetProxy() - this->DrawnProxy) > 0.5 * pixel;
+}
+
+void SceneFrames::Notify(const std::string& notice)
+{
+  vtkHapticHeadUpDisplay* const display = this->Scene.Display;
+  if (!display || notice == display->GetNotice())
+  {
+    return;
+  }
+  display->SetNotice(notice.c_str());
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  if (interactor && interactor->GetRenderWindow())
+  {
+    this->Draw(true);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * When the scene of an interaction is drawn, and whether quickly or well.
+ */
+#ifndef SceneFrames_h
+#define SceneFrames_h
+
+#include "VTK/Scene/HapticRenderPace.h"
+#include "VTK/Scene/TouchedScene.h"
+
+#include <functional>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+class HapticWindowWatch;
+
+/**
+ * Draws if the tip or the proxy has moved by what can be seen, or if an event has happened, since
+ * the last frame; else HapticRenderPace says when. A window that was closed is not drawn, as that
+ * would open another one.
+ */
+class SceneFrames
+{
+public:
+  /** The function draws the scene, quickly (true) or well. */
+  SceneFrames(
+    TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene);
+
+  void Draw(bool quickly);
+  /** For the timer: a frame, if one is due. IsNew: the device has a new state. */
+  void DrawIfDue(bool isNew);
+  /** Something happened that the next frame has to show. */
+  void NoteEvent() { this->HasHappened = true; }
+  /** Shows a notice in the head-up display at once. */
+  void Notify(const std::string& notice);
+
+private:
+  bool HasMoved() const;
+
+  TouchedScene& Scene;
+  const HapticWindowWatch& Window;
+  const std::function<void(bool)> DrawScene;
+  HapticRenderPace Pace;
+  Vector3 DrawnTip; ///< world; in the last frame
+  Vector3 DrawnProxy;
+  bool HasHappened = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/TouchMode.h"
+
+#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Scene/HapticViewRay.h"
+#include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/WorkspaceControl.h"
+#include "VTK/Session/HapticLongWork.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+void TouchMode::Set(bool on)
+{
+  if (!on)
+  {
+    this->IsBeginning = false;
+  }
+  if (on == this->IsTouching)
+  {
+    return;
+  }
+  if (on)
+  {
+    this->Begin();
+    return;
+  }
+  this->IsTouching = false;
+  this->Window.Look();
+  if (this->Scene.Device)
+  {
+    this->Scene.Device->Disarm();
+  }
+  this->Scene.Style->Modified();
+}
+
+void TouchMode::Begin()
+{
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  if (!this->Scene.Device || !this->Scene.Device->IsRunning())
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "There is nothing to touch with: SetDevice() one that is open and started.");
+    return;
+  }
+  if (!interactor)
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The touch mode needs a window, but this style has no interactor: pass the style "
+      "to SetInteractorStyle() of the window's interactor.");
+    return;
+  }
+  if (this->Window.IsClosed())
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The touch mode needs a window, but it was closed: Render() it to open it again.");
+    return;
+  }
+  // Observers of the long work may end the loop, disarm, or take the device or the interactor away.
+  // Each of these ends the beginning, too, and nothing is armed then.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  const vtkSmartPointer<vtkRenderer> renderer = this->Scene.FindRenderer();
+  const bool leadsTip = this->Scene.IsVirtual() && renderer;
+  Vector3 start;
+  this->IsBeginning = true;
+  if (leadsTip)
+  {
+    const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
+    const int pointer[2] = { interactor->GetEventPosition()[0], interactor->GetEventPosition()[1] };
+    start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
+    if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
+    {
+      const LongWork work(device, "the surface is meshed", HapticBaker(filter).EstimateTime());
+      if (this->IsBeginning)
+      {
+        FindFirstContact(renderer, pointer, filter, start);
+      }
+    }
+  }
+  this->Window.Look();
+  if (!std::exchange(this->IsBeginning, false))
+  {
+    return;
+  }
+  if (leadsTip)
+  {
+    this->Lead = start;
+    device->PlaceVirtualTip(start.X, start.Y, start.Z);
+  }
+  this->IsTouching = true;
+  if (!this->Workspace.IsClutched())
+  {
+    device->Arm();
+  }
+  style->Modified();
+}
+
+bool TouchMode::LeadsTip() const
+{
+  return this->IsTouching && this->Scene.Style->GetState() == VTKIS_NONE &&
+    this->Scene.IsVirtual() && this->Scene.Device->IsRunning() && this->Scene.FindRenderer();
+}
+
+double TouchMode::GetDepthStep() const
+{
+  const double wanted = this->Scene.Style->GetDepthStep();
+  vtkImageData* const image = this->Scene.FindImage();
+  if (wanted > 0.0 || !image)
+  {
+    return wanted > 0.0 ? wanted : 1.0;
+  }
+  const double* const s = image->GetSpacing();
+  return std::min({ std::abs(s[0]), std::abs(s[1]), std::abs(s[2]) });
+}
+
+double TouchMode::GetFineness() const
+{
+  constexpr double fine = 0.2; // with Shift
+  return this->Scene.Style->GetInteractor()->GetShiftKey() ? fine : 1.0;
+}
+
+void TouchMode::LeadTo(const Vector3& world)
+{
+  this->Lead = world;
+  this->Scene.Device->SetVirtualTip(world.X, world.Y, world.Z);
+}
+
+void TouchMode::MoveInDepth(double steps)
+{
+  const double length = this->GetFineness() * steps * this->GetDepthStep();
+  this->LeadTo(this->Lead + length * LineOfSight(this->Scene.FindRenderer(), this->Lead));
+}
+
+void TouchMode::MoveInPlane(const int from[2], const int to[2])
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  const Vector3 motion =
+    UnderPointer(renderer, to, this->Lead) - UnderPointer(renderer, from, this->Lead);
+  this->LeadTo(this->Lead + this->GetFineness() * motion);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The device, the props and the view that an interaction works with.
+ */
+#ifndef TouchedScene_h
+#define TouchedScene_h
+
+#include "Core/Math/Vector3.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticFunctionEditor.h"
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+class vtkInteractorStyleHaptic;
+class vtkRenderer;
+
+namespace VolumeHaptics
+{
+
+/**
+ * What the parts of a HapticInteraction share. The application may set each of the three objects to
+ * null at any time, also from an observer of what a part does.
+ */
+class TouchedScene
+{
+public:
+  explicit TouchedScene(vtkInteractorStyleHaptic* style)
+    : Style(style)
+  {
+  }
+
+  vtkInteractorStyleHaptic* const Style; ///< owns the interaction
+  vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
+  vtkSmartPointer<vtkHapticFunctionEditor> Editor;
+
+  /**
+   * The renderer of the last button, or the default one, or the window's first. VTK has no current
+   * one before the first button.
+   */
+  vtkRenderer* FindRenderer() const;
+
+  /** The image of the device's filter; null without one. */
+  vtkImageData* FindImage() const;
+
+  bool IsVirtual() const { return this->Device && this->Device->GetDeviceId() == "virtual"; }
+  bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
+
+  ///@{
+  /** As of the device's last state; there must be a device. */
+  bool IsArmed() const;
+  Vector3 GetTip() const; ///< world
+  Vector3 GetProxy() const;
+  ///@}
+};
+
+} // namespace VolumeHaptics
+
+#endif

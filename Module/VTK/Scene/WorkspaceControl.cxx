@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/WorkspaceControl.h"
+
+#include "vtkCamera.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+WorkspaceControl::WorkspaceControl(TouchedScene& scene, std::function<bool()> armsAfterClutch)
+  : Scene(scene)
+  , ArmsAfterClutch(std::move(armsAfterClutch))
+{
+}
+
+void WorkspaceControl::Reset()
+{
+  this->ArmAfterClutch = false;
+  this->IsOn = false;
+  this->IsPlaced = false;
+}
+
+bool WorkspaceControl::Follow(vtkRenderer* renderer)
+{
+  vtkInteractorStyleHaptic* const style = this->Scene.Style;
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const vtkMTimeType time = std::max(camera->GetMTime(), style->GetMTime());
+  if (!style->GetWorkspaceFollowsCamera() || !this->Scene.IsReal() ||
+    (this->IsPlaced && time == this->Placed))
+  {
+    return false;
+  }
+  this->Scene.Device->SetDeviceToWorld(this->Workspace.Place(camera, this->GetScale()));
+  this->Placed = time;
+  this->IsPlaced = true;
+  return true;
+}
+
+double WorkspaceControl::GetScale() const
+{
+  const double scale = this->Scene.Style->GetWorkspaceScale();
+  vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+  const double natural = filter ? 1.0 / filter->GetMetersPerWorldUnit() : 1000.0;
+  return scale > 0.0 ? scale : natural;
+}
+
+void WorkspaceControl::Recenter()
+{
+  this->Workspace.Recenter();
+  this->Scene.Style->Modified();
+}
+
+void WorkspaceControl::SetClutch(bool on)
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  if (on == this->IsOn || !this->Scene.IsReal() || !renderer)
+  {
+    return;
+  }
+  this->Scene.Device->UpdateState();
+  const Vector3 tip = this->Scene.GetTip();
+  this->IsOn = on;
+  if (on)
+  {
+    const bool wasArmed = this->Scene.IsArmed();
+    this->ClutchedTip = tip;
+    this->Scene.Device->Disarm();
+    this->ArmAfterClutch = wasArmed;
+  }
+  else
+  {
+    this->Workspace.Shift(renderer->GetActiveCamera(), tip, this->ClutchedTip);
+    this->Scene.Style->Modified();
+    this->Scene.Style->UpdateHaptics();
+    if (this->ArmsAfterClutch())
+    {
+      this->Scene.Device->Arm();
+    }
+    this->ArmAfterClutch = false;
+  }
+}
+
+void WorkspaceControl::Disarm()
+{
+  if (this->IsOn && this->Scene.IsArmed())
+  {
+    // By a button or a script, or not yet seen as disarmed.
+    const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+    const bool arms = this->ArmAfterClutch;
+    device->Disarm();
+    if (this->Scene.Device == device)
+    {
+      this->ArmAfterClutch = arms;
+    }
+  }
+}
+
+} // namespace VolumeHaptics

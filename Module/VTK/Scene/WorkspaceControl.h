@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Keeps a real device's workspace in the scene: it follows the camera, and the clutch shifts it.
+ */
+#ifndef WorkspaceControl_h
+#define WorkspaceControl_h
+
+#include "VTK/Scene/HapticWorkspace.h"
+#include "VTK/Scene/TouchedScene.h"
+
+#include "vtkType.h"
+
+#include <functional>
+
+namespace VolumeHaptics
+{
+
+class WorkspaceControl
+{
+public:
+  /** The function tells whether force comes back when the clutch is released. */
+  WorkspaceControl(TouchedScene& scene, std::function<bool()> armsAfterClutch);
+
+  /** For another device: the workspace is placed anew, and the clutch is released. */
+  void Reset();
+
+  /**
+   * Places the workspace if it follows the camera, and the camera or a setting has changed. True if
+   * it did; the device then has to be published.
+   */
+  bool Follow(vtkRenderer* renderer);
+
+  /** World units per metre of the device. There must be a device. */
+  double GetScale() const;
+  void Recenter();
+
+  /** See vtkInteractorStyleHaptic::SetClutch. */
+  void SetClutch(bool on);
+  bool IsClutched() const { return this->IsOn; }
+  /** Whether the device was armed before the clutch, and nothing has disarmed it since. */
+  bool WasArmed() const { return this->ArmAfterClutch; }
+  /** Something disarmed the device, so the clutch does not bring the force back. */
+  void ForgetArmed() { this->ArmAfterClutch = false; }
+
+  /**
+   * Takes the force away if the device was armed during the clutch, since the hand then moves
+   * without the tip and must not be held.
+   */
+  void Disarm();
+
+private:
+  TouchedScene& Scene;
+  const std::function<bool()> ArmsAfterClutch;
+  HapticWorkspace Workspace;
+  vtkMTimeType Placed = 0; ///< the camera's and the settings' time when it was placed
+  bool IsPlaced = false;
+  bool IsOn = false; ///< the clutch
+  bool ArmAfterClutch = false;
+  Vector3 ClutchedTip; ///< world
+};
+
+} // namespace VolumeHaptics
+
+#endif
