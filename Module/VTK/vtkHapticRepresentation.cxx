@@ -3,7 +3,7 @@
 #include "vtkHapticRepresentation.h"
 
 #include "VTK/Charts/HapticDrawing.h"
-#include "VTK/Scene/HapticPart.h"
+#include "VTK/Scene/SceneMarker.h"
 #include "vtkHapticStateSource.h"
 #include "vtkVolumeHapticsCompat.h"
 
@@ -35,11 +35,11 @@ using namespace VolumeHaptics;
 struct vtkHapticRepresentation::vtkInternals
 {
   vtkNew<vtkHapticStateSource> Source;
-  HapticPart Parts[8] = { { HapticPart::Sphere, 0.97, 0.97, 0.97 },
-    { HapticPart::Sphere, 0.6, 0.6, 0.6 }, { HapticPart::Sphere, 0.95, 0.85, 0.2 },
-    { HapticPart::Sphere, 0.2, 0.8, 0.8 }, { HapticPart::Rod, 0.75, 0.75, 0.75 },
-    { HapticPart::Arrow, 0.97, 0.97, 0.97 }, { HapticPart::Arrow, 0.15, 0.5, 0.95 },
-    { HapticPart::Arrow, 0.95, 0.5, 0.05 } };
+  SceneMarker Markers[8] = { { SceneMarker::Sphere, 0.97, 0.97, 0.97 },
+    { SceneMarker::Sphere, 0.6, 0.6, 0.6 }, { SceneMarker::Sphere, 0.95, 0.85, 0.2 },
+    { SceneMarker::Sphere, 0.2, 0.8, 0.8 }, { SceneMarker::Rod, 0.75, 0.75, 0.75 },
+    { SceneMarker::Arrow, 0.97, 0.97, 0.97 }, { SceneMarker::Arrow, 0.15, 0.5, 0.95 },
+    { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   bool HasState = false;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;
@@ -123,7 +123,7 @@ void vtkHapticRepresentation::SetTrailLookupTable(vtkScalarsToColors* table)
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRepresentation::UpdateParts()
+void vtkHapticRepresentation::UpdateMarkers()
 {
   using Source = vtkHapticStateSource;
   auto& d = *this->Internals;
@@ -136,31 +136,31 @@ void vtkHapticRepresentation::UpdateParts()
     const double* const x = state->GetPoint(point);
     return Vector3{ x[0], x[1], x[2] };
   };
-  for (int part = 0; part < 8; ++part)
+  for (int i = 0; i < 8; ++i)
   {
-    d.Parts[part].Show(d.HasState);
+    d.Markers[i].Show(d.HasState);
   }
   if (d.HasState)
   {
     const auto contact =
       static_cast<int>(state->GetFieldData()->GetArray("Contact")->GetComponent(0, 0));
-    d.Parts[Source::PROXY].SetColor(ContactColors[contact & 3]);
+    d.Markers[Source::PROXY].SetColor(ContactColors[contact & 3]);
     const double radii[4] = { 0.6, 1.0, 0.35, 0.35 };
-    for (int part = Source::TIP; part <= Source::MEDIUM_POSITION; ++part)
+    for (int i = Source::TIP; i <= Source::MEDIUM_POSITION; ++i)
     {
-      d.Parts[part].PlaceSphere(at(part), radii[part] * this->Radius);
+      d.Markers[i].PlaceSphere(at(i), radii[i] * this->Radius);
     }
     const bool shown[4] = { this->SpringVisibility, this->ForceVisibility,
       this->NormalForceVisibility, this->FrictionForceVisibility };
     for (int line = 0; line < 4; ++line)
     {
       const vtkIdType from = Source::SPRING + 2 * line;
-      HapticPart& part = d.Parts[Source::SPRING + line];
-      part.Show(shown[line]);
-      part.PlaceAlong(at(from), at(from + 1), (line == 0 ? 0.18 : 0.3) * this->Radius);
+      SceneMarker& marker = d.Markers[Source::SPRING + line];
+      marker.Show(shown[line]);
+      marker.PlaceAlong(at(from), at(from + 1), (line == 0 ? 0.18 : 0.3) * this->Radius);
     }
-    d.Parts[Source::SURFACE_POSITION].Show(this->MarkerVisibility);
-    d.Parts[Source::MEDIUM_POSITION].Show(this->MarkerVisibility);
+    d.Markers[Source::SURFACE_POSITION].Show(this->MarkerVisibility);
+    d.Markers[Source::MEDIUM_POSITION].Show(this->MarkerVisibility);
   }
   std::ostringstream text;
   text << "1 N = " << 1.0 / this->ForceScale << " " << this->WorldUnitName;
@@ -192,11 +192,11 @@ void vtkHapticRepresentation::UpdateTrail()
 double* vtkHapticRepresentation::GetBounds()
 {
   auto& d = *this->Internals;
-  this->UpdateParts();
+  this->UpdateMarkers();
   d.Box.Reset();
-  for (HapticPart& part : d.Parts)
+  for (SceneMarker& marker : d.Markers)
   {
-    part.AddTo(d.Box);
+    marker.AddTo(d.Box);
   }
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
@@ -218,10 +218,10 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
     return 0;
   }
   auto& d = *this->Internals;
-  this->UpdateParts();
-  for (HapticPart& part : d.Parts)
+  this->UpdateMarkers();
+  for (SceneMarker& marker : d.Markers)
   {
-    part.RenderOpaque(viewport);
+    marker.RenderOpaque(viewport);
   }
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
@@ -249,9 +249,9 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
-    for (HapticPart& part : d.Parts)
+    for (SceneMarker& marker : d.Markers)
     {
-      part.RenderHidden(viewport);
+      marker.RenderHidden(viewport);
     }
   }
   if (this->ScaleTextVisibility && d.HasState)
@@ -266,9 +266,9 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
 void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
 {
   auto& d = *this->Internals;
-  for (HapticPart& part : d.Parts)
+  for (SceneMarker& marker : d.Markers)
   {
-    part.Release(window);
+    marker.Release(window);
   }
   d.TrailActor->ReleaseGraphicsResources(window);
   d.ScaleText->ReleaseGraphicsResources(window);

@@ -128,7 +128,7 @@ private:
   vtkHapticRepresentation(const vtkHapticRepresentation&) = delete;
   void operator=(const vtkHapticRepresentation&) = delete;
 
-  void UpdateParts();
+  void UpdateMarkers();
   void UpdateTrail();
 
   struct vtkInternals;

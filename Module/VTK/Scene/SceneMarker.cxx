@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Scene/HapticPart.h"
+#include "VTK/Scene/SceneMarker.h"
 
 #include "vtkArrowSource.h"
 #include "vtkBoundingBox.h"
@@ -15,15 +15,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How strongly what is hidden shines through. */
+/** Of a marker that is hidden. */
 constexpr double GhostOpacity = 0.35;
 constexpr int Resolution = 24;
 
 } // namespace
 
-HapticPart::HapticPart(Shape shape, double red, double green, double blue)
+SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
 {
-  // All shapes have the length and the radius of one along z or around the origin.
+  // All shapes have the length and the radius 1, along z or around the origin.
   if (shape == Sphere)
   {
     vtkNew<vtkSphereSource> sphere;
@@ -65,37 +65,37 @@ HapticPart::HapticPart(Shape shape, double red, double green, double blue)
   this->Solid->GetProperty()->SetSpecularPower(30.0);
   this->Ghost->GetProperty()->LightingOff();
   this->Ghost->GetProperty()->SetOpacity(GhostOpacity);
-  // In the overlay nothing is sorted any more: the part decides by itself when it is drawn.
+  // vtkHapticRepresentation draws it in the overlay pass, which does not sort.
   this->Ghost->ForceOpaqueOn();
   const double color[3] = { red, green, blue };
   this->SetColor(color);
 }
 
-void HapticPart::SetColor(const double color[3])
+void SceneMarker::SetColor(const double color[3])
 {
   this->Solid->GetProperty()->SetColor(color[0], color[1], color[2]);
   this->Ghost->GetProperty()->SetColor(color[0], color[1], color[2]);
 }
 
-void HapticPart::PlaceSphere(const Vector3& centre, double radius)
+void SceneMarker::PlaceSphere(const Vector3& centre, double radius)
 {
   this->Place->Identity();
   this->Place->Translate(centre.X, centre.Y, centre.Z);
   this->Place->Scale(radius, radius, radius);
 }
 
-void HapticPart::PlaceAlong(const Vector3& from, const Vector3& to, double radius)
+void SceneMarker::PlaceAlong(const Vector3& from, const Vector3& to, double radius)
 {
-  const Vector3 way = to - from;
-  const double length = Norm(way);
+  const Vector3 line = to - from;
+  const double length = Norm(line);
   if (!(length > radius))
   {
     this->Shown = false;
     return;
   }
   constexpr double degrees = 57.29577951308232;
-  const double turn = degrees * std::atan2(way.Y, way.X);
-  const double tilt = degrees * std::acos(way.Z / length);
+  const double turn = degrees * std::atan2(line.Y, line.X);
+  const double tilt = degrees * std::acos(line.Z / length);
   this->Place->Identity();
   this->Place->Translate(from.X, from.Y, from.Z);
   this->Place->RotateZ(turn);
@@ -103,7 +103,7 @@ void HapticPart::PlaceAlong(const Vector3& from, const Vector3& to, double radiu
   this->Place->Scale(radius, radius, length);
 }
 
-void HapticPart::RenderOpaque(vtkViewport* viewport)
+void SceneMarker::RenderOpaque(vtkViewport* viewport)
 {
   if (this->Shown)
   {
@@ -111,7 +111,7 @@ void HapticPart::RenderOpaque(vtkViewport* viewport)
   }
 }
 
-void HapticPart::RenderHidden(vtkViewport* viewport)
+void SceneMarker::RenderHidden(vtkViewport* viewport)
 {
   if (this->Shown)
   {
@@ -119,13 +119,13 @@ void HapticPart::RenderHidden(vtkViewport* viewport)
   }
 }
 
-void HapticPart::Release(vtkWindow* window)
+void SceneMarker::Release(vtkWindow* window)
 {
   this->Solid->ReleaseGraphicsResources(window);
   this->Ghost->ReleaseGraphicsResources(window);
 }
 
-void HapticPart::AddTo(vtkBoundingBox& box)
+void SceneMarker::AddTo(vtkBoundingBox& box)
 {
   if (this->Shown)
   {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sphere, a rod or an arrow in the scene, and its shine through what hides it.
+ * A sphere, a rod or an arrow in the scene, which shines faintly through objects in front of it.
  */
-#ifndef HapticPart_h
-#define HapticPart_h
+#ifndef SceneMarker_h
+#define SceneMarker_h
 
 #include "Core/Math/Vector3.h"
 
@@ -19,27 +19,28 @@ class vtkBoundingBox;
 namespace VolumeHaptics
 {
 
-class HapticPart
+class SceneMarker
 {
 public:
   enum Shape
   {
     Sphere,
-    Rod,  ///< from one place to another
+    Rod,  ///< from one position to another
     Arrow ///< the same, with a head
   };
-  HapticPart(Shape shape, double red, double green, double blue);
+  SceneMarker(Shape shape, double red, double green, double blue);
 
   void SetColor(const double color[3]);
   void PlaceSphere(const Vector3& centre, double radius);
-  /** Not shown where it would be shorter than it is thin. */
+  /** Not shown if it is shorter than its radius. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);
   void Show(bool shown) { this->Shown = shown; }
 
   void RenderOpaque(vtkViewport* viewport);
+  /** The faint one. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
-  /** Grows bounds to hold the part. */
+  /** Grows the box to hold the marker, if it is shown. */
   void AddTo(vtkBoundingBox& box);
 
 private:
