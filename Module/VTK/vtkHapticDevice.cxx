@@ -3,15 +3,23 @@
 #include "vtkHapticDevice.h"
 
 #include "VTK/Baking/HapticMethods.h"
+#include "VTK/Session/DeviceRecorder.h"
+#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Session/HapticDeviceSettings.h"
+#include "VTK/Session/ModelSource.h"
+#include "VTK/Session/VirtualTip.h"
 #include "VTK/Trace/HapticFiles.h"
-#include "vtkHapticDeviceInternals.h"
 
 #include "vtkCommand.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <set>
 #include <system_error>
 
 vtkStandardNewMacro(vtkHapticDevice);
@@ -25,15 +33,43 @@ const char* const CureForNoGuard = ". Close files or end threads of this program
 }
 
 //------------------------------------------------------------------------------
+struct vtkHapticDevice::vtkInternals
+{
+  explicit vtkInternals(vtkHapticDevice* self)
+    : Models(self, Holder)
+    , Recorder(self, Holder)
+    , Tip(Holder)
+  {
+  }
+
+  SafetyLimits MakeLimits(vtkHapticDevice* self) const
+  {
+    SafetyLimits limits;
+    limits.MaximumForce = self->GetMaximumForce();
+    limits.MaximumForceRate = self->GetMaximumForceRate();
+    limits.AttentionTime = self->GetAttentionTime();
+    limits.MaximumSpeed = this->Holder.GetLimits().MaximumSpeed;
+    return limits;
+  }
+
+  HapticDeviceHolder Holder;
+  ModelSource Models;
+  DeviceRecorder Recorder;
+  VirtualTip Tip;
+  std::set<int> Readers;     // of AddReader
+  bool IsAnnouncing = false; // while observers are told that it was disarmed
+};
+
+//------------------------------------------------------------------------------
 vtkHapticDevice::vtkHapticDevice()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
 }
 
 //------------------------------------------------------------------------------
 vtkHapticDevice::~vtkHapticDevice()
 {
-  // They would be told of a device that can not be asked any more.
+  // Observers must not get a device that is being deleted.
   this->RemoveAllObservers();
   this->Shut();
 }
@@ -104,10 +140,8 @@ std::string vtkHapticDevice::GetDeviceId()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 {
-  if (this->Internals->Filter != filter)
+  if (this->Internals->Models.SetFilter(filter))
   {
-    this->Internals->Filter = filter;
-    this->Internals->PublishedTime = 0;
     this->Modified();
   }
 }
@@ -115,7 +149,7 @@ void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter* vtkHapticDevice::GetVolumeHaptics()
 {
-  return this->Internals->Filter;
+  return this->Internals->Models.GetFilter();
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +160,8 @@ std::string vtkHapticDevice::GetMethodText()
   const HapticModel* const model = session ? session->GetLatestModel() : nullptr;
   if (!model)
   {
-    return d.Filter ? d.Filter->GetMethodText() : std::string();
+    vtkVolumeHapticsFilter* const filter = d.Models.GetFilter();
+    return filter ? filter->GetMethodText() : std::string();
   }
   const HapticSettings& settings = model->Settings;
   return GetMethodChoice(static_cast<int>(settings.Method), static_cast<int>(settings.Solver)).Text;
@@ -135,9 +170,8 @@ std::string vtkHapticDevice::GetMethodText()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetDeviceToWorld(vtkMatrix4x4* matrix)
 {
-  if (this->Internals->DeviceToWorld != matrix)
+  if (this->Internals->Models.SetDeviceToWorld(matrix))
   {
-    this->Internals->DeviceToWorld = matrix;
     this->Modified();
   }
 }
@@ -145,7 +179,7 @@ void vtkHapticDevice::SetDeviceToWorld(vtkMatrix4x4* matrix)
 //------------------------------------------------------------------------------
 vtkMatrix4x4* vtkHapticDevice::GetDeviceToWorld()
 {
-  return this->Internals->DeviceToWorld;
+  return this->Internals->Models.GetDeviceToWorld();
 }
 
 //------------------------------------------------------------------------------
@@ -156,7 +190,7 @@ bool vtkHapticDevice::Publish()
   d.Holder.Attend();
   std::shared_ptr<const HapticModel> model;
   const double rate = d.Holder.GetSession() ? d.Holder.GetRate() : this->ServoRate;
-  if (!d.Bake(this, rate, model))
+  if (!d.Models.Make(rate, model))
   {
     return false;
   }
@@ -165,8 +199,7 @@ bool vtkHapticDevice::Publish()
     if (session->IsRecording() && model && !model->Resident.IsWhole())
     {
       vtkErrorMacro("A recording is under way, and recordings can't be of a region of a larger "
-                    "volume: no single "
-                    "image could replay them. StopRecording() first.");
+                    "volume: no single image could replay them. StopRecording() first.");
       return false;
     }
     session->Publish(std::move(model));
@@ -177,8 +210,7 @@ bool vtkHapticDevice::Publish()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::IsPublished()
 {
-  auto& d = *this->Internals;
-  return d.PublishedTime == FindChangeTime(d.Filter);
+  return this->Internals->Models.IsUpToDate();
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +224,7 @@ bool vtkHapticDevice::Start()
   }
   const int opening = d.Holder.GetOpening();
   std::shared_ptr<const HapticModel> model;
-  if (d.Holder.IsOpen() && !d.Bake(this, this->ServoRate, model))
+  if (d.Holder.IsOpen() && !d.Models.Make(this->ServoRate, model))
   {
     return false;
   }
@@ -211,7 +243,7 @@ bool vtkHapticDevice::Start()
     vtkErrorMacro("The device was closed or replaced while it was being started: Start() again.");
     return false;
   }
-  const Affine3 placement = model ? model->DeviceToWorld : d.GetPlacement();
+  const Affine3 placement = model ? model->DeviceToWorld : d.Models.GetPlacement();
   try
   {
     d.Holder.Start(this->ServoRate, d.MakeLimits(this), std::move(model), placement);
@@ -245,9 +277,9 @@ void vtkHapticDevice::Halt()
   // At once: writing a recording takes its time.
   this->Internals->Holder.Arm(false);
   this->AnnounceDisarmed();
-  if (this->Internals->IsRecording())
+  if (this->Internals->Recorder.IsUnderWay())
   {
-    this->EndRecording(false); // there is no force any more, and perhaps no owner
+    this->Internals->Recorder.Stop(false); // there is no force any more, and perhaps no owner
   }
   this->Internals->Holder.Stop();
 }
@@ -372,8 +404,8 @@ std::string vtkHapticDevice::GetStatusText()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::UpdateState()
 {
-  this->TellRecordingTrouble();
-  return this->Internals->Holder.Update(this->Internals->GetPlacement());
+  this->Internals->Recorder.TellTrouble();
+  return this->Internals->Holder.Update(this->Internals->Models.GetPlacement());
 }
 
 //------------------------------------------------------------------------------
@@ -405,7 +437,7 @@ vtkHapticDeviceStateMacro(double, Time, GetState().Time);
 void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
 {
   auto& d = *this->Internals;
-  d.Holder.DrainStates(d.GetPlacement(), states, reader);
+  d.Holder.DrainStates(d.Models.GetPlacement(), states, reader);
 }
 
 //------------------------------------------------------------------------------
@@ -427,4 +459,187 @@ void vtkHapticDevice::RemoveReader(int reader)
   {
     this->DrainStates(nullptr, reader);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SendLimits()
+{
+  auto& d = *this->Internals;
+  if (HapticSession* session = d.Holder.GetSession())
+  {
+    session->GetLoop().Attend();
+    session->GetLoop().SetLimits(d.MakeLimits(this));
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetServoRate(double rate)
+{
+  const double clamped = Clamp(DeviceSettingRows::ServoRate, rate);
+  if (clamped != this->ServoRate)
+  {
+    this->ServoRate = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetMaximumForce(double force)
+{
+  auto& holder = this->Internals->Holder;
+  const double most = holder.IsOpen() ? holder.GetLimits().MaximumForce : VTK_DOUBLE_MAX;
+  this->WantedForce = Clamp(DeviceSettingRows::MaximumForce, force);
+  const double clamped = std::min(this->WantedForce, most);
+  if (clamped != this->MaximumForce)
+  {
+    this->MaximumForce = clamped;
+    this->SendLimits();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetMaximumForceRate(double rate)
+{
+  // A rate of 0 would never let the force grow.
+  const double clamped = Clamp(DeviceSettingRows::MaximumForceRate, rate);
+  if (clamped != this->MaximumForceRate)
+  {
+    this->MaximumForceRate = clamped;
+    this->SendLimits();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetAttentionTime(double seconds)
+{
+  const double clamped = seconds > 0.0 ? std::max(seconds, 0.05) : 0.0;
+  if (clamped != this->AttentionTime)
+  {
+    this->AttentionTime = clamped;
+    this->SendLimits();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualTip(double x, double y, double z)
+{
+  auto& d = *this->Internals;
+  this->TellError(d.Tip.Lead({ x, y, z }, d.Models.GetPlacement()));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::PlaceVirtualTip(double x, double y, double z)
+{
+  auto& d = *this->Internals;
+  this->TellError(d.Tip.Place({ x, y, z }, d.Models.GetPlacement()));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualTip(const double x[3])
+{
+  if (!x)
+  {
+    vtkErrorMacro(
+      "SetVirtualTip() needs three numbers, but got a null pointer; the tip stays where it is.");
+    return;
+  }
+  this->SetVirtualTip(x[0], x[1], x[2]);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualButtons(int buttons)
+{
+  this->Internals->Tip.SetButtons(buttons);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualDynamics(
+  double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay)
+{
+  this->TellError(
+    this->Internals->Tip.SetDynamics(mass, damping, handStiffness, encoderQuantum, forceDelay));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualLimits(
+  double maximumForce, double maximumStiffness, double maximumDamping, double friction)
+{
+  const std::string error =
+    this->Internals->Tip.SetLimits(maximumForce, maximumStiffness, maximumDamping, friction);
+  if (error.empty())
+  {
+    this->TakeLimits();
+  }
+  this->TellError(error);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::TellError(const std::string& error)
+{
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::StartRecording(const char* file)
+{
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  return this->Internals->Recorder.Start(file ? file : "", this->GetVolumeHaptics());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::StopRecording()
+{
+  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
+  return this->Internals->Recorder.Stop(true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::RecoverRecording(const char* part, const char* file)
+{
+  return this->Internals->Recorder.Recover(part ? part : "", file ? file : "");
+}
+
+//------------------------------------------------------------------------------
+#define vtkHapticDeviceStatisticMacro(type, name, parameters, value)     \
+  type vtkHapticDevice::Get##name parameters                             \
+  {                                                                      \
+    HapticSession* const session = this->Internals->Holder.GetSession(); \
+    return session ? static_cast<type>(session->GetLoop().value) : 0;    \
+  }
+
+vtkHapticDeviceStatisticMacro(double, TickRate, (), GetTickRate());
+vtkHapticDeviceStatisticMacro(
+  double, TickPercentile, (double p), GetTickCost().GetPercentile(p / 100.0) * 1e-9);
+vtkHapticDeviceStatisticMacro(
+  double, WakePercentile, (double p), GetWakeLatency().GetPercentile(p / 100.0) * 1e-9);
+vtkHapticDeviceStatisticMacro(vtkIdType, MissedTicks, (), GetMissedTicks());
+vtkHapticDeviceStatisticMacro(vtkIdType, AbsentTicks, (), GetAbsentTicks());
+vtkHapticDeviceStatisticMacro(vtkIdType, UnfinishedTicks, (), GetUnfinishedTicks());
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::ResetStatistics()
+{
+  if (HapticSession* session = this->Internals->Holder.GetSession())
+  {
+    session->GetLoop().ResetStatistics();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto& d = *this->Internals;
+  const std::string& id = d.Holder.GetId();
+  os << indent << "Device: " << (id.empty() ? "(none)" : id.c_str()) << "\n";
+  os << indent << "Status: " << this->GetStatusText() << "\n";
+  os << indent << "VolumeHaptics: " << d.Models.GetFilter() << "\n";
+  os << indent << "DeviceToWorld: " << d.Models.GetDeviceToWorld() << "\n";
+  PrintSettings(os, indent, this, DeviceSettings);
+  const std::string& file = d.Recorder.GetFile();
+  os << indent << "Recording: " << (file.empty() ? "(none)" : file.c_str()) << "\n";
 }

@@ -394,9 +394,7 @@ private:
   void Shut();
   void Halt();
   void AnnounceDisarmed();
-  void TellRecordingTrouble();
-  bool BeginRecording(const std::string& name);
-  bool EndRecording(bool isAnnounced);
+  void TellError(const std::string& error);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/DeviceRecorder.h"
+
+#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Session/HapticLongWork.h"
+#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Trace/HapticRecordingFile.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <cstring>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <sys/stat.h>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+/** Time to write a tick to a .vtp and to a .csv (s), as measured. */
+constexpr double SecondsPerTick = 2e-6;
+constexpr double SecondsPerLine = 2e-5;
+
+/** In a journal, at least, while the tip moves: 80 to 180 were measured. */
+constexpr double BytesPerTick = 80;
+
+double EstimateWriting(const std::string& file, double ticks)
+{
+  return ticks * (GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick);
+}
+
+} // namespace
+
+/** The session that can be recorded into a file of that name; null after an error. */
+HapticSession* DeviceRecorder::FindRecordable(const std::string& name) const
+{
+  HapticSession* const session = this->Holder.GetSession();
+  const char* error = nullptr;
+  if (!session)
+  {
+    error = "There is nothing to record: Start() the servo first.";
+  }
+  else if (session->IsRecording())
+  {
+    error = "A recording is under way: StopRecording() it first.";
+  }
+  else if (!session->GetLatestModel())
+  {
+    error = "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
+            "of what is felt.";
+  }
+  else if (!session->GetLatestModel()->Resident.IsWhole())
+  {
+    error = "A region of a larger volume can't be recorded: the forces depend on when each region "
+            "arrived, so that no single image could replay them. Connect the whole "
+            "volume to the filter and Publish() it, or keep the states with DrainStates().";
+  }
+  if (error)
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return nullptr;
+  }
+  std::string reason;
+  if (GetTraceEnding(name).empty())
+  {
+    reason = "\"" + Printable(name) + "\" has an unknown ending: name it .vtp or .csv.";
+  }
+  else if (!CheckWritable(name, reason) ||
+    (GetTraceEnding(name) == ".csv" && !CheckWritable(name + ".json", reason)))
+  {
+    reason = Printable(name) + " can't be written: " + reason;
+  }
+  if (!reason.empty())
+  {
+    vtkErrorWithObjectMacro(this->Device, "The recording " << reason);
+    return nullptr;
+  }
+  return session;
+}
+
+bool DeviceRecorder::Start(const std::string& name, vtkVolumeHapticsFilter* filter)
+{
+  try
+  {
+    return this->Begin(name, filter);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->File.clear();
+    vtkErrorWithObjectMacro(
+      this->Device, << "There is not enough memory to begin the recording " << Printable(name)
+                    << ", which takes about 5 MB. Close other programs that need memory.");
+    return false;
+  }
+}
+
+bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt)
+{
+  if (!this->FindRecordable(name))
+  {
+    return false;
+  }
+  RecordingAbout about;
+  about.DeviceId = this->Holder.GetId();
+  if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = felt)
+  {
+    std::ostringstream settings;
+    filter->PrintSettings(settings, vtkIndent());
+    settings << "ServoRate of the device: " << this->Holder.GetRate() << " Hz\n";
+    about.Settings = settings.str();
+    const LongWork work(
+      this->Device, "the volume is hashed", HapticBaker(filter).EstimateHashTime());
+    about.VolumeHash = filter->HashScalars();
+  }
+  // Observers of the long work may have stopped the servo, or begun a recording.
+  HapticSession* const session = this->FindRecordable(name);
+  if (!session)
+  {
+    return false;
+  }
+  auto recording = std::make_unique<HapticRecording>();
+  std::string error;
+  std::string warning;
+  if (!recording->Start(name, about, error, warning))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  session->StartRecording(std::move(recording));
+  this->File = name;
+  this->IsTroubleTold = false;
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Device, << warning);
+  }
+  return true;
+}
+
+bool DeviceRecorder::Stop(bool isAnnounced)
+{
+  HapticSession* const session = this->Holder.GetSession();
+  std::unique_ptr<HapticRecording> recording = session ? session->StopRecording() : nullptr;
+  if (!recording)
+  {
+    vtkErrorWithObjectMacro(this->Device, "No recording is under way: StartRecording() first.");
+    return false;
+  }
+  const std::string file = std::exchange(this->File, std::string());
+  if (const std::uint64_t lost = recording->GetLostTicks())
+  {
+    vtkWarningWithObjectMacro(this->Device,
+      << lost << " ticks are missing from the recording " << Printable(file)
+      << ": the machine was too busy to collect them. Its forces can't be replayed beyond the "
+         "first gap. Record to a local disk, with less else running.");
+  }
+  std::string error;
+  std::unique_ptr<LongWork> work;
+  if (isAnnounced)
+  {
+    work.reset(new LongWork(this->Device, "the recording is written",
+      EstimateWriting(file, static_cast<double>(recording->GetNumberOfTicks()))));
+  }
+  if (!recording->Finish(error))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  return true;
+}
+
+bool DeviceRecorder::Recover(const std::string& from, const std::string& to)
+{
+  std::string error;
+  if (from.size() <= std::strlen(JournalEnding))
+  {
+    vtkErrorWithObjectMacro(this->Device,
+      "There is no recording to recover: give the name of an unfinished recording, FILE.part.");
+    return false;
+  }
+  struct stat status;
+  const double bytes = stat(from.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
+  const LongWork work(
+    this->Device, "the recording is recovered", EstimateWriting(to, bytes / BytesPerTick));
+  if (!WriteRecording(from, to, error))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  return true;
+}
+
+bool DeviceRecorder::IsUnderWay() const
+{
+  const HapticSession* const session = this->Holder.GetSession();
+  return session && session->IsRecording() && session->IsOurs();
+}
+
+void DeviceRecorder::TellTrouble()
+{
+  const HapticSession* const session = this->Holder.GetSession();
+  if (!session || !session->IsRecording() || this->IsTroubleTold)
+  {
+    return;
+  }
+  const std::string trouble = session->GetRecordingTrouble();
+  if (!trouble.empty())
+  {
+    this->IsTroubleTold = true;
+    vtkErrorWithObjectMacro(this->Device, << trouble);
+  }
+}
+
+} // namespace VolumeHaptics

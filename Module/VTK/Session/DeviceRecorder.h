@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Begins, ends and recovers the recordings of a vtkHapticDevice.
+ */
+#ifndef DeviceRecorder_h
+#define DeviceRecorder_h
+
+#include "VTK/Session/HapticDeviceHolder.h"
+
+#include <string>
+
+class vtkHapticDevice;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/** Errors and warnings are those of the device. Long work is announced to it. */
+class DeviceRecorder
+{
+public:
+  DeviceRecorder(vtkHapticDevice* device, HapticDeviceHolder& holder)
+    : Device(device)
+    , Holder(holder)
+  {
+  }
+
+  ///@{
+  /** See the functions of vtkHapticDevice. */
+  bool Start(const std::string& file, vtkVolumeHapticsFilter* filter);
+  bool Recover(const std::string& part, const std::string& file);
+  ///@}
+
+  /** See vtkHapticDevice::StopRecording. Without isAnnounced, writing is no long work. */
+  bool Stop(bool isAnnounced);
+
+  /** Whether there is a recording that this process has to end. */
+  bool IsUnderWay() const;
+
+  /** The file of the recording that is under way; empty without one. */
+  const std::string& GetFile() const { return this->File; }
+
+  /** An error, once a recording, if it gets no further, for example because the disk is full. */
+  void TellTrouble();
+
+private:
+  bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
+  HapticSession* FindRecordable(const std::string& file) const;
+
+  vtkHapticDevice* const Device;
+  HapticDeviceHolder& Holder;
+  std::string File;
+  bool IsTroubleTold = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/ModelSource.h"
+
+#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Session/HapticChangeTime.h"
+#include "VTK/Session/HapticLongWork.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+ModelSource::ModelSource(vtkHapticDevice* device, const HapticDeviceHolder& holder)
+  : Device(device)
+  , Holder(holder)
+{
+}
+
+ModelSource::~ModelSource() = default;
+
+bool ModelSource::SetFilter(vtkVolumeHapticsFilter* filter)
+{
+  if (this->Filter == filter)
+  {
+    return false;
+  }
+  this->Filter = filter;
+  this->MadeTime = 0;
+  return true;
+}
+
+bool ModelSource::SetDeviceToWorld(vtkMatrix4x4* matrix)
+{
+  if (this->DeviceToWorld == matrix)
+  {
+    return false;
+  }
+  this->DeviceToWorld = matrix;
+  return true;
+}
+
+bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
+{
+  // Observers of the work may give the device another one.
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  if (filter)
+  {
+    const LongWork work(this->Device, "the surface is meshed",
+      this->Device->IsRunning() ? HapticBaker(filter).EstimateTime() : 0.0);
+    const ForceCaps caps = CapsOf(this->Holder.GetLimits(), 1.0 / rate);
+    model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
+    this->MadeTime = FindChangeTime(filter);
+  }
+  return !filter || model;
+}
+
+bool ModelSource::IsUpToDate() const
+{
+  return this->MadeTime == FindChangeTime(this->Filter);
+}
+
+Affine3 ModelSource::GetPlacement() const
+{
+  const HapticSession* const session = this->Holder.GetSession();
+  if (session && session->GetLatestModel())
+  {
+    return session->GetLatestModel()->DeviceToWorld;
+  }
+  Affine3 map;
+  std::string error;
+  if (!this->DeviceToWorld || !ReadSimilarity(this->DeviceToWorld, map, error))
+  {
+    const double meters = this->Filter ? this->Filter->GetMetersPerWorldUnit() : 1e-3;
+    map = {};
+    map.Linear = (1.0 / meters) * Matrix3{};
+  }
+  return map;
+}
+
+} // namespace VolumeHaptics

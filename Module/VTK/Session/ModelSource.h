@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Makes the servo's models of a device's filter and placement.
+ */
+#ifndef ModelSource_h
+#define ModelSource_h
+
+#include "VTK/Session/HapticDeviceHolder.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <memory>
+
+class vtkHapticDevice;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+class ModelSource
+{
+public:
+  ModelSource(vtkHapticDevice* device, const HapticDeviceHolder& holder);
+  ~ModelSource();
+
+  ///@{
+  /** False if it is the same as before. */
+  bool SetFilter(vtkVolumeHapticsFilter* filter);
+  bool SetDeviceToWorld(vtkMatrix4x4* matrix);
+  ///@}
+  vtkVolumeHapticsFilter* GetFilter() const { return this->Filter; }
+  vtkMatrix4x4* GetDeviceToWorld() const { return this->DeviceToWorld; }
+
+  /**
+   * A model of the filter for a rate (Hz); null without a filter. False if the filter can't be
+   * touched, which it has said in an error. Meshing of a surface is long work if the servo runs.
+   */
+  bool Make(double rate, std::shared_ptr<const HapticModel>& model);
+
+  /** Whether Make was called, with or without success, since the filter or its input changed. */
+  bool IsUpToDate() const;
+
+  /** DeviceToWorld of the servo's model; without a model, as far as the settings tell. */
+  Affine3 GetPlacement() const;
+
+private:
+  vtkHapticDevice* const Device;
+  const HapticDeviceHolder& Holder;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
+  vtkMTimeType MadeTime = 0; ///< change time of the filter and its input when Make was called
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/VirtualTip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+std::string VirtualTip::Check(const Vector3& world) const
+{
+  return !this->Holder.GetVirtual() ? "There is no virtual device to lead: Open(\"virtual\") first."
+    : !IsFinite(world)              ? "The virtual tip must be finite; it stays where it was."
+                                    : "";
+}
+
+std::string VirtualTip::Lead(const Vector3& world, const Affine3& deviceToWorld)
+{
+  std::string error = this->Check(world);
+  if (error.empty())
+  {
+    this->Holder.GetVirtual()->Lead(Inverse(deviceToWorld)(world));
+  }
+  return error;
+}
+
+std::string VirtualTip::Place(const Vector3& world, const Affine3& deviceToWorld)
+{
+  std::string error = this->Check(world);
+  if (error.empty())
+  {
+    this->Holder.GetVirtual()->Place(Inverse(deviceToWorld)(world));
+  }
+  return error;
+}
+
+void VirtualTip::SetButtons(int buttons)
+{
+  if (VirtualDevice* device = this->Holder.GetVirtual())
+  {
+    device->SetButtons(static_cast<std::uint32_t>(buttons));
+  }
+}
+
+std::string VirtualTip::SetDynamics(
+  double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay)
+{
+  VirtualDevice* const device = this->Holder.GetVirtual();
+  if (!device || this->Holder.GetSession())
+  {
+    return "Dynamics are set between Open(\"virtual\") and Start().";
+  }
+  VirtualDynamics dynamics;
+  dynamics.Mass = std::max(0.0, mass);
+  dynamics.Damping = std::max(0.0, damping);
+  dynamics.HandStiffness = std::max(0.0, handStiffness);
+  dynamics.EncoderQuantum = std::max(0.0, encoderQuantum);
+  dynamics.ForceDelay = std::clamp(forceDelay, 0, VirtualDynamics::MaximumDelay);
+  device->SetDynamics(dynamics);
+  return "";
+}
+
+std::string VirtualTip::SetLimits(
+  double maximumForce, double maximumStiffness, double maximumDamping, double friction)
+{
+  VirtualDevice* const device = this->Holder.GetVirtual();
+  const double sum = maximumForce + maximumStiffness + maximumDamping + friction;
+  if (!device || this->Holder.GetSession() || !std::isfinite(sum) || !(maximumForce > 0.0))
+  {
+    return "Limits are finite, with a force above 0, and are set between Open(\"virtual\") and "
+           "Start().";
+  }
+  DeviceLimits limits = device->GetLimits();
+  limits.MaximumForce = maximumForce;
+  limits.MaximumStiffness = std::max(0.0, maximumStiffness);
+  limits.MaximumDamping = std::max(0.0, maximumDamping);
+  limits.Damping = std::max(0.0, friction);
+  device->SetLimits(limits);
+  return "";
+}
+
+} // namespace VolumeHaptics

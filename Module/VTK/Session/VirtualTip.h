@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Leads the virtual device by positions in the world.
+ */
+#ifndef VirtualTip_h
+#define VirtualTip_h
+
+#include "Core/Math/Vector3.h"
+#include "VTK/Session/HapticDeviceHolder.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Does nothing to any other device. Functions that return a string return the error, which is empty
+ * if there is none: see the functions of vtkHapticDevice with these names.
+ */
+class VirtualTip
+{
+public:
+  explicit VirtualTip(HapticDeviceHolder& holder)
+    : Holder(holder)
+  {
+  }
+
+  ///@{
+  /** To a position in the world: with the hand, or at once. */
+  std::string Lead(const Vector3& world, const Affine3& deviceToWorld);
+  std::string Place(const Vector3& world, const Affine3& deviceToWorld);
+  ///@}
+  void SetButtons(int buttons);
+  std::string SetDynamics(
+    double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
+  std::string SetLimits(
+    double maximumForce, double maximumStiffness, double maximumDamping, double friction);
+
+private:
+  std::string Check(const Vector3& world) const;
+
+  HapticDeviceHolder& Holder;
+};
+
+} // namespace VolumeHaptics
+
+#endif
