@@ -8,7 +8,6 @@
 #define vtkVolumeHapticsCompat_h
 
 #include "vtkAlgorithm.h"
-#include "vtkRenderWindow.h"
 #include "vtkVersionMacros.h"
 
 #include <type_traits>
@@ -61,15 +60,6 @@ bool HasSeparateComponents(Array* array)
 {
   return Detail::KeepsSeparate<Array>::Ask(array);
 }
-
-/**
- * Has a window leave its connection to the X server open when it closes. Until VTK 9.2,
- * TerminateApp() closes the window in the middle of the interactor's loop, and the loop then goes
- * on with the connection. A window that was rendered before it had an interactor owns the
- * connection and has closed it by then: a crash. The connection is closed when the window is
- * deleted.
- */
-void KeepDisplay(vtkRenderWindow* window);
 
 } // namespace VolumeHaptics
 

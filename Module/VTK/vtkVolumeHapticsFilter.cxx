@@ -12,6 +12,7 @@
 #include "VTK/Trace/HapticHash.h"
 #include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/HapticTrace.h"
+#include "VTK/Trace/TipPathWalk.h"
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkAlgorithmOutput.h"

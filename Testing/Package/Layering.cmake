@@ -85,6 +85,8 @@ forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|Piecew
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"
   VTK/Baking VTK/Trace/HapticTrace.h VTK/Trace/HapticTrace.cxx VTK/Trace/HapticTipPath.h VTK/Trace/HapticTipPath.cxx
+  VTK/Trace/RecordedPathReader.h VTK/Trace/RecordedPathReader.cxx VTK/Trace/TipPathLines.h VTK/Trace/TipPathLines.cxx
+  VTK/Trace/TipPathWalk.h VTK/Trace/TipPathWalk.cxx
   VTK/vtkVolumeHapticsFilter.h VTK/vtkVolumeHapticsFilter.cxx
   VTK/vtkVolumeHapticsAlgorithm.h VTK/vtkVolumeHapticsAlgorithm.cxx)
 forbid("The module must not know ParaView or Qt." "[\"<](vtkPV|vtkSM|vtkSI|pq|Q[A-Z])" Core Devices VTK)

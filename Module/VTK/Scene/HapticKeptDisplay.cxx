@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+// In a file of its own, as the headers of X11 define macros with common names.
+#include "VTK/Scene/HapticKeptDisplay.h"
 
-// KeepDisplay() of vtkVolumeHapticsCompat.h, in a file of its own as the headers of X11 define
-// macros with common names.
-#include "vtkVolumeHapticsCompat.h"
+#include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
 #include "vtkRenderingOpenGLConfigure.h"
@@ -28,7 +28,7 @@ struct OpenedWindow : vtkXOpenGLRenderWindow
   }
 };
 
-/** The window closes it when it is deleted: with its interactor, so after the loop. */
+/** The window closes the connection when it is deleted: with its interactor, so after the loop. */
 void GiveBack(vtkObject* caller, unsigned long, void* display, void*)
 {
   auto* const window = static_cast<vtkXOpenGLRenderWindow*>(caller);

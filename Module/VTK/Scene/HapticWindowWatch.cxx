@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticWindowWatch.h"
 
-#include "vtkVolumeHapticsCompat.h"
+#include "VTK/Scene/HapticKeptDisplay.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"

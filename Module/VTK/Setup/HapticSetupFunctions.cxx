@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Setup/HapticSetupSettings.h"
+#include "VTK/Setup/HapticSetupFunctions.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
 
 namespace VolumeHaptics
 {
@@ -22,7 +21,7 @@ std::vector<NumberRow> GetNodes(F* function, int size, std::size_t columns)
   return rows;
 }
 
-/** In place, and as they were even where two nodes share a place. */
+/** In place, and with all nodes even if two of them are at one position. */
 template <typename F, typename A>
 void SetNodes(F* function, const std::vector<NumberRow>& rows, A&& add)
 {

@@ -5,6 +5,7 @@
 #include "Core/Model/HapticModel.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Setup/HapticSetupFunctions.h"
 
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"

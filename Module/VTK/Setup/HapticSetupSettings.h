@@ -10,9 +10,7 @@
 #include "VTK/Setup/HapticSetupNode.h"
 
 class vtkCamera;
-class vtkColorTransferFunction;
 class vtkMatrix4x4;
-class vtkPiecewiseFunction;
 class vtkVolumeHapticsFilter;
 class vtkVolumeProperty;
 
@@ -25,13 +23,6 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property);
 void PassCamera(SetupNode node, vtkCamera* camera);
 /** The entry DeviceToWorld of the root. */
 void PassDeviceToWorld(SetupNode& root, vtkMatrix4x4* matrix);
-
-///@{
-/** A function in a node of its own, for getters that may create it. */
-void PassFunction(
-  SetupNode node, const NumberRange& values, const std::function<vtkPiecewiseFunction*()>& get);
-void PassColors(SetupNode node, const std::function<vtkColorTransferFunction*()>& get);
-///@}
 
 } // namespace VolumeHaptics
 

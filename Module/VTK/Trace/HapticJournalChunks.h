@@ -47,7 +47,7 @@ void Put(std::string& bytes, const T& value)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/** False where the bytes end before. */
+/** False if the bytes end before. */
 template <typename T>
 bool Get(const std::string& bytes, std::size_t& position, T& value)
 {

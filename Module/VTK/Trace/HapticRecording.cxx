@@ -6,6 +6,7 @@
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticRecordingFile.h"
 #include "VTK/Trace/HapticTraceFiles.h"
+#include "VTK/Trace/JournalReader.h"
 
 #include <algorithm>
 #include <new>

@@ -3,8 +3,10 @@
 #include "VTK/Trace/HapticRecordingFile.h"
 
 #include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticJournal.h"
 #include "VTK/Trace/HapticTraceFiles.h"
+#include "VTK/Trace/JournalReader.h"
+#include "VTK/Trace/RecordingPolyData.h"
+#include "VTK/Trace/RecordingTable.h"
 
 #include <sys/stat.h>
 

@@ -19,7 +19,6 @@
 
 namespace VolumeHaptics
 {
-class FileReplacement;
 class JournalReader;
 
 /** The field array Units. */
@@ -28,20 +27,13 @@ extern const char* const RecordingUnits;
 ///@{
 /**
  * Writes the file, by its ending, and removes the journal when all of it is in the file and that is
- * on the disk. False, with the reason and the cure, where that fails: the journal then stays. Where
- * a part of it can be read, the file gets that part if no file was there before. The trouble is why
- * the recording itself is not whole.
+ * on the disk. False, with the reason and the cure, if that fails: the journal then stays. If only a
+ * part of it can be read, the file gets that part, unless a file was there before. The trouble is
+ * the reason why the recording itself is not whole.
  */
 bool WriteRecording(const std::string& journal, const std::string& file, std::string& error);
 bool WriteRecording(JournalReader& reader, const std::string& journal, const std::string& file,
   const std::string& trouble, std::string& error);
-///@}
-
-///@{
-/** False where the journal can't be read to its end. */
-bool WriteRecordingPolyData(JournalReader& journal, FileReplacement& file);
-bool WriteRecordingTable(JournalReader& journal, FileReplacement& file);
-bool WriteRecordingFields(JournalReader& journal, FileReplacement& file);
 ///@}
 
 } // namespace VolumeHaptics

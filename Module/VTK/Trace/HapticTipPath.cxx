@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTipPath.h"
 
+#include "VTK/Trace/RecordedPathReader.h"
+#include "VTK/Trace/TipPathLines.h"
+
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -125,7 +128,7 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
   {
     return true;
   }
-  if (const std::size_t lines = CountLines(path); lines > 1)
+  if (const std::size_t lines = TipPathLines(path).Count(); lines > 1)
   {
     error = "The tip path, on input port 1, is of " + std::to_string(lines) +
       " lines, which do not continue one another: the stylus would leap from each to the next. "
@@ -133,7 +136,7 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
       "the leaps are wanted: the points are then felt one after the other.";
     return false;
   }
-  if (const auto [from, to] = FindLeap(path); to >= 0)
+  if (const auto [from, to] = TipPathLines(path).FindLeap(); to >= 0)
   {
     error = "The points of the tip path, on input port 1, are stored in another order than its "
             "lines join them: the stylus would leap from point " +
@@ -147,7 +150,7 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
   if (path->GetPointData()->HasArray(RecordingNames::DeviceTip))
   {
     result = {};
-    const std::string flaw = ReadRecordedPath(path, result);
+    const std::string flaw = RecordedPathReader(path, result).Read();
     if (!flaw.empty())
     {
       result = {};

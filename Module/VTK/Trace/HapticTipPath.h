@@ -7,12 +7,9 @@
 #ifndef HapticTipPath_h
 #define HapticTipPath_h
 
-#include "Core/Servo/ResidentServo.h"
 #include "Core/Servo/ServoTick.h"
 
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkPolyData;
@@ -60,47 +57,6 @@ bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string&
 
 /** The error where there is no memory for so many ticks and their trace. */
 std::string DescribeLackOfMemory(double ticks);
-
-/**
- * How many strokes of a pen draw the line cells of a path: 1 for a polyline and for segments that
- * continue one another, in whatever order and direction they are stored; 0 without line cells.
- * Points have to be finite.
- */
-std::size_t CountLines(vtkPolyData* path);
-
-/**
- * Where the points of the line cells, in the order in which they are stored, go on without a cell
- * that joins them: the last point before such a leap, and the first after it; -1, -1 if there is
- * none. Points at one place need no cell. Points have to be finite.
- */
-std::pair<long long, long long> FindLeap(vtkPolyData* path);
-
-/** The part of ReadTipPath for recordings: what is wrong with one, or nothing. */
-std::string ReadRecordedPath(vtkPolyData* path, TipPath& result);
-
-/** Walks a path tick by tick. */
-class TipPathWalk
-{
-public:
-  TipPathWalk(const TipPath& path, double period);
-
-  /** The next tick, in the model that is returned: the given one, placed as a recording says. */
-  std::shared_ptr<const HapticModel> Tick(
-    std::shared_ptr<const HapticModel> model, TickRecord& record);
-  /** Time of the last tick (s). */
-  double GetTime() const;
-
-private:
-  void Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
-    const LocalSurfaceResult& result);
-
-  const TipPath& Path;
-  const double Period;
-  std::size_t Next = 0;
-  ServoState State;
-  ResidentServo Servo;
-  TickRecord Whole; ///< of the last tick, with the force before the residency takes its share
-};
 
 } // namespace VolumeHaptics
 

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticJournalChunks.h"
+#include "VTK/Trace/JournalReader.h"
 
+#include "VTK/Trace/BlockCompressor.h"
 #include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticJournalChunks.h"
+#include "VTK/Trace/JournalWriter.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -217,7 +220,7 @@ bool JournalReader::IsCutOff(std::uint64_t size)
     tail.size() < HeadSize + chunk.Size && !HoldsChunk(tail);
 }
 
-/** False where a chunk has no place in the order of chunks: what follows is not read. */
+/** False if a chunk does not fit into the order of chunks: the bytes behind it are not read. */
 bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::string& error)
 {
   std::size_t at = 0;

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes a .vtp block by block. vtkXMLPolyDataWriter needs all arrays in memory.
-#include "VTK/Trace/HapticRecordingFile.h"
+#include "VTK/Trace/RecordingPolyData.h"
 
 #include "Core/Solvers/ServoStateNumbers.h"
+#include "VTK/Trace/BlockCompressor.h"
 #include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Trace/HapticRecordingFile.h"
 #include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/JournalReader.h"
 
 #include "vtkBase64Utilities.h"
 #include "vtkType.h"
@@ -56,7 +57,7 @@ private:
 };
 
 /**
- * The numbers of an array, in place: how many blocks, their size, that of the last one where it is
+ * The numbers of an array, in place: how many blocks, their size, that of the last one if it is
  * smaller, the compressed sizes, all of 32 bits and in base64; then the blocks.
  */
 class InlineArray
@@ -79,7 +80,7 @@ public:
     this->Sizes.push_back(static_cast<std::uint32_t>(block.size()));
     this->Blocks.Write(block);
   }
-  /** False where there were not as many blocks as there are bytes. */
+  /** False if there were not as many blocks as the bytes need. */
   bool End()
   {
     this->Blocks.End();

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of HapticTipPath that tells one line, in however many cells, from several.
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/TipPathLines.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -21,7 +20,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Places where cells of the path begin or end; two that are one place count as one. */
+/** Points at which cells of the path begin or end; two at one position count as one. */
 class Junctions
 {
 public:
@@ -44,7 +43,7 @@ private:
   std::vector<std::size_t> Root;
 };
 
-/** How far apart coordinates of one place of a path may be. */
+/** How far apart the coordinates of two points at one position may be. */
 double FindRounding(vtkPolyData* path)
 {
   double bounds[6];
@@ -77,8 +76,9 @@ void ForEachEdge(vtkPolyData* path, F&& take)
 
 } // namespace
 
-std::pair<long long, long long> FindLeap(vtkPolyData* path)
+std::pair<long long, long long> TipPathLines::FindLeap() const
 {
+  vtkPolyData* const path = this->Path;
   // The points of cells are numbered from 1 on in the order in which they are stored.
   std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
   ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
@@ -110,9 +110,9 @@ std::pair<long long, long long> FindLeap(vtkPolyData* path)
       double after[3];
       path->GetPoint(last, before);
       path->GetPoint(point, after);
-      const bool isOnePlace = std::equal(
+      const bool isOnePosition = std::equal(
         before, before + 3, after, [near](double a, double b) { return std::abs(a - b) <= near; });
-      if (!isOnePlace)
+      if (!isOnePosition)
       {
         return { last, point };
       }
@@ -122,8 +122,9 @@ std::pair<long long, long long> FindLeap(vtkPolyData* path)
   return { -1, -1 };
 }
 
-std::size_t CountLines(vtkPolyData* path)
+std::size_t TipPathLines::Count() const
 {
+  vtkPolyData* const path = this->Path;
   // Cell i begins at Ends[2 i] and ends at Ends[2 i + 1].
   std::vector<std::array<double, 3>> ends;
   const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(path->GetLines()->NewIterator());
@@ -148,7 +149,7 @@ std::size_t CountLines(vtkPolyData* path)
     return ends.size() / 2;
   }
 
-  // Ends meet where they are equal. What continues the cell before may also miss its end by
+  // Ends meet if they are equal. A cell that continues the one before may also miss its end by
   // rounding.
   const double near = FindRounding(path);
   Junctions junctions(ends.size());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/TipPathWalk.h"
 
 namespace VolumeHaptics
 {
@@ -22,7 +22,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
       *model, model->WorldToDevice(this->Path.Tips[i]), record, LocalSurfaceResult::Simulated());
     return model;
   }
-  // What the servo did, in its order: first the model, then enabling, then the tick.
+  // In the order of the servo: first the model, then enabling, then the tick.
   const int placement = this->Path.PlacementOf[i];
   if (i == 0 || placement != this->Path.PlacementOf[i - 1])
   {

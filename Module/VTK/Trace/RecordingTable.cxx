@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticRecordingFile.h"
+#include "VTK/Trace/RecordingTable.h"
 
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Trace/HapticRecordingFile.h"
 #include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/JournalReader.h"
 
 #include "vtk_jsoncpp.h"
 
@@ -47,7 +48,7 @@ double NumberAt(const RecordingRow& row, const TraceColumn& column, int componen
   return NumberAt<double>(bytes, component);
 }
 
-/** Time and place first, for people. */
+/** Time and position first, for people. */
 std::vector<TraceColumn> OrderColumns()
 {
   std::vector<TraceColumn> columns = GetRecordingColumns();

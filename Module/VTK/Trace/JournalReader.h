@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads the journal of a recording, also one that a crash or a full disk ended.
+ */
+#ifndef JournalReader_h
+#define JournalReader_h
+
+#include "VTK/Trace/HapticJournal.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+class JournalWriter;
+
+class JournalReader
+{
+public:
+  JournalReader() = default;
+  ~JournalReader();
+  JournalReader(const JournalReader&) = delete;
+  JournalReader& operator=(const JournalReader&) = delete;
+
+  ///@{
+  /**
+   * Looks through all of it; false, with the reason, if it is no journal, or is being written. That
+   * of a writer is the file that it wrote, even if another file has its name now.
+   */
+  bool Open(const std::string& journal, std::string& error);
+  bool Open(const JournalWriter& writer, std::string& error);
+  ///@}
+  /** Expects as many ticks as were written. */
+  void Expect(std::uint64_t ticks);
+  /**
+   * Why a part of it can't be read, with the numbers; empty if all was read, or if only the last
+   * chunk was cut off, as a crash does it.
+   */
+  const std::string& GetDamage() const { return this->Damage; }
+  bool IsAt(const std::string& file) const;
+  /** Removes the journal, if it still has that name, and if locks tell that it is not written. */
+  void Remove(const std::string& journal) const;
+
+  const RecordingAbout& GetAbout() const { return this->About; }
+  /** Null if there is no tick. */
+  const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
+  std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
+  std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
+  std::uint64_t GetLostTicks() const { return this->Lost; }
+
+  ///@{
+  /** One after the other; false if reading failed. */
+  bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
+  /** The compressed blocks of a column of GetRecordingColumns. */
+  bool ForEachBlock(std::size_t column, const std::function<void(const std::string&)>& visit);
+  bool ForEachRow(const std::function<void(const RecordingRow&)>& visit);
+  ///@}
+
+private:
+  struct Chunk
+  {
+    std::uint32_t Kind = 0;
+    std::uint64_t Payload = 0; ///< where it begins
+    std::uint64_t Size = 0;
+    std::uint64_t Sum = 0;
+  };
+  bool Scan(std::string& error);
+  /** Looks at the bytes behind the last chunk that is whole. */
+  void FindDamage();
+  bool IsCutOff(std::uint64_t size);
+  bool ReadAt(std::uint64_t position, void* data, std::size_t size);
+  bool ReadHead(std::uint64_t position, Chunk& chunk);
+  bool TakeIn(const Chunk& chunk, const std::string& payload, std::string& error);
+  bool TakeAbout(const std::string& payload, std::string& error);
+  bool ForEachChunk(std::uint32_t kind, const std::function<bool(const Chunk&)>& visit);
+
+  int Descriptor = -1;
+  int Failure = 0; ///< the errno of the last ReadAt, 0 at the end of the file
+  bool IsLocked = false;
+  std::uint64_t End = 0; ///< of the last chunk that is whole
+  std::string Damage;
+  RecordingAbout About;
+  bool HasAbout = false;
+  RecordingBegin Begin;
+  bool HasBegin = false;
+  bool HasLastGroup = false;
+  std::uint64_t Ticks = 0;
+  std::uint64_t Placements = 0;
+  std::uint64_t Lost = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Writes the journal of a recording that is under way.
+ */
+#ifndef JournalWriter_h
+#define JournalWriter_h
+
+#include "VTK/Trace/BlockCompressor.h"
+#include "VTK/Trace/HapticJournal.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class JournalWriter
+{
+public:
+  ~JournalWriter() { this->Close(); }
+  JournalWriter() = default;
+  JournalWriter(const JournalWriter&) = delete;
+  JournalWriter& operator=(const JournalWriter&) = delete;
+
+  /**
+   * Creates the journal of a file, with the file's permissions if it exists. False, with the reason
+   * and the cure, if it can't be created or another program writes to it. A journal that an earlier
+   * recording left is renamed; if the file system has no locks, which would tell whether it is still
+   * being written, the new journal gets another name. The warning says so.
+   */
+  bool Create(
+    const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
+  const std::string& GetName() const { return this->Name; }
+  /** Removes the journal that was created. */
+  void Remove();
+  ///@{
+  /** 0, or the errno of what went wrong; nothing is written after that. */
+  int WriteBegin(const RecordingBegin& begin);
+  int WritePlacements(const std::vector<PlacementRow>& placements);
+  int WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost);
+  ///@}
+  void Close();
+
+private:
+  friend class JournalReader; // reads from the same descriptor
+  bool OpenNew(const std::string& file, std::string& error, std::string& warning);
+  int WriteChunk(std::uint32_t kind, const std::string& payload);
+
+  std::string Name;
+  int Descriptor = -1;
+  int Failure = 0;
+  BlockCompressor Compressor;
+};
+
+} // namespace VolumeHaptics
+
+#endif

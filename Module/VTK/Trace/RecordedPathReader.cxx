@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/RecordedPathReader.h"
+
+#include "Core/Solvers/ServoStateNumbers.h"
+#include "VTK/Baking/HapticTuples.h"
+#include "VTK/Baking/HapticVolumeView.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The periods (s) that vtkHapticDevice::SetServoRate allows, and some more. */
+constexpr double ShortestPeriod = 1e-6;
+constexpr double LongestPeriod = 1.0;
+/** A tip that is farther (m), which no device gives, would be at infinity in the world. */
+constexpr double FarthestRecordedTip = 1e15;
+
+} // namespace
+
+RecordedPathReader::RecordedPathReader(vtkPolyData* path, TipPath& result)
+  : Path(path)
+  , Result(result)
+  , Ticks(path->GetNumberOfPoints())
+{
+}
+
+std::string RecordedPathReader::Read()
+{
+  this->ReadPlacements();
+  this->ReadBegin();
+  this->ReadTicks();
+  this->Result.IsRecording = this->Flaw.empty();
+  return this->Flaw;
+}
+
+vtkDataArray* RecordedPathReader::Find(
+  vtkFieldData* data, const char* kind, const char* name, int components, vtkIdType tuples)
+{
+  vtkDataArray* const array = data->GetArray(name);
+  const bool hasShape = array && array->GetNumberOfComponents() == components &&
+    (tuples < 0 ? array->GetNumberOfTuples() > 0 : array->GetNumberOfTuples() == tuples);
+  if (!hasShape && this->Flaw.empty())
+  {
+    this->Flaw = std::string("its ") + kind + " array \"" + name + "\" " +
+      (array ? "has " + std::to_string(array->GetNumberOfTuples()) + " tuples of " +
+            std::to_string(array->GetNumberOfComponents()) + " component(s) instead of " +
+            (tuples < 0 ? std::string("some") : std::to_string(tuples)) + " of " +
+            std::to_string(components)
+             : std::string("is missing"));
+  }
+  return hasShape ? array : nullptr;
+}
+
+vtkDataArray* RecordedPathReader::FindOfTicks(const char* name, int components)
+{
+  return this->Find(this->Path->GetPointData(), "point", name, components, this->Ticks);
+}
+
+vtkDataArray* RecordedPathReader::FindField(const char* name, int components, vtkIdType tuples)
+{
+  return this->Find(this->Path->GetFieldData(), "field", name, components, tuples);
+}
+
+void RecordedPathReader::Require(bool holds, const char* array, vtkIdType tuple, const char* wanted)
+{
+  if (!holds && this->Flaw.empty())
+  {
+    this->Flaw = std::string("its array \"") + array + "\" is not " + wanted + " in tuple " +
+      std::to_string(tuple);
+  }
+}
+
+void RecordedPathReader::ReadPlacements()
+{
+  constexpr vtkIdType anyNumber = -1;
+  vtkDataArray* const matrices = this->FindField(RecordingNames::DeviceToWorld, 16, anyNumber);
+  vtkNew<vtkMatrix4x4> matrix;
+  for (vtkIdType i = 0; matrices && this->Flaw.empty() && i < matrices->GetNumberOfTuples(); ++i)
+  {
+    matrices->GetTuple(i, matrix->GetData());
+    Affine3 map;
+    std::string error;
+    this->Require(ReadSimilarity(matrix, map, error), RecordingNames::DeviceToWorld, i,
+      "a rotation, a translation and one uniform, positive scale");
+    this->Result.Placements.push_back(map);
+  }
+}
+
+void RecordedPathReader::ReadBegin()
+{
+  vtkDataArray* const state = this->FindField(RecordingNames::InitialState, ServoStateSize, 1);
+  vtkDataArray* const period = this->FindField(RecordingNames::TickPeriod, 1, 1);
+  vtkDataArray* const caps = this->FindField(RecordingNames::Caps, 2, 1);
+  if (!state || !period || !caps)
+  {
+    return;
+  }
+  std::array<double, ServoStateSize> numbers;
+  state->GetTuple(0, numbers.data());
+  this->Require(
+    AreOfAState(numbers), RecordingNames::InitialState, 0, "a state that the servo can be in");
+  this->Result.InitialState = FromNumbers(numbers);
+  this->Result.TickPeriod = period->GetComponent(0, 0);
+  this->Require(
+    this->Result.TickPeriod >= ShortestPeriod && this->Result.TickPeriod <= LongestPeriod,
+    RecordingNames::TickPeriod, 0, "between a microsecond and a second");
+  this->Result.Caps = { caps->GetComponent(0, 0), caps->GetComponent(0, 1) };
+  const auto isCap = [](double cap) { return cap >= 0.0 && std::isfinite(cap); };
+  this->Require(isCap(this->Result.Caps.Stiffness) && isCap(this->Result.Caps.Damping),
+    RecordingNames::Caps, 0, "two numbers of 0 or more");
+}
+
+void RecordedPathReader::ReadTicks()
+{
+  vtkDataArray* const tips = this->FindOfTicks(RecordingNames::DeviceTip, 3);
+  vtkDataArray* const enabled = this->FindOfTicks(RecordingNames::Enabled, 1);
+  vtkDataArray* const renewed = this->FindOfTicks(RecordingNames::Renewed, 1);
+  vtkDataArray* const placement = this->FindOfTicks(RecordingNames::Placement, 1);
+  vtkDataArray* const times = this->FindOfTicks("Time", 1);
+  const auto isFlag = [](double flag) { return flag == 0.0 || flag == 1.0; };
+  const auto placements = static_cast<double>(this->Result.Placements.size());
+  double last = -HUGE_VAL;
+  for (vtkIdType i = 0; this->Flaw.empty() && i < this->Ticks; ++i)
+  {
+    const Vector3 tip = ReadVector(tips, i);
+    const double index = placement->GetComponent(i, 0);
+    const double time = times->GetComponent(i, 0);
+    this->Require(Norm(tip) < FarthestRecordedTip, RecordingNames::DeviceTip, i, "a place near");
+    this->Require(index >= 0.0 && index < placements && index == std::floor(index),
+      RecordingNames::Placement, i, "the number of a tuple of DeviceToWorld");
+    this->Require(std::isfinite(time) && time >= last, "Time", i, "finite and in order");
+    this->Require(isFlag(enabled->GetComponent(i, 0)), RecordingNames::Enabled, i, "0 or 1");
+    this->Require(isFlag(renewed->GetComponent(i, 0)), RecordingNames::Renewed, i, "0 or 1");
+    if (!this->Flaw.empty())
+    {
+      return;
+    }
+    last = time;
+    this->Result.Tips.push_back(tip);
+    this->Result.PlacementOf.push_back(static_cast<int>(index));
+    this->Result.Enabled.push_back(enabled->GetComponent(i, 0) != 0.0);
+    this->Result.Renewed.push_back(renewed->GetComponent(i, 0) != 0.0);
+    this->Result.Times.push_back(time);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads the tip path of a recording, which anything may have changed since it was written.
+ */
+#ifndef RecordedPathReader_h
+#define RecordedPathReader_h
+
+#include "VTK/Trace/HapticTipPath.h"
+
+#include "vtkType.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+
+/**
+ * Every number is checked: the servo's tick gets none that could not be one of its own.
+ */
+class RecordedPathReader
+{
+public:
+  RecordedPathReader(vtkPolyData* path, TipPath& result);
+
+  /** The first flaw that was found, as the end of a sentence; empty if there is none. */
+  std::string Read();
+
+private:
+  /** An array of this shape; null, with a flaw, if it is missing or has another one. */
+  vtkDataArray* Find(
+    vtkFieldData* data, const char* kind, const char* name, int components, vtkIdType tuples);
+  vtkDataArray* FindOfTicks(const char* name, int components);
+  vtkDataArray* FindField(const char* name, int components, vtkIdType tuples);
+  void Require(bool holds, const char* array, vtkIdType tuple, const char* wanted);
+  void ReadPlacements();
+  void ReadBegin();
+  void ReadTicks();
+
+  vtkPolyData* const Path;
+  TipPath& Result;
+  const vtkIdType Ticks;
+  std::string Flaw;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Writes the .csv of a recording, a line a tick, and the .csv.json with its field arrays.
+ */
+#ifndef RecordingTable_h
+#define RecordingTable_h
+
+namespace VolumeHaptics
+{
+
+class FileReplacement;
+class JournalReader;
+
+///@{
+/** False if the journal can't be read to its end. */
+bool WriteRecordingTable(JournalReader& journal, FileReplacement& file);
+bool WriteRecordingFields(JournalReader& journal, FileReplacement& file);
+///@}
+
+} // namespace VolumeHaptics
+
+#endif

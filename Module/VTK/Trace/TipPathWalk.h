@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Walks a tip path tick by tick, as the servo would.
+ */
+#ifndef TipPathWalk_h
+#define TipPathWalk_h
+
+#include "Core/Servo/ResidentServo.h"
+#include "VTK/Trace/HapticTipPath.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+class TipPathWalk
+{
+public:
+  TipPathWalk(const TipPath& path, double period);
+
+  /** The next tick, in the model that is returned: the given one, placed as a recording says. */
+  std::shared_ptr<const HapticModel> Tick(
+    std::shared_ptr<const HapticModel> model, TickRecord& record);
+  /** Time of the last tick (s). */
+  double GetTime() const;
+
+private:
+  void Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
+    const LocalSurfaceResult& result);
+
+  const TipPath& Path;
+  const double Period;
+  std::size_t Next = 0;
+  ServoState State;
+  ResidentServo Servo;
+  TickRecord Whole; ///< of the last tick, with the force before the residency takes its share
+};
+
+} // namespace VolumeHaptics
+
+#endif
