@@ -27,8 +27,8 @@ extern const char* const RecordingUnits;
 ///@{
 /**
  * Writes the file, by its ending, and removes the journal when all of it is in the file and that is
- * on the disk. False, with the reason and the cure, if that fails: the journal then stays. If only a
- * part of it can be read, the file gets that part, unless a file was there before. The trouble is
+ * on the disk. False, with the reason and the cure, if that fails: the journal then stays. If only
+ * a part of it can be read, the file gets that part, unless a file was there before. The trouble is
  * the reason why the recording itself is not whole.
  */
 bool WriteRecording(const std::string& journal, const std::string& file, std::string& error);

@@ -28,8 +28,8 @@ public:
   /**
    * Creates the journal of a file, with the file's permissions if it exists. False, with the reason
    * and the cure, if it can't be created or another program writes to it. A journal that an earlier
-   * recording left is renamed; if the file system has no locks, which would tell whether it is still
-   * being written, the new journal gets another name. The warning says so.
+   * recording left is renamed; if the file system has no locks, which would tell whether it is
+   * still being written, the new journal gets another name. The warning says so.
    */
   bool Create(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
