@@ -77,6 +77,12 @@ if [ "$installed" != "$expected" ]; then
   exit 1
 fi
 
+elsewhere=$(find "$prefix/include" -name '*.h' -not -path "$prefix/include/volumehaptics/*")
+if [ -n "$elsewhere" ]; then
+  printf 'headers that are not in include/volumehaptics:\n%s\n' "$elsewhere" >&2
+  exit 1
+fi
+
 if [ "$python" = ON ]; then
   package=$(find "$prefix" -path '*/volumehaptics/__init__.py')
   site=$(dirname "$(dirname "$package")")
