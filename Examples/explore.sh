@@ -14,7 +14,7 @@ usage()
   cat << 'EOF'
 Usage: Examples/explore.sh [VOLUME] [options]
 
-Opens a window in which VOLUME can be touched with the mouse or a device. Where there is no display, or
+Opens a window in which VOLUME can be touched with the mouse or a device. Without a display, or
 with --pictures, feels its way over it and writes a picture of the volume with the proxy's trail, a
 plot of the force, the trace (.vtp, .csv) and a summary. VOLUME is a .vti .mhd .mha .nii .nii.gz .nrrd file or a
 folder of DICOM slices; without one, a real head CT is fetched from Debian's package

@@ -31,7 +31,7 @@ int Open(int /*number*/)
 {
   return 42; // a handle, below zero for an error
 }
-int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 where there is nothing new
+int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 if there is nothing new
 {
   static double time = 0.0;
   time += 0.001;
@@ -92,7 +92,7 @@ public:
   }
 
   // On the servo's thread, a thousand times a second: no lock, no allocation, no exception, and no
-  // wait. Where the library can't promise that, call it from a thread of your own, and hand
+  // wait. If the library can't promise that, call it from a thread of your own, and hand
   // positions and forces over without locks.
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
@@ -116,7 +116,7 @@ public:
     return VendorLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost
                                                            : DeviceState::Running;
   }
-  // From any thread, where the servo's does not answer. A library that takes calls from one thread
+  // From any thread, when the servo's does not answer. A library that takes calls from one thread
   // only needs a watchdog of its own here; this one takes them from any.
   void Quench() noexcept override
   {

@@ -76,7 +76,7 @@ int List(std::ostream& out)
   return 0;
 }
 
-/// Waits for Enter; false where there is nobody to press it.
+/// Waits for Enter; false if the input ends before.
 bool AskForEnter(const char* wish, std::istream& in, std::ostream& out, std::ostream& errors)
 {
   out << wish << std::endl;
@@ -85,11 +85,11 @@ bool AskForEnter(const char* wish, std::istream& in, std::ostream& out, std::ost
   {
     return true;
   }
-  errors << "Nobody pressed Enter.\n";
+  errors << "Enter was not pressed.\n";
   return false;
 }
 
-/// Shows what the hand is asked for until the device is ready; false where it will not be.
+/// Shows what the hand is asked for until the device is ready; false if it will not be.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in, std::ostream& out,
   std::ostream& errors)
 {
@@ -138,7 +138,7 @@ bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in,
   return true;
 }
 
-/// Shows the live state for some seconds (0: until interrupted); false where the device is lost
+/// Shows the live state for some seconds (0: until interrupted); false if the device is lost
 /// meanwhile.
 bool Watch(ToolDevice& device, double seconds, std::ostream& out, std::ostream& errors)
 {

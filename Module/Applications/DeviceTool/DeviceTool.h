@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// The whole program: 0, 1 where the device could not do it, 2 for a usage that makes no sense.
+/// The whole program: 0, 1 if the device could not do it, 2 for wrong usage.
 int RunDeviceTool(const std::vector<std::string>& arguments, std::istream& in, std::ostream& out,
   std::ostream& errors);
 

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr double Stiffness = 200.0;       // N/m: the whole force after 5 mm
-constexpr double SurfaceStrength = 100.0; // N, much more than the hand gets: nobody falls through
+constexpr double SurfaceStrength = 100.0; // N, much more than the hand gets: it never falls through
 constexpr double Spacing = 4.0;           // mm
 constexpr int Samples = 101;              // beyond every device's workspace
 

@@ -57,7 +57,7 @@ void LiveLine::Show(const std::string& text)
   }
   if (this->IsTerminal)
   {
-    // What is left of a longer line is cleared.
+    // Clears the rest of a longer line.
     this->Out << "\r" << text << "\033[K";
   }
   else

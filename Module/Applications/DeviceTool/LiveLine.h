@@ -25,7 +25,7 @@ public:
   LiveLine& operator=(const LiveLine&) = delete;
 
   void Show(const std::string& text);
-  /// What follows stands in a line of its own.
+  /// Ends the line: the next text stands in a line of its own.
   void End();
 
 private:

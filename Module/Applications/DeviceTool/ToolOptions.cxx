@@ -57,7 +57,7 @@ bool ReadAxis(const std::string& text, int& axis)
   return text.size() == 1 && found != std::string::npos;
 }
 
-/** Says what an option has to be where the value is none; else nullptr. */
+/** What an option has to be, if its value is wrong; else nullptr. */
 const char* ReadOption(const std::string& name, const std::string& value, ToolOptions& options)
 {
   if (name == "--firmware")

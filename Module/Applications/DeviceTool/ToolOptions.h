@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the command line of volumehaptics-device says.
+ * The command line of volumehaptics-device.
  */
 #ifndef ToolOptions_h
 #define ToolOptions_h
@@ -29,7 +29,7 @@ struct ToolOptions
   double HomingTime = 120.0;        ///< s, a step
   double ServoRate = 1000.0;        ///< Hz
   double Newtons[2] = { 100, 100 }; ///< of a stick at full scale, along x and y
-  bool HasNewtons = false;          ///< somebody said what they are
+  bool HasNewtons = false;          ///< the user has given them
   int Axis = -1; ///< of the wall's normal; below zero: as the kind of device needs it
 };
 

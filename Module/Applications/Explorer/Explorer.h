@@ -33,7 +33,7 @@ struct Settings
   std::string Method = "proxy"; // see vtkVolumeHapticsFilter::GetMethodNames
 };
 
-/// What came out of it: all that the pictures and the summary show.
+/// The results: all that the pictures and the summary show.
 struct Exploration
 {
   Volume Input;

@@ -16,7 +16,7 @@ namespace Explore
 {
 enum class MapperChoice
 {
-  Auto, // the GPU's where the window and the volume allow it, else the CPU's
+  Auto, // the GPU's if the window and the volume allow it, else the CPU's
   GPU,
   CPU
 };

@@ -89,7 +89,7 @@ void SetAxis(vtkAxis* axis, const char* title, double from, double to, int fontS
   axis->GetPen()->SetColor(90, 95, 105);
 }
 
-/// What the hand was doing, as the labels of a second time axis.
+/// Labels a second time axis with what the hand was doing.
 void SetPhaseAxis(vtkAxis* axis, const std::vector<Phase>& phases, vtkDataArray* time, int fontSize)
 {
   vtkNew<vtkDoubleArray> positions;

@@ -9,7 +9,7 @@
 
 namespace Explore
 {
-/// What a run through the servo loop measured.
+/// The measurements of a run through the servo loop.
 struct LiveRun
 {
   vtkSmartPointer<vtkPolyData> Trace; // as recorded, tick by tick
@@ -19,7 +19,7 @@ struct LiveRun
 
 /// Leads the virtual device along the planned path in real time, with the servo at its rate, and
 /// records into a file (.vtp); then replays the planned path tick by tick, to compare with the
-/// trace of the exploration. Throws std::runtime_error where the servo can't run.
+/// trace of the exploration. Throws std::runtime_error if the servo can't run.
 LiveRun RunLive(const Exploration& exploration, const std::string& file);
 } // namespace Explore
 

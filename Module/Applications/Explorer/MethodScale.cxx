@@ -19,7 +19,7 @@ constexpr double STRONGEST_PUSH = 1.0; // N: clearly felt, and a fraction of wha
 constexpr double SHARPEST = 0.95;      // of the surface is not as sharp; single voxels may be noise
 constexpr int LOOKS_PER_AXIS = 100;    // some thousand points of a surface are enough
 
-/// Where a line of voxels along an axis crosses the threshold, between two voxels.
+/// The place, between two voxels, at which a line of voxels along an axis crosses the threshold.
 void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* points)
 {
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();

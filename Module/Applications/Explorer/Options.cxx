@@ -209,8 +209,8 @@ std::string HelpText()
   return R"(Usage: volumehaptics-explore VOLUME [options]
 
 Feels its way over a volume: presses a tip into the outer surface, drags it, presses through to what is
-dense inside, drags it there, and says what a hand would feel. Then, where there is a display, opens a
-window in which the mouse, or a device, touches the volume. Elsewhere, or with --pictures, writes
+dense inside, drags it there, and says what a hand would feel. Then, if there is a display, opens a
+window in which the mouse, or a device, touches the volume. Without a display, or with --pictures, writes
 pictures, the trace and a summary.
 
 VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices

@@ -18,7 +18,7 @@ struct Options
   bool Live = false;         // in real time through the servo loop, too
   std::string VolumePath;
   std::string Folder = "explore-pictures";
-  bool Pictures = false; // even where there is a display
+  bool Pictures = false; // even if there is a display
   DeviceChoice Device;   // of the window
   std::string Setup;     // file of the window's functions, settings and camera
   std::string Stereo;    // of the window
@@ -30,7 +30,7 @@ struct Options
 /// Throws InputError for an option that is not known or has no proper value.
 Options ParseOptions(int argc, char* argv[]);
 
-/// What --help prints.
+/// The text of --help.
 std::string HelpText();
 } // namespace Explore
 

@@ -15,7 +15,7 @@ namespace
 // In metres.
 constexpr double SURE_DEPTH = 0.004;   // that a surface goes on, or it was noise, hair, a sinus
 constexpr double THINNEST = 0.002;     // from the outer to the deep surface
-constexpr double DEFAULT_DEEP = 0.010; // the same, where no deep surface is found
+constexpr double DEFAULT_DEEP = 0.010; // the same, if no deep surface is found
 } // namespace
 
 namespace Explore
@@ -84,7 +84,7 @@ SurfaceMap::Ray SurfaceMap::Cast(
     {
       if (value > analysis.OuterThreshold)
       {
-        // The first sample inside the volume that is already body: a face where the scan was cut.
+        // The first sample inside the volume that is already body: a face that cuts the scan.
         ray.Clean = run == 0 ? wasInside : ray.Clean;
         run += 1;
       }

@@ -51,7 +51,7 @@ private:
   double Interpolate(const std::vector<double>& map, double right, double up) const;
 
   vtkVector3d Centre;
-  double Start = 0.0; // where rays begin, and their step, world units
+  double Start = 0.0; // of the rays, and their step, world units
   double Step = 1.0;
   int Hits = 0;
   std::vector<double> OuterMap, DeepMap, QualityMap;

@@ -25,7 +25,7 @@ constexpr double HALF_ARC = 28.0;
 constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer one
 constexpr double WANTED_UP = 20.0;     // the outer stroke, above the middle of the picture
 
-/// Where the strokes are: the angles of the middle of the outer one.
+/// The place of the strokes: the angles of the middle of the outer one.
 struct Stroke
 {
   double Right = 0.0;

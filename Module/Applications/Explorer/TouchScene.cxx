@@ -18,12 +18,12 @@ namespace
 {
 using Explore::TouchScene;
 
-/// Whatever draws in two dimensions goes above the volume, and below the marker.
+/// Everything that draws in two dimensions goes above the volume and below the marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int width)
 {
   const Explore::Analysis& analysis = exploration.Values;
   touch.Hand->SetDevice(touch.Device);
-  // A newton is two centimetres long, whatever the world's unit.
+  // A newton is two centimetres long, in any unit of the world.
   touch.Hand->SetRadius(0.003 / analysis.MetersPerWorldUnit);
   touch.Hand->SetForceScale(50.0 * analysis.MetersPerWorldUnit);
   touch.Scene.Renderer->AddViewProp(touch.Hand);

@@ -35,13 +35,13 @@ struct TouchScene
   vtkNew<vtkInteractorStyleHaptic> Style;
 };
 
-/// Fills the scene, opens the device and starts its servo. Throws InputError where the device can't
+/// Fills the scene, opens the device and starts its servo. Throws InputError if the device can't
 /// be had.
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
 /// Opens a window on the scene and returns when it is closed. With a setup file: loads it first,
-/// where there is one, and saves it at the end. Throws InputError where it can't be read.
+/// if there is one, and saves it at the end. Throws InputError if it can't be read.
 void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device, const std::string& setup, const std::string& stereo);
 } // namespace Explore

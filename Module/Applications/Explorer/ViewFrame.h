@@ -6,7 +6,7 @@
 #include "vtkVersionMacros.h"
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #include "vtkVector.h"
-#else // where it comes without operators
+#else // before it had operators
 #include "vtkVectorOperators.h"
 #endif
 

@@ -16,7 +16,7 @@ enum class VolumeKind
   Other
 };
 
-/// What the planner, the materials and the picture need to know about the values.
+/// Facts about the values, for the planner, the materials and the picture.
 struct Analysis
 {
   VolumeKind Kind = VolumeKind::Other;
@@ -31,10 +31,10 @@ struct Analysis
   std::string KindReason; // why this kind was chosen, for the summary
 };
 
-/// Everything but where the body is. A large volume is looked at sparsely.
+/// Everything except the place of the body. A large volume is looked at sparsely.
 Analysis AnalyseVolume(vtkImageData* image);
 
-/// Adds where the voxels above the outer threshold are: Centre and BodyBounds.
+/// Adds the place of the voxels above the outer threshold: Centre and BodyBounds.
 void MeasureBody(Analysis& analysis, vtkImageData* image);
 } // namespace Explore
 

@@ -85,7 +85,7 @@ TEST_F(DeviceToolTest, FeelsAWallOfANewton)
 {
   const ModelClock hand([this] { this->MoveHand(); });
   EXPECT_EQ(this->Run({ "test", "falcon", "--seconds", "0.3" }), 1);
-  EXPECT_TRUE(this->Complains("Nobody pressed Enter")) << this->Errors;
+  EXPECT_TRUE(this->Complains("Enter was not pressed")) << this->Errors;
   EXPECT_EQ(this->Falcon.GetForce(), Numbers{}) << "it was not armed";
   this->IsPressing = true;
   this->Falcon.TakeLargestCommand();

@@ -44,7 +44,7 @@ TEST_F(WoodenToolTest, HomesOneThatHasAZeroAnew)
   EXPECT_TRUE(this->Asks()) << this->Out;
   EXPECT_EQ(this->Model.GetPresets(), 2);
   EXPECT_EQ(this->Run({ "home", "wooden" }, ""), 1);
-  EXPECT_NE(this->Errors.find("Nobody pressed Enter"), std::string::npos) << this->Errors;
+  EXPECT_NE(this->Errors.find("Enter was not pressed"), std::string::npos) << this->Errors;
   EXPECT_EQ(this->Model.GetPresets(), 2) << "nobody said that the arm rests";
 }
 
