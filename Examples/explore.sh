@@ -55,9 +55,7 @@ quietly()
 
 build_all()
 {
-  quietly configure.log cmake -S "$root" -B "$build/module" -G Ninja \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_TESTING=OFF \
-    -DVolumeHaptics_WRAP_PYTHON=OFF -DVolumeHaptics_BUILD_EXPLORER=ON
+  quietly configure.log cmake -S "$root" --preset explore -B "$build/module"
   quietly build.log cmake --build "$build/module"
 }
 
