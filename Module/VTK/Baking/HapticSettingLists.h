@@ -15,6 +15,7 @@
 #include "vtkHapticProperty.h"
 #include "vtkVolumeHapticsAlgorithm.h"
 
+#include <iterator>
 #include <limits>
 
 namespace VolumeHaptics

@@ -18,21 +18,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 // A setting of an object, under the name that VTK gives it.
 #define PassNumberMacro(node, object, name, range)       \
   (node).Number(                                         \
     #name, range, [=] { return (object)->Get##name(); }, \
     [=](double number) { (object)->Set##name(number); })
-#define PassIntegerMacro(node, object, name, minimum, maximum)      \
-  (node).Integer(                                                   \
-    #name, minimum, maximum, [=] { return (object)->Get##name(); }, \
-    [=](int number) { (object)->Set##name(number); })
-#define PassChoiceMacro(node, object, name, ...)               \
-  (node).Choice(                                               \
-    #name, __VA_ARGS__, [=] { return (object)->Get##name(); }, \
-    [=](int choice) { (object)->Set##name(choice); })
 // The same, of one component.
 #define PassComponentMacro(node, object, component, name, range)  \
   (node).Number(                                                  \
@@ -143,7 +134,9 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
 //------------------------------------------------------------------------------
 void PassVolume(SetupNode node, vtkVolumeProperty* property)
 {
-  PassChoiceMacro(node, property, InterpolationType, { "Nearest", "Linear" });
+  node.Choice(
+    "InterpolationType", { "Nearest", "Linear" }, [=] { return property->GetInterpolationType(); },
+    [=](int type) { property->SetInterpolationType(type); });
   node.Flag(
     "IndependentComponents", [=] { return property->GetIndependentComponents() != 0; },
     [=](bool on) { property->SetIndependentComponents(on); });
