@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that what the documents name exists: links, headings, files, folders and tests.
+"""Checks that what the documents name exists: links, headings, files, folders, members and tests.
 
 usage: documents.py [REPOSITORY]
 """
@@ -50,14 +50,20 @@ def check_paths(text):
             yield f"names {path}, which does not exist"
 
 
-def check_tests(text, sources):
+def check_tests(text, tests):
     for suite, case in re.findall(r"`([A-Z]\w+)[.]([A-Z][\w.]+)`", text):
         if suite == "VolumeHaptics":
             pattern = re.escape(f"{suite}.{case}")
         else:
             pattern = rf"TEST(?:_F|_P)?\(\s*{suite},\s*{case}\s*\)"
-        if not re.search(pattern, sources):
+        if not re.search(pattern, tests):
             yield f"names the test {suite}.{case}, which does not exist"
+
+
+def check_members(text, sources):
+    for owner, member in re.findall(r"`(\w+)::(\w+)", text):
+        if owner not in ("VTK", "VolumeHaptics") and not re.search(rf"\b{member}\b", sources):
+            yield f"names {owner}::{member}, which does not exist"
 
 
 def check_mentions(path, text):
@@ -68,19 +74,20 @@ def check_mentions(path, text):
 
 def main():
     wrong = []
-    sources = []
+    sources, tests = [], []
     for path in (path for folder in SOURCES for path in sorted((ROOT / folder).rglob("*"))):
         if path.suffix in (".h", ".cxx", ".txt", ".cmake", ".py", ".sh"):
             text = path.read_text(encoding="utf-8", errors="replace")
             wrong += check_mentions(path.relative_to(ROOT), text)
-            if path.relative_to(ROOT).parts[0] == "Testing" and path.suffix in (".cxx", ".h", ".txt"):
-                sources.append(text)
-    sources = "\n".join(sources)
+            if path.suffix in (".cxx", ".h", ".txt"):
+                (tests if path.relative_to(ROOT).parts[0] == "Testing" else sources).append(text)
+    sources, tests = "\n".join(sources), "\n".join(tests)
     found = 0
     for document in documents():
         found += 1
         text = document.read_text(encoding="utf-8")
-        errors = [*check_links(document, text), *check_paths(text), *check_tests(text, sources)]
+        errors = [*check_links(document, text), *check_paths(text), *check_tests(text, tests)]
+        errors += check_members(text, sources)
         wrong += [f"{document.relative_to(ROOT)}: {error}" for error in errors]
     lines = len((ROOT / "README.md").read_text(encoding="utf-8").splitlines())
     if lines > README_LINES:
