@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Runs test programs in an empty folder, which is the temporary one, too, and fails where something stays in it.
+# Runs the tests FILTER of test programs in an empty folder, which is the temporary one, too, and fails if something
+# stays in it.
 #
-# usage: Testing/leaves_nothing.sh PROGRAM...
+# usage: Testing/leaves_nothing.sh PROGRAM FILTER [PROGRAM FILTER ...]
 #
 # Two of each run at once, as tests of two build folders do.
 set -euo pipefail
@@ -15,15 +16,18 @@ mkdir "$folder/temporary"
 chmod 755 "$folder" "$folder/temporary" # a test becomes a user without permission
 cd "$folder/temporary"
 export TMPDIR=$PWD TEST_TMPDIR=$PWD ASAN_OPTIONS=verify_asan_link_order=0
-for program in "$@"; do
+while [ $# -gt 0 ]; do
+  program=$1
+  filter=--gtest_filter=$2
+  shift 2
   wrapper=()
-  if [[ $(basename "$program") == Emulated* ]]; then
+  if [[ $(basename "$program") == *EmulatedTest ]]; then
     wrapper=(umockdev-wrapper)
   fi
-  "${wrapper[@]}" "$program" > "$folder/first.log" 2>&1 &
+  "${wrapper[@]}" "$program" "$filter" > "$folder/first.log" 2>&1 &
   first=$!
   status=0
-  "${wrapper[@]}" "$program" > "$folder/second.log" 2>&1 || status=$?
+  "${wrapper[@]}" "$program" "$filter" > "$folder/second.log" 2>&1 || status=$?
   other=0
   wait "$first" || other=$?
   # 77: umockdev can't be used here. A failure of one program counts, whatever the other one says.

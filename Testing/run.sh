@@ -37,7 +37,8 @@ jobs=$(nproc)
 # must, when the machine stands still for 30 ms: where nothing but tests of one failed, they are run once more, alone.
 run_tests()
 {
-  local live='^[0-9]+:(VolumeHaptics[.](Device|Emulated|ParaView|Scene|Servo)[.]|VTK::VolumeHapticsCxx-TestTouch)'
+  local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.]Emulated|ParaView|VTK[.](Charts|Emulated|'
+  live+='Endings|Scene|Session|Setup|Trace))[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$jobs" "${@:2}" && return
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then
@@ -103,7 +104,7 @@ if [ $full = yes ]; then
   run_tests "$build_dir-sanitize" -LE package
 else
   cmake --build "$build_dir-sanitize" -j "$jobs" --target VolumeHapticsSanitizerTests
-  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Core|Hardware|Servo)[.]'
+  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Core|Devices)[.]'
 fi
 
 echo "== Building with the thread sanitizer in $build_dir-thread"
@@ -111,12 +112,11 @@ cmake -S "$root" --preset tsan -B "$build_dir-thread"
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
-  # Not Signals, Endings and RecordingEndings: they fork, which the thread sanitizer can't follow in a process with
-  # threads.
-  run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Device|Scene|Servo)[.]' -E 'Signals|Endings'
+  # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
+  run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Scene|Session|Setup|Trace)[.])'
 else
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsLoopTests
-  run_tests "$build_dir-thread" -R '^VolumeHaptics[.]Servo[.]'
+  run_tests "$build_dir-thread" -R '^VolumeHaptics[.]Core[.]Servo'
 fi
 unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 

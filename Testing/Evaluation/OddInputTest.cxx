@@ -14,7 +14,11 @@
 using namespace evaluation;
 using namespace VolumeHaptics;
 
-TEST_P(Robustness, AStepOfAFunctionIsFoundAndHeld)
+class OddInput : public Robustness
+{
+};
+
+TEST_P(OddInput, AStepOfAFunctionIsFoundAndHeld)
 {
   HapticMaterial material = MakeMaterial(500.0, 0.0, 0.0, 2.0);
   material.SurfaceStrength = { { 500.0, 0.0 }, { 500.0, 2.0 } };
@@ -28,7 +32,7 @@ TEST_P(Robustness, AStepOfAFunctionIsFoundAndHeld)
   }
 }
 
-TEST_P(Robustness, WithoutAGradientThereIsNoSurface)
+TEST_P(OddInput, WithoutAGradientThereIsNoSurface)
 {
   const Trace trace =
     this->Feel([](const Vector3&) { return 100.0; }, {}, MakeMaterial(500.0, 0.3), Press(8.0, 0.1));
@@ -38,7 +42,7 @@ TEST_P(Robustness, WithoutAGradientThereIsNoSurface)
   }
 }
 
-TEST_P(Robustness, FlatVoxelsAreNoObstacle)
+TEST_P(OddInput, FlatVoxelsAreNoObstacle)
 {
   Sampling sampling;
   sampling.Spacing = { 0.5, 0.5, 5.0 };
@@ -53,7 +57,7 @@ TEST_P(Robustness, FlatVoxelsAreNoObstacle)
   }
 }
 
-TEST_P(Robustness, AcrossTheBorderNothingPops)
+TEST_P(OddInput, AcrossTheBorderNothingPops)
 {
   // The volume ends at 24 mm.
   Path path = { { 30.0, 0.2, 0.0 } };
@@ -68,4 +72,4 @@ TEST_P(Robustness, AcrossTheBorderNothingPops)
   EXPECT_EQ(Norm(trace.back().Force), 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Estimators, Robustness, AllEstimators);
+INSTANTIATE_TEST_SUITE_P(Estimators, OddInput, AllEstimators);

@@ -5,7 +5,7 @@
  * The fuzzer's target for descriptors on random bytes, and on a stick's with some bytes changed.
  */
 
-#include "PidRig.h"
+#include "Rigs/PidRig.h"
 #include "TouchDescriptor.h"
 
 #include <random>

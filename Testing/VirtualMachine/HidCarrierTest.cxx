@@ -4,9 +4,9 @@
 /**
  * What carries the models: a kernel that knows nothing of emulation lets hidapi talk to them.
  */
-#include "HidOverUsb.h"
-#include "SmallModels.h"
-#include "VirtualUsb.h"
+#include "Emulators/HidOverUsb.h"
+#include "Emulators/SmallModels.h"
+#include "Emulators/VirtualUsb.h"
 #include "Waiting.h"
 
 #include <hidapi.h>

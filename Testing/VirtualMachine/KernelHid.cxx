@@ -4,10 +4,10 @@
 /**
  * EmulatedHid on a real kernel: the tests that are written for umockdev's run on it as they are.
  */
-#include "EmulatedHid.h"
+#include "Emulators/EmulatedHid.h"
 
-#include "EmulatedUsb.h"
-#include "HidOverUsb.h"
+#include "Emulators/EmulatedUsb.h"
+#include "Emulators/HidOverUsb.h"
 #include "Waiting.h"
 
 #include <filesystem>

@@ -4,9 +4,9 @@
 /**
  * EmulatedUsb on a real kernel: the tests that are written for umockdev's run on it as they are.
  */
-#include "EmulatedUsb.h"
+#include "Emulators/EmulatedUsb.h"
 
-#include "VirtualUsb.h"
+#include "Emulators/VirtualUsb.h"
 #include "Waiting.h"
 
 #include <filesystem>

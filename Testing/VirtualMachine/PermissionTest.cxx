@@ -5,7 +5,7 @@
  * A USB device that this user may not open, with the permissions that a kernel gives it without a
  * rule.
  */
-#include "FalconRig.h"
+#include "Rigs/FalconRig.h"
 
 #include <unistd.h>
 

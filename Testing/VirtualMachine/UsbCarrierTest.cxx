@@ -4,8 +4,8 @@
 /**
  * What carries the models: a kernel that knows nothing of emulation lets libusb talk to them.
  */
-#include "SmallModels.h"
-#include "VirtualUsb.h"
+#include "Emulators/SmallModels.h"
+#include "Emulators/VirtualUsb.h"
 #include "Waiting.h"
 
 #include <libusb.h>

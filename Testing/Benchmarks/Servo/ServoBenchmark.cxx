@@ -7,9 +7,9 @@
  * usage: volumehaptics-servo-benchmark [--seconds S]   (S a line of the table, 2 by default)
  */
 
-#include "../../Cxx/Core/CoreScene.h"
 #include "Core/Servo/ServoClock.h"
 #include "Core/Servo/ServoLoop.h"
+#include "Rigs/CoreScene.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * volumehaptics-device with an emulated Falcon: what a person sees who tries one for the first
+ * time.
+ */
+
+#include "Emulators/EmulatedUsb.h"
+#include "Emulators/FalconModel.h"
+#include "Emulators/ModelClock.h"
+#include "Rigs/TemporaryFolder.h"
+#include "ToolRig.h"
+
+#include <cmath>
+#include <fstream>
+
+using namespace emulated;
+
+namespace
+{
+class DeviceToolTest : public ToolTest
+{
+protected:
+  /// Homes the device whenever it asks for it, and goes on to a place in between: a step a call.
+  void MoveHand()
+  {
+    const int lights = this->Falcon.GetLights();
+    const bool homes = (lights & 8) != 0; // red: it wants to be moved through its range
+    this->IsHomed = this->IsHomed || (this->WasHoming && !homes);
+    this->WasHoming = this->WasHoming || homes;
+    const double t = 0.001 * this->Steps++;
+    const double z = this->IsHomed ? 0.172 : 0.127 + 0.0465 * std::cos(4.0 * t);
+    // In and out, as a busy machine may leave the device unwatched for a moment, and the force
+    // begins anew.
+    const double pressed = 0.12 + 0.02 * std::cos(4.0 * t);
+    this->Falcon.SetAim({ 0.0, 0.0, this->IsPressing && this->IsHomed ? pressed : z });
+  }
+
+  FalconModel Falcon;
+  EmulatedUsb Usb{ this->Falcon, "1-2" };
+  std::atomic<bool> IsPressing{ false };
+
+private:
+  bool WasHoming = false;
+  bool IsHomed = false;
+  int Steps = 0;
+};
+} // namespace
+
+TEST_F(DeviceToolTest, ListsWhatIsPluggedIn)
+{
+  EXPECT_EQ(this->Run({ "list" }), 0);
+  EXPECT_TRUE(this->Shows("falcon")) << this->Out;
+  EXPECT_TRUE(this->Shows("Novint Falcon")) << this->Out;
+  EXPECT_TRUE(this->Shows("available")) << this->Out;
+  this->Usb.Unplug();
+  EXPECT_EQ(this->Run({ "list" }), 0);
+  EXPECT_TRUE(this->Shows("No haptic device is plugged in.")) << this->Out;
+}
+
+TEST_F(DeviceToolTest, HomesMonitorsAndRecords)
+{
+  const ModelClock hand([this] { this->MoveHand(); });
+  EXPECT_EQ(this->Run({ "home", "falcon" }), 0) << this->Errors;
+  EXPECT_TRUE(this->Shows("Homing of falcon")) << this->Out;
+  EXPECT_TRUE(this->Shows("falcon is ready.")) << this->Out;
+  this->Falcon.SetButtons(4); // the centre one
+  EXPECT_EQ(this->Run({ "monitor", "falcon", "--seconds", "0.5" }), 0) << this->Errors;
+  EXPECT_TRUE(this->Shows("buttons 01")) << this->Out;
+  EXPECT_TRUE(this->Shows("force   0.00   0.00   0.00 N")) << this->Out;
+  const std::string file = TemporaryPath("DeviceTool.csv");
+  EXPECT_EQ(this->Run({ "record", "falcon", file, "--seconds", "0.5" }), 0) << this->Errors;
+  std::ifstream recorded(file);
+  std::string line;
+  int lines = 0;
+  while (std::getline(recorded, line))
+  {
+    ++lines;
+  }
+  EXPECT_GT(lines, 20);
+}
+
+TEST_F(DeviceToolTest, FeelsAWallOfANewton)
+{
+  const ModelClock hand([this] { this->MoveHand(); });
+  EXPECT_EQ(this->Run({ "test", "falcon", "--seconds", "0.3" }), 1);
+  EXPECT_TRUE(this->Complains("Enter was not pressed")) << this->Errors;
+  EXPECT_EQ(this->Falcon.GetForce(), Numbers{}) << "it was not armed";
+  this->IsPressing = true;
+  this->Falcon.TakeLargestCommand();
+  EXPECT_EQ(this->Run({ "test", "falcon", "--seconds", "6" }, "\n"), 0) << this->Errors;
+  EXPECT_TRUE(this->Shows("on the negative side of z")) << this->Out;
+  EXPECT_TRUE(this->Shows("  1.00 N")) << this->Out;
+  EXPECT_EQ(this->Falcon.GetCommands(), Numbers{}) << "and it let go";
+}
+
+TEST_F(DeviceToolTest, SaysWhatIsWrong)
+{
+  EXPECT_EQ(this->Run({ "monitor", "falcon:3" }), 1);
+  EXPECT_TRUE(this->Complains("number 3")) << this->Errors;
+  EXPECT_EQ(this->Run({ "monitor", "phantom" }), 1);
+  EXPECT_TRUE(this->Complains("the kinds are")) << this->Errors;
+  EXPECT_EQ(this->Run({ "feel" }), 2);
+  EXPECT_TRUE(this->Complains("--help")) << this->Errors;
+  this->Falcon.SwitchOff();
+  EXPECT_EQ(this->Run({ "home", "falcon", "--firmware", "nowhere.bin" }), 1);
+  EXPECT_TRUE(this->Complains("nowhere.bin")) << this->Errors;
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle
+ * where nobody has said how strong the stick is.
+ */
+
+#include "Applications/DeviceTool/DeviceTool.h"
+#include "Emulators/EmulatedHid.h"
+#include "Emulators/ModelClock.h"
+#include "Emulators/StickModel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+using namespace emulated;
+
+namespace
+{
+/// The largest force (N) on a hand that presses into the wall and comes back, and what was said.
+double PressedWith(std::vector<std::string> options, std::string& said)
+{
+  StickModel model;
+  model.Streams = true;
+  const EmulatedHid hid(model);
+  std::atomic<double> largest{ 0.0 };
+  int steps = 0;
+  const ModelClock clock(
+    [&]
+    {
+      model.SetGoal(0.02 * std::cos(0.004 * steps++), 0.0);
+      model.Step();
+      largest = std::max(largest.load(), std::abs(model.GetForce()[0]));
+    });
+  options.insert(options.begin(), { "test", "pid", "--seconds", "4" });
+  std::istringstream in("\n");
+  std::ostringstream out;
+  std::ostringstream errors;
+  EXPECT_EQ(RunDeviceTool(options, in, out, errors), 0) << errors.str();
+  said = out.str();
+  return largest;
+}
+} // namespace
+
+TEST(StickTool, PushesGentlyWhereNobodySaidHowStrongItIs)
+{
+  std::string said;
+  const double force = PressedWith({}, said);
+  EXPECT_GT(force, 0.0);
+  EXPECT_LE(force, 0.041) << "a hundredth of what it can";
+  EXPECT_NE(said.find("say so with --newtons"), std::string::npos) << said;
+}
+
+TEST(StickTool, PushesWithANewtonWhereItIsKnown)
+{
+  std::string said;
+  const double force = PressedWith({ "--newtons", "4" }, said);
+  EXPECT_GT(force, 0.5);
+  EXPECT_LE(force, 1.01);
+  EXPECT_EQ(said.find("say so with --newtons"), std::string::npos) << said;
+}

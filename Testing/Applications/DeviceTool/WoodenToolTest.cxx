@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * volumehaptics-device with an emulated WoodenHaptics, whose zero somebody has to tell by pressing
+ * Enter.
+ */
+
+#include "Emulators/EmulatedHid.h"
+#include "Emulators/WoodenModel.h"
+#include "ToolRig.h"
+
+using namespace emulated;
+
+namespace
+{
+class WoodenToolTest : public ToolTest
+{
+protected:
+  bool Asks() { return this->Shows("hold it there and press Enter"); }
+
+  WoodenModel Model;
+  EmulatedHid Hid{ this->Model };
+};
+} // namespace
+
+TEST_F(WoodenToolTest, IsCalibratedAfterEnterWheneverItIsOpened)
+{
+  const std::vector<std::string> monitor{ "monitor", "wooden", "--seconds", "0.2" };
+  EXPECT_EQ(this->Run(monitor, "\n"), 0) << this->Errors;
+  EXPECT_TRUE(this->Asks()) << this->Out;
+  EXPECT_EQ(this->Model.GetPresets(), 1);
+  // It can't say whether it kept its zero.
+  EXPECT_EQ(this->Run(monitor, "\n"), 0) << this->Errors;
+  EXPECT_TRUE(this->Asks()) << this->Out;
+  EXPECT_EQ(this->Model.GetPresets(), 2);
+}
+
+TEST_F(WoodenToolTest, HomesOneThatHasAZeroAnew)
+{
+  EXPECT_EQ(this->Run({ "home", "wooden" }, "\n"), 0) << this->Errors;
+  EXPECT_EQ(this->Model.GetPresets(), 1);
+  EXPECT_EQ(this->Run({ "home", "wooden" }, "\n"), 0) << this->Errors;
+  EXPECT_TRUE(this->Asks()) << this->Out;
+  EXPECT_EQ(this->Model.GetPresets(), 2);
+  EXPECT_EQ(this->Run({ "home", "wooden" }, ""), 1);
+  EXPECT_NE(this->Errors.find("Enter was not pressed"), std::string::npos) << this->Errors;
+  EXPECT_EQ(this->Model.GetPresets(), 2) << "nobody said that the arm rests";
+}
+
+TEST_F(WoodenToolTest, AsksAgainWhereTheZeroIsNotTaken)
+{
+  this->Model.IgnoresPresets = true;
+  EXPECT_EQ(this->Run({ "home", "wooden" }, "\n\n"), 1);
+  EXPECT_NE(this->Out.find("did not take in where its arm is"), std::string::npos) << this->Out;
+  EXPECT_EQ(this->Model.GetPresets(), 2);
+}

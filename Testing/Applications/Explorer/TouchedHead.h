@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TouchedHead_h
+#define TouchedHead_h
+
+#include "Applications/Explorer/TouchScene.h"
+#include "HeadExploration.h"
+#include "Rigs/LoopPauses.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderWindowInteractor.h"
+
+#include <chrono>
+#include <thread>
+
+/// The explorer's window on the head phantom, off the screen, with a hand at the mouse.
+struct TouchedHead
+{
+  TouchedHead(int argc, char* argv[], Explore::MapperChoice mapper)
+    : Exploration(ExploreHead(argc, argv))
+  {
+    Explore::SceneOptions options;
+    options.Width = 390;
+    options.Height = 300;
+    options.Mapper = mapper;
+    options.Interactive = true;
+    Explore::BuildTouchScene(this->Touch, this->Exploration, options, {});
+    this->Touch.Scene.Renderer->GetActiveCamera()->Zoom(2.2);
+    this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
+    this->Interactor->SetInteractorStyle(this->Touch.Style);
+    // What a live servo says is never the same twice.
+    this->Touch.Display->SetTextVisibility(0);
+    this->Touch.Display->SetPlotVisibility(0);
+  }
+  ~TouchedHead() { this->Interactor->SetInteractorStyle(nullptr); }
+
+  void Event(int x, int y, unsigned long event)
+  {
+    this->Interactor->SetEventInformation(x, y);
+    this->Interactor->InvokeEvent(event);
+  }
+  /// The GUI's timer, for some ticks of the servo.
+  void Run(vtkIdType ticks)
+  {
+    const vtkIdType end = this->Touch.Device->GetTick() + ticks;
+    while (this->Touch.Device->GetTick() < end)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      this->Touch.Style->UpdateHaptics();
+      this->Pauses.Look(this->Touch.Device);
+    }
+  }
+  /// Does something with the pointer there in the touch mode, from the start until no pause of the
+  /// loop came between.
+  template <typename F>
+  void TouchAt(int x, int y, F&& act)
+  {
+    for (int attempt = 0; attempt < 20 && (attempt == 0 || this->Pauses.WasHeldUp()); ++attempt)
+    {
+      this->Touch.Style->TouchModeOff();
+      this->Event(x, y, vtkCommand::MouseMoveEvent);
+      this->Touch.Style->TouchModeOn();
+      this->Run(20);
+      this->Pauses.Forget();
+      act();
+    }
+  }
+  /// Presses in there by some steps of the wheel.
+  void Press(int x, int y, int steps)
+  {
+    for (int i = 0; i < steps; ++i)
+    {
+      this->Event(x, y, vtkCommand::MouseWheelForwardEvent);
+      this->Run(20);
+    }
+    this->Run(600); // the ramp after arming
+  }
+
+  Explore::Exploration Exploration;
+  Explore::TouchScene Touch;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  LoopPauses Pauses;
+};
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Every instruction set gives the same answer, to the bit: a trace must not depend on the
+ * processor.
+ */
+
+#include "Rigs/TestVolume.h"
+
+#include <gtest/gtest.h>
+
+using namespace coretest;
+
+namespace
+{
+/// Equal bits; NaNs count as equal, whatever they carry.
+bool IsSame(double a, double b)
+{
+  return std::memcmp(&a, &b, sizeof(a)) == 0 || (std::isnan(a) && std::isnan(b));
+}
+
+bool IsSame(const FieldSample& a, const FieldSample& b)
+{
+  return IsSame(a.Value, b.Value) && IsSame(a.Gradient.X, b.Gradient.X) &&
+    IsSame(a.Gradient.Y, b.Gradient.Y) && IsSame(a.Gradient.Z, b.Gradient.Z);
+}
+
+class InstructionSets : public testing::TestWithParam<GradientEstimator>
+{
+protected:
+  void SetUp() override
+  {
+    if (DetectInstructionSet() != InstructionSet::AVX2)
+    {
+      GTEST_SKIP() << "this processor has no AVX2";
+    }
+  }
+
+  void Compare(const TestVolume& volume, int radius)
+  {
+    const GradientKernel kernel(this->GetParam(), radius);
+    const FieldSampler baseline(volume.View, kernel, InstructionSet::Baseline);
+    const FieldSampler avx2(volume.View, kernel, InstructionSet::AVX2);
+    const std::int64_t* const n = volume.View.Dimensions;
+    std::mt19937_64 engine(7);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (int i = 0; i < 400; ++i)
+    {
+      const auto along = [&](std::int64_t samples)
+      {
+        const double x = uniform(engine) * static_cast<double>(samples - 1);
+        return uniform(engine) < 0.2 ? std::round(x) : x;
+      };
+      const Vector3 inside{ along(n[0]), along(n[1]), along(n[2]) };
+      const Vector3 around = 1.5 * inside + Vector3{ -3.0, -3.0, -3.0 };
+      ASSERT_TRUE(IsSame(baseline.Gradient(inside), avx2.Gradient(inside)));
+      ASSERT_TRUE(IsSame(baseline.Value(inside), avx2.Value(inside)));
+      ASSERT_TRUE(IsSame(baseline.Value(around), avx2.Value(around)));
+    }
+  }
+};
+} // namespace
+
+TEST_P(InstructionSets, AgreeForEveryTypeAndLayout)
+{
+  for (const ScalarType type : AllScalarTypes)
+  {
+    for (const std::int64_t step : { 1, 3 })
+    {
+      // The radii whose kernels differ: one unrolled for each number of taps, one for all others.
+      for (const int radius : { 1, 2, 3, 4 })
+      {
+        SCOPED_TRACE(testing::Message()
+          << "type " << static_cast<int>(type) << " step " << step << " radius " << radius);
+        TestVolume volume(type, { 14, 13, 12 }, step);
+        volume.FillRandom(static_cast<unsigned>(radius));
+        this->Compare(volume, radius);
+      }
+    }
+  }
+}
+
+TEST_P(InstructionSets, AgreeWhereSamplesAreNotFinite)
+{
+  TestVolume volume(ScalarType::Float32, { 14, 13, 12 });
+  std::mt19937_64 engine(5);
+  volume.Fill<float>(
+    [&](std::int64_t, std::int64_t, std::int64_t)
+    {
+      const auto dice = engine() % 200;
+      return dice == 0
+        ? std::numeric_limits<float>::quiet_NaN()
+        : (dice == 1 ? -std::numeric_limits<float>::infinity() : static_cast<float>(dice) * 1e36F);
+    });
+  for (const int radius : { 1, 2, 3, 4 })
+  {
+    this->Compare(volume, radius);
+  }
+}
+
+TEST_P(InstructionSets, StridedAndContiguousSamplesAgree)
+{
+  for (const ScalarType type : AllScalarTypes)
+  {
+    TestVolume near(type, { 12, 11, 10 });
+    TestVolume far(type, { 12, 11, 10 }, 4);
+    near.FillRandom(1);
+    far.FillRandom(1);
+    for (const int radius : { 1, 2, 3, 4 })
+    {
+      const GradientKernel kernel(this->GetParam(), radius);
+      const FieldSampler a(near.View, kernel);
+      const FieldSampler b(far.View, kernel);
+      std::mt19937_64 engine(9);
+      std::uniform_real_distribution<double> uniform(0.0, 9.0);
+      for (int i = 0; i < 100; ++i)
+      {
+        const Vector3 p{ uniform(engine), uniform(engine), uniform(engine) };
+        ASSERT_TRUE(IsSame(a.Gradient(p), b.Gradient(p)) && IsSame(a.Value(p), b.Value(p)))
+          << "type " << static_cast<int>(type) << " radius " << radius;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, InstructionSets, testing::ValuesIn(AllEstimators));

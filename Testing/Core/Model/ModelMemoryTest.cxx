@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What a model needs beyond the image: under 1 MiB, and no more for a large image.
+ */
+
+#include "Rigs/AllocationCounter.h"
+#include "Rigs/CoreScene.h"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+using namespace coretest;
+
+namespace
+{
+constexpr std::size_t MiB = 1048576;
+/// What the allocator may add to a handful of blocks.
+constexpr std::size_t Rounding = 8192;
+
+class ModelMemory : public testing::TestWithParam<std::tuple<GradientEstimator, int>>
+{
+protected:
+  /// Bytes that come with a model, as the allocator sees them.
+  std::size_t Measure(const HapticModelDescription& description)
+  {
+    const std::size_t before = CountAllocations().LiveBytes;
+    const auto model = std::make_unique<const HapticModel>(description);
+    const std::size_t bytes = CountAllocations().LiveBytes - before;
+    // What the model says of itself is what it takes, but for the allocator's rounding.
+    EXPECT_LE(model->GetMemorySize(), bytes);
+    EXPECT_GE(model->GetMemorySize() + Rounding, bytes);
+    return bytes;
+  }
+};
+} // namespace
+
+TEST_P(ModelMemory, UnderOneMebibyteWhateverTheImage)
+{
+  const auto [estimator, radius] = this->GetParam();
+  TestVolume volume(ScalarType::Int16, { 4, 4, 4 });
+  HapticModelDescription description = Describe(volume);
+  description.Estimator = estimator;
+  description.KernelRadius = radius;
+  const std::size_t small = this->Measure(description);
+  EXPECT_LT(small, MiB);
+
+  // A model only borrows the samples; so far nobody reads them.
+  for (std::int64_t& n : description.View.Dimensions)
+  {
+    n = 2048;
+  }
+  description.View.Stride[1] = 2048;
+  description.View.Stride[2] = 2048 * 2048;
+  EXPECT_LE(this->Measure(description), small + Rounding);
+}
+
+TEST_P(ModelMemory, UnderOneMebibyteWithDetailedMaterials)
+{
+  const auto [estimator, radius] = this->GetParam();
+  const TestVolume volume = MakeRamp(4);
+  HapticModelDescription description = Describe(volume);
+  description.Estimator = estimator;
+  description.KernelRadius = radius;
+  HapticMaterial& material = description.Material;
+  int shift = 0;
+  for (Polyline* line : { &material.Stiffness, &material.Friction, &material.SurfaceStrength,
+         &material.Viscosity, &material.Distinctness })
+  {
+    line->clear();
+    ++shift;
+    // Far more than a person draws, and no break point shared.
+    for (int i = 0; i < 256; ++i)
+    {
+      line->push_back({ 10.0 * i + shift, (i % 10) * 0.1 });
+    }
+  }
+  EXPECT_LT(this->Measure(description), MiB);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ModelMemory,
+  testing::Combine(
+    testing::ValuesIn(AllEstimators), testing::Range(1, GradientKernel::MaximumRadius + 1)));
+
+TEST(HapticModel, KeepsTheSamplesAlive)
+{
+  const TestVolume volume = MakeRamp(8);
+  HapticModelDescription description = Describe(volume);
+  auto owner = std::make_shared<const int>(0);
+  const std::weak_ptr<const int> watched = owner;
+  description.Samples = std::move(owner);
+  auto model = std::make_unique<const HapticModel>(description);
+  description.Samples.reset();
+  EXPECT_FALSE(watched.expired());
+  model.reset();
+  EXPECT_TRUE(watched.expired());
+}

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A tick never allocates, whatever it meets.
+ */
+
+#include "Rigs/AllocationCounter.h"
+#include "Rigs/CoreScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <tuple>
+
+using namespace coretest;
+
+namespace
+{
+class AllocationFree
+  : public testing::TestWithParam<std::tuple<HapticMethod, GradientEstimator, int>>
+{
+};
+
+/// Material functions with many break points, so that every way through the tables is taken.
+HapticMaterial RichMaterial()
+{
+  HapticMaterial material;
+  material.Stiffness = { { 50.0, 0.0 }, { 50.0, 80.0 }, { 400.0, 600.0 }, { 1200.0, 900.0 } };
+  material.Friction = { { 0.0, 0.0 }, { 1500.0, 0.8 } };
+  material.SurfaceStrength = { { 200.0, 0.5 }, { 900.0, 2.0 }, { 900.0, 1e6 } };
+  material.Viscosity = { { 100.0, 0.5 }, { 700.0, 0.0 } };
+  material.Distinctness = { { 10.0, 0.0 }, { 80.0, 1.0 } };
+  for (int i = 0; i < 500; ++i)
+  {
+    material.ScalarVisibility.push_back({ 500.0 + 1e-3 * i, i % 2 ? 1.0 : 0.0 });
+  }
+  return material;
+}
+} // namespace
+
+TEST_P(AllocationFree, NoTickAllocates)
+{
+  const auto [method, estimator, radius] = this->GetParam();
+  TestVolume volume(ScalarType::Float32, { 20, 20, 20 });
+  std::mt19937_64 engine(3);
+  volume.Fill<float>(
+    [&](std::int64_t, std::int64_t, std::int64_t k)
+    {
+      const auto dice = engine() % 1000;
+      return dice == 0 ? std::numeric_limits<float>::quiet_NaN() : 70.0F * k + 0.1F * dice;
+    });
+  HapticModelDescription description = Describe(volume);
+  description.Estimator = estimator;
+  description.KernelRadius = radius;
+  description.Material = RichMaterial();
+  description.Settings.Method = method;
+  description.Settings.Side = SurfaceSide::Both;
+  description.Settings.MaximumForce = 3.0;
+  description.Settings.ForceFieldGain = 0.01;
+  description.Settings.IsoValue = 700.0;
+  description.Settings.LocalShape = LocalSurfaceShape::Quadric;
+  description.Settings.ForceFieldDamping = 1.0;
+  const HapticModel model(description);
+  Wanderer wanderer(20.0);
+  ServoState state;
+  TickRecord record;
+  const int ticks = radius > 4 ? 5000 : 100000;
+  int contacts[4] = {};
+  double work = 0.0;
+  const std::size_t before = CountAllocations().Calls;
+  for (int i = 0; i < ticks; ++i)
+  {
+    Vector3 tip = wanderer.Next();
+    tip.X = i % 997 == 0 ? std::numeric_limits<double>::quiet_NaN() : tip.X;
+    Tick(model, state, tip, record);
+    ++contacts[static_cast<int>(record.Contact)];
+    work += Norm(record.Force);
+  }
+  EXPECT_EQ(CountAllocations().Calls, before);
+  // A kernel that is as large as the volume finds a NaN everywhere, and no normal.
+  EXPECT_TRUE(work > 0.0 || (method == HapticMethod::LocalSurface && radius > 4));
+  for (int contact = 0; contact < 4 && method == HapticMethod::Proxy && radius <= 4; ++contact)
+  {
+    EXPECT_GT(contacts[contact], 0) << "the walk never met contact state " << contact;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AllocationFree,
+  testing::Combine(
+    testing::Values(HapticMethod::Proxy, HapticMethod::ForceField, HapticMethod::LocalSurface),
+    testing::ValuesIn(AllEstimators), testing::Values(1, 2, 3, 4, 9)));
+
+// The counter itself: without these the test above would pass with a broken one.
+TEST(AllocationCounter, SeesNew)
+{
+  const std::size_t before = CountAllocations().Calls;
+  void* const plain = ::operator new(80);
+  void* const aligned = ::operator new (64, std::align_val_t{ 64 });
+  EXPECT_EQ(CountAllocations().Calls, before + 2);
+  EXPECT_GE(CountAllocations().LiveBytes, 144U);
+  ::operator delete (aligned, std::align_val_t{ 64 });
+  ::operator delete(plain);
+}
+
+TEST(AllocationCounter, SeesMalloc)
+{
+  if (!CountsMalloc())
+  {
+    GTEST_SKIP() << "a sanitizer owns malloc";
+  }
+  const std::size_t before = CountAllocations().Calls;
+  void* volatile memory = std::malloc(100);
+  EXPECT_GT(CountAllocations().Calls, before);
+  std::free(memory);
+}

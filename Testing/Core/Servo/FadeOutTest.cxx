@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A force that fades out gets to zero without a step, and a loop that nobody looks after lets go by
+ * itself.
+ */
+
+#include "Rigs/PlayedDevice.h"
+
+using namespace servotest;
+
+namespace
+{
+constexpr double Rate = 5000.0;
+
+/// The longest force (N), and how fast it may change (N/s).
+struct LimitsCase
+{
+  const char* Name;
+  double Force;
+  double ForceRate;
+};
+
+class FadeOut : public testing::TestWithParam<LimitsCase>
+{
+protected:
+  FadeOut()
+  {
+    this->Limits.MaximumForce = this->GetParam().Force;
+    this->Limits.MaximumForceRate = this->GetParam().ForceRate;
+  }
+  /// A hand that is held still, with the force that it has then.
+  void Hold(RunningLoop& loop)
+  {
+    const double enough = std::min(0.5, 0.9 * this->Limits.MaximumForce);
+    loop->Publish(std::make_shared<HapticModel>(Describe(this->Volume)));
+    loop->Arm();
+    ASSERT_TRUE(Eventually([&] { return this->Device.Force.load() > enough; }));
+    this->Device.Frozen.store(true);
+    loop->SetRecording(true);
+    this->Follow(loop, 200); // any slewing ends
+  }
+  /// Takes so many ticks; no force changes faster than the case and the fade let it.
+  void Follow(RunningLoop& loop, int ticks)
+  {
+    const double most =
+      std::max(this->Limits.MaximumForceRate, this->Limits.MaximumForce / ResidentServo::FadeTime);
+    for (int i = 0; i < ticks; ++i)
+    {
+      ServoSnapshot s;
+      ASSERT_TRUE(Eventually([&] { return loop->Drain(s); }));
+      const double step = Norm(s.Command - this->Last.Command);
+      EXPECT_TRUE(!this->HasLast || step <= most / Rate * (1.0 + 1e-9)) << step << " N";
+      // By the loop's own ticks: how far behind it this thread is, and whether the force still
+      // grows, does not matter.
+      const bool flows = s.Armed && s.Fault == SafetyFault::None && s.Residency > 0.0;
+      this->Falling += flows && s.Residency < 1.0;
+      EXPECT_EQ(flows, Norm(s.Command) > 0.0);
+      this->Last = s;
+      this->HasLast = true;
+    }
+  }
+  void ExpectFade(SafetyFault fault)
+  {
+    EXPECT_EQ(Norm(this->Last.Command), 0.0);
+    EXPECT_EQ(this->Last.Fault, fault);
+    EXPECT_EQ(this->Last.Armed, fault != SafetyFault::None);
+    EXPECT_NEAR(this->Falling, ResidentServo::FadeTime * Rate, 3.0) << "over the whole time";
+  }
+
+  TestVolume Volume = MakeRamp();
+  PlayedDevice Device;
+  SafetyLimits Limits = QuickLimits();
+  ServoSnapshot Last;
+  bool HasLast = false;
+  int Falling = 0; ///< ticks in which it faded
+};
+} // namespace
+
+TEST_P(FadeOut, GetsToZeroWithoutAStep)
+{
+  RunningLoop loop(this->Device, Rate, this->Limits);
+  this->Hold(loop);
+  this->Falling = 0;
+  loop->FadeOut();
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Follow(loop, 20);
+      return !this->Last.Armed;
+    }));
+  this->ExpectFade(SafetyFault::None);
+}
+
+TEST_P(FadeOut, ComesByItselfWhereNobodyLooksAndHoldsUntilArmed)
+{
+  RunningLoop loop(this->Device, Rate, this->Limits);
+  this->Hold(loop);
+  this->Falling = 0;
+  this->Limits.AttentionTime = 0.05;
+  loop->SetLimits(this->Limits); // nobody has been there since Arm
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Follow(loop, 20);
+      return this->Last.Fault != SafetyFault::None;
+    }));
+  loop->Attend();
+  this->Follow(loop, 200);
+  this->ExpectFade(SafetyFault::Unattended);
+  this->Limits.AttentionTime = 60.0;
+  loop->SetLimits(this->Limits);
+  this->Device.Frozen.store(false); // what is felt begins anew from the tip
+  loop->Arm();
+  EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.0; }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Limits, FadeOut,
+  testing::Values(LimitsCase{ "Clamped", 0.1, 500.0 }, LimitsCase{ "ClampedAndSlow", 0.1, 1.0 },
+    LimitsCase{ "Slow", 4.0, 5.0 }, LimitsCase{ "Usual", 4.0, 500.0 }),
+  [](const testing::TestParamInfo<LimitsCase>& info) { return std::string(info.param.Name); });

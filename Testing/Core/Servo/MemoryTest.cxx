@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A running loop locks the memory that it uses, and nothing of a volume that is mapped from a file.
+ * Judged by what the kernel says: mincore(2), and VmLck of /proc/self/status.
+ */
+
+#include "Core/Servo/MemoryLock.h"
+#include "Rigs/PlayedDevice.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace servotest;
+
+namespace
+{
+/// The sanitizers make mlock do nothing.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool CanLock = false;
+#else
+constexpr bool CanLock = true;
+#endif
+
+const std::size_t PageSize = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+
+/// Bytes that this process has locked.
+std::size_t LockedBytes()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, 6, "VmLck:") == 0)
+    {
+      return 1024 * std::stoul(line.substr(6));
+    }
+  }
+  ADD_FAILURE() << "no VmLck";
+  return 0;
+}
+
+/// A file of nothing but a hole, mapped.
+class SparseFile
+{
+public:
+  explicit SparseFile(std::size_t size)
+    : Size(size)
+  {
+    std::string name = testing::TempDir() + "SparseXXXXXX";
+    const int file = mkstemp(name.data());
+    EXPECT_EQ(ftruncate(file, static_cast<off_t>(size)), 0);
+    this->Begin = mmap(nullptr, size, PROT_READ, MAP_SHARED, file, 0);
+    EXPECT_NE(this->Begin, MAP_FAILED);
+    close(file);
+    unlink(name.c_str());
+  }
+  ~SparseFile() { munmap(this->Begin, this->Size); }
+
+  /// The share of the pages that are in memory.
+  double Resident() const
+  {
+    std::vector<unsigned char> pages(this->Size / PageSize);
+    EXPECT_EQ(mincore(this->Begin, this->Size, pages.data()), 0);
+    std::size_t resident = 0;
+    for (const unsigned char page : pages)
+    {
+      resident += page & 1;
+    }
+    return static_cast<double>(resident) / static_cast<double>(pages.size());
+  }
+
+  const std::size_t Size;
+  void* Begin = nullptr;
+};
+} // namespace
+
+TEST(ServoMemory, AMappedVolumeStaysInItsFile)
+{
+  const std::size_t before = LockedBytes();
+  SparseFile file(std::size_t{ 1 } << 30);
+  {
+    PlayedDevice device;
+    RunningLoop loop(device, 1000.0);
+    TestVolume volume(
+      ScalarType::Int16, { 1024, 1024, 512 }, 1, static_cast<std::byte*>(file.Begin));
+    auto model = std::make_shared<HapticModel>(Describe(volume));
+    loop->Publish(model);
+    ASSERT_TRUE(Eventually([&] { return loop->GetAcknowledged() == 1; }));
+    const std::uint64_t ticks = loop->GetTickCount();
+    ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > ticks + 50; }));
+    EXPECT_LT(file.Resident(), 0.1) << "no more than what the tip has read";
+    const std::size_t locked = LockedBytes() - before;
+    EXPECT_LT(locked, std::size_t{ 24 } << 20);
+    const bool granted = loop->GetLockedMemory() == ServoLoop::Privilege::Granted;
+    EXPECT_TRUE(!granted || !CanLock || locked > sizeof(ServoLoop)) << locked << " bytes";
+  }
+  EXPECT_EQ(LockedBytes(), before);
+  EXPECT_LT(file.Resident(), 0.1);
+}
+
+TEST(ServoMemory, ALoopThatEndsLeavesTheLocksOfOthers)
+{
+  const std::size_t before = LockedBytes();
+  PlayedDevice first;
+  auto loop = std::make_unique<RunningLoop>(first, 1000.0);
+  ASSERT_TRUE(Eventually([&] { return (*loop)->GetTickCount() > 0; }));
+  const std::size_t alone = LockedBytes();
+  {
+    PlayedDevice second;
+    RunningLoop other(second, 1000.0);
+    ASSERT_TRUE(Eventually([&] { return other->GetTickCount() > 0; }));
+    EXPECT_GE(LockedBytes(), alone);
+  }
+  EXPECT_EQ(LockedBytes(), alone);
+  loop.reset();
+  EXPECT_EQ(LockedBytes(), before);
+}
+
+TEST(ServoMemory, SharedPagesStayLockedUntilTheLastLockIsGone)
+{
+  const std::size_t before = LockedBytes();
+  std::vector<char> memory(8 * PageSize);
+  // From the middle of the first whole page on, so that the ends of neighbours lie in one page.
+  char* const at = memory.data() + PageSize / 2;
+  auto first = std::make_unique<MemoryLock>();
+  if (!CanLock || !first->Add(at, 2 * PageSize))
+  {
+    GTEST_SKIP() << "memory can't be locked here";
+  }
+  const std::size_t one = LockedBytes() - before;
+  EXPECT_GE(one, 2 * PageSize);
+  EXPECT_LE(one, 3 * PageSize);
+  auto second = std::make_unique<MemoryLock>();
+  ASSERT_TRUE(second->Add(at + PageSize, 3 * PageSize));
+  ASSERT_TRUE(second->Add(at, 1)); // twice in one lock, too
+  const std::size_t both = LockedBytes() - before;
+  EXPECT_GE(both, 4 * PageSize);
+  first.reset();
+  EXPECT_GE(LockedBytes() - before, 3 * PageSize) << "of the second";
+  EXPECT_LE(LockedBytes(), before + both);
+  second.reset();
+  EXPECT_EQ(LockedBytes(), before);
+}
+
+TEST(ServoMemory, WhatIsNotThereIsRefusedAndLeavesNothingLocked)
+{
+  const std::size_t before = LockedBytes();
+  char* const hole = static_cast<char*>(
+    mmap(nullptr, 4 * PageSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  munmap(hole + 2 * PageSize, PageSize);
+  {
+    MemoryLock lock;
+    EXPECT_TRUE(!CanLock || !lock.Add(hole, 4 * PageSize));
+    EXPECT_EQ(LockedBytes(), before);
+    EXPECT_TRUE(lock.Add(hole, 0));
+    EXPECT_TRUE(lock.AddStack(std::size_t{ 1 } << 16) || LockedBytes() == before);
+  }
+  EXPECT_EQ(LockedBytes(), before);
+  munmap(hole, 4 * PageSize);
+}
+
+TEST(ServoMemory, AForkedChildHasLocksOfItsOwn)
+{
+  std::vector<char> memory(64 * PageSize);
+  // Returns the exit status of a child process, or minus the signal that ended it.
+  const auto inChild = [](auto&& body)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      alarm(30);
+      _exit(body());
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  };
+  auto inherited = std::make_unique<MemoryLock>();
+  if (!CanLock || !inherited->Add(memory.data(), memory.size()))
+  {
+    GTEST_SKIP() << "memory can't be locked here";
+  }
+  EXPECT_EQ(inChild(
+              [&]
+              {
+                {
+                  MemoryLock own;
+                  own.Add(memory.data(), memory.size());
+                }
+                return LockedBytes() == 0 ? 0 : 1;
+              }),
+    0);
+  EXPECT_EQ(inChild(
+              [&]
+              {
+                auto own = std::make_unique<MemoryLock>();
+                const bool isLocked = own->Add(memory.data(), memory.size()) &&
+                  inherited->Add(memory.data(), PageSize) && LockedBytes() >= memory.size();
+                own.reset();
+                const bool isKept = LockedBytes() > 0;
+                inherited.reset();
+                return isLocked && isKept && LockedBytes() == 0 ? 0 : 1;
+              }),
+    0);
+  // Another thread may be in the middle of its work at a fork, and is not there to end it.
+  std::atomic<bool> isOver{ false };
+  std::thread other(
+    [&]
+    {
+      while (!isOver)
+      {
+        MemoryLock lock;
+        lock.Add(memory.data(), memory.size());
+      }
+    });
+  int result = 0;
+  for (int i = 0; i < 30 && result == 0; ++i)
+  {
+    result = inChild(
+      [&]
+      {
+        MemoryLock lock;
+        return lock.Add(memory.data(), PageSize) ? 0 : 1;
+      });
+  }
+  isOver = true;
+  other.join();
+  EXPECT_EQ(result, 0);
+}

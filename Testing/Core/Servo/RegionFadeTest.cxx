@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Where the data are not there, the force fades, the proxy goes with the tip, and force comes back
+ * the same way.
+ */
+
+#include "Core/Servo/SafetyStage.h"
+#include "RegionRig.h"
+#include "Rigs/Growth.h"
+
+#include <cmath>
+
+using namespace servotest;
+
+namespace
+{
+constexpr double Period = 1e-3;
+constexpr double LargestShareStep = Period / ResidentServo::FadeTime * (1.0 + 1e-9);
+
+class RegionFade : public testing::TestWithParam<MethodCase>
+{
+protected:
+  RegionFade()
+  {
+    this->Limits.MaximumForce = 8.0;
+    this->Limits.MaximumForceRate = 500.0;
+    this->Model = this->MakeRegion(TipOf(0), 24);
+    this->Stage.Arm();
+    this->Walk(Outside, TipOf(0), 100);
+    this->Walk(TipOf(0), TipOf(0), 700); // through the ramp, with the surface pressed
+  }
+  /// A tick as the loop makes it; what is sent obeys the slew limit, and the share its own.
+  void Step(const Vector3& tip)
+  {
+    const double share = this->Servo.GetShare();
+    this->Servo.Tick(
+      *this->Model, this->State, tip, Period, this->Record, LocalSurfaceResult::Simulated());
+    EXPECT_LE(std::abs(this->Servo.GetShare() - share), LargestShareStep);
+    SafetyInput input;
+    input.Force = this->Record.Force;
+    input.Residency = this->Servo.GetShare();
+    input.Tip = tip;
+    input.Elapsed = Period;
+    input.Fresh = true;
+    const Vector3 before = this->Command;
+    this->Command = this->Stage.Apply(input, this->Limits);
+    EXPECT_LE(
+      GrowthOf(before, this->Command), this->Limits.MaximumForceRate * Period * (1.0 + 1e-9));
+    EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+  }
+  void Walk(const Vector3& from, const Vector3& to, int ticks)
+  {
+    for (int i = 1; i <= ticks; ++i)
+    {
+      this->Step(from + (double(i) / ticks) * (to - from));
+    }
+  }
+  std::shared_ptr<const HapticModel> MakeRegion(const Vector3& tip, std::int64_t half)
+  {
+    HapticModelDescription d = CropAround(this->Whole, tip, half);
+    d.Number = this->Model ? this->Model->BakedNumber : 0;
+    return std::make_shared<const HapticModel>(d);
+  }
+
+  const Vector3 Outside = (26.0 / 23.4) * TipOf(0);
+  HapticModelDescription Whole = DescribeBall(this->GetParam().Method, this->GetParam().Solver);
+  std::shared_ptr<const HapticModel> Model;
+  ServoState State;
+  ResidentServo Servo;
+  TickRecord Record;
+  SafetyStage Stage;
+  SafetyLimits Limits;
+  Vector3 Command;
+};
+} // namespace
+
+TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
+{
+  const Vector3 here = TipOf(0);
+  const Vector3 there = here + 1e-3 * Vector3{ 0.0, 0.0, 40.0 };
+  EXPECT_EQ(this->Servo.GetShare(), 1.0);
+  const double pressed = Norm(this->Command);
+  EXPECT_GT(pressed, 0.1);
+  this->Walk(here, there, 200);
+  EXPECT_EQ(this->Servo.GetShare(), 0.0);
+  EXPECT_TRUE(this->Servo.IsAwaiting());
+  EXPECT_EQ(Norm(this->Command), 0.0);
+  EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
+  // The data come to where the tip now is, inside the ball's volume or not: nothing is felt at
+  // first.
+  const auto next = this->MakeRegion(there, 24);
+  CarryState(*this->Model, *next, this->State);
+  this->Model = next;
+  this->Step(there);
+  EXPECT_LT(Norm(this->Command), 1e-9);
+  // Back to where the first region was, of which nothing is here now, and that comes again.
+  this->Walk(there, here, 200);
+  EXPECT_EQ(Norm(this->Command), 0.0);
+  const auto last = this->MakeRegion(here, 24);
+  CarryState(*this->Model, *last, this->State);
+  this->Model = last;
+  this->Walk(here, Outside, 100);
+  this->Walk(Outside, here, 100);
+  this->Walk(here, here, 100);
+  EXPECT_EQ(this->Servo.GetShare(), 1.0);
+  EXPECT_NEAR(Norm(this->Command), pressed, 0.2 * pressed) << "felt as before";
+}
+
+TEST_P(RegionFade, ARegionThatIsElsewhereEndsWhatIsFelt)
+{
+  const double pressed = Norm(this->Record.Force);
+  const auto other = this->MakeRegion(-1.0 * TipOf(0), 10);
+  CarryState(*this->Model, *other, this->State);
+  this->Model = other;
+  for (int i = 0; i < 49; ++i)
+  {
+    this->Step(TipOf(0));
+    EXPECT_NEAR(Norm(this->Record.Force), pressed, 1e-12) << "fades by its share alone";
+    EXPECT_GT(this->Servo.GetShare(), 0.0);
+  }
+  this->Walk(TipOf(0), TipOf(0), 3);
+  EXPECT_EQ(this->Servo.GetShare(), 0.0);
+  EXPECT_EQ(Norm(this->Record.Force), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, RegionFade, testing::ValuesIn(MethodCases), NameOf);

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Solver PRECISE where a tick is not enough, where the model changes under a resting hand, and
+ * where its state is stored.
+ */
+
+#include "Core/Solvers/Precise/PreciseSolver.h"
+#include "Core/Solvers/ServoStateNumbers.h"
+#include "Rigs/CoreScene.h"
+
+#include <gtest/gtest.h>
+
+using namespace coretest;
+
+namespace
+{
+constexpr double Impenetrable = 1e9;
+
+/// Air up to z = 100 mm, then a wall; 120 voxels of 1 mm along z.
+TestVolume MakeWall()
+{
+  TestVolume volume(ScalarType::Float64, { 24, 24, 120 });
+  volume.Fill<double>([](std::int64_t, std::int64_t, std::int64_t k)
+    { return k < 100 ? 0.0 : std::min(1000.0, 100.0 * double(k - 100)); });
+  return volume;
+}
+
+HapticModelDescription DescribeWall(const TestVolume& volume)
+{
+  HapticModelDescription description = Describe(volume);
+  description.Material.SurfaceStrength = ConstantPolyline(Impenetrable);
+  description.Material.Distinctness = { { 10.0, 0.0 }, { 50.0, 1.0 } };
+  return description;
+}
+} // namespace
+
+TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
+{
+  const TestVolume volume = MakeWall();
+  const HapticModel model(DescribeWall(volume));
+  ServoState state;
+  TickRecord record;
+  Tick(model, state, { 0.012, 0.012, 0.001 }, record);
+  // A metre sideways and back, then 100 mm through the air and 18 into the wall, all of it in one
+  // tick each.
+  Tick(model, state, { 1.012, 0.012, 0.001 }, record);
+  EXPECT_LT(Norm(record.Force), 1e-12);
+  Tick(model, state, { 0.012, 0.012, 0.001 }, record);
+  const Vector3 tip = { 0.012, 0.012, 0.118 };
+  int late = 0;
+  double before = 0.0;
+  do
+  {
+    Tick(model, state, tip, record);
+    EXPECT_LT(record.Proxy.Z, 0.101) << "it fell through";
+    EXPECT_GE(Norm(record.Force), before) << "the force rises with the way that is done";
+    EXPECT_LE(Norm(record.Force), 500.0 * Norm(record.Proxy - tip) * (1.0 + 1e-12));
+    before = Norm(record.Force);
+    ASSERT_LT(++late, 100);
+  } while (record.IsUnfinished);
+  EXPECT_GT(late, 1) << "that much can't be done in one tick";
+  EXPECT_NEAR(Norm(record.Force), 500.0 * (tip.Z - record.Proxy.Z), 1e-9);
+}
+
+TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
+{
+  // Nothing is felt in the air, and a stiff wall of no strength to begin with drags at the proxy.
+  const TestVolume volume = MakeWall();
+  HapticModelDescription description = DescribeWall(volume);
+  description.Material.Stiffness = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 2.0, 1000.0 } };
+  const HapticModel model(description);
+  ServoState state;
+  TickRecord record;
+  Tick(model, state, { 0.012, 0.012, 0.095 }, record);
+  // The hand is where the proxy can't have been; the proxy sets out from the air.
+  state.Precise.ReachedTip = { 0.012, 0.012, 0.110 };
+  Tick(model, state, { 0.012, 0.012, 0.110 }, record);
+  EXPECT_LT(record.Proxy.Z, 0.103);
+  EXPECT_LT(Norm(record.Force), 1e-3) << "nobody has pressed";
+  Tick(model, state, { 0.012, 0.012, 0.1101 }, record);
+  EXPECT_NEAR(Norm(record.Force), 0.1, 2e-3) << "0.1 mm on 1000 N/m";
+}
+
+TEST(PreciseTick, StifferTissueUnderARestingHandKeepsTheForceAndSofterKeepsTheStretch)
+{
+  const TestVolume volume = MakeRamp();
+  HapticModelDescription description = DescribeWall(volume);
+  const HapticModel middle(description);
+  description.Material.Stiffness = ConstantPolyline(2000.0);
+  const HapticModel stiff(description);
+  description.Material.Stiffness = ConstantPolyline(100.0);
+  const HapticModel soft(description);
+  ServoState state;
+  TickRecord record;
+  const Vector3 tip = { 0.012, 0.012, 0.0135 };
+  Tick(middle, state, { 0.012, 0.012, 0.010 }, record);
+  Tick(middle, state, tip, record);
+  EXPECT_NEAR(Norm(record.Force), 1.75, 1e-9); // T15: 3.5 mm on 500 N/m
+  CarryState(middle, stiff, state);
+  for (int i = 0; i < 3; ++i)
+  {
+    Tick(stiff, state, tip, record);
+    EXPECT_NEAR(Norm(record.Force), 1.75, 1e-9);
+  }
+  Tick(stiff, state, tip + Vector3{ 0.0, 0.0, 0.0001 }, record);
+  EXPECT_NEAR(Norm(record.Force), 1.75 + 0.2, 1e-6) << "pressing on is felt at 2000 N/m";
+  Tick(stiff, state, tip, record);
+  CarryState(stiff, soft, state);
+  Tick(soft, state, tip, record);
+  EXPECT_NEAR(Norm(record.Force), 100.0 * 1.75 / 2000.0, 1e-9);
+  CarryState(soft, stiff, state);
+  Tick(stiff, state, tip, record);
+  EXPECT_NEAR(Norm(record.Force), 100.0 * 1.75 / 2000.0, 1e-9) << "what is lost is lost";
+}
+
+TEST(PreciseTick, AStoredStateGoesOnToTheBit)
+{
+  const TestVolume volume = MakeRamp();
+  HapticModelDescription description = Describe(volume);
+  description.Material.Friction = ConstantPolyline(0.3);
+  description.Material.Viscosity = ConstantPolyline(0.2);
+  description.Material.Stiffness = { { 0.0, 300.0 }, { 2000.0, 1500.0 } };
+  const HapticModel model(description);
+  ServoState state;
+  TickRecord a;
+  TickRecord b;
+  Wanderer wanderer(24.0);
+  for (int i = 0; i < 2000; ++i)
+  {
+    ServoState stored = FromNumbers(ToNumbers(state));
+    const Vector3 tip = wanderer.Next();
+    Tick(model, state, tip, a);
+    Tick(model, stored, tip, b);
+    ASSERT_EQ(ToNumbers(state), ToNumbers(stored));
+    ASSERT_EQ(Norm(a.Force - b.Force), 0.0);
+  }
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A device that this user may not open.
+ */
+
+#include "Emulators/Testbed.h"
+#include "Rigs/FalconRig.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace emulated;
+
+class FalconPermission : public FalconTest
+{
+};
+
+TEST_F(FalconPermission, MissingGivesTheRule)
+{
+  const std::string rule =
+    "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\", TAG+=\"uaccess\"";
+  // Root may do everything: be nobody for a while, who may see all of the system and not open this
+  // device.
+  char* const root = umockdev_testbed_get_root_dir(Testbed());
+  using std::filesystem::perms;
+  std::filesystem::permissions(root, perms::all);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
+  {
+    if (!entry.is_symlink())
+    {
+      std::filesystem::permissions(entry, perms::all);
+    }
+  }
+  g_free(root);
+  ASSERT_EQ(chmod(this->Usb.GetNode().c_str(), 0600), 0);
+  const uid_t user = geteuid();
+  const bool isRoot = user == 0;
+  ASSERT_EQ(isRoot ? seteuid(65534) : chmod(this->Usb.GetNode().c_str(), 0), 0);
+  const std::vector<DeviceListing> all = ListDevices();
+  const bool opened = this->Open();
+  ASSERT_EQ(isRoot ? seteuid(user) : 0, 0);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_TRUE(Has(all[0].State, rule)) << all[0].State;
+  EXPECT_FALSE(opened);
+  EXPECT_TRUE(Has(this->Error, rule)) << this->Error;
+  EXPECT_TRUE(Has(this->Error, "Novint Falcon")) << this->Error;
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Which devices are listed, what ids open, and that a device is held by one alone.
+ */
+
+#include "Emulators/WoodenModel.h"
+#include "StickRig.h"
+
+#include <sys/fsuid.h>
+
+using namespace emulated;
+
+TEST(HidClaim, OnlyTheProductsNameTellsAWoodenHaptics)
+{
+  WoodenModel other("Teensyduino RawHID");
+  const EmulatedHid otherHid(other);
+  EXPECT_TRUE(ListDevices().empty());
+  EXPECT_TRUE(Has(ErrorOf("wooden"), "No WoodenHaptics is plugged in. Plug it in"));
+  WoodenModel named("woodenhaptics v2015");
+  const EmulatedHid hid(named);
+  ASSERT_EQ(ListDevices().size(), 1U);
+  EXPECT_TRUE(Has(ListDevices()[0].Name, "woodenhaptics v2015"));
+}
+
+TEST(HidClaim, APolhemIsRefusedAsItHasAnotherGeometry)
+{
+  WoodenModel polhem("Polhem USB HID");
+  const EmulatedHid hid(polhem);
+  EXPECT_TRUE(ListDevices().empty());
+  const std::string error = ErrorOf("wooden");
+  EXPECT_TRUE(Has(error, ("Polhem USB HID (" + hid.GetNode() + ") can't be used").c_str()))
+    << error;
+  EXPECT_TRUE(Has(error, "linkage")) << error;
+  EXPECT_TRUE(Has(error, "Plug in a WoodenHaptics instead")) << error;
+  EXPECT_EQ(polhem.GetPackets(), 0);
+  WoodenModel wooden;
+  const EmulatedHid second(wooden);
+  HidBench bench;
+  EXPECT_TRUE(bench.Open("wooden")) << bench.Error;
+}
+
+TEST(HidClaim, ADeviceIsHeldByOneAlone)
+{
+  WoodenModel model;
+  const EmulatedHid hid(model);
+  HidBench first;
+  ASSERT_TRUE(first.Open("wooden:0")) << first.Error;
+  EXPECT_EQ(ListDevices()[0].State, "in use");
+  EXPECT_TRUE(Has(ErrorOf("wooden:0"), "is in use. Close it where it is open")) << first.Error;
+  first.Device->Close();
+  EXPECT_EQ(ListDevices()[0].State, "available");
+  HidBench second;
+  EXPECT_TRUE(second.Open("wooden:0")) << second.Error;
+}
+
+TEST(HidClaim, TheSecondOfTwoSticksIsOpenedWhereTheFirstIsInUse)
+{
+  StickModel models[2];
+  const EmulatedHid first(models[0]);
+  const EmulatedHid second(models[1]);
+  DeviceOptions options;
+  HidBench a;
+  HidBench b;
+  ASSERT_TRUE(a.Open("pid", options)) << a.Error;
+  EXPECT_TRUE(Has(a.Device->GetName(), first.GetNode().c_str())) << a.Device->GetName();
+  ASSERT_TRUE(b.Open("pid:1209:ffb0", options)) << b.Error;
+  EXPECT_TRUE(Has(b.Device->GetName(), second.GetNode().c_str())) << b.Device->GetName();
+  EXPECT_TRUE(Has(ErrorOf("pid"), "is in use"));
+}
+
+TEST(HidClaim, IdsThatOpenNothing)
+{
+  EXPECT_TRUE(Has(ErrorOf("pid"), "No force-feedback stick or wheel is plugged in. Plug it in"));
+  EXPECT_TRUE(Has(ErrorOf("pid:1209:ffb0"), "No device with these numbers is plugged in"));
+  EXPECT_TRUE(Has(ErrorOf("spacemouse"), "No SpaceMouse is plugged in. Plug it in"));
+  for (const char* id : { "pid:", "pid:1209", "pid:1209:ffbx", "pid:1209-ffb0", "pid:1209:ffb00" })
+  {
+    EXPECT_TRUE(Has(ErrorOf(id), "give \"pid\", or \"pid:VVVV:PPPP\"")) << id;
+  }
+  EXPECT_TRUE(Has(ErrorOf("wooden:x"), "is no device id"));
+  DeviceOptions options;
+  options.NewtonsPerFullScale = { 1.0, HUGE_VAL };
+  EXPECT_TRUE(Has(ErrorOf("pid", options), "NewtonsPerFullScale has to be finite"));
+  WoodenModel model;
+  const EmulatedHid hid(model);
+  EXPECT_TRUE(Has(ErrorOf("wooden:1"), "no WoodenHaptics with this number. Count from 0"));
+  EXPECT_TRUE(
+    Has(ErrorOf("pid:16c0:0486"), "can't be used: No force feedback with this HID device"));
+}
+
+TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
+{
+  StickModel model;
+  EmulatedHid hid(model);
+  hid.SetPermissions(0);
+  // Of this thread alone: root may open everything.
+  const int owner = setfsuid(65534);
+  const char* const rule =
+    "SUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"1209\", ATTRS{idProduct}==\"ffb0\"";
+  const std::vector<DeviceListing> all = ListDevices();
+  EXPECT_EQ(all.size(), 1U) << "it can be listed all the same";
+  EXPECT_TRUE(!all.empty() && Has(all[0].State, rule));
+  EXPECT_TRUE(Has(ErrorOf("pid"), rule));
+  setfsuid(static_cast<uid_t>(owner));
+}

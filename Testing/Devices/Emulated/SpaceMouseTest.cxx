@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Sessions with six-axis mice: the cap moves a virtual tip and turns the view, and no force can be
+ * felt.
+ */
+
+#include "Emulators/ModelClock.h"
+#include "Emulators/SpaceMouseModel.h"
+#include "HidRig.h"
+
+#include <gtest/gtest.h>
+
+using namespace emulated;
+
+namespace
+{
+constexpr double Edge = 0.1; ///< m: the border of the ball that the tip stays in
+
+class SpaceMice : public testing::TestWithParam<bool>
+{
+protected:
+  const ServoSnapshot& State()
+  {
+    this->Bench->ReadState();
+    return this->Bench->GetState();
+  }
+  bool Reaches(const Vector3& tip)
+  {
+    return Eventually([&] { return Norm(this->State().Record.Tip - tip) < 1e-6; });
+  }
+  bool Turns(const Vector3& turn)
+  {
+    return Eventually([&] { return Norm(this->State().Turn - turn) < 1e-9; });
+  }
+  /// What the tip goes through while it is pushed and then let go.
+  Vector3 Go(const SpaceMouseModel::Counts& counts)
+  {
+    const Vector3 from = this->State().Record.Tip;
+    this->Model.Push(counts);
+    EXPECT_TRUE(Eventually([&] { return Norm(this->State().Record.Tip - from) > 0.01; }));
+    this->Model.Push({});
+    Vector3 last = from;
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        const bool rests = Norm(this->State().Record.Tip - last) == 0.0;
+        last = this->State().Record.Tip;
+        return this->Bench.WaitForTicks(20) && rests;
+      }));
+    return last - from;
+  }
+
+  SpaceMouseModel Model{ GetParam() };
+  EmulatedHid Hid{ this->Model };
+  ModelClock Clock{ [this] { this->Model.Step(); } };
+  Floor Ground{ 0.0 };
+  HidBench Bench;
+};
+} // namespace
+
+TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
+{
+  const std::vector<DeviceListing> all = ListDevices();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].Id, "spacemouse:0");
+  EXPECT_EQ(all[0].State, "available");
+  ASSERT_TRUE(this->Bench.Open("spacemouse")) << this->Bench.Error;
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 0.0);
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
+  EXPECT_TRUE(Eventually([&] { return this->Model.Light == 1; }));
+  this->Bench.Start(this->Ground.Model);
+  SafetyLimits limits = QuickLimits();
+  limits.MaximumForce = this->Bench.Device->GetLimits().MaximumForce;
+  this->Bench->SetLimits(limits);
+  ASSERT_TRUE(this->Bench.WaitForTicks(20));
+  this->Bench->Arm();
+
+  // The device's x, y and z: to the right, towards the hand and down. The rates keep their ratio.
+  const double half = (175.0 / 350.0 - 0.03) / 0.97;
+  const Vector3 way = this->Go({ 350, 175, 0, 0, 0, 0 });
+  EXPECT_NEAR(way.Z / way.X, half, 1e-9);
+  EXPECT_EQ(way.Y, 0.0);
+  this->Model.Push({ 0, 0, 350, 0, 0, 0 });
+  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.Y < -0.03; }));
+  // Away from the hand, into the floor: a force is computed, and none is sent.
+  this->Model.Push({ 0, -350, 0, 0, 0, 0 });
+  EXPECT_TRUE(Eventually([&] { return this->State().Record.Force.Z > 1.0; }));
+  EXPECT_TRUE(this->State().Armed);
+  EXPECT_EQ(Norm(this->State().Command), 0.0);
+  this->Model.Push({ 0, 0, -350, 0, 0, 0 });
+  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.Y > 0.95 * Edge; }));
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Reaches({ 0.0, Edge, 0.0 })) << "from the middle straight up";
+  EXPECT_FALSE(this->State().Armed);
+  this->Bench->Arm();
+
+  this->Model.Push({ 0, 0, 0, 350, 0, 0 });
+  EXPECT_TRUE(this->Turns({ 1.0, 0.0, 0.0 }));
+  this->Model.Push({ 0, 0, 0, 0, -350, 175 });
+  EXPECT_TRUE(this->Turns({ 0.0, -half, -1.0 }));
+  this->Model.Push({});
+  EXPECT_TRUE(this->Turns({}));
+  this->Model.Press(2);
+  EXPECT_TRUE(Eventually([&] { return this->State().Buttons == 2; }));
+  EXPECT_TRUE(this->Bench.WaitForTicks(5000));
+  EXPECT_EQ(this->State().Fault, SafetyFault::None);
+  this->Bench.Device->SetLights(0);
+  EXPECT_TRUE(Eventually([&] { return this->Model.Light == 0; }));
+  this->Bench.Device->SetLights(1);
+  EXPECT_TRUE(Eventually([&] { return this->Model.Light == 1; }));
+
+  this->Hid.Unplug();
+  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::DeviceLost));
+  EXPECT_TRUE(this->Bench.WaitForText("was unplugged. Plug it in, then Open() and Start() it."));
+  this->Bench.Stop();
+  this->Model.Push({});
+  this->Hid.PlugIn();
+  ASSERT_TRUE(this->Bench.Reopen()) << this->Bench.Error;
+  this->Bench.Start(this->Ground.Model);
+  this->Bench->Arm();
+  this->Model.Push({ -350, 0, 0, 0, 0, 0 });
+  EXPECT_TRUE(this->Reaches({ -Edge, 0.0, 0.0 }));
+  this->Bench.Stop();
+  this->Bench.Device->Close();
+  EXPECT_EQ(this->Model.Light, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OldAndNew, SpaceMice, testing::Bool());

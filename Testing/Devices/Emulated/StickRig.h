@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An emulated stick, a wall to the right of its middle, and a hand that is led into it.
+ */
+#ifndef StickRig_h
+#define StickRig_h
+
+#include "Emulators/ModelClock.h"
+#include "Emulators/StickModel.h"
+#include "HidRig.h"
+
+#include <gtest/gtest.h>
+
+namespace emulated
+{
+inline constexpr double Wall = 0.01; ///< m: to the right of the middle
+/// To the device's left is out of the wall.
+inline const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 });
+
+class Pid : public testing::Test
+{
+protected:
+  Pid() { this->Options.NewtonsPerFullScale = { StickModel::FullScale, StickModel::FullScale }; }
+
+  void Feel()
+  {
+    // The stick only says what is new.
+    ASSERT_TRUE(this->Bench.WaitForText("move it a little")) << this->Bench.Text();
+    EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+    this->Model.SetGoal(Wall - 0.005, 0.0);
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+    this->Bench.Start(this->Ground.Model);
+    ASSERT_TRUE(this->Bench.WaitForTicks(20));
+    this->Bench->Arm();
+    const double force = -FloorStiffness * BalancedDepth(0.01);
+    EXPECT_TRUE(this->Bench.Press(
+      [&]
+      {
+        this->Model.SetGoal(Wall - 0.005, 0.0);
+        Eventually([&] { return this->Model.GetTip()[0] < Wall - 0.004; });
+      },
+      [&] { this->Model.SetGoal(Wall + 0.01, 0.0); },
+      [&] {
+        return IsNear(this->Model.GetForce(), { force, 0.0, 0.0 }, 0.05);
+      }))
+      << this->Model.GetForce()[0];
+  }
+
+  StickModel Model;
+  EmulatedHid Hid{ this->Model };
+  ModelClock Clock{ [this] { this->Model.Step(); } };
+  Floor Ground{ -Wall, ToTheLeft };
+  DeviceOptions Options;
+  HidBench Bench;
+};
+
+} // namespace emulated
+
+#endif

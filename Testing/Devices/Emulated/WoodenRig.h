@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An emulated WoodenHaptics, a floor that it feels, and a hand that is led into it.
+ */
+#ifndef WoodenRig_h
+#define WoodenRig_h
+
+#include "Emulators/WoodenModel.h"
+#include "HidRig.h"
+
+#include <gtest/gtest.h>
+
+namespace emulated
+{
+inline constexpr double Height = -0.01; ///< m, of the floor
+/// The device's right, up and towards the hand are the arm's y, z and x.
+inline const Matrix3 ToTheArm = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
+
+class Wooden : public testing::Test
+{
+protected:
+  /// Calibrates, arms, and leads the hand to the floor's middle, 10 mm inside.
+  void Feel()
+  {
+    ASSERT_TRUE(this->Bench.WaitForText("rest pose")) << this->Bench.Text();
+    EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+    this->Bench.Start(this->Ground.Model);
+    this->Bench.Device->Home();
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+    ASSERT_TRUE(this->Bench.WaitForTicks(20));
+    this->Bench->Arm();
+    EXPECT_TRUE(this->Bench.Press(
+      [&]
+      {
+        this->Model.SetGoal({ 0.0, 0.0, Height + 0.005 });
+        Eventually([&] { return std::abs(this->Model.GetTip()[2] - Height - 0.005) < 0.001; });
+      },
+      [&] {
+        this->Model.SetGoal({ 0.0, 0.0, Height - 0.01 });
+      },
+      [&] { return this->IsHeld(); }))
+      << this->Model.GetForce()[2];
+  }
+  /// By the floor, against being led 10 mm inside.
+  bool IsHeld()
+  {
+    const double force = FloorStiffness * BalancedDepth(0.01);
+    return IsNear(this->Model.GetForce(), { 0.0, 0.0, force }, 0.05);
+  }
+
+  WoodenModel Model;
+  EmulatedHid Hid{ this->Model };
+  Floor Ground{ Height, ToTheArm };
+  HidBench Bench;
+};
+
+} // namespace emulated
+
+#endif

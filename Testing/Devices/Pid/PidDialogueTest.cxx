@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A force-feedback device is made ready step by step, or it is said why not; then it is kept alive.
+ */
+
+#include "Devices/Pid/PidDialogue.h"
+#include "Rigs/PidRig.h"
+
+using namespace hardwaretest;
+
+namespace
+{
+/// Answers a dialogue: waits for so many polls, then gives blocks 7, 8.
+std::vector<Bytes> Talk(PidDialogue& dialogue, int polls, const Bytes& pool, std::uint8_t status)
+{
+  std::vector<Bytes> said;
+  std::uint8_t block = 6;
+  int left = polls;
+  HidReport report;
+  for (int step = 0; step < 400; ++step)
+  {
+    const PidStep next = dialogue.GetStep(report);
+    if (next == PidStep::Ready || next == PidStep::Failed)
+    {
+      break;
+    }
+    said.push_back(Wire(report));
+    if (next == PidStep::Send)
+    {
+      block += report.Bytes[0] == 0x18 ? 1 : 0;
+      dialogue.Sent(true);
+    }
+    else if (report.Bytes[0] == 0x16)
+    {
+      dialogue.Fetched(pool.data(), pool.size());
+    }
+    else
+    {
+      const Bytes answer{ block, left > 0 ? std::uint8_t{ 0 } : status };
+      left = left > 0 ? left - 1 : polls;
+      dialogue.Fetched(answer.data(), answer.size());
+    }
+  }
+  return said;
+}
+const Bytes Pool{ 0x00, 0x10, 0x0A };
+} // namespace
+
+TEST(PidDialogue, GoesThroughTheSequence)
+{
+  const PidDevice device = Mapped({});
+  PidDialogue dialogue(device, {});
+  const std::vector<Bytes> expected{ { 0x15, 0x04 }, { 0x15, 0x04 }, { 0x15, 0x01 },
+    { 0x16, 0x00, 0x00, 0x00 }, { 0x14, 0xFF }, { 0x18, 0x01, 0x00, 0x00 }, { 0x17, 0x00, 0x00 },
+    { 0x17, 0x00, 0x00 }, { 0x11, 0x07, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x40, 0x00 },
+    { 0x12, 0x07, 0x00, 0x00 }, { 0x13, 0x07, 0x01, 0x01 }, { 0x18, 0x01, 0x00, 0x00 },
+    { 0x17, 0x00, 0x00 }, { 0x17, 0x00, 0x00 },
+    { 0x11, 0x08, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x80, 0x00 }, { 0x12, 0x08, 0x00, 0x00 },
+    { 0x13, 0x08, 0x01, 0x01 } };
+  EXPECT_EQ(Talk(dialogue, 1, Pool, 0x01), expected);
+  HidReport report;
+  EXPECT_EQ(dialogue.GetStep(report), PidStep::Ready);
+  EXPECT_EQ(dialogue.GetBlock(0), 7);
+  EXPECT_EQ(dialogue.GetBlock(1), 8);
+}
+
+TEST(PidDialogue, SaysWhyItFails)
+{
+  const PidDevice device = Mapped({});
+  const auto errorOf = [&device](int polls, const Bytes& pool, std::uint8_t status)
+  {
+    PidDialogue dialogue(device, {});
+    Talk(dialogue, polls, pool, status);
+    return dialogue.GetError();
+  };
+  EXPECT_EQ(errorOf(59, Pool, 0x01), "");
+  EXPECT_NE(errorOf(60, Pool, 0x01).find("does not say"), std::string::npos);
+  EXPECT_NE(errorOf(0, Pool, 0x02).find("no room"), std::string::npos);
+  EXPECT_NE(errorOf(0, Pool, 0x03).find("can't make"), std::string::npos);
+  EXPECT_NE(errorOf(0, { 0x00, 0x10, 0x01 }, 0x01).find("fewer effects"), std::string::npos);
+  EXPECT_EQ(errorOf(0, {}, 0x01), "") << "a pool is not needed";
+  PidDialogue dialogue(device, {});
+  dialogue.Sent(false);
+  HidReport report;
+  EXPECT_EQ(dialogue.GetStep(report), PidStep::Failed);
+  EXPECT_NE(dialogue.GetError().find("does not take"), std::string::npos);
+}
+
+TEST(PidDialogue, LeavesOutWhatTheDeviceHasNot)
+{
+  for (const char* part : { "Pool", "Device Gain" })
+  {
+    Stick stick;
+    stick.Without = part;
+    const PidDevice device = Mapped(stick);
+    PidDialogue dialogue(device, {});
+    EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01).size(), 14U) << part << dialogue.GetError();
+  }
+}
+
+TEST(PidStream, StartsAgainInTimeAndSendsOnlyWhatChanged)
+{
+  const PidDevice device = Mapped({});
+  PidSettings settings;
+  settings.NewtonsPerFullScale = { 4.0, -4.0 };
+  settings.Duration = 5.0; // more than is safe: 0.1 s it is
+  PidDialogue dialogue(device, settings);
+  EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01)[7][3], 0x64);
+  PidStream stream(device, settings, dialogue);
+  HidReport report;
+  EXPECT_FALSE(stream.Next(0.02, { 0.0, 0.0 }, report));
+  EXPECT_TRUE(stream.Next(0.02, { 1.0, 1.0 }, report));
+  EXPECT_EQ(Wire(report), (Bytes{ 0x12, 0x07, 0xC4, 0x09 }));
+  EXPECT_TRUE(stream.Next(0.0, { 2.0, 1.0 }, report));
+  EXPECT_EQ(Wire(report), (Bytes{ 0x12, 0x08, 0x3C, 0xF6 })) << "no axis waits for the other";
+  EXPECT_TRUE(stream.Next(0.02, { 2.0, 1.0 }, report));
+  EXPECT_EQ(Wire(report), (Bytes{ 0x13, 0x07, 0x01, 0x01 }));
+  EXPECT_TRUE(stream.Next(0.0, { 2.0, 1.0 }, report));
+  EXPECT_EQ(Wire(report), (Bytes{ 0x13, 0x08, 0x01, 0x01 }));
+  EXPECT_TRUE(stream.Next(0.0, { 2.0, 1.0 }, report));
+  EXPECT_EQ(Wire(report), (Bytes{ 0x12, 0x07, 0x88, 0x13 }));
+  EXPECT_FALSE(stream.Next(0.0, { 2.0, 1.0 }, report));
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Testbed.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include <sys/prctl.h>
+
+namespace emulated
+{
+UMockdevTestbed* Testbed()
+{
+  static UMockdevTestbed* const testbed = umockdev_testbed_new();
+  return testbed;
+}
+} // namespace emulated
+
+namespace
+{
+/**
+ * Removes umockdev's folder. Deleting the testbed would do so, too, but threads may use it until
+ * the end.
+ */
+void RemoveTestbed()
+{
+  char* const root = umockdev_testbed_get_root_dir(emulated::Testbed());
+  std::error_code ignored;
+  std::filesystem::remove_all(root, ignored);
+  g_free(root);
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+  // Asked before there is a testbed, umockdev remembers that there is none.
+  emulated::Testbed();
+  testing::InitGoogleTest(&argc, argv);
+  if (!testing::GTEST_FLAG(list_tests) && !umockdev_in_mock_environment())
+  {
+    std::cerr << "Skipped: umockdev can't take the kernel's place here. Start this with "
+                 "umockdev-wrapper.\n";
+    RemoveTestbed();
+    return 77;
+  }
+  // umockdev sleeps for no time after every call, which takes as long as the kernel's timer slack.
+  prctl(PR_SET_TIMERSLACK, 1UL);
+  const int result = RUN_ALL_TESTS();
+  RemoveTestbed();
+  return result;
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An image that can't be touched gets one error that names the input, the array and the cure, and
+ * an empty output, even if there was one before. Everything works again with a good image.
+ */
+#ifndef BadImage_h
+#define BadImage_h
+
+#include "ApiRig.h"
+
+namespace apitest
+{
+struct BadImage
+{
+  const char* Name;
+  std::function<void(vtkImageData*, vtkVolumeHapticsFilter*)> Break;
+  std::vector<std::string> Words;
+};
+
+inline std::ostream& operator<<(std::ostream& os, const BadImage& image)
+{
+  return os << image.Name;
+}
+
+inline void NameArray(vtkVolumeHapticsFilter* filter, const char* name)
+{
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
+class BadImageTest
+  : public ApiTest
+  , public testing::WithParamInterface<BadImage>
+{
+protected:
+  /// Expects one error with the words of the parameter, and none once the image is repaired.
+  void ExpectErrorAndRecovery()
+  {
+    this->Run(51);
+    this->GetParam().Break(this->Image, this->Filter);
+    this->Image->Modified();
+    this->ExpectError(this->GetParam().Words);
+
+    NameArray(this->Filter, "Density");
+    this->Filter->SetKernelRadius(2);
+    this->Property->SetComponent(0);
+    this->Filter->SetInputDataObject(0, MakeRamp());
+    this->Run(51);
+  }
+};
+
+inline std::string NameOf(const testing::TestParamInfo<BadImage>& info)
+{
+  return info.param.Name;
+}
+} // namespace apitest
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An emulated Novint Falcon that is plugged in, opened as an application does, and held by a hand.
+ */
+#ifndef FalconRig_h
+#define FalconRig_h
+
+#include "Devices/Common/DeviceRegistry.h"
+#include "Emulators/EmulatedUsb.h"
+#include "Emulators/FalconModel.h"
+#include "PlayedDevice.h"
+#include "TemporaryFolder.h"
+
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+namespace emulated
+{
+using namespace VolumeHaptics;
+using servotest::Eventually;
+
+inline const Numbers Rest = { 0.0, 0.0, 0.172 }; ///< where a session begins
+inline const Numbers Middle = { 0.0, 0.0, 0.125 };
+
+inline bool IsNear(const Numbers& a, const Numbers& b, double distance)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < distance;
+}
+
+inline bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+class FalconTest : public testing::Test
+{
+protected:
+  explicit FalconTest(bool runs = true)
+    : Falcon(runs)
+    , Usb(Falcon, "1-2")
+  {
+    this->Options.HomingTime = 60.0;
+  }
+
+  /** False, with this->Error. */
+  bool Open(const std::string& id = "falcon")
+  {
+    this->Device = MakeDevice(id, this->Options, this->Error);
+    return this->Device && this->Device->Open(this->Error);
+  }
+  void LeadTo(const Numbers& place, double distance = 0.001)
+  {
+    this->Falcon.SetAim(place);
+    ASSERT_TRUE(Eventually([&] { return IsNear(this->Falcon.GetGrip(), place, distance); }));
+  }
+  bool IsAt(DeviceStage stage)
+  {
+    return Eventually([&] { return this->Device->GetCondition().Stage == stage; });
+  }
+  std::string GetText() { return this->Device->GetCondition().Text.data(); }
+  void Home()
+  {
+    ASSERT_TRUE(Eventually([&] { return this->Falcon.IsRunning(); })) << this->GetText();
+    ASSERT_TRUE(this->IsAt(DeviceStage::Homing)) << this->GetText();
+    this->LeadTo({ 0.0, 0.0, 0.1735 });
+    this->LeadTo({ 0.0, 0.0, 0.08 });
+    this->LeadTo(Rest);
+    ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
+  }
+  /** Homed, in the middle of the workspace. */
+  void MakeReady()
+  {
+    ASSERT_TRUE(this->Open()) << this->Error;
+    this->Home();
+    this->LeadTo(Middle);
+  }
+  /** As a servo does, once in a while, until something holds. */
+  template <typename F>
+  bool Push(const Vector3& force, F&& holds)
+  {
+    return Eventually(
+      [&]
+      {
+        DeviceSample sample;
+        this->Device->Read(0.001, sample);
+        this->Device->Write(force);
+        return holds();
+      });
+  }
+  bool Feels(const Vector3& force)
+  {
+    return this->Push(force,
+      [&] {
+        return IsNear(this->Falcon.GetForce(), { force.X, force.Y, force.Z }, 0.05);
+      });
+  }
+  /** Whatever the servo gives, over so many packets; not the one that may be on its way already. */
+  bool StaysAtZero(long packets)
+  {
+    const auto pass = [this](long more)
+    {
+      const long end = this->Falcon.GetPackets() + more;
+      return this->Push({ 0.0, 0.0, 2.0 }, [&] { return this->Falcon.GetPackets() >= end; });
+    };
+    const bool arrived = pass(1);
+    this->Falcon.TakeLargestCommand();
+    return arrived && pass(packets) && this->Falcon.TakeLargestCommand() == 0.0;
+  }
+  /** The device is lost, says why, and its last commands are zero. */
+  void ExpectLost(const std::string& why)
+  {
+    EXPECT_TRUE(this->Push(
+      { 0.0, 0.0, 2.0 }, [&] { return this->Device->GetCondition().Stage == DeviceStage::Lost; }));
+    EXPECT_TRUE(Has(this->GetText(), why)) << this->GetText();
+    DeviceSample sample;
+    EXPECT_EQ(this->Device->Read(0.001, sample), DeviceState::Lost);
+    EXPECT_TRUE(Eventually([&] { return this->Falcon.GetCommands() == Numbers{}; }));
+  }
+
+  FalconModel Falcon;
+  EmulatedUsb Usb;
+  DeviceOptions Options;
+  std::unique_ptr<DeviceBackend> Device;
+  std::string Error;
+};
+
+/** A file that is removed in the end. */
+class TemporaryFile
+{
+public:
+  explicit TemporaryFile(const std::vector<std::uint8_t>& bytes)
+    : Path(
+        TemporaryPath("falcon-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".bin"))
+  {
+    std::ofstream(this->Path, std::ios::binary)
+      .write(
+        reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+  ~TemporaryFile() { std::filesystem::remove(this->Path); }
+  const std::filesystem::path Path;
+};
+
+/** Every byte there is, in no simple order; no firmware. */
+inline std::vector<std::uint8_t> MakeImage(std::size_t size)
+{
+  std::vector<std::uint8_t> image(size);
+  unsigned int seed = 7;
+  for (std::uint8_t& byte : image)
+  {
+    seed = seed * 1664525u + 1013904223u;
+    byte = static_cast<std::uint8_t>(seed >> 24);
+  }
+  return image;
+}
+} // namespace emulated
+
+#endif

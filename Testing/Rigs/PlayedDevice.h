@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A back end that plays a tip path and watches what the loop sends it, and a loop that runs on it.
+ */
+#ifndef PlayedDevice_h
+#define PlayedDevice_h
+
+#include "Core/Servo/ServoLoop.h"
+#include "CoreScene.h"
+#include "Eventually.h"
+#include "Growth.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace servotest
+{
+using namespace coretest;
+using devicetest::Eventually;
+
+class PlayedDevice : public DeviceBackend
+{
+public:
+  bool Open(std::string&) override { return true; }
+  void Close() override {}
+  std::string GetName() const override { return "played"; }
+  DeviceLimits GetLimits() const override { return {}; }
+
+  /// Up and down along z, a little sideways; at most 0.3 m/s by the loop's clock at 5 kHz.
+  static Vector3 TipOf(std::uint64_t tick)
+  {
+    const double phase = 2e-3 * static_cast<double>(tick);
+    return { 0.012 + 0.004 * std::sin(0.37 * phase), 0.012, 0.012 + 0.007 * std::sin(phase) };
+  }
+
+  DeviceState Read(double, DeviceSample& sample) noexcept override
+  {
+    const std::uint64_t tick = this->Reads.fetch_add(1);
+    sample.Fresh = !this->Frozen.load();
+    if (sample.Fresh)
+    {
+      sample.Tip = TipOf(tick);
+    }
+    this->InTick();
+    return this->ReadLost.load() ? DeviceState::Lost : DeviceState::Running;
+  }
+
+  DeviceState Write(const Vector3& force) noexcept override
+  {
+    const double norm = Norm(force);
+    const std::uint64_t number = this->Writes.load() + 1; // only this thread counts
+    this->LargestGrowth = std::max(this->LargestGrowth, GrowthOf(this->Last, force));
+    this->Last = force;
+    this->LargestForce.store(std::max(this->LargestForce.load(), norm));
+    this->Force.store(norm);
+    if (norm > 0.0)
+    {
+      this->LastPush.store(number);
+    }
+    this->Writes.store(number);
+    return this->WriteLost.load() ? DeviceState::Lost : DeviceState::Running;
+  }
+
+  void Quench() noexcept override {}
+
+  std::atomic<bool> Frozen{ false };
+  std::atomic<bool> ReadLost{ false };
+  std::atomic<bool> WriteLost{ false };
+  std::atomic<std::uint64_t> Reads{ 0 };
+  std::atomic<std::uint64_t> Writes{ 0 };
+  std::atomic<std::uint64_t> LastPush{
+    0
+  };                                ///< the number of the last write of a force that was not zero
+  std::atomic<double> Force{ 0.0 }; ///< the norm of the last one
+  std::atomic<double> LargestForce{ 0.0 };
+  double LargestGrowth = 0.0; ///< in a tick, N; once the loop has ended
+
+protected:
+  /// On the servo's thread, once a tick.
+  virtual void InTick() noexcept {}
+
+private:
+  Vector3 Last;
+};
+
+inline SafetyLimits QuickLimits()
+{
+  SafetyLimits limits;
+  limits.MaximumForce = 4.0;
+  limits.RampTime = 0.01;
+  // A busy machine must not look like a device that is frozen.
+  limits.WatchdogTime = 60.0;
+  return limits;
+}
+
+/// Runs until it is destroyed.
+class RunningLoop
+{
+public:
+  explicit RunningLoop(DeviceBackend& device, double rate = 5000.0, SafetyLimits l = QuickLimits())
+    : Loop(device, rate)
+  {
+    this->Loop.SetLimits(l);
+    this->Thread = std::thread([this] { this->Loop.Run(); });
+    this->Fitter = std::thread([this] { this->Loop.RunFitter(); });
+  }
+  ~RunningLoop()
+  {
+    this->Loop.RequestStop();
+    this->Thread.join();
+    this->Fitter.join();
+  }
+  ServoLoop* operator->() { return &this->Loop; }
+
+private:
+  ServoLoop Loop;
+  std::thread Thread;
+  std::thread Fitter;
+};
+} // namespace servotest
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What SURFACE_PROXY can't touch: one error that names the input and the cure.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkCellArray.h>
+#include <vtkSphereSource.h>
+
+#include <limits>
+
+using namespace apitest;
+
+namespace
+{
+class BadSurface : public ApiTest
+{
+protected:
+  BadSurface() { this->Filter->SetMethodToSurfaceProxy(); }
+};
+} // namespace
+
+TEST_F(BadSurface, WithoutAnIsosurfaceThereIsAnErrorThatSaysTheRange)
+{
+  this->Filter->SetIsoValue(5000.0);
+  this->ExpectError({ "IsoValue 5000", "from", "SetIsoValue", "port 2" });
+}
+
+TEST_F(BadSurface, ASurfaceHasTriangles)
+{
+  vtkNew<vtkPolyData> nothing;
+  this->Filter->SetSurfaceData(nothing);
+  this->ExpectError({ "port 2", "no triangles" });
+  this->Filter->SetSurfaceData(this->Path);
+  this->ExpectError({ "port 2", "no triangles" });
+}
+
+TEST_F(BadSurface, ASurfacesPointsAreFinite)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  sphere->GetOutput()->GetPoints()->SetPoint(7, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  this->Filter->SetSurfaceData(sphere->GetOutput());
+  this->ExpectError({ "port 2", "NaN", "point 7" });
+}
+
+TEST_F(BadSurface, ACellsPointsExist)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkPolyData* const surface = sphere->GetOutput();
+  const vtkIdType wrong[] = { 0, 1, surface->GetNumberOfPoints() };
+  surface->GetPolys()->InsertNextCell(3, wrong);
+  this->Filter->SetSurfaceData(surface);
+  this->ExpectError({ "port 2", "point that does not exist" });
+}
+
+TEST_F(BadSurface, ASphereIsNoLargerThanATickHasTimeFor)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(10.0);
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  this->Filter->SetSurfaceConnection(sphere->GetOutputPort());
+  this->Filter->SetProxyRadius(5.0);
+  this->ExpectError({ "ProxyRadius 5", "too large", "Lower ProxyRadius" });
+}
+
+TEST_F(BadSurface, TheIsoValueIsANumber)
+{
+  this->Filter->SetIsoValue(std::numeric_limits<double>::quiet_NaN());
+  this->ExpectError({ "IsoValue", "finite" });
+}

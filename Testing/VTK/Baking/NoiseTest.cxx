@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Distinctness set from the image's noise, where nobody has set one.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+#include <random>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double Sigma = 20.0;
+
+class Noise : public testing::Test
+{
+protected:
+  /// Noise on a function of z.
+  vtkSmartPointer<vtkImageData> MakeNoisy(const std::function<double(double)>& clean, double sigma)
+  {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    return MakeImage(48, VTK_SHORT,
+      [&](const Point& x) { return std::round(clean(x[2]) + sigma * normal(random)); });
+  }
+  /// The ramp's start after a tick in the image.
+  double FindStart(vtkImageData* image)
+  {
+    this->Filter->SetInputData(0, image);
+    this->Filter->SetPathData(MakePath({ { 20.0, 20.0, 20.0 }, { 20.0, 20.0, 20.1 } }));
+    this->Filter->Update();
+    const double* const ramp = this->Filter->GetProperty()->GetNoiseRamp();
+    EXPECT_EQ(ramp[1], 2.0 * ramp[0]);
+    return ramp[0];
+  }
+  vtkNew<vtkVolumeHapticsFilter> Filter;
+};
+
+double Edge(double z)
+{
+  return 500.0 * (1.0 + std::erf((z - 24.0) / 1.5));
+}
+
+/// Counts the values that are read one by one, as the estimate does. A bake reads the eight corners
+/// at most.
+class CountingArray : public vtkFloatArray
+{
+public:
+  static CountingArray* New();
+  vtkTypeMacro(CountingArray, vtkFloatArray);
+  double GetComponent(vtkIdType tuple, int component) override
+  {
+    ++this->Reads;
+    return this->Superclass::GetComponent(tuple, component);
+  }
+  /// Whether the estimate was made since the last call.
+  bool WasRead()
+  {
+    const bool was = this->Reads > 8;
+    this->Reads = 0;
+    return was;
+  }
+
+private:
+  int Reads = 0;
+};
+vtkStandardNewMacro(CountingArray);
+
+/// An image whose scalars count, and have noise of another standard deviation in each component.
+class NoiseOnce : public Noise
+{
+protected:
+  NoiseOnce()
+  {
+    this->Fill(this->Counting, { 20.0, 40.0 }, 5);
+    this->Image->SetDimensions(Size, Size, Size);
+    this->Image->GetPointData()->SetScalars(this->Counting);
+    EXPECT_GT(this->FindStart(this->Image), 0.0);
+    EXPECT_TRUE(this->Counting->WasRead());
+  }
+  static void Fill(vtkFloatArray* array, const std::vector<double>& sigmas, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    array->SetNumberOfComponents(static_cast<int>(sigmas.size()));
+    array->SetNumberOfTuples(Size * Size * Size);
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (std::size_t c = 0; c < sigmas.size(); ++c)
+      {
+        array->SetTypedComponent(i, static_cast<int>(c), sigmas[c] * normal(random));
+      }
+    }
+  }
+  /// The ramp of a new filter with the same settings.
+  double FindAnew()
+  {
+    vtkNew<vtkVolumeHapticsFilter> fresh;
+    fresh->SetGradientEstimator(this->Filter->GetGradientEstimator());
+    fresh->SetKernelRadius(this->Filter->GetKernelRadius());
+    fresh->GetProperty()->SetComponent(this->Filter->GetProperty()->GetComponent());
+    fresh->SetInputData(0, this->Image);
+    fresh->SetInputArrayToProcess(0, this->Filter->GetInputArrayInformation(0));
+    fresh->Update();
+    this->Counting->WasRead();
+    return fresh->GetProperty()->GetNoiseRamp()[0];
+  }
+
+  static constexpr int Size = 32;
+  vtkNew<CountingArray> Counting;
+  vtkNew<vtkImageData> Image;
+};
+} // namespace
+
+TEST_F(Noise, IsEstimatedWhereverTheImageIsFlattest)
+{
+  // Documentation/method.md: 0.106 sigma per voxel of the default Gaussian; up to 3.4 times that
+  // is noise.
+  const double expected = 3.4 * 0.106 * Sigma;
+  EXPECT_NEAR(this->FindStart(this->MakeNoisy(Edge, Sigma)), expected, 0.1 * expected);
+  EXPECT_NEAR(this->FindStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, Sigma)),
+    expected, 0.1 * expected);
+  vtkSmartPointer<vtkImageData> padded = this->MakeNoisy(Edge, Sigma);
+  vtkDataArray* const scalars = padded->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples() / 2; ++i)
+  {
+    scalars->SetTuple1(i, -2000.0);
+  }
+  EXPECT_NEAR(this->FindStart(padded), expected, 0.1 * expected);
+  vtkSmartPointer<vtkImageData> wide = this->MakeNoisy(Edge, Sigma);
+  wide->SetSpacing(2.0, 2.0, 4.0);
+  EXPECT_NEAR(this->FindStart(wide), expected / 2.0, 0.1 * expected) << "per world unit";
+}
+
+TEST_F(Noise, ThatIsNotThereSetsNothing)
+{
+  EXPECT_EQ(this->FindStart(this->MakeNoisy([](double z) { return 3.0 * z * z; }, 0.0)), 0.0);
+  EXPECT_EQ(
+    this->FindStart(this->MakeNoisy([](double z) { return z > 24.0 ? 1000.0 : 0.0; }, 0.0)), 0.0);
+  const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy(Edge, Sigma);
+  vtkHapticProperty* const property = this->Filter->GetProperty();
+  property->DistinctnessFromNoiseOff();
+  EXPECT_EQ(this->FindStart(noisy), 0.0);
+  property->DistinctnessFromNoiseOn();
+  EXPECT_GT(this->FindStart(noisy), 0.0);
+  property->GetDistinctness()->AddPoint(0.0, 1.0);
+  EXPECT_EQ(this->FindStart(noisy), 0.0) << "somebody has set one";
+}
+
+TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
+{
+  const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy([](double) { return 0.0; }, Sigma);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform(6.0, 41.0);
+  std::vector<Point> anywhere;
+  for (int i = 0; i < 4000; ++i)
+  {
+    anywhere.push_back({ uniform(random), uniform(random), uniform(random) });
+  }
+  this->Filter->SetSolverToPaper();
+  for (const int estimator : { vtkVolumeHapticsFilter::CENTRAL_DIFFERENCE,
+         vtkVolumeHapticsFilter::GAUSSIAN, vtkVolumeHapticsFilter::CUBIC_BSPLINE })
+  {
+    this->Filter->SetGradientEstimator(estimator);
+    const double start = this->FindStart(noisy);
+    this->Filter->SetPathData(MakePath(anywhere));
+    this->Filter->Update();
+    int above = 0;
+    vtkPolyData* const output = this->Filter->GetOutput();
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      above += Get(output, "GradientMagnitude", i) > start;
+    }
+    EXPECT_GT(above, 0.002 * 4000) << "estimator " << estimator;
+    EXPECT_LT(above, 0.03 * 4000) << "estimator " << estimator;
+  }
+}
+
+TEST_F(NoiseOnce, IsNotEstimatedAgainForTheSameImage)
+{
+  const double start = this->FindStart(this->Image);
+  EXPECT_FALSE(this->Counting->WasRead()) << "another path";
+  this->Filter->GetProperty()->GetStiffness()->AddPoint(0.0, 800.0);
+  EXPECT_EQ(this->FindStart(this->Image), start);
+  EXPECT_FALSE(this->Counting->WasRead()) << "another material";
+  this->Filter->SetKernelRadius(3);
+  this->Filter->SetGradientEstimatorToCubicBSpline();
+  const double smoother = this->FindStart(this->Image);
+  EXPECT_FALSE(this->Counting->WasRead()) << "another kernel makes another ramp of the same noise";
+  EXPECT_EQ(smoother, this->FindAnew());
+  EXPECT_NE(smoother, start);
+}
+
+TEST_F(NoiseOnce, IsEstimatedAgainWhenTheScalarsHaveChanged)
+{
+  const double before = this->FindStart(this->Image);
+  this->Fill(this->Counting, { 60.0, 40.0 }, 6);
+  this->Counting->Modified();
+  EXPECT_NEAR(this->FindStart(this->Image), 3.0 * before, 0.3 * before);
+  this->Fill(this->Counting, { 100.0, 40.0 }, 7);
+  this->Image->Modified(); // as some programs announce new scalars
+  EXPECT_NEAR(this->FindStart(this->Image), 5.0 * before, 0.5 * before);
+  EXPECT_TRUE(this->Counting->WasRead());
+  this->Image->SetDimensions(Size, Size / 2, 2 * Size);
+  this->FindStart(this->Image);
+  EXPECT_TRUE(this->Counting->WasRead()) << "other neighbours";
+}
+
+TEST_F(NoiseOnce, IsThatOfTheComponentAndOfTheArray)
+{
+  const double first = this->FindStart(this->Image);
+  this->Filter->GetProperty()->SetComponent(1);
+  EXPECT_NEAR(this->FindStart(this->Image), 2.0 * first, 0.2 * first);
+  EXPECT_TRUE(this->Counting->WasRead());
+  this->Filter->GetProperty()->SetComponent(0);
+  EXPECT_EQ(this->FindStart(this->Image), first);
+
+  vtkNew<vtkFloatArray> other;
+  other->SetName("other");
+  this->Fill(other, { 80.0 }, 7);
+  this->Image->GetPointData()->AddArray(other);
+  this->FindStart(this->Image);
+  this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "other");
+  EXPECT_NEAR(this->FindStart(this->Image), 4.0 * first, 0.4 * first);
+}

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What a volume property's opacities hide is not felt: surface strength and viscosity are zero
+ * there and only there.
+ */
+
+#include "Rigs/ApiRig.h"
+#include "Rigs/RandomFunctions.h"
+
+#include <vtkVolumeProperty.h>
+
+using namespace apitest;
+
+namespace
+{
+class Visibility : public ApiTest
+{
+protected:
+  Visibility()
+  {
+    // V = 4 z^2 over voxels of 1 x 2 x 3: gradient magnitudes vary, and the spacing's average is 2.
+    this->Image = MakeImage(16, VTK_DOUBLE, [](const Point& x) { return 36.0 * x[2] * x[2]; });
+    this->Image->SetSpacing(1.0, 2.0, 3.0);
+    this->Filter->SetInputDataObject(0, this->Image);
+    std::mt19937_64 engine(1);
+    std::uniform_real_distribution<double> uniform(2.0, 13.0);
+    std::vector<Point> points;
+    for (int i = 0; i < 2000; ++i)
+    {
+      points.push_back({ uniform(engine), 2.0 * uniform(engine), 3.0 * uniform(engine) });
+    }
+    this->Filter->SetPathData(MakePath(points));
+    SetConstant(this->Property->GetViscosity(), 0.5);
+    this->Property->SetVisibilityFrom(this->Volume);
+  }
+
+  /// 1 visible, 0 hidden, -1 where rounding decides. No function hides nothing.
+  static int Look(vtkPiecewiseFunction* opacity, double x)
+  {
+    if (opacity->GetSize() == 0)
+    {
+      return 1;
+    }
+    const auto [low, high] = ValuesAround(opacity, x);
+    return (low > 0.0) == (high > 0.0) ? high > 0.0 : -1;
+  }
+
+  void ExpectHiddenExactly(vtkPiecewiseFunction* scalar, vtkPiecewiseFunction* gradient)
+  {
+    vtkPolyData* const output = this->Run(2000);
+    int wrong[2] = {};
+    for (vtkIdType tick = 0; tick < 2000; ++tick)
+    {
+      const int byGradient = Look(gradient, 2.0 * Get(output, "GradientMagnitude", tick));
+      const int surface = Look(scalar, Get(output, "SurfaceValue", tick)) * byGradient;
+      const int medium = Look(scalar, Get(output, "MediumValue", tick)) * byGradient;
+      wrong[0] += surface >= 0 && Get(output, "SurfaceStrength", tick) != 2.0 * surface;
+      wrong[1] += medium >= 0 && Get(output, "Viscosity", tick) != 0.5 * medium;
+      this->Hidden += surface == 0;
+      this->Seen += surface == 1;
+    }
+    EXPECT_EQ(wrong[0], 0) << "surface strength";
+    EXPECT_EQ(wrong[1], 0) << "viscosity";
+  }
+
+  /// Half of the nodes at zero, so that there are plateaus, spikes and touching points.
+  static vtkSmartPointer<vtkPiecewiseFunction> RandomOpacity(int seed, double width)
+  {
+    std::mt19937_64 engine(seed);
+    const Shape shape{ seed % 3 == 0 ? 1.0 : 0.0, seed % 2 == 0, seed % 5 != 0, false };
+    const auto function = RandomFunction(engine, shape, 0.0, width, 1.0);
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      double node[4];
+      function->GetNodeValue(i, node);
+      node[1] = engine() % 2 ? 0.0 : node[1];
+      function->SetNodeValue(i, node);
+    }
+    return function;
+  }
+
+  vtkNew<vtkVolumeProperty> Volume;
+  vtkNew<vtkPiecewiseFunction> Everything;
+  int Hidden = 0;
+  int Seen = 0;
+};
+} // namespace
+
+TEST_F(Visibility, ScalarOpacityHides)
+{
+  for (int seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const auto opacity = RandomOpacity(seed, 900.0);
+    this->Volume->SetScalarOpacity(opacity);
+    this->ExpectHiddenExactly(opacity, this->Everything);
+  }
+  EXPECT_GT(this->Hidden, 10000);
+  EXPECT_GT(this->Seen, 10000);
+}
+
+TEST_F(Visibility, GradientOpacityHidesToo)
+{
+  this->Volume->SetScalarOpacity(this->Everything);
+  for (int seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const auto opacity = RandomOpacity(seed, 400.0);
+    this->Volume->SetGradientOpacity(opacity);
+    this->ExpectHiddenExactly(this->Everything, opacity);
+  }
+  EXPECT_GT(this->Hidden, 10000);
+  EXPECT_GT(this->Seen, 10000);
+  this->Volume->DisableGradientOpacityOn();
+  this->ExpectHiddenExactly(this->Everything, this->Everything);
+}

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Attaching, editing and detaching the volume property that decides what is felt.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkVolumeProperty.h>
+
+using namespace apitest;
+
+namespace
+{
+class VisibilityUse : public ApiTest
+{
+protected:
+  VisibilityUse()
+  {
+    // Opaque above 700 only; the path of ApiTest runs from 500 to 1000, and r is 2 mm.
+    this->Opacity->AddPoint(700.0, 0.0);
+    this->Opacity->AddPoint(701.0, 1.0);
+    this->Volume->SetScalarOpacity(this->Opacity);
+    // Shows the material of where a tick begins, which is easier to tell.
+    this->Filter->SetSolverToPaper();
+  }
+
+  double StrengthAt(vtkIdType tick) { return Get(this->Run(51), "SurfaceStrength", tick); }
+
+  vtkNew<vtkVolumeProperty> Volume;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+};
+} // namespace
+
+TEST_F(VisibilityUse, AttachEditDetach)
+{
+  EXPECT_EQ(this->StrengthAt(1), 2.0);
+  this->Property->SetVisibilityFrom(this->Volume);
+  EXPECT_EQ(Get(this->Run(51), "SurfaceValue", 1), 700.0);
+  EXPECT_EQ(this->StrengthAt(1), 0.0);
+  // A hidden surface does not hold the proxy: it is at the tip, with no force.
+  EXPECT_EQ(Get(this->Run(51), "Force", 1, 2), 0.0);
+
+  this->Opacity->AddPoint(650.0, 0.25);
+  this->Opacity->AddPoint(700.0, 0.5);
+  EXPECT_EQ(this->StrengthAt(1), 2.0) << "a live edit is felt at the next update";
+  this->Opacity->AddPoint(700.0, 0.0);
+  EXPECT_EQ(this->StrengthAt(1), 0.0);
+
+  this->Property->SetVisibilityFrom(nullptr);
+  EXPECT_EQ(this->StrengthAt(1), 2.0);
+}
+
+TEST_F(VisibilityUse, NothingElseIsScaled)
+{
+  SetConstant(this->Property->GetFriction(), 0.3);
+  this->Property->SetVisibilityFrom(this->Volume);
+  vtkPolyData* const output = this->Run(51);
+  for (const vtkIdType tick : { 1, 50 })
+  {
+    EXPECT_EQ(Get(output, "Stiffness", tick), 500.0);
+    EXPECT_EQ(Get(output, "Friction", tick), 0.3);
+  }
+  // Half opaque is fully felt: hidden or not is all that counts.
+  SetConstant(this->Opacity, 0.01);
+  EXPECT_EQ(this->StrengthAt(1), 2.0);
+}
+
+TEST_F(VisibilityUse, OpacityOfTheTouchedComponent)
+{
+  vtkDataArray* const one = this->Image->GetPointData()->GetScalars();
+  vtkSmartPointer<vtkDataArray> two;
+  two.TakeReference(one->NewInstance());
+  two->SetName("Density");
+  two->SetNumberOfComponents(2);
+  two->SetNumberOfTuples(one->GetNumberOfTuples());
+  for (int c = 0; c < 2; ++c)
+  {
+    two->CopyComponent(c, one, 0);
+  }
+  this->Image->GetPointData()->SetScalars(two);
+  vtkNew<vtkPiecewiseFunction> opaque;
+  opaque->AddPoint(0.0, 1.0);
+  this->Volume->SetScalarOpacity(1, opaque);
+  this->Property->SetVisibilityFrom(this->Volume);
+
+  EXPECT_EQ(this->StrengthAt(1), 0.0) << "component 0 has the opacity that hides";
+  this->Property->SetComponent(1);
+  EXPECT_EQ(this->StrengthAt(1), 2.0) << "component 1 is opaque";
+  this->Volume->SetIndependentComponents(0);
+  EXPECT_EQ(this->StrengthAt(1), 0.0) << "dependent components share opacity 0";
+}
+
+TEST_F(VisibilityUse, ForceFieldIsNotConcerned)
+{
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.02);
+  const double before = Get(this->Run(51), "Force", 10, 2);
+  this->Property->SetVisibilityFrom(this->Volume);
+  EXPECT_EQ(Get(this->Run(51), "Force", 10, 2), before);
+  EXPECT_NEAR(before, -2.0, 1e-12);
+}

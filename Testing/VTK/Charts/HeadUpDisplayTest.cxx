@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What the head-up display plots and says.
+ */
+
+#include "Rigs/ScriptedStates.h"
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkHapticHeadUpDisplay.h>
+
+using namespace devicetest;
+
+namespace
+{
+class HeadUpDisplay : public DeviceTest
+{
+protected:
+  double Largest(int column)
+  {
+    auto* const values =
+      vtkDataArray::SafeDownCast(this->Display->GetPlotTable()->GetColumn(column));
+    return values->GetNumberOfTuples() > 0 ? values->GetRange()[1] : 0.0;
+  }
+
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+  MessageLog DisplayLog{ this->Display };
+};
+} // namespace
+
+TEST_F(HeadUpDisplay, LosesNoPeak)
+{
+  const auto spike = [](double t) { return std::abs(t - 2.3456) < 0.0004 ? 4.0 : 1.0; };
+  this->Display->AddStates(scenetest::MakeStates(0.0, 5.0, spike));
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 5000);
+  EXPECT_LE(this->Display->GetPlotTable()->GetNumberOfRows(), 500);
+  EXPECT_EQ(this->Largest(1), 4.0);
+  EXPECT_EQ(this->Display->GetForceRange(), 5.0);
+}
+
+TEST_F(HeadUpDisplay, ForgetsWhatIsOlderThanItsSpan)
+{
+  const auto early = [](double t) { return t < 1.0 ? 7.0 : 0.9; };
+  for (int second = 0; second < 20; ++second)
+  {
+    this->Display->AddStates(scenetest::MakeStates(second, second + 1.0, early));
+    EXPECT_LE(this->Display->GetNumberOfStates(), 5001);
+    EXPECT_EQ(this->Display->GetForceRange(), second < 6 ? 10.0 : 1.0) << second;
+  }
+  EXPECT_LT(this->Largest(1), 1.0);
+  // The device has been started again.
+  this->Display->AddStates(scenetest::MakeStates(0.0, 0.5, early));
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 500);
+  this->Display->Clear();
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
+}
+
+TEST_F(HeadUpDisplay, NamesTheColumnThatIsMissing)
+{
+  const auto states = scenetest::MakeStates(0.0, 1.0, [](double) { return 1.0; });
+  states->RemoveColumnByName("DragForce");
+  this->Display->AddStates(states);
+  this->Display->AddStates(nullptr);
+  ASSERT_EQ(this->DisplayLog.Errors.size(), 2U);
+  EXPECT_NE(this->DisplayLog.Errors[0].find("DragForce"), std::string::npos);
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 0);
+}
+
+TEST_F(HeadUpDisplay, TakesNoStatesThatNoAxisCanShow)
+{
+  const auto column = [](vtkTable* table, const char* name)
+  { return vtkDataArray::SafeDownCast(table->GetColumnByName(name)); };
+  for (const double time : { std::nan(""), HUGE_VAL, -HUGE_VAL })
+  {
+    const auto states = scenetest::MakeStates(0.0, 0.1, [](double) { return 1.0; });
+    column(states, "Time")->SetComponent(50, 0, time);
+    this->Display->Clear();
+    this->Display->AddStates(states);
+    ASSERT_EQ(this->DisplayLog.Errors.size(), 1U);
+    EXPECT_NE(this->DisplayLog.Errors[0].find("row 50"), std::string::npos);
+    EXPECT_EQ(this->Display->GetNumberOfStates(), 50) << "those before it";
+    EXPECT_EQ(this->Largest(1), 1.0);
+    this->DisplayLog.Errors.clear();
+  }
+  const auto cut = scenetest::MakeStates(0.0, 0.1, [](double) { return 1.0; });
+  column(cut, "DragForce")->SetNumberOfTuples(7);
+  this->Display->Clear();
+  this->Display->AddStates(cut);
+  EXPECT_EQ(this->DisplayLog.Errors.size(), 1U);
+  EXPECT_EQ(this->Display->GetNumberOfStates(), 7);
+
+  this->DisplayLog.Errors.clear();
+  this->Display->SetTimeSpan(std::nan(""));
+  this->Display->Clear();
+  this->Display->AddStates(scenetest::MakeStates(0.0, 8.0, [](double) { return 1.0; }));
+  EXPECT_NEAR(this->Display->GetNumberOfStates(), 5000, 1) << "as by default";
+  EXPECT_EQ(this->Largest(1), 1.0);
+  this->Display->SetTimeSpan(5.0);
+
+  // Forces as of a function with absurd values: the axis stays one.
+  for (const double force : { std::nan(""), HUGE_VAL, 1e308 })
+  {
+    const auto absurd = [force](double t) { return t > 0.05 ? force : 1.0; };
+    this->Display->Clear();
+    this->Display->AddStates(scenetest::MakeStates(0.0, 0.1, absurd));
+    EXPECT_TRUE(std::isfinite(this->Display->GetForceRange()));
+    EXPECT_GE(this->Display->GetForceRange(), 1.0);
+    EXPECT_LE(this->Largest(1), 1.001e30);
+  }
+}
+
+TEST_F(HeadUpDisplay, ThePlotsTableMayBeUsedForSomethingElse)
+{
+  const auto states = scenetest::MakeStates(0.0, 1.0, [](double) { return 2.0; });
+  this->Display->AddStates(states);
+  vtkHapticDevice::ListDevices(this->Display->GetPlotTable());
+  EXPECT_EQ(this->Display->GetPlotTable()->GetNumberOfColumns(), 5);
+  EXPECT_EQ(this->Largest(1), 2.0);
+  this->Display->Clear();
+  EXPECT_EQ(this->Display->GetPlotTable()->GetNumberOfRows(), 0) << "nothing is left";
+}
+
+TEST_F(HeadUpDisplay, TitlesThePlotWithWhatIsFelt)
+{
+  EXPECT_EQ(this->Display->GetPlotTitle(), "");
+  this->Display->SetDevice(this->Device);
+  this->Filter->SetSolverToPaper();
+  EXPECT_EQ(this->Display->GetPlotTitle(), "Proxy, PAPER") << "will be felt";
+  this->Begin();
+  this->Filter->SetMethodToForceField();
+  EXPECT_EQ(this->Display->GetPlotTitle(), "Proxy, PAPER") << "not published";
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_EQ(this->Display->GetPlotTitle(), "Force field");
+  this->Display->SetNotice("to be known");
+  EXPECT_NE(this->Display->GetText().find("\nto be known"), std::string::npos);
+}
+
+TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
+{
+  EXPECT_EQ(this->Display->GetText(), "No device");
+  this->Display->SetDevice(this->Device);
+  EXPECT_NE(this->Display->GetText().find("Open()"), std::string::npos);
+  this->Display->AddTissue("soft", 0.0, 800.0);
+  this->Display->AddTissue("hard", 800.0, 1e9);
+  EXPECT_EQ(this->Display->GetTissueName(799.9), "soft");
+  EXPECT_EQ(this->Display->GetTissueName(800.0), "hard");
+  EXPECT_EQ(this->Display->GetTissueName(-1.0), "");
+  this->Begin();
+  this->Device->Arm();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 7.0));
+  for (const char* words : { "Active: virtual.", "ticks/s", "missed", "1.00 N, sticking", "value" })
+  {
+    EXPECT_TRUE(
+      this->Wait([&] { return this->Display->GetText().find(words) != std::string::npos; }))
+      << words << " in\n"
+      << this->Display->GetText();
+  }
+  this->Display->RemoveAllTissues();
+  EXPECT_EQ(this->Display->GetTissueName(10.0), "");
+}

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A head phantom with a device in front of its face, as an application builds it.
+ */
+#ifndef PhantomRig_h
+#define PhantomRig_h
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkXMLImageDataReader.h>
+
+namespace emulated
+{
+using devicetest::Eventually;
+using devicetest::Length;
+
+inline constexpr double SkinValue = -300.0; ///< HU, half-way between air and skin
+
+/** The filter on the phantom, and where its skin is on a line into the face. */
+class Phantom
+{
+public:
+  Phantom()
+  {
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(HEAD_PHANTOM);
+    reader->Update();
+    this->Filter->SetInputData(0, reader->GetOutput());
+    this->Filter->GetProperty()->ApplyPreset("CT contrast");
+    this->Skin = FindSkin(reader->GetOutput());
+  }
+
+  /**
+   * Puts a device's origin onto the skin, so that one of its axes (0 to 2), or with a sign of -1
+   * the other end of it, points out of the face.
+   */
+  vtkSmartPointer<vtkMatrix4x4> Place(int outward, double sign) const
+  {
+    auto place = vtkSmartPointer<vtkMatrix4x4>::New();
+    // Out of the face is -y; the others follow in a cycle, which is no mirror, and change sides
+    // with the sign.
+    const double axes[3][3] = { { 0.0, -sign, 0.0 }, { 0.0, 0.0, sign }, { -1.0, 0.0, 0.0 } };
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int row = 0; row < 3; ++row)
+      {
+        place->SetElement(row, (outward + i) % 3, 1000.0 * axes[i][row]);
+      }
+    }
+    place->SetElement(1, 3, this->Skin);
+    place->SetElement(2, 3, Height);
+    return place;
+  }
+  /** How far (mm) a point of the world is inside the skin, near the line. */
+  double DepthOf(const double point[3]) const { return point[1] - this->Skin; }
+
+  vtkNew<vtkVolumeHapticsFilter> Filter;
+
+private:
+  static constexpr double Height = 60.0; // mm, of the line
+
+  static double FindSkin(vtkImageData* image)
+  {
+    double point[3] = { 0.0, -115.0, Height };
+    double before = 0.0;
+    for (; point[1] < 0.0; point[1] += 0.1)
+    {
+      int index[3];
+      double part[3];
+      image->ComputeStructuredCoordinates(point, index, part);
+      const auto at = [&](int step)
+      { return image->GetScalarComponentAsDouble(index[0], index[1] + step, index[2], 0); };
+      const double value = (1.0 - part[1]) * at(0) + part[1] * at(1);
+      if (value > SkinValue && before <= SkinValue)
+      {
+        break;
+      }
+      before = value;
+    }
+    return point[1];
+  }
+
+  double Skin = 0.0;
+};
+
+/** A device of an application, and what its user sees of it. */
+class PhantomHand
+{
+public:
+  PhantomHand(const Phantom& phantom, int outward, double sign)
+  {
+    // Tests look after one device, and then after the other one.
+    this->Device->SetAttentionTime(0.0);
+    this->Device->SetVolumeHaptics(phantom.Filter);
+    this->Device->SetDeviceToWorld(phantom.Place(outward, sign));
+  }
+  template <typename F>
+  bool Wait(F&& holds)
+  {
+    return Eventually(
+      [&]
+      {
+        this->Device->UpdateState();
+        return holds();
+      });
+  }
+  bool WaitFor(int status)
+  {
+    return this->Wait([&] { return this->Device->GetStatus() == status; });
+  }
+  bool WaitTicks(vtkIdType ticks)
+  {
+    this->Device->UpdateState();
+    const vtkIdType end = this->Device->GetTick() + ticks;
+    return this->Wait([&] { return this->Device->GetTick() >= end; });
+  }
+  bool Says(const char* words)
+  {
+    return this->Device->GetStatusText().find(words) != std::string::npos;
+  }
+
+  vtkNew<vtkHapticDevice> Device;
+};
+
+} // namespace emulated
+
+#endif

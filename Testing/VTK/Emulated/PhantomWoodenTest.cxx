@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An application in which a hand presses an emulated WoodenHaptics onto the face of the phantom.
+ */
+
+#include "Emulators/EmulatedHid.h"
+#include "Emulators/WoodenModel.h"
+#include "PhantomRig.h"
+
+using namespace emulated;
+
+namespace
+{
+class PhantomWooden : public testing::Test
+{
+protected:
+  /**
+   * To a place (m) beyond the skin, which is at the arm's own x of 0: towards the hand is out of
+   * the face.
+   */
+  bool LeadTo(double beyond)
+  {
+    this->Arm.SetGoal({ -beyond, 0.0, 0.0 });
+    return Eventually([&] { return std::abs(this->Arm.GetTip()[0] + beyond) < 0.5 * Slack; });
+  }
+  void CalibrateAndPress()
+  {
+    ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::HOMING)) << this->Device->GetStatusText();
+    ASSERT_TRUE(this->Hand.Wait([&] { return this->Hand.Says("rest pose"); }));
+    this->Device->Home();
+    ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::READY)) << this->Device->GetStatusText();
+    this->Device->Arm();
+    EXPECT_TRUE(this->Log.Errors.empty());
+    const auto isFelt = [&]
+    {
+      this->Device->UpdateState();
+      const double force = -this->Device->GetForce()[1];
+      const Triple shown = this->Arm.GetForce();
+      const double spring = EmulatedHand::Stiffness * (Depth + this->Arm.GetTip()[0]);
+      return force > 0.1 && std::abs(shown[0] - force) < 0.05 && std::abs(spring - force) < 0.1;
+    };
+    bool felt = false;
+    // A busy machine may leave the device unwatched for a moment, and the force begins anew.
+    for (int attempt = 0; attempt < 5 && !felt; ++attempt)
+    {
+      ASSERT_TRUE(this->LeadTo(-0.01));
+      this->Arm.SetGoal({ -Depth, 0.0, 0.0 });
+      for (int i = 0; i < 2000 && !(felt = isFelt()); ++i)
+      {
+        this->Hand.WaitTicks(1);
+      }
+    }
+    EXPECT_TRUE(felt) << this->Arm.GetForce()[0] << " N, told " << this->Device->GetForce()[1];
+  }
+
+  static constexpr double Depth = 0.006; // m
+  static constexpr double Slack = 0.02;  // m
+  emulated::Phantom Phantom;
+  WoodenModel Arm;
+  EmulatedHid Hid{ this->Arm };
+  PhantomHand Hand{ this->Phantom, 2, 1.0 };
+  vtkHapticDevice* const Device = this->Hand.Device;
+  apitest::MessageLog Log{ this->Device };
+};
+} // namespace
+
+TEST_F(PhantomWooden, IsFeltLostAndFeltAgain)
+{
+  for (int plugged = 0; plugged < 2; ++plugged)
+  {
+    ASSERT_TRUE(this->Device->Open("wooden"));
+    ASSERT_TRUE(this->Device->Start());
+    ASSERT_NO_FATAL_FAILURE(this->CalibrateAndPress());
+    EXPECT_TRUE(this->Hand.WaitTicks(5000));
+
+    this->Hid.Unplug();
+    EXPECT_TRUE(this->Hand.WaitFor(vtkHapticDevice::FAULT));
+    EXPECT_TRUE(this->Hand.Says("unplugged")) << this->Device->GetStatusText();
+    EXPECT_TRUE(this->Hand.WaitTicks(5));
+    EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+    this->Arm.PowerUp();
+    this->Hid.PlugIn();
+    EXPECT_TRUE(this->Hand.WaitTicks(100));
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT) << "nothing comes back by itself";
+  }
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Child processes that hold an armed device and get a signal.
+ */
+#ifndef SignalsRig_h
+#define SignalsRig_h
+
+#include "Rigs/DeviceRig.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstring>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace devicetest
+{
+inline vtkHapticDevice* Watched = nullptr;
+inline std::atomic<int> Handled{ 0 };
+inline std::atomic<int> ForceWhenHandled{ 0 };
+
+/// The handler that was there before: it sees the last command that the device got.
+inline void OnSignal(int)
+{
+  Watched->UpdateState();
+  ForceWhenHandled += Length(Watched->GetForce()) > 0.0 ? 1 : 0;
+  ++Handled;
+}
+
+class Signals : public DeviceTest
+{
+protected:
+  /// Runs something in a child; its result, or minus the signal that ended it.
+  template <typename F>
+  static int InChild(F&& body)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      _exit(body());
+    }
+    return Wait(child);
+  }
+  static int Wait(pid_t child)
+  {
+    int status = 0;
+    const bool ended = Eventually([&] { return waitpid(child, &status, WNOHANG) == child; });
+    if (!ended)
+    {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      return 99;
+    }
+    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  }
+  /// Force flows, on a slow servo: whoever does not wait for its next tick is too early.
+  bool Activate()
+  {
+    Watched = this->Device;
+    this->Device->SetServoRate(100.0);
+    this->Begin();
+    this->Device->Arm();
+    return this->Lead(7.0, 7.0, 9.0) && this->WaitForce();
+  }
+};
+} // namespace devicetest
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What vtkHapticRegionPlanner makes of numbers, also of those that make no sense.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkHapticRegionFilter.h>
+#include <vtkHapticRegionPlanner.h>
+
+#include <cmath>
+#include <random>
+
+using namespace apitest;
+
+namespace
+{
+class Plan : public testing::Test
+{
+protected:
+  Plan() { this->Planner->AddLatency(0.1); }
+
+  vtkNew<vtkHapticRegionPlanner> Planner;
+  int Wanted[6] = {};
+};
+} // namespace
+
+TEST_F(Plan, AlwaysGivesARegionOfTheWhole)
+{
+  std::mt19937 random(11);
+  const double odd[] = { 0.0, 1.0, -1.0, NAN, HUGE_VAL, -HUGE_VAL, 1e300, -1e300, 1e-300, 123.4 };
+  const auto any = [&]
+  { return random() % 3 ? odd[random() % 10] : 1e-3 * double(random() % 1000000); };
+  for (int i = 0; i < 100000; ++i)
+  {
+    int whole[6];
+    double voxels = 1.0;
+    for (int a = 0; a < 6; a += 2)
+    {
+      whole[a] = random() % 50 == 0 ? -2147483647 : static_cast<int>(random() % 2000) - 1000;
+      const std::int64_t last = whole[a] + static_cast<std::int64_t>(random() % 300);
+      whole[a + 1] = random() % 50 == 0 ? 2147483647 : static_cast<int>(last);
+      voxels *= double(whole[a + 1]) - whole[a] + 1.0;
+    }
+    this->Planner->SetWholeExtent(whole);
+    this->Planner->SetOrigin(any(), any(), any());
+    this->Planner->SetSpacing(any(), any(), any());
+    const double direction[9] = { any(), any(), any(), any(), any(), any(), any(), any(), any() };
+    this->Planner->SetDirection(direction);
+    this->Planner->SetReach(any());
+    this->Planner->SetMaximumSpeed(any());
+    this->Planner->AddLatency(any());
+    this->Planner->SetMaximumVoxels(random() % 2 ? 4096 : 200000);
+    const double tip[3] = { any(), any(), any() };
+    const double velocity[3] = { any(), any(), any() };
+    const int resident[6] = { int(random()), int(random()), 0, 5, int(random() % 9), 7 };
+    this->Planner->Plan(tip, velocity, resident, this->Wanted);
+    double taken = 1.0;
+    for (int a = 0; a < 6; a += 2)
+    {
+      ASSERT_LE(whole[a], this->Wanted[a]);
+      ASSERT_LE(this->Wanted[a], this->Wanted[a + 1]);
+      ASSERT_LE(this->Wanted[a + 1], whole[a + 1]);
+      taken *= double(this->Wanted[a + 1]) - this->Wanted[a] + 1.0;
+    }
+    const double most = double(this->Planner->GetMaximumVoxels());
+    ASSERT_LE(taken, most);
+    ASSERT_TRUE(voxels > most || taken == voxels);
+    ASSERT_TRUE(
+      std::isfinite(this->Planner->GetHalfWidth()) && std::isfinite(this->Planner->GetLatency()));
+  }
+}
+
+TEST_F(Plan, LeavesAHandThatStopsItsData)
+{
+  this->Planner->SetWholeExtent(0, 999, 0, 999, 0, 999);
+  this->Planner->SetMaximumVoxels(44 * 44 * 44);
+  const double needed = 13.0; // world units, of the 22 that a region has to each side
+  this->Planner->SetSpringLength(4.0);
+  this->Planner->SetReach(5.0);
+  this->Planner->SetBand(4.0);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(100.0, 900.0);
+  std::uniform_real_distribution<double> speed(-500.0, 500.0);
+  for (int i = 0; i < 1000; ++i)
+  {
+    this->Planner->ResetLatency();
+    this->Planner->AddLatency(1e-3 * double(random() % 500));
+    const double tip[3] = { place(random), place(random), place(random) };
+    const double velocity[3] = { speed(random), speed(random), speed(random) };
+    const int none[6] = { 0, -1, 0, -1, 0, -1 };
+    this->Planner->Plan(tip, velocity, none, this->Wanted);
+    for (int a = 0; a < 3; ++a)
+    {
+      ASSERT_LE(this->Wanted[2 * a], tip[a] - needed);
+      ASSERT_GE(this->Wanted[2 * a + 1], tip[a] + needed);
+    }
+  }
+}
+
+TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
+{
+  EXPECT_EQ(this->Planner->GetLatency(), 0.1) << "the first counts whole";
+  this->Planner->AddLatency(0.3);
+  EXPECT_DOUBLE_EQ(this->Planner->GetLatency(), 0.2) << "rises soon";
+  this->Planner->AddLatency(0.1);
+  EXPECT_DOUBLE_EQ(this->Planner->GetLatency(), 0.19) << "falls slowly";
+  this->Planner->AddLatency(NAN);
+  this->Planner->AddLatency(-1.0);
+  EXPECT_DOUBLE_EQ(this->Planner->GetLatency(), 0.19);
+  vtkNew<vtkHapticRegionFilter> crop;
+  crop->SetInputData(MakeRamp());
+  crop->SetRegion(2, 12, 3, 13, 0, 15);
+  crop->Update();
+  EXPECT_TRUE(this->Planner->SetWhole(crop->GetOutput()));
+  EXPECT_EQ(this->Planner->GetWholeExtent()[1], 15);
+  vtkNew<vtkVolumeHapticsFilter> touch; // 500 N/m and 2 N, a kernel of 2 voxels
+  this->Planner->UseSettingsOf(touch);
+  EXPECT_DOUBLE_EQ(this->Planner->GetSpringLength(), 4.0);
+  EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 5.0);
+  EXPECT_DOUBLE_EQ(this->Planner->GetBand(), 4.0);
+}

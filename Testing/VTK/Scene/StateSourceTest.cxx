@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The latest state as geometry.
+ */
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkHapticRepresentation.h>
+#include <vtkHapticStateSource.h>
+#include <vtkPointData.h>
+
+using namespace devicetest;
+
+namespace
+{
+class StateSource : public DeviceTest
+{
+protected:
+  StateSource() { this->Source->SetDevice(this->Device); }
+  void ExpectLine(int part, const double* from, const double* vector)
+  {
+    this->Source->Update();
+    vtkPolyData* const output = this->Source->GetOutput();
+    vtkDataArray* const parts = output->GetCellData()->GetArray("Part");
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      if (parts->GetComponent(cell, 0) == part)
+      {
+        vtkNew<vtkIdList> ends;
+        output->GetCellPoints(cell, ends);
+        ASSERT_EQ(ends->GetNumberOfIds(), 2);
+        for (int c = 0; c < 3; ++c)
+        {
+          EXPECT_NEAR(output->GetPoint(ends->GetId(0))[c], from[c], 1e-9) << part;
+          EXPECT_NEAR(output->GetPoint(ends->GetId(1))[c], from[c] + vector[c], 1e-6) << part;
+        }
+        EXPECT_NEAR(output->GetCellData()->GetArray("Newtons")->GetComponent(cell, 0),
+          part == vtkHapticStateSource::SPRING ? 0.0 : 0.1 * Length(vector), 1e-6);
+        return;
+      }
+    }
+    ADD_FAILURE() << "no part " << part;
+  }
+
+  vtkNew<vtkHapticStateSource> Source;
+};
+} // namespace
+
+TEST_F(StateSource, IsEmptyWithoutAState)
+{
+  this->Source->Update();
+  EXPECT_EQ(this->Source->GetOutput()->GetNumberOfPoints(), 0);
+  this->Source->SetDevice(nullptr);
+  this->Source->Update();
+  EXPECT_EQ(this->Source->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkHapticRepresentation> representation;
+  EXPECT_EQ(representation->GetBounds(), nullptr);
+}
+
+TEST_F(StateSource, IsTheStateOfTheDevice)
+{
+  SetConstant(this->Filter->GetProperty()->GetFriction(), 0.4);
+  this->Begin();
+  this->Device->Arm();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  ASSERT_TRUE(this->Lead(8.5, 7.0, 8.0));
+  ASSERT_TRUE(this->WaitTicks(20));
+  this->Source->Update();
+  const double* const tip = this->Device->GetTipPosition();
+  const double* const proxy = this->Device->GetProxyPosition();
+  const double spring[3] = { proxy[0] - tip[0], proxy[1] - tip[1], proxy[2] - tip[2] };
+  // 500 N/m, 0.1 N a millimetre: forces are 5 times as long as the spring.
+  const double force[3] = { 5.0 * spring[0], 5.0 * spring[1], 5.0 * spring[2] };
+  const double normal[3] = { 0.0, 0.0, force[2] };
+  const double friction[3] = { force[0], force[1], 0.0 };
+  ASSERT_LT(normal[2], -10.0);
+  ASSERT_LT(friction[0], -1.0);
+  this->ExpectLine(vtkHapticStateSource::SPRING, tip, spring);
+  this->ExpectLine(vtkHapticStateSource::FORCE, tip, force);
+  this->ExpectLine(vtkHapticStateSource::NORMAL_FORCE, proxy, normal);
+  this->ExpectLine(vtkHapticStateSource::FRICTION_FORCE, proxy, friction);
+  EXPECT_NEAR(this->Source->GetOutput()->GetPoint(2)[2], proxy[2] + 2.0, 1e-6) << "x_s";
+  EXPECT_NEAR(this->Source->GetOutput()->GetPoint(3)[2], proxy[2] - 2.0, 1e-6) << "x_v";
+}
+
+TEST_F(StateSource, FollowsTheDevice)
+{
+  this->Begin();
+  this->Source->Update();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  this->Source->Update();
+  EXPECT_NEAR(this->Source->GetOutput()->GetPoint(0)[2], 4.0, 1e-6);
+  const vtkMTimeType time = this->Source->GetMTime();
+  EXPECT_EQ(this->Source->GetMTime(), time) << "nothing new";
+}

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An interactor with the haptic style over a ball, and a hand that sends events.
+ */
+#ifndef StyleRig_h
+#define StyleRig_h
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkInteractorStyleHaptic.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+
+namespace scenetest
+{
+using namespace devicetest;
+
+/// The distance to the surface of a ball of 30 mm, times 100, inside positive.
+inline vtkSmartPointer<vtkImageData> MakeBall()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(97, 97, 97);
+  image->SetOrigin(-48.0, -48.0, -48.0);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    image->GetPointData()->GetScalars()->SetTuple1(i, 100.0 * (30.0 - Length(image->GetPoint(i))));
+  }
+  return image;
+}
+
+class StyleTest : public testing::Test
+{
+protected:
+  StyleTest()
+  {
+    this->Filter->SetInputData(0, this->Ball);
+    // Nothing is felt outside; what is inside is not to be pushed through.
+    vtkPiecewiseFunction* const strength = this->Filter->GetProperty()->GetSurfaceStrength();
+    strength->AddPoint(0.0, 0.0);
+    strength->AddPoint(0.1, 8.0);
+    this->Device->SetVolumeHaptics(this->Filter);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetSize(300, 300);
+    this->Window->AddRenderer(this->Renderer);
+    vtkCamera* const camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.0, 0.0, 200.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetParallelProjection(1);
+    camera->SetParallelScale(30.0); // a pixel is 0.2 mm
+    camera->SetClippingRange(1.0, 400.0);
+    this->Interactor->SetRenderWindow(this->Window);
+    this->Style->SetDevice(this->Device);
+    this->Style->SetDefaultRenderer(this->Renderer);
+    this->Interactor->SetInteractorStyle(this->Style);
+    vtkNew<vtkCallbackCommand> note;
+    note->SetClientData(&this->Events);
+    note->SetCallback([](vtkObject*, unsigned long event, void* events, void*)
+      { static_cast<std::vector<unsigned long>*>(events)->push_back(event); });
+    using S = vtkInteractorStyleHaptic;
+    for (const unsigned long event :
+      { S::ContactBeginEvent, S::ContactEndEvent, S::ArmedEvent, S::DisarmedEvent, S::FaultEvent })
+    {
+      this->Style->AddObserver(event, note);
+    }
+  }
+  ~StyleTest() override { this->Interactor->SetInteractorStyle(nullptr); }
+
+  /// The GUI's timer, until the servo has gone on by some ticks. Calls back for every state.
+  template <typename F>
+  void Run(vtkIdType ticks, F&& see)
+  {
+    const auto update = [&]
+    {
+      this->Style->UpdateHaptics();
+      for (vtkIdType i = 0; i < this->Style->GetStates()->GetNumberOfRows(); ++i)
+      {
+        see(this->Style->GetStates(), i);
+      }
+    };
+    // From now on, not from when the device was looked at last.
+    update();
+    const vtkIdType end = this->Device->GetTick() + ticks;
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        update();
+        return this->Device->GetTick() >= end;
+      }));
+  }
+  void Run(vtkIdType ticks)
+  {
+    this->Run(ticks, [](vtkTable*, vtkIdType) {});
+  }
+  /// The mouse is a stylus from here on, and is pushed into the middle of the picture.
+  void PushIn()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Pointer(150, 150);
+    this->Style->TouchModeOn();
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+      this->Run(10);
+    }
+  }
+  void Pointer(int x, int y, unsigned long event = vtkCommand::MouseMoveEvent, int shift = 0)
+  {
+    this->Interactor->SetEventInformation(x, y, 0, shift);
+    this->Interactor->InvokeEvent(event);
+  }
+  void Press(const char* key, unsigned long event = vtkCommand::KeyPressEvent)
+  {
+    this->Interactor->SetKeySym(key);
+    this->Interactor->InvokeEvent(event);
+  }
+
+  vtkSmartPointer<vtkImageData> Ball = MakeBall();
+  vtkNew<vtkVolumeHapticsFilter> Filter;
+  vtkNew<vtkHapticDevice> Device;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkInteractorStyleHaptic> Style;
+  std::vector<unsigned long> Events;
+  MessageLog Log{ this->Style };
+};
+} // namespace scenetest
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A program that stands still while a hand is held: the servo lets go, and says so.
+ */
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkTable.h>
+
+#include <chrono>
+#include <limits>
+#include <thread>
+
+using namespace devicetest;
+
+namespace
+{
+class Attention : public DeviceTest
+{
+protected:
+  void Press()
+  {
+    this->Begin();
+    this->Device->Arm();
+    ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
+  }
+  /// Nobody looks for a while; a loop that had no processor may need a longer one.
+  bool IsLetGo(std::chrono::milliseconds silence = std::chrono::milliseconds(400))
+  {
+    for (int i = 0; i < 5; ++i, silence *= 2)
+    {
+      std::this_thread::sleep_for(silence);
+      this->Device->UpdateState();
+      if (this->Device->GetStatus() == vtkHapticDevice::FAULT)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+} // namespace
+
+TEST_F(Attention, AForceThatNobodyLooksAfterFadesAndIsArmedAnew)
+{
+  vtkNew<vtkTable> table;
+  this->Press();
+  this->Device->DrainStates(table);
+  this->Device->SetAttentionTime(0.2);
+  ASSERT_TRUE(this->IsLetGo()) << this->Device->GetStatusText();
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_NE(this->Device->GetStatusText().find("AttentionTime"), std::string::npos);
+  EXPECT_NE(this->Device->GetStatusText().find("Arm() again"), std::string::npos);
+  this->Device->DrainStates(table);
+  auto* const command = vtkDataArray::SafeDownCast(table->GetColumnByName("Command"));
+  ASSERT_TRUE(command && command->GetNumberOfTuples() > 100);
+  int falling = 0;
+  for (vtkIdType i = 1; i < command->GetNumberOfTuples(); ++i)
+  {
+    const double now = Length(command->GetTuple3(i));
+    const double before = Length(command->GetTuple3(i - 1));
+    EXPECT_LE(std::abs(now - before), 0.5 + 1e-9);
+    falling += now > 0.0 && now < before;
+  }
+  EXPECT_GE(falling, 40) << "it fades rather than ends";
+  ASSERT_TRUE(this->WaitTicks(100));
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT) << "it does not resume by itself";
+  this->Device->SetAttentionTime(60.0);
+  this->Device->Arm();
+  // What is felt begins anew from the tip.
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  EXPECT_TRUE(this->WaitForce());
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+}
+
+TEST_F(Attention, IsAskedForByDefault)
+{
+  EXPECT_EQ(this->Device->GetAttentionTime(), 2.0);
+  this->Press();
+  ASSERT_TRUE(this->IsLetGo(std::chrono::milliseconds(2100))) << this->Device->GetStatusText();
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+}
+
+TEST_F(Attention, IsNotAskedForWithZero)
+{
+  this->Device->SetAttentionTime(1e-6);
+  EXPECT_EQ(this->Device->GetAttentionTime(), 0.05);
+  for (const double never : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    this->Device->SetAttentionTime(never);
+    EXPECT_EQ(this->Device->GetAttentionTime(), 0.0);
+  }
+  this->Press();
+  std::this_thread::sleep_for(std::chrono::milliseconds(2300));
+  this->Device->UpdateState();
+  EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT);
+}

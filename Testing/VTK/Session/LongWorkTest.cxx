@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Work that keeps the owner from looking after the hand: the force is off meanwhile, and back
+ * afterwards.
+ */
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
+#include <vtkTable.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+using namespace devicetest;
+
+namespace
+{
+void Sleep(int milliseconds)
+{
+  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+class LongWork : public DeviceTest
+{
+protected:
+  LongWork()
+  {
+    const auto count = [](vtkObject*, unsigned long, void* times, void*)
+    { ++*static_cast<int*>(times); };
+    vtkNew<vtkCallbackCommand> starts, ends;
+    starts->SetClientData(&this->Starts);
+    starts->SetCallback(count);
+    ends->SetClientData(&this->Ends);
+    ends->SetCallback(count);
+    this->Device->AddObserver(vtkCommand::StartEvent, starts);
+    this->Device->AddObserver(vtkCommand::EndEvent, ends);
+    this->Device->SetAttentionTime(2.0);
+  }
+  /// Presses the ramp with 1.5 N, and keeps all states from then on.
+  void Press()
+  {
+    this->Begin();
+    this->Device->Arm();
+    ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
+    this->Device->DrainStates(this->States);
+  }
+  /// The hand leaves the ramp and presses it again.
+  bool PressAgain()
+  {
+    return this->Lead(7.0, 7.0, 5.0) && this->Lead(7.0, 7.0, 8.0) &&
+      this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; });
+  }
+  bool WaitRest()
+  {
+    return this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; });
+  }
+  /// The force was there all the time, but for pauses of a busy machine, after which only a new
+  /// contact is felt.
+  void ExpectForce() { EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused); }
+  /// How many states since the last call have no force. None has a fault; a force that ends does
+  /// not leap from a tick to the next one.
+  int CountForceless(bool isArmed = true)
+  {
+    this->Device->DrainStates(this->States);
+    const auto column = [this](const char* name)
+    { return vtkDataArray::SafeDownCast(this->States->GetColumnByName(name)); };
+    int forceless = 0;
+    for (vtkIdType i = 0; i < this->States->GetNumberOfRows(); ++i)
+    {
+      const double force = Length(column("Command")->GetTuple3(i));
+      forceless += force == 0.0;
+      EXPECT_EQ(column("Fault")->GetComponent(i, 0), 0.0);
+      EXPECT_TRUE(!isArmed || column("Armed")->GetComponent(i, 0) == 1.0);
+      // As a fade: by 500 N/s, or within 50 ms.
+      const double tick = column("Tick")->GetComponent(i, 0);
+      const double time = column("Time")->GetComponent(i, 0);
+      const double period = 1.0 / this->Device->GetServoRate();
+      const bool isNext = tick == this->Tick + 1.0 && time <= this->Time + 1.5 * period;
+      this->HasPaused = this->HasPaused || (this->HasForce && !isNext);
+      EXPECT_TRUE(!this->HasForce || !isNext || std::abs(force - this->Force) <= 0.5 + 1e-9)
+        << "row " << i;
+      this->Tick = tick;
+      this->Time = time;
+      this->Force = force;
+      this->HasForce = true;
+    }
+    return forceless;
+  }
+  bool Says(const char* words)
+  {
+    return this->Device->GetStatusText().find(words) != std::string::npos;
+  }
+
+  vtkNew<vtkTable> States;
+  int Starts = 0;
+  int Ends = 0;
+  double Force = 0.0;
+  double Tick = 0.0;
+  double Time = 0.0;
+  bool HasPaused = false;
+  bool HasForce = false;
+};
+} // namespace
+
+TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
+{
+  this->Press();
+  this->ExpectForce();
+  this->Device->BeginLongWork("the test sleeps");
+  EXPECT_EQ(this->Starts, 1);
+  ASSERT_TRUE(this->WaitRest());
+  EXPECT_TRUE(this->Says("Force is off while the test sleeps")) << this->Device->GetStatusText();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
+  this->CountForceless();
+  Sleep(100);
+  this->Device->UpdateState();
+  EXPECT_GT(this->CountForceless(), 10);
+  EXPECT_EQ(this->Force, 0.0);
+  EXPECT_EQ(this->Ends, 0);
+  this->Device->EndLongWork();
+  EXPECT_EQ(this->Ends, 1);
+  EXPECT_FALSE(this->Says("Force is off"));
+  ASSERT_TRUE(this->PressAgain());
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+  // From the tip, which was in the ramp: nothing pushed it out.
+  EXPECT_GT(this->CountForceless(), 0);
+  EXPECT_TRUE(this->Log.Errors.empty());
+}
+
+TEST_F(LongWork, NeedsNoAttention)
+{
+  this->Press();
+  this->Device->BeginLongWork("the test sleeps");
+  this->Device->SetAttentionTime(0.05);
+  Sleep(300);
+  this->CountForceless();
+  this->Device->SetAttentionTime(2.0);
+  this->Device->EndLongWork();
+  EXPECT_TRUE(this->PressAgain()) << this->Device->GetStatusText();
+}
+
+TEST_F(LongWork, StaysWithoutForceIfSomebodyEndsItMeanwhile)
+{
+  for (const bool fades : { false, true })
+  {
+    this->Press();
+    this->Device->BeginLongWork("the test disarms");
+    fades ? this->Device->FadeOut() : this->Device->Disarm();
+    EXPECT_FALSE(this->Says("Force is off while")) << "it will not come back";
+    this->Device->EndLongWork();
+    ASSERT_TRUE(this->WaitRest());
+    this->CountForceless(false);
+    ASSERT_TRUE(this->WaitTicks(100));
+    EXPECT_GE(this->CountForceless(false), 100);
+    EXPECT_EQ(this->Force, 0.0);
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+    this->HasForce = false;
+  }
+}
+
+TEST_F(LongWork, StaysWithoutForceIfAnObserverSaysSo)
+{
+  this->Press();
+  vtkNew<vtkCallbackCommand> refuses;
+  refuses->SetCallback([](vtkObject* device, unsigned long, void*, void*)
+    { static_cast<vtkHapticDevice*>(device)->Disarm(); });
+  this->Device->AddObserver(vtkCommand::StartEvent, refuses);
+  this->Device->BeginLongWork(nullptr);
+  this->Device->EndLongWork();
+  ASSERT_TRUE(this->WaitTicks(100));
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+}
+
+TEST_F(LongWork, Nests)
+{
+  this->Press();
+  this->Device->BeginLongWork("one works");
+  this->Device->BeginLongWork("another works");
+  this->Device->BeginLongWork("a short one works", 1e-3);
+  EXPECT_TRUE(this->Says("one works"));
+  this->Device->EndLongWork();
+  this->Device->EndLongWork();
+  ASSERT_TRUE(this->WaitRest());
+  this->CountForceless();
+  ASSERT_TRUE(this->WaitTicks(100));
+  EXPECT_GE(this->CountForceless(), 100);
+  EXPECT_EQ(this->Force, 0.0);
+  this->Device->EndLongWork();
+  EXPECT_EQ(this->Starts, 1);
+  EXPECT_EQ(this->Ends, 1);
+  EXPECT_TRUE(this->PressAgain());
+  EXPECT_TRUE(this->Log.Errors.empty());
+  this->Device->EndLongWork();
+  this->ExpectError("BeginLongWork() first");
+}
+
+TEST_F(LongWork, ThatIsShortIsNotFelt)
+{
+  this->Press();
+  this->Device->BeginLongWork("the test waits", 0.2);
+  ASSERT_TRUE(this->WaitTicks(100));
+  EXPECT_FALSE(this->Says("Force is off"));
+  this->ExpectForce();
+  this->Device->EndLongWork();
+  ASSERT_TRUE(this->WaitTicks(10));
+  this->ExpectForce();
+  EXPECT_EQ(this->Starts, 0);
+  EXPECT_EQ(this->Ends, 0);
+  // A program that wants to be watched more closely has less time.
+  this->Device->SetAttentionTime(0.8);
+  this->Device->BeginLongWork("the test waits", 0.2);
+  EXPECT_EQ(this->Starts, 1);
+  this->Device->EndLongWork();
+}
+
+TEST_F(LongWork, OutlivesAServoAndHoldsTheNextOne)
+{
+  this->Press();
+  this->Device->BeginLongWork("the test opens a device");
+  this->Device->Close();
+  this->HasForce = false;
+  this->Begin();
+  this->Device->Arm();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  this->Device->DrainStates(this->States);
+  ASSERT_TRUE(this->WaitTicks(100));
+  EXPECT_GE(this->CountForceless(false), 100);
+  EXPECT_EQ(this->Force, 0.0);
+  this->Device->EndLongWork();
+  EXPECT_TRUE(this->PressAgain()) << "it was armed during the work";
+  this->Device->BeginLongWork("the test closes a device");
+  this->Device->Close();
+  this->Device->EndLongWork();
+  EXPECT_TRUE(this->Log.Errors.empty());
+}
+
+TEST_F(LongWork, IsMeshingWhatHasManyTriangles)
+{
+  // V = 100 z, and from z = 12 on what an isosurface passes everywhere: half a million triangles.
+  constexpr int n = 64;
+  std::mt19937 random(1);
+  const auto image = MakeImage(n, VTK_FLOAT,
+    [&](const Point& x)
+    { return x[2] < 12.0 ? 100.0 * x[2] : static_cast<double>(random() % 2001); });
+  this->Filter->SetInputData(0, image);
+  this->Filter->GetProperty()->DistinctnessFromNoiseOff();
+  this->Press();
+  this->Filter->SetIsoValue(1000.0);
+  this->Filter->SetMethodToSurfaceProxy();
+  this->ExpectForce();
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_EQ(this->Starts, 1);
+  EXPECT_EQ(this->Ends, 1);
+  ASSERT_TRUE(this->WaitTicks(10));
+  EXPECT_GT(this->CountForceless(), 10);
+  this->Filter->GetProperty()->GetFriction()->AddPoint(0.0, 0.1);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_EQ(this->Starts, 1) << "the mesh is there";
+  this->Filter->SetMethodToProxy();
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_EQ(this->Starts, 1);
+  EXPECT_TRUE(this->PressAgain());
+}
+
+TEST_F(LongWork, IsNotMeshingASmallVolume)
+{
+  this->Press();
+  this->Filter->SetIsoValue(700.0);
+  this->Filter->SetMethodToSurfaceProxy();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Device->StartRecording(this->File("LongWorkSmall.vtp").c_str()));
+  ASSERT_TRUE(this->Device->StopRecording());
+  EXPECT_EQ(this->Starts, 0);
+}
+
+TEST_F(LongWork, IsHashingALargeVolume)
+{
+  // V = 100 z in 162 MB.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(256, 256, 310);
+  vtkNew<vtkDoubleArray> values;
+  values->SetNumberOfValues(image->GetNumberOfPoints());
+  for (vtkIdType k = 0; k < 310; ++k)
+  {
+    std::fill_n(values->GetPointer(k * 256 * 256), 256 * 256, 100.0 * k);
+  }
+  image->GetPointData()->SetScalars(values);
+  this->Filter->SetInputData(0, image);
+  this->Filter->GetProperty()->DistinctnessFromNoiseOff();
+  this->Press();
+  this->ExpectForce();
+  ASSERT_TRUE(this->Device->StartRecording(this->File("LongWork.vtp").c_str()));
+  EXPECT_EQ(this->Starts, 1);
+  EXPECT_EQ(this->Ends, 1);
+  ASSERT_TRUE(this->WaitTicks(10));
+  EXPECT_GT(this->CountForceless(), 10);
+  EXPECT_TRUE(this->PressAgain());
+  EXPECT_TRUE(this->Device->StopRecording());
+}

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A loop that hangs in its device is cut off from outside.
+ */
+
+#include "Rigs/Eventually.h"
+#include "VTK/Session/HapticSession.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+using namespace VolumeHaptics;
+using devicetest::Eventually;
+
+namespace
+{
+class HangingDevice;
+/// The devices that this thread has quenched, in their order; keepers quench on threads of their
+/// own.
+thread_local std::vector<const HangingDevice*> Quenched;
+
+/// Hangs in Read for as long as it is told to.
+class HangingDevice : public DeviceBackend
+{
+public:
+  bool Open(std::string&) override { return true; }
+  void Close() override {}
+  std::string GetName() const override { return "hanging"; }
+  DeviceLimits GetLimits() const override { return {}; }
+  DeviceState Read(double, DeviceSample& sample) noexcept override
+  {
+    while (this->Hangs.load())
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    this->Reads.fetch_add(1);
+    sample.Fresh = true;
+    return DeviceState::Running;
+  }
+  DeviceState Write(const Vector3&) noexcept override { return DeviceState::Running; }
+  void Quench() noexcept override
+  {
+    this->Quenches.fetch_add(1);
+    Quenched.push_back(this);
+  }
+
+  std::atomic<bool> Hangs{ false };
+  std::atomic<int> Reads{ 0 };
+  std::atomic<int> Quenches{ 0 };
+};
+
+} // namespace
+
+TEST(HapticSession, QuenchesALoopThatIsSilentAndGoesOnAfterIt)
+{
+  HangingDevice device;
+  HapticSession session(device, 1000.0, SafetyLimits{}, nullptr);
+  ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 20; }));
+  device.Hangs.store(true);
+  const int before = device.Quenches.load();
+  EXPECT_TRUE(Eventually([&] { return device.Quenches.load() > before + 5; }));
+  device.Hangs.store(false);
+  const int reads = device.Reads.load();
+  EXPECT_TRUE(Eventually([&] { return device.Reads.load() > reads + 20; }));
+}
+
+TEST(HapticSession, QuenchOfAHangingLoopReturns)
+{
+  HangingDevice device;
+  HapticSession session(device, 1000.0, SafetyLimits{}, nullptr);
+  ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 20; }));
+  session.GetLoop().Arm();
+  device.Hangs.store(true);
+  HapticSession::Quench({ &session });
+  EXPECT_GE(device.Quenches.load(), 2) << "before and after the wait for the loop";
+  device.Hangs.store(false);
+  EXPECT_TRUE(Eventually(
+    [&] { return session.GetLoop().ReadState() && !session.GetLoop().GetState().Armed; }));
+}
+
+TEST(HapticSession, QuenchTellsAllBeforeItWaitsForOne)
+{
+  HangingDevice devices[3];
+  std::vector<std::unique_ptr<HapticSession>> sessions;
+  std::vector<HapticSession*> all;
+  for (HangingDevice& device : devices)
+  {
+    device.Hangs.store(&device != &devices[2]); // the last is well
+    sessions.push_back(std::make_unique<HapticSession>(device, 1000.0, SafetyLimits{}, nullptr));
+    all.push_back(sessions.back().get());
+  }
+  ASSERT_TRUE(Eventually([&] { return devices[2].Reads.load() > 20; }));
+  Quenched.clear();
+  HapticSession::Quench(all);
+  ASSERT_GE(Quenched.size(), 6U) << "each before and after the wait";
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(Quenched[i], &devices[i]);
+    devices[i].Hangs.store(false);
+  }
+}

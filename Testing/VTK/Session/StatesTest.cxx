@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// A display gets every state once, in order, and where it was.
+
+#include "Rigs/RecordingRig.h"
+
+#include <vtkTable.h>
+
+using namespace devicetest;
+
+namespace
+{
+class States : public Recording
+{
+protected:
+  double At(const char* column, vtkIdType row, int component = 0)
+  {
+    return vtkDataArray::SafeDownCast(this->Table->GetColumnByName(column))
+      ->GetComponent(row, component);
+  }
+  /// Takes states until some have come, and checks that none is missing.
+  void Take(int least)
+  {
+    for (vtkIdType taken = 0; taken < least;)
+    {
+      ASSERT_TRUE(this->WaitTicks(3));
+      this->Device->DrainStates(this->Table);
+      for (vtkIdType i = 0; i < this->Table->GetNumberOfRows(); ++i)
+      {
+        const double tick = this->At("Tick", i);
+        if (this->Last >= 0.0)
+        {
+          ASSERT_EQ(tick, this->Last + 1.0);
+        }
+        this->Last = tick;
+        this->LargestForce = std::max(this->LargestForce, this->At("NormalForce", i));
+      }
+      taken += this->Table->GetNumberOfRows();
+    }
+  }
+
+  vtkNew<vtkTable> Table;
+  double Last = -1.0;
+  double LargestForce = 0.0;
+};
+} // namespace
+
+TEST_F(States, ComeOnceAndInOrderAlsoWhileRecording)
+{
+  this->Device->DrainStates(this->Table);
+  EXPECT_EQ(this->Table->GetNumberOfRows(), 0) << "nothing runs";
+  EXPECT_TRUE(this->Table->GetColumnByName("NormalForce"));
+  this->Device->DrainStates(nullptr);
+  this->Begin();
+  this->Device->DrainStates(this->Table);
+  this->Wander(5);
+  this->Take(20);
+  this->StartRecording();
+  this->Wander(10);
+  this->Take(40);
+  this->ExpectSame();
+  EXPECT_GT(this->LargestForce, 0.2);
+
+  this->Begin();
+  this->Last = -1.0;
+  this->Device->DrainStates(this->Table);
+  this->Take(10);
+  EXPECT_LT(this->Last, 1e5) << "a new count";
+}
+
+TEST_F(States, ComeToEveryReader)
+{
+  this->Begin();
+  vtkNew<vtkTable> others;
+  double last = -1.0;
+  for (int take = 0; take < 3; ++take)
+  {
+    this->Device->DrainStates(others, 1);
+    for (vtkIdType i = 0; i < others->GetNumberOfRows(); ++i, ++last)
+    {
+      const double tick = others->GetValue(i, 1).ToDouble();
+      last = last < 0.0 ? tick - 1.0 : last;
+      ASSERT_EQ(tick, last + 1.0);
+    }
+    EXPECT_GE(last, this->Last);
+    this->Take(10);
+  }
+  this->Device->DrainStates(nullptr, 1); // what is taken from now on is not kept for it
+  this->Take(10);
+  this->Device->DrainStates(others, 1);
+  const double first = others->GetNumberOfRows() ? others->GetValue(0, 1).ToDouble() : VTK_INT_MAX;
+  EXPECT_GT(first, this->Last);
+}
+
+TEST_F(States, GoOnAfterARecording)
+{
+  this->Begin();
+  this->Device->DrainStates(this->Table);
+  this->Take(5);
+  this->StartRecording();
+  this->Take(5);
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->Take(20);
+}
+
+TEST_F(States, AreWhereTheDeviceWas)
+{
+  this->Begin();
+  this->Device->DrainStates(this->Table);
+  ASSERT_TRUE(this->WaitTicks(3));
+  for (int i = 1; i < 30; ++i)
+  {
+    this->Turn(12.0 * i, 0.5 * i); // published, with states of before still to be taken
+    if (i % 3 == 0)
+    {
+      this->Device->UpdateState();
+    }
+  }
+  const double* const tip = this->Device->GetTipPosition();
+  ASSERT_TRUE(this->WaitTicks(3));
+  this->Device->DrainStates(this->Table);
+  ASSERT_GT(this->Table->GetNumberOfRows(), 1);
+  // The hand rests: its distance from the axis of the turns, where they are not shifted, is a
+  // scale.
+  EXPECT_NEAR(this->At("Tip", 0, 0), 7.0, 1e-9);
+  EXPECT_NEAR(this->At("Tip", 0, 2), 5.0, 1e-9);
+  const vtkIdType last = this->Table->GetNumberOfRows() - 1;
+  EXPECT_NEAR(this->At("Tip", last, 0), tip[0], 1e-9);
+  EXPECT_NEAR(this->At("Tip", last, 1), tip[1], 1e-9);
+}

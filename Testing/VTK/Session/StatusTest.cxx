@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Where a device stands, what it says, and when force flows.
+ */
+
+#include "Rigs/DeviceRig.h"
+
+using namespace devicetest;
+
+namespace
+{
+class DeviceStatus : public DeviceTest
+{
+protected:
+  bool Says(const char* words)
+  {
+    return this->Device->GetStatusText().find(words) != std::string::npos;
+  }
+};
+} // namespace
+
+TEST_F(DeviceStatus, GoesFromClosedToActiveAndBack)
+{
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::CLOSED);
+  EXPECT_TRUE(this->Says("Open()"));
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+  EXPECT_TRUE(this->Says("Start()"));
+  this->Begin();
+  EXPECT_TRUE(this->Device->IsRunning());
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+  EXPECT_TRUE(this->Says("Arm()"));
+  this->Device->Arm();
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
+  EXPECT_TRUE(this->Says("Real-time priority"));
+  EXPECT_TRUE(this->Says("locking of the servo's own memory"));
+  this->Device->Disarm();
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
+  this->Device->Stop();
+  EXPECT_FALSE(this->Device->IsRunning());
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+  this->Device->Close();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::CLOSED);
+  EXPECT_TRUE(this->Log.Errors.empty());
+}
+
+TEST_F(DeviceStatus, StartNeedsADeviceAndAnImage)
+{
+  EXPECT_FALSE(this->Device->Start());
+  this->ExpectError("Open");
+  EXPECT_FALSE(this->Device->IsRunning());
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Filter->SetInputData(0, nullptr);
+  EXPECT_FALSE(this->Device->Start());
+  EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
+  EXPECT_FALSE(this->Device->IsRunning());
+  this->Device->SetVolumeHaptics(nullptr);
+  EXPECT_TRUE(this->Device->Start()) << "without a filter the tip just moves";
+  EXPECT_TRUE(this->Lead(1.0, 2.0, 3.0));
+}
+
+TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
+{
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  ASSERT_TRUE(this->WaitTicks(50));
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_NEAR(this->Device->GetComputedForce()[2], -1.5, 1e-6) << "500 N/m, 3 mm deep";
+  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 5.0, 1e-6);
+  EXPECT_EQ(this->Device->GetContact(), 1);
+  this->Device->Arm();
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetForce()[2] < -1.49; }));
+  this->Device->Disarm();
+  ASSERT_TRUE(this->WaitTicks(3));
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  this->Device->Stop();
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+}
+
+TEST_F(DeviceStatus, ArmedBeforeStartIsArmedAfterIt)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->Arm();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
+  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_TRUE(this->WaitTicks(2));
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  EXPECT_TRUE(this->WaitForce());
+  this->Device->Stop();
+  this->Device->Start();
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY) << "Stop disarms";
+  this->Device->Stop();
+  this->Device->Arm();
+  this->Begin();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY) << "another device is not armed";
+}
+
+TEST_F(DeviceStatus, PublishingWhatCannotBeTouchedKeepsWhatIsTouched)
+{
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  this->Filter->SetInputData(0, nullptr);
+  EXPECT_FALSE(this->Device->Publish());
+  EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
+  vtkNew<vtkMatrix4x4> shear;
+  shear->SetElement(0, 1, 0.5);
+  this->Filter->SetInputData(0, this->Image);
+  this->Device->SetDeviceToWorld(shear);
+  EXPECT_FALSE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_NEAR(this->Device->GetComputedForce()[2], -1.5, 1e-6);
+}

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Disks that are full and folders that may not be written: every one is told at once, and what was
+ * written can be read.
+ */
+
+#include "Rigs/RecordingFailureRig.h"
+
+#include <filesystem>
+
+using namespace devicetest;
+
+namespace
+{
+
+/// As long as this lives, permissions count for this process even if it is root's, and it is in a
+/// folder that a user without rights could perhaps not enter.
+class NobodysRights
+{
+public:
+  explicit NobodysRights(const std::string& folder)
+    : Before(std::filesystem::current_path())
+    , WasRoot(geteuid() == 0)
+  {
+    std::filesystem::current_path(folder);
+    constexpr uid_t nobody = 65534;
+    this->IsGood = !this->WasRoot || seteuid(nobody) == 0;
+  }
+  ~NobodysRights()
+  {
+    if (this->WasRoot)
+    {
+      (void)!seteuid(0);
+    }
+    std::filesystem::current_path(this->Before);
+  }
+  NobodysRights(const NobodysRights&) = delete;
+  NobodysRights& operator=(const NobodysRights&) = delete;
+  bool IsGood;
+
+private:
+  const std::filesystem::path Before;
+  const bool WasRoot;
+};
+
+} // namespace
+
+TEST_F(RecordingFailure, ShowsAtTheStart)
+{
+  this->Begin();
+  this->ExpectNoStart(this->In("a.txt"), ".vtp or .csv");
+  this->ExpectNoStart(this->In("missing/a.vtp"), "no folder");
+  this->ExpectNoStart(this->In("missing/a.csv"), "no folder");
+  vtksys::SystemTools::MakeDirectory(this->In("folder.vtp"));
+  this->ExpectNoStart(this->In("folder.vtp"), "is a folder");
+  ASSERT_EQ(mkfifo(this->In("pipe.vtp").c_str(), 0644), 0);
+  this->ExpectNoStart(this->In("pipe.vtp"), "is a pipe");
+  vtksys::SystemTools::MakeDirectory(this->In("fields.csv.json"));
+  this->ExpectNoStart(this->In("fields.csv"), "is a folder");
+  {
+    const FullDisk full(0);
+    this->ExpectNoStart(this->In("full.vtp"), "Make room");
+  }
+  std::ofstream(this->In("mine.vtp")) << "good";
+  chmod(this->In("mine.vtp").c_str(), 0444);
+  {
+    chmod(this->Folder.c_str(), 0777);
+    const NobodysRights rights(this->Folder);
+    ASSERT_TRUE(rights.IsGood);
+    this->ExpectNoStart("mine.vtp", "permissions");
+  }
+  chmod(this->Folder.c_str(), 0555);
+  {
+    const NobodysRights rights(this->Folder);
+    this->ExpectNoStart("new.vtp", "Choose another one");
+  }
+  EXPECT_EQ(Load(this->In("mine.vtp")), "good");
+  chmod(this->Folder.c_str(), 0755);
+  EXPECT_TRUE(this->Device->StartRecording(this->In("a.vtp").c_str()));
+  EXPECT_TRUE(this->Device->StopRecording());
+  EXPECT_FALSE(Exists(this->In("a.vtp.part")));
+}
+
+TEST_F(RecordingFailure, OfTheDiskIsToldAtOnceAndKeepsWhatThereIs)
+{
+  const std::string file = this->In("full.vtp");
+  std::ofstream(file) << "good";
+  this->FillTheDisk(file);
+  EXPECT_EQ(Load(file), "good") << "a file that is there is replaced by a whole one only";
+  const std::string elsewhere = this->In("elsewhere.vtp");
+  EXPECT_FALSE(
+    this->Device->RecoverRecording((file + ".part").c_str(), this->In("no/a.vtp").c_str()));
+  this->ExpectError("no folder");
+  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), elsewhere.c_str()));
+  EXPECT_FALSE(Exists(file + ".part"));
+  this->ExpectReplays(elsewhere, 256);
+}
+
+TEST_F(RecordingFailure, OfATableKeepsWhatThereIs)
+{
+  const std::string file = this->In("full.csv");
+  this->FillTheDisk(file);
+  EXPECT_FALSE(Exists(file));
+  EXPECT_FALSE(Exists(file + ".json"));
+  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), file.c_str()));
+  EXPECT_TRUE(Exists(file + ".json"));
+  EXPECT_TRUE(this->Device->Open(("replay:" + file).c_str()));
+}
+
+TEST_F(RecordingFailure, OfTheLastStepKeepsWhatThereIs)
+{
+  const std::string file = this->In("last.vtp");
+  this->Begin();
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  this->WanderForTwoGroups(file);
+  {
+    // The disk is full: the ticks that were written stay, and no others are added.
+    const FullDisk full(1);
+    this->Device->Close();
+  }
+  this->ExpectError("RecoverRecording");
+  EXPECT_FALSE(Exists(file));
+  ASSERT_TRUE(this->Device->RecoverRecording((file + ".part").c_str(), file.c_str()));
+  this->ExpectReplays(file, 512);
+}
+
+TEST_F(RecordingFailure, IsNoneOfTwoThatHaveOneName)
+{
+  const std::string file = this->In("twice.vtp");
+  this->Begin();
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  vtkNew<vtkHapticDevice> other;
+  MessageLog log(other);
+  ASSERT_TRUE(other->Open("virtual"));
+  other->SetVolumeHaptics(this->Filter);
+  ASSERT_TRUE(other->Start());
+  EXPECT_FALSE(other->StartRecording(file.c_str()));
+  ASSERT_EQ(log.Errors.size(), 1U);
+  EXPECT_NE(log.Errors[0].find("recorded already"), std::string::npos) << log.Errors[0];
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_TRUE(this->Device->StopRecording());
+  this->ExpectReplays(file, 5);
+}
+
+TEST_F(RecordingFailure, NamesFilesOfAnyBytes)
+{
+  // Python drops a message that is not UTF-8.
+  this->Begin();
+  EXPECT_FALSE(this->Device->StartRecording(this->In("no/\xE4\xFF.vtp").c_str()));
+  this->ExpectError("\\xE4\\xFF.vtp");
+  EXPECT_FALSE(this->Device->StartRecording(this->In("\xE4.txt").c_str()));
+  this->ExpectError("\\xE4.txt");
+  EXPECT_FALSE(this->Device->RecoverRecording(this->In("\xE4.part").c_str(), "a.vtp"));
+  this->ExpectError("\\xE4.part does not exist");
+  const std::string file = this->In("\xE4.vtp");
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->WaitTicks(5));
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->ExpectReplays(file, 5);
+}
+
+TEST_F(RecordingFailure, RecoversNothingElse)
+{
+  for (const char* const part : std::initializer_list<const char*>{ "", ".part", nullptr })
+  {
+    EXPECT_FALSE(this->Device->RecoverRecording(part, this->In("a.vtp").c_str()));
+    this->ExpectError("FILE.part");
+  }
+  std::ofstream(this->In("foreign.part")) << "no recording at all, but long enough to be one";
+  EXPECT_FALSE(
+    this->Device->RecoverRecording(this->In("foreign.part").c_str(), this->In("a.vtp").c_str()));
+  this->ExpectError("is not the unfinished recording");
+  EXPECT_FALSE(this->Device->RecoverRecording(this->In("foreign.part").c_str(), nullptr));
+  this->ExpectError(".vtp or .csv");
+  EXPECT_FALSE(Exists(this->In("a.vtp")));
+}

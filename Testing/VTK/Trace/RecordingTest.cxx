@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A recording on the filter's second port gives the same trace, to the bit.
+ */
+
+#include "Rigs/RecordingRig.h"
+
+using namespace devicetest;
+
+TEST_F(Recording, GivesTheSameTraceAndSaysWhatItIs)
+{
+  this->Begin();
+  this->StartRecording();
+  this->Wander(60);
+  this->ExpectSame();
+  for (const char* name : { "DeviceId", "Settings", "Units", "VolumeHash" })
+  {
+    EXPECT_TRUE(this->Recorded->GetFieldData()->GetAbstractArray(name)) << name;
+  }
+}
+
+TEST_F(Recording, MayBeginInContactWithADeviceThatIsMovedAndArmed)
+{
+  this->Begin();
+  this->Device->Arm();
+  this->Wander(30);
+  this->StartRecording();
+  for (int i = 0; i < 12; ++i)
+  {
+    this->Wander(4);
+    this->Turn(7.0 * i, 0.3 * i);
+  }
+  this->ExpectSame();
+}
+
+TEST_F(Recording, MayBeInterrupted)
+{
+  this->Begin();
+  this->Wander(30);
+  this->StartRecording();
+  this->Wander(10);
+  this->Device->SetVolumeHaptics(nullptr);
+  ASSERT_TRUE(this->Device->Publish());
+  this->Wander(10);
+  this->Device->SetVolumeHaptics(this->Filter);
+  ASSERT_TRUE(this->Device->Publish());
+  this->Wander(60);
+  this->ExpectSame();
+}
+
+TEST_F(Recording, OfAForceFieldWithDamping)
+{
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.01);
+  this->Filter->SetForceFieldDamping(2.0);
+  this->Begin();
+  this->Wander(20);
+  this->StartRecording();
+  this->Wander(20);
+  this->Turn(30.0, 1.0);
+  this->Wander(20);
+  this->ExpectSame();
+}
+
+TEST_F(Recording, OfALocalSurfaceSaysWhenTheSlowLoopAnswered)
+{
+  this->Filter->SetMethodToLocalSurface();
+  this->Filter->SetLocalSurfaceShapeToQuadric();
+  this->Filter->SetIsoValue(700.0);
+  this->Begin();
+  this->Wander(30);
+  this->StartRecording();
+  for (int i = 0; i < 8; ++i)
+  {
+    this->Wander(8);
+    this->Turn(7.0 * i, 0.3 * i);
+  }
+  this->ExpectSame();
+  vtkDataArray* const renewed = this->Recorded->GetPointData()->GetArray("Renewed");
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < renewed->GetNumberOfTuples(); ++i)
+  {
+    count += renewed->GetComponent(i, 0) != 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(count, 2);
+}
+
+TEST_F(Recording, KnowsTheRateOfTheDevice)
+{
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.01);
+  this->Filter->SetForceFieldDamping(2.0);
+  this->Device->SetServoRate(2000.0);
+  this->Begin();
+  this->StartRecording();
+  this->Wander(40);
+  this->ExpectSame();
+}
+
+TEST_F(Recording, GoesOnAfterAFault)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->SetVirtualDynamics(0.01, 4.0, 2000.0, 0.0, 0);
+  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  ASSERT_TRUE(this->Device->Start());
+  this->Device->Arm();
+  ASSERT_TRUE(this->WaitTicks(5));
+  this->StartRecording();
+  this->Wander(20);
+  this->Device->SetVirtualTip(7.0, 600.0, 5.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; }));
+  this->Device->SetVirtualTip(7.0, 7.0, 7.0);
+  ASSERT_TRUE(this->WaitTicks(500));
+  this->Device->Arm();
+  this->Wander(30);
+  this->ExpectSame();
+  vtkDataArray* const enabled = this->Recorded->GetPointData()->GetArray("Enabled");
+  EXPECT_EQ(enabled->GetRange()[1], 1.0) << "the re-entry is in the recording";
+}
+
+TEST_F(Recording, NeedsSomethingToBeFelt)
+{
+  this->Device->SetVolumeHaptics(nullptr);
+  this->Begin();
+  EXPECT_FALSE(this->Device->StartRecording(this->Name.c_str()));
+  this->ExpectError("SetVolumeHaptics() a filter first");
+}
