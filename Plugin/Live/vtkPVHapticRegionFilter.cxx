@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVHapticRegionFilter.h"
 
+#include "HapticPieceGather.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -67,8 +69,8 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
     array->GetDataTypeSize() > 0 && array->GetNumberOfTuples() == piece->GetNumberOfPoints();
   const bool isPart = hasArray && !isEmpty;
   const std::string name = isPart && array->GetName() ? array->GetName() : "";
-  // What is wrong here, what the array is like, and who has some of it: the largest of all
-  // processes.
+  // The largest of all processes: whether something is wrong here, the kind of the array, and the
+  // number of a process that has some of it.
   const int here[6] = { hasPiece ? 0 : 1, isEmpty || hasArray ? 0 : 1, isEmpty ? 0 : 1,
     isPart ? array->GetDataType() : -1, isPart ? array->GetNumberOfComponents() : 0,
     isPart && !this->IsAlone() ? this->Controller->GetLocalProcessId() : -1 };
@@ -123,7 +125,7 @@ void vtkPVHapticRegionFilter::ShareName(int from)
 int vtkPVHapticRegionFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // What is here, and nothing that would have to be read.
+  // Only the piece that is here: nothing has to be read.
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
   if (auto* const piece = vtkImageData::GetData(info))
   {
@@ -142,6 +144,34 @@ bool vtkPVHapticRegionFilter::IsCurrent(vtkMTimeType time)
     this->Controller->AllReduce(&here, &isCurrent, 1, vtkCommunicator::MIN_OP);
   }
   return isCurrent != 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVHapticRegionFilter::GatherSamples(SamplesOfComponents& samples)
+{
+  if (this->IsAlone())
+  {
+    return;
+  }
+  int whole[6];
+  this->Producer->GetOutputInformation(0)->Get(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  VolumeHapticsLive::HapticPieceGather(
+    this->Controller, this->ArrayType, this->Components, this->ArrayName)
+    .GatherSamples(whole, samples);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* array,
+  const int region[6], vtkImageData* output, std::string& error)
+{
+  if (this->IsAlone())
+  {
+    return this->Superclass::GatherRegion(piece, array, region, output, error);
+  }
+  return VolumeHapticsLive::HapticPieceGather(
+    this->Controller, this->ArrayType, this->Components, this->ArrayName)
+    .GatherRegion(piece, array, region, &vtkPVHapticRegionFilter::CopySamples, output, error);
 }
 
 //------------------------------------------------------------------------------

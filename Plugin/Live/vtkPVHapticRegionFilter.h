@@ -5,9 +5,9 @@
  * @brief   a region of a volume whose pieces are on several processes
  *
  * vtkHapticRegionFilter on every process of a controller, each with its own piece and the whole's
- * extent: the first process has the output. The noise is that of the whole, to the bit, wherever it
- * is cut. All processes have to execute it together; what can be wrong on one of them is agreed on
- * beforehand, with CanExecute.
+ * extent: the first process has the output. The noise is that of the whole, to the bit, however it
+ * is cut. All processes have to execute it together, and agree with CanExecute before that they
+ * can.
  */
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
@@ -18,7 +18,6 @@
 #include "vtkWeakPointer.h"
 
 #include <string> // for std::string
-#include <vector> // for std::vector
 
 class vtkImageData;
 class vtkMultiProcessController;
@@ -34,7 +33,7 @@ public:
   /** Null (default) stands for this process alone. */
   void SetController(vtkMultiProcessController* controller);
 
-  /** What this process holds, null or empty where nothing, and the extent of the whole. */
+  /** The piece of this process, null or empty if it has none, and the extent of the whole. */
   void SetPiece(vtkImageData* piece, const int whole[6]);
 
   /**
@@ -62,7 +61,6 @@ private:
   bool IsAlone() const;
 #ifndef __VTK_WRAP__
   void ShareName(int from);
-  void ShareParts(const std::vector<int>& part, std::vector<std::vector<int>>& others);
 #endif
 
   vtkSmartPointer<vtkMultiProcessController> Controller;

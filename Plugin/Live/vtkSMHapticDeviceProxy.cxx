@@ -1,40 +1,72 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSMHapticDeviceProxyInternals.h"
+#include "vtkSMHapticDeviceProxy.h"
 
+#include "HapticDataLink.h"
+#include "HapticOrderLink.h"
+#include "HapticReport.h"
+#include "HapticSessionWatch.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
+#include <cstring>
+#include <iterator>
+#include <utility>
 
 vtkStandardNewMacro(vtkSMHapticDeviceProxy);
+
+using namespace VolumeHapticsLive;
 
 namespace
 {
 
 /**
  * How long (s) Poll may stay away from an armed device. A user interface that stands still for
- * longer, be it since a server does not answer, can't be used to stop the hand.
+ * longer, for example since a server does not answer, can't be used to stop the hand.
  */
 constexpr double AttentionTime = 2.0;
 
 } // namespace
 
 //------------------------------------------------------------------------------
+struct vtkSMHapticDeviceProxy::vtkInternals
+{
+  vtkInternals(vtkSMHapticDeviceProxy* self, HapticSessionWatch::Calls calls)
+    : Data([self] { self->LoseServer(); })
+    , Orders(self, Device, Report, [self] { return self->CanReachServer(); })
+    , Watch(std::move(calls))
+  {
+    this->Device->SetAttentionTime(AttentionTime);
+  }
+
+  vtkNew<vtkHapticDevice> Device;
+  HapticReport Report;
+  HapticDataLink Data;
+  HapticOrderLink Orders;
+  HapticSessionWatch Watch;
+
+  bool IsBusy = false;
+  bool IsClosed = false; // the session is over
+  bool IsLost = false;   // the server does not answer any more
+};
+
+//------------------------------------------------------------------------------
 vtkSMHapticDeviceProxy::vtkSMHapticDeviceProxy()
 {
-  VolumeHapticsLive::HapticSessionWatch::Calls calls;
+  HapticSessionWatch::Calls calls;
   calls.Unregistered = [this](vtkSMProxy* proxy)
   {
     auto& d = *this->Internals;
-    unsigned int port = 0;
-    if (proxy == this || proxy == d.Touch.GetTouch() || proxy == d.Touch.GetInput("Input", port) ||
-      proxy == d.Opacity.GetView())
+    if (proxy == this || d.Data.Uses(proxy))
     {
-      this->StopHand(proxy == this
+      d.Orders.Stop(proxy == this
           ? ""
           : "Stopped, since what was touched or seen was deleted. Set Touch, and Running, again.");
     }
@@ -45,8 +77,7 @@ vtkSMHapticDeviceProxy::vtkSMHapticDeviceProxy()
     this->Internals->IsClosed = true;
   };
   calls.Lost = [this] { this->LoseServer(); };
-  this->Internals.reset(new vtkInternals(std::move(calls)));
-  this->Internals->Device->SetAttentionTime(AttentionTime);
+  this->Internals.reset(new vtkInternals(this, std::move(calls)));
 }
 
 //------------------------------------------------------------------------------
@@ -65,13 +96,13 @@ vtkHapticDevice* vtkSMHapticDeviceProxy::GetDevice()
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter* vtkSMHapticDeviceProxy::GetFilter()
 {
-  return this->Internals->Touch.GetFilter();
+  return this->Internals->Data.GetFilter();
 }
 
 //------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::SetVisibility(vtkVolumeProperty* property)
 {
-  this->Internals->Visibility = property;
+  this->Internals->Data.SetVisibility(property);
 }
 
 //------------------------------------------------------------------------------
@@ -81,71 +112,13 @@ bool vtkSMHapticDeviceProxy::CanReachServer() const
 }
 
 //------------------------------------------------------------------------------
-int vtkSMHapticDeviceProxy::GetInt(const char* name)
-{
-  return vtkSMPropertyHelper(this, name).GetAsInt();
-}
-
-//------------------------------------------------------------------------------
-void vtkSMHapticDeviceProxy::Reset(const char* name)
-{
-  vtkSMPropertyHelper(this, name).Set(0);
-}
-
-//------------------------------------------------------------------------------
-void vtkSMHapticDeviceProxy::StopHand(const std::string& why)
-{
-  auto& d = *this->Internals;
-  if (d.Device->IsRunning())
-  {
-    this->EndForce();
-    d.Log.Continue(d.Device);
-    d.Device->Stop(); // writes a recording, too
-    d.Notice = why;
-  }
-  std::string error;
-  if (!d.Log.Stop(d.Device, error))
-  {
-    vtkErrorMacro(<< error);
-  }
-  d.IsArmed = false;
-  d.IsRecording = false;
-  for (const char* const name : { "Armed", "Recording", "Running" })
-  {
-    if (this->GetProperty(name))
-    {
-      this->Reset(name);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSMHapticDeviceProxy::EndForce()
-{
-  vtkHapticDevice* const device = this->Internals->Device;
-  device->Disarm();
-  // So that a recording ends with what was sent last.
-  for (int i = 0; i < 50; ++i)
-  {
-    device->UpdateState();
-    const double* const force = device->GetForce();
-    if (device->GetStatus() <= vtkHapticDevice::READY &&
-      std::all_of(force, force + 3, [](double f) { return f == 0.0; }))
-    {
-      return;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::Shutdown()
 {
   auto& d = *this->Internals;
-  this->StopHand("");
+  d.Orders.Stop("");
   d.Device->Close();
   d.Device->SetVolumeHaptics(nullptr);
-  d.Region.Clear();
+  d.Data.ClearRegion();
 }
 
 //------------------------------------------------------------------------------
@@ -156,9 +129,8 @@ void vtkSMHapticDeviceProxy::LoseServer()
   {
     d.IsLost = true;
     d.Device->FadeOut();
-    d.Notice = "The server does not answer any more, and force was let go of. Connect to a server "
-               "anew, and open "
-               "the data there.";
+    d.Report.SetNotice("The server does not answer any more, and force was let go of. Connect to a "
+                       "server anew, and open the data there.");
   }
 }
 
@@ -170,11 +142,11 @@ void vtkSMHapticDeviceProxy::UpdateVTKObjects()
   if (this->ObjectsCreated && d.IsBusy)
   {
     // The rest is for when Poll is through.
-    this->TakeCuts();
+    d.Orders.TakeCuts();
   }
   else if (this->ObjectsCreated)
   {
-    this->TakeOrders();
+    d.Orders.Take();
   }
   if (this->CanReachServer())
   {
@@ -194,22 +166,27 @@ bool vtkSMHapticDeviceProxy::Poll()
   if (this->CanReachServer())
   {
     d.Watch.Watch(this->Session);
-    d.Errors.Catch(d.Device);
-    d.Problem.clear();
-    this->FollowData();
-    this->FollowRunning();
-    this->Publish();
-    this->TakeOrders();
-    this->Report();
+    d.Report.Catch(d.Device);
+    d.Report.SetProblem("");
+    d.Data.Follow(this, d.Device, d.Report);
+    d.Orders.FollowRunning(d.Data.GetFilter());
+    d.Orders.Publish(d.Data.GetFilter());
+    d.Orders.Take();
+    const std::string error = d.Report.TakeNewError();
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+    }
   }
   const bool isNew = d.Device->UpdateState();
-  d.Log.Continue(d.Device);
-  this->FollowFault();
-  this->TellInformation();
+  d.Orders.Continue();
+  d.Orders.FollowFault(d.IsLost);
+  d.Report.TellInformation(this, d.Device, d.Data.GetLatency());
   d.IsBusy = false;
   if (isNew && this->CanReachServer())
   {
-    this->ShowState();
+    HapticReport::TellState(this, d.Device);
+    this->Superclass::UpdateVTKObjects();
   }
   return isNew;
 }
@@ -235,11 +212,60 @@ void vtkSMHapticDeviceProxy::UpdatePipeline(double time)
 }
 
 //------------------------------------------------------------------------------
+void vtkSMHapticDeviceProxy::UpdatePropertyInformationInternal(vtkSMProperty*)
+{
+  // They are of the client: there is nothing to ask the server for.
+  auto& d = *this->Internals;
+  if (this->ObjectsCreated && !d.IsBusy)
+  {
+    d.Device->UpdateState();
+    d.Report.TellInformation(this, d.Device, d.Data.GetLatency());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPVXMLElement* vtkSMHapticDeviceProxy::SaveXMLState(
+  vtkPVXMLElement* root, vtkSMPropertyIterator* properties)
+{
+  vtkPVXMLElement* const state = this->Superclass::SaveXMLState(root, properties);
+  for (unsigned int i = state ? state->GetNumberOfNestedElements() : 0; i > 0; --i)
+  {
+    vtkPVXMLElement* const property = state->GetNestedElement(i - 1);
+    const char* const name = property->GetAttribute("name");
+    if (name &&
+      std::any_of(std::begin(HapticOrderLink::Names), std::end(HapticOrderLink::Names),
+        [name](const char* order) { return std::strcmp(order, name) == 0; }))
+    {
+      state->RemoveNestedElement(property);
+    }
+  }
+  return state;
+}
+
+//------------------------------------------------------------------------------
+int vtkSMHapticDeviceProxy::LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
+{
+  // A state must not give orders, not even while it is loaded.
+  auto& d = *this->Internals;
+  const bool wasBusy = std::exchange(d.IsBusy, true);
+  int orders[std::size(HapticOrderLink::Names)];
+  std::transform(std::begin(HapticOrderLink::Names), std::end(HapticOrderLink::Names), orders,
+    [this](const char* order) { return vtkSMPropertyHelper(this, order).GetAsInt(); });
+  const int isLoaded = this->Superclass::LoadXMLState(element, locator);
+  for (std::size_t i = 0; i < std::size(orders); ++i)
+  {
+    vtkSMPropertyHelper(this, HapticOrderLink::Names[i]).Set(orders[i]);
+  }
+  d.IsBusy = wasBusy;
+  return isLoaded;
+}
+
+//------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Device:\n";
   this->Internals->Device->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Filter: " << this->GetFilter() << "\n";
-  os << indent << "Problem: " << this->Internals->Problem << "\n";
+  os << indent << "Problem: " << this->Internals->Report.GetProblem() << "\n";
 }

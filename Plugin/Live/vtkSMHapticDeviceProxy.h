@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMHapticDeviceProxy
- * @brief   a haptic device in ParaView's client, that touches what a Volume Haptics filter would
+ * @brief   a haptic device in ParaView's client, which touches the data of a Volume Haptics filter
  *
- * The servo runs in the client, wherever the data are. The proxy owns a vtkHapticDevice and, by way
+ * The servo runs in the client, also if the data are on a server. The proxy owns a vtkHapticDevice and, by way
  * of the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy. On the
  * data server there is only a small source that shows what the client tells it,
  * vtkPVHapticStateSource. Data of the same process are touched without a copy. Of data on a server,
@@ -14,7 +14,7 @@
  *
  *   h = v_max t + T_N/k + r + b
  *
- * and where the hand is faster than the data, force fades, and comes back when they are there.
+ * and if the hand is faster than the data, force fades, and comes back when they are there.
  *
  * Nothing here has a clock: Poll is for the timer of a user interface and for UpdatePipeline, which
  * scripts call.
@@ -24,8 +24,8 @@
  * back to 0, with zero force, when this proxy, what it touches or the view in which that is seen is
  * deleted, when the session is closed, and after a fault. When the server is gone, force fades
  * within 50 ms; so it does when Poll stays away for 2 s, as in a client that waits for a server
- * that hangs (vtkHapticDevice::SetAttentionTime). What is set to 0 has its effect at once, without
- * a Poll.
+ * that hangs (vtkHapticDevice::SetAttentionTime). Setting one of them to 0 takes effect at once,
+ * without a Poll.
  */
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h
@@ -34,7 +34,6 @@
 #include "vtkSMSourceProxy.h"
 
 #include <memory> // for std::unique_ptr
-#include <string> // for std::string
 
 class vtkHapticDevice;
 class vtkVolumeHapticsFilter;
@@ -55,13 +54,13 @@ public:
 
   /**
    * Take over what has changed in properties, pipeline and opacity, give it to the servo, and take
-   * its latest state. True if that is a new one. Where it is called while it runs, it does nothing.
+   * its latest state. True if that is a new one. If it is called while it runs, it does nothing.
    */
   bool Poll();
 
   /**
-   * What is not seen is not felt: instead of what FollowOpacity finds. nullptr (default) goes back
-   * to that.
+   * Only what this property shows is felt, instead of what ParaView shows (FollowOpacity).
+   * nullptr (default) goes back to that.
    */
   void SetVisibility(vtkVolumeProperty* property);
 
@@ -92,28 +91,8 @@ private:
   vtkSMHapticDeviceProxy(const vtkSMHapticDeviceProxy&) = delete;
   void operator=(const vtkSMHapticDeviceProxy&) = delete;
 
-  int GetInt(const char* name);
-  void Reset(const char* name);
   bool CanReachServer() const;
-  void StopHand(const std::string& why);
-  void EndForce();
-
-  void TakeLimits();
-  void TakeOrders();
-  void TakeCuts();
-  void TakeTip();
-  void TakeRecording();
-  bool IsLocal() const;
   void LoseServer();
-  void FollowData();
-  void FollowTime(vtkSMSourceProxy* volume);
-  void FollowRegion(vtkSMSourceProxy* volume, unsigned int port);
-  void FollowRunning();
-  void FollowFault();
-  void Publish();
-  void Report();
-  void ShowState();
-  void TellInformation();
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

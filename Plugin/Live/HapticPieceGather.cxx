@@ -1,27 +1,27 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of vtkPVHapticRegionFilter in which processes send each other what they hold.
-#include "vtkPVHapticRegionFilter.h"
+#include "HapticPieceGather.h"
 
 #include "Core/Field/NoiseSamples.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTrivialProducer.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
+namespace VolumeHapticsLive
+{
 namespace
 {
 
 constexpr int Tag = 78232;
 
-/** The part of a box that is in another one; false where there is none. */
+/** The part of a box that is in another one; false if there is none. */
 bool Intersect(const int a[6], const int b[6], int both[6])
 {
   bool isThere = true;
@@ -92,22 +92,24 @@ void Note(const int part[6], const int region[6], std::vector<bool>& isThere)
 
 } // namespace
 
-//------------------------------------------------------------------------------
-void vtkPVHapticRegionFilter::GatherSamples(SamplesOfComponents& samples)
+HapticPieceGather::HapticPieceGather(
+  vtkMultiProcessController* controller, int arrayType, int components, std::string arrayName)
+  : Controller(controller)
+  , ArrayType(arrayType)
+  , Components(components)
+  , ArrayName(std::move(arrayName))
 {
-  if (this->IsAlone())
-  {
-    return;
-  }
+}
+
+void HapticPieceGather::GatherSamples(
+  const int whole[6], std::vector<VolumeHaptics::NoiseSamples>& samples) const
+{
   samples.resize(static_cast<std::size_t>(this->Components));
   for (VolumeHaptics::NoiseSamples& component : samples)
   {
-    int extent[6];
-    this->Producer->GetOutputInformation(0)->Get(
-      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
     for (int a = 0; a < 3; ++a)
     {
-      component.Dimensions[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
+      component.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
     }
     if (this->Controller->GetLocalProcessId() > 0)
     {
@@ -128,9 +130,8 @@ void vtkPVHapticRegionFilter::GatherSamples(SamplesOfComponents& samples)
   }
 }
 
-//------------------------------------------------------------------------------
-void vtkPVHapticRegionFilter::ShareParts(
-  const std::vector<int>& part, std::vector<std::vector<int>>& others)
+void HapticPieceGather::ShareParts(
+  const std::vector<int>& part, std::vector<std::vector<int>>& others) const
 {
   if (this->Controller->GetLocalProcessId() > 0)
   {
@@ -143,18 +144,13 @@ void vtkPVHapticRegionFilter::ShareParts(
   }
 }
 
-//------------------------------------------------------------------------------
-bool vtkPVHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* array,
-  const int region[6], vtkImageData* output, std::string& error)
+bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
+  SampleCopier copySamples, vtkImageData* output, std::string& error) const
 {
-  if (this->IsAlone())
-  {
-    return this->Superclass::GatherRegion(piece, array, region, output, error);
-  }
   int both[6] = { 0, -1, 0, -1, 0, -1 };
   const bool hasPart = array && Intersect(piece->GetExtent(), region, both);
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  // Who has no memory must say so before anyone waits for what would fill it.
+  // A process without memory must say so before others wait for its part.
   std::vector<std::vector<int>> parts;
   vtkSmartPointer<vtkDataArray> whole;
   vtkSmartPointer<vtkDataArray> part;
@@ -190,7 +186,7 @@ bool vtkPVHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* ar
   {
     if (hasPart)
     {
-      CopySamples(array, piece->GetExtent(), part, both);
+      copySamples(array, piece->GetExtent(), part, both);
       this->Controller->Send(static_cast<const char*>(part->GetVoidPointer(0)),
         part->GetDataSize() * part->GetDataTypeSize(), 0, Tag);
     }
@@ -199,7 +195,7 @@ bool vtkPVHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* ar
   }
   if (hasPart)
   {
-    CopySamples(array, piece->GetExtent(), whole, region);
+    copySamples(array, piece->GetExtent(), whole, region);
     Note(both, region, isThere);
   }
   for (int from = 1; from < this->Controller->GetNumberOfProcesses(); ++from)
@@ -209,18 +205,19 @@ bool vtkPVHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* ar
     {
       this->Controller->Receive(static_cast<char*>(part->GetVoidPointer(0)),
         CountOf(extent.data()) * this->Components * part->GetDataTypeSize(), from, Tag);
-      CopySamples(part, extent.data(), whole, region);
+      copySamples(part, extent.data(), whole, region);
       Note(extent.data(), region, isThere);
     }
   }
   if (std::find(isThere.begin(), isThere.end(), false) != isThere.end())
   {
     error = "The server's processes do not hold all of the volume between them: its source gave "
-            "only a part of what "
-            "was asked for.";
+            "only a part of what was asked for.";
     return false;
   }
   whole->SetName(this->ArrayName.c_str());
   output->GetPointData()->SetScalars(whole);
   return true;
 }
+
+} // namespace VolumeHapticsLive

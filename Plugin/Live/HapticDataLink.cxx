@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticDataLink.h"
+
+#include "HapticReport.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticProperty.h"
+#include "vtkPVSession.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeProperty.h"
+
+#include <utility>
+
+namespace VolumeHapticsLive
+{
+
+HapticDataLink::HapticDataLink(std::function<void()> lost)
+  : Lost(std::move(lost))
+{
+}
+
+bool HapticDataLink::IsLocal(vtkSMProxy* proxy)
+{
+  vtkSMSession* const session = proxy->GetSession();
+  return session && session->HasProcessRole(vtkPVSession::DATA_SERVER);
+}
+
+bool HapticDataLink::Uses(vtkSMProxy* proxy) const
+{
+  unsigned int port = 0;
+  return proxy == this->Touch.GetTouch() || proxy == this->Touch.GetInput("Input", port) ||
+    proxy == this->Opacity.GetView();
+}
+
+void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report)
+{
+  vtkSMProxy* const touch = vtkSMPropertyHelper(proxy, "Touch").GetAsProxy();
+  this->Touch.Follow(touch);
+  vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
+  if (!filter)
+  {
+    if (touch && !report.HasProblem())
+    {
+      report.SetProblem("Touch names something that is no Volume Haptics filter. Set it to one "
+                        "whose Input is the volume.");
+    }
+    return;
+  }
+  report.Catch(filter);
+  unsigned int port = 0;
+  vtkSMSourceProxy* const volume = this->Touch.GetInput("Input", port);
+  unsigned int surfacePort = 0;
+  vtkSMSourceProxy* const surface = this->Touch.GetInput("Surface", surfacePort);
+  this->FollowTime(proxy, volume);
+  if (IsLocal(proxy))
+  {
+    this->Image.Follow(volume, port, filter, 0);
+    this->Surface.Follow(surface, surfacePort, filter, 2);
+  }
+  else if (vtkSMPropertyHelper(proxy, "Running").GetAsInt())
+  {
+    this->FollowRegion(proxy, volume, port, device, report);
+    if (surface && !report.HasProblem())
+    {
+      report.SetProblem("A Surface on a server is not touched; the isosurface at IsoValue is. To "
+                        "touch the Surface, open the data without a server.");
+    }
+  }
+  vtkVolumeProperty* const seen = vtkSMPropertyHelper(proxy, "FollowOpacity").GetAsInt()
+    ? this->Opacity.Find(volume, filter)
+    : nullptr;
+  filter->GetProperty()->SetVisibilityFrom(this->Visibility ? this->Visibility.Get() : seen);
+}
+
+void HapticDataLink::FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
+{
+  vtkSMProxy* const keeper = proxy->GetSessionProxyManager()->GetProxy("timekeeper", "TimeKeeper");
+  const double time = keeper ? vtkSMPropertyHelper(keeper, "Time").GetAsDouble() : this->ViewTime;
+  if (volume && time != this->ViewTime)
+  {
+    this->ViewTime = time;
+    volume->UpdatePipeline(time);
+    this->Region.Forget();
+  }
+}
+
+void HapticDataLink::FollowRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
+  vtkHapticDevice* device, HapticReport& report)
+{
+  this->Region.SetMaximumVoxels(vtkSMPropertyHelper(proxy, "MaximumRegionVoxels").GetAsIdType());
+  switch (this->Region.Poll(volume, port, this->Touch.GetFilter(), device))
+  {
+    case HapticRegionLink::Answer::Lost:
+      this->Lost();
+      break;
+    case HapticRegionLink::Answer::Refused:
+      report.SetProblem(this->Region.GetProblem());
+      break;
+    default:
+      break;
+  }
+}
+
+} // namespace VolumeHapticsLive

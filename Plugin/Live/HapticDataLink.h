@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Connects a filter in the client with what is touched, on this process or on a server.
+ */
+#ifndef HapticDataLink_h
+#define HapticDataLink_h
+
+#include "HapticImageLink.h"
+#include "HapticOpacityLink.h"
+#include "HapticRegionLink.h"
+#include "HapticTouchLink.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+
+class vtkHapticDevice;
+class vtkSMProxy;
+class vtkSMSourceProxy;
+class vtkVolumeHapticsFilter;
+class vtkVolumeProperty;
+
+namespace VolumeHapticsLive
+{
+
+class HapticReport;
+
+class HapticDataLink
+{
+public:
+  /** The function is called as soon as the server is found not to answer. */
+  explicit HapticDataLink(std::function<void()> lost);
+
+  /**
+   * Take over what has changed in the device's properties Touch, FollowOpacity and
+   * MaximumRegionVoxels, in the pipeline, and in its time. Problems go to the report.
+   */
+  void Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
+
+  /** The filter in the client; null while there is nothing to touch. */
+  vtkVolumeHapticsFilter* GetFilter() const { return this->Touch.GetFilter(); }
+
+  /** Whether a proxy is touched, or the view in which it is seen. */
+  bool Uses(vtkSMProxy* proxy) const;
+
+  /** See vtkSMHapticDeviceProxy::SetVisibility. */
+  void SetVisibility(vtkVolumeProperty* property) { this->Visibility = property; }
+
+  /** How long (s) it takes to fetch a region; 0 before the first. */
+  double GetLatency() const { return this->Region.GetLatency(); }
+
+  /** Forget the region that was fetched last. */
+  void ClearRegion() { this->Region.Clear(); }
+
+  /** Whether the data are on this process. */
+  static bool IsLocal(vtkSMProxy* proxy);
+
+private:
+  void FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume);
+  void FollowRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
+    vtkHapticDevice* device, HapticReport& report);
+
+  const std::function<void()> Lost;
+  HapticTouchLink Touch;
+  HapticImageLink Image;
+  HapticImageLink Surface;
+  HapticRegionLink Region; // if the data are on a server
+  HapticOpacityLink Opacity;
+  vtkSmartPointer<vtkVolumeProperty> Visibility; // instead of what Opacity finds
+  double ViewTime = 0.0;                         // s, of the data
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

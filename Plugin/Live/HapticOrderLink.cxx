@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticOrderLink.h"
+
+#include "HapticDataLink.h"
+#include "HapticReport.h"
+#include "vtkSMHapticDeviceProxy.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace VolumeHapticsLive
+{
+namespace
+{
+
+/** Faults of before Arm stay visible for some ticks after it (s). */
+constexpr double FaultAge = 0.05;
+
+} // namespace
+
+HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice* device,
+  HapticReport& report, std::function<bool()> canReachServer)
+  : Proxy(proxy)
+  , Device(device)
+  , Report(report)
+  , CanReachServer(std::move(canReachServer))
+{
+}
+
+int HapticOrderLink::GetInt(const char* name) const
+{
+  return vtkSMPropertyHelper(this->Proxy, name).GetAsInt();
+}
+
+void HapticOrderLink::Reset(const char* name)
+{
+  vtkSMPropertyHelper(this->Proxy, name).Set(0);
+}
+
+void HapticOrderLink::TakeLimits()
+{
+  const double force = vtkSMPropertyHelper(this->Proxy, "MaximumForce").GetAsDouble();
+  if (force != this->MaximumForce)
+  {
+    this->MaximumForce = force;
+    force > 0.0 ? this->Device->SetMaximumForce(force) : this->Device->ResetMaximumForce();
+  }
+  this->Device->SetMaximumForceRate(
+    vtkSMPropertyHelper(this->Proxy, "MaximumForceRate").GetAsDouble());
+}
+
+void HapticOrderLink::TakeTip()
+{
+  std::array<double, 3> tip;
+  vtkSMPropertyHelper(this->Proxy, "VirtualTip").Get(tip.data(), 3);
+  if (tip != this->Tip && this->Device->GetDeviceId() == "virtual")
+  {
+    this->Tip = tip;
+    this->Device->SetVirtualTip(tip.data());
+  }
+}
+
+void HapticOrderLink::Take()
+{
+  if (!this->Device->IsRunning())
+  {
+    return;
+  }
+  const bool arm = this->GetInt("Armed") != 0;
+  const bool record = this->GetInt("Recording") != 0;
+  if (!this->GetInt("Running"))
+  {
+    this->Stop("");
+    return;
+  }
+  // Something else, too, may have armed it.
+  const int status = this->Device->GetStatus();
+  if (!arm &&
+    (this->IsArmed || status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE))
+  {
+    this->Device->Disarm();
+    this->IsArmed = false;
+  }
+  this->TakeLimits();
+  this->TakeTip();
+  if (record != this->Recording.IsOn())
+  {
+    this->TakeRecording();
+  }
+  if (arm && !this->IsArmed && this->CanReachServer())
+  {
+    this->Device->UpdateState();
+    this->ArmedAt = this->Device->GetTime();
+    this->Device->Arm();
+    this->IsArmed = true;
+  }
+}
+
+void HapticOrderLink::TakeCuts()
+{
+  if (this->Device->IsRunning() && (!this->GetInt("Armed") || !this->GetInt("Running")))
+  {
+    this->Device->Disarm();
+    this->IsArmed = false;
+  }
+}
+
+void HapticOrderLink::TakeRecording()
+{
+  const bool record = this->GetInt("Recording") != 0;
+  const char* const file = vtkSMPropertyHelper(this->Proxy, "RecordingFile").GetAsString();
+  std::string error;
+  record ? this->Recording.Start(file, HapticDataLink::IsLocal(this->Proxy), this->Device, error)
+         : this->Recording.Stop(this->Device, error);
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(this->Proxy, << error);
+  }
+  if (record && !this->Recording.IsOn())
+  {
+    this->Reset("Recording");
+  }
+}
+
+void HapticOrderLink::FollowFault(bool isServerLost)
+{
+  const int status = this->Device->GetStatus();
+  const bool isFault = status == vtkHapticDevice::FAULT;
+  if (isServerLost && this->Device->IsRunning() && (isFault || status <= vtkHapticDevice::READY))
+  {
+    this->Stop(this->Report.GetNotice()); // it has faded, or was cut off before
+    return;
+  }
+  const bool isReady = status >= vtkHapticDevice::READY;
+  if (this->IsArmed &&
+    (!isReady || (isFault && this->Device->GetTime() > this->ArmedAt + FaultAge)))
+  {
+    // Arming anew is for the user, who then sees a change of the property.
+    this->IsArmed = false;
+    this->Reset("Armed");
+  }
+}
+
+void HapticOrderLink::FollowRunning(vtkVolumeHapticsFilter* filter)
+{
+  const std::string id = vtkSMPropertyHelper(this->Proxy, "Device").GetAsString();
+  if (this->Device->IsOpen() && this->Device->GetDeviceId() != id)
+  {
+    this->Proxy->Shutdown();
+  }
+  if (!this->GetInt("Running") || this->Device->IsRunning())
+  {
+    return;
+  }
+  this->Report.SetNotice("");
+  if (filter && !filter->GetInputDataObject(0, 0) && this->Report.HasProblem())
+  {
+    // A server that refuses its volume gives nothing to start with, and has said why.
+    this->Stop("");
+    this->Report.SetNotice(this->Report.GetProblem());
+    return;
+  }
+  const auto text = [this](const char* name)
+  { return std::string(vtkSMPropertyHelper(this->Proxy, name).GetAsString()); };
+  this->Device->SetFirmwareFile(text("FirmwareFile").c_str());
+  this->Device->SetHomingTime(vtkSMPropertyHelper(this->Proxy, "HomingTime").GetAsDouble());
+  double newtons[2];
+  vtkSMPropertyHelper(this->Proxy, "NewtonsPerFullScale").Get(newtons, 2);
+  this->Device->SetNewtonsPerFullScale(newtons);
+  this->Device->SetServoRate(vtkSMPropertyHelper(this->Proxy, "ServoRate").GetAsDouble());
+  this->Device->SetVolumeHaptics(filter);
+  if (!this->Device->IsOpen() && this->Device->Open(id.c_str()))
+  {
+    this->Tip.fill(VTK_DOUBLE_MAX);
+  }
+  if (this->Device->IsOpen())
+  {
+    this->TakeLimits();
+    this->TakeTip();
+  }
+  if (!this->Device->IsOpen() || !this->Device->Start())
+  {
+    this->Stop("");
+  }
+}
+
+void HapticOrderLink::Publish(vtkVolumeHapticsFilter* filter)
+{
+  if (!this->Device->IsRunning())
+  {
+    return;
+  }
+  if (this->Device->GetVolumeHaptics() && !filter)
+  {
+    this->Stop("Stopped, since there is nothing to touch any more: set Touch.");
+    return;
+  }
+  if (!filter || !filter->GetInputDataObject(0, 0))
+  {
+    if (filter && !this->Report.HasProblem())
+    {
+      this->Report.SetProblem(
+        "There is no image to touch: give the filter that Touch names an Input.");
+    }
+    return;
+  }
+  this->Device->SetVolumeHaptics(filter);
+  if (!this->Device->IsPublished()) // by a view, or by Start
+  {
+    this->Device->Publish();
+  }
+}
+
+void HapticOrderLink::Stop(const std::string& why)
+{
+  if (this->Device->IsRunning())
+  {
+    this->EndForce();
+    this->Recording.Continue(this->Device);
+    this->Device->Stop(); // writes a recording, too
+    this->Report.SetNotice(why);
+  }
+  std::string error;
+  this->Recording.Close(this->Device, error);
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(this->Proxy, << error);
+  }
+  this->IsArmed = false;
+  for (const char* const name : Names)
+  {
+    if (this->Proxy->GetProperty(name))
+    {
+      this->Reset(name);
+    }
+  }
+}
+
+void HapticOrderLink::EndForce()
+{
+  this->Device->Disarm();
+  // So that a recording ends with what was sent last.
+  for (int i = 0; i < 50; ++i)
+  {
+    this->Device->UpdateState();
+    const double* const force = this->Device->GetForce();
+    if (this->Device->GetStatus() <= vtkHapticDevice::READY &&
+      std::all_of(force, force + 3, [](double f) { return f == 0.0; }))
+    {
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+} // namespace VolumeHapticsLive

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Records what is felt: as a recording of the device, or as a log if a server's region is touched.
+ */
+#ifndef HapticRecordingLink_h
+#define HapticRecordingLink_h
+
+#include "HapticStateLog.h"
+
+#include <string>
+
+class vtkHapticDevice;
+
+namespace VolumeHapticsLive
+{
+
+class HapticRecordingLink
+{
+public:
+  /** Begin; isWhole: the device touches the whole volume. It is on if that succeeds. */
+  void Start(const char* file, bool isWhole, vtkHapticDevice* device, std::string& error);
+  void Stop(vtkHapticDevice* device, std::string& error);
+  bool IsOn() const { return this->IsRecording; }
+
+  /** Take the device's new states. */
+  void Continue(vtkHapticDevice* device) { this->Log.Continue(device); }
+
+  /** After vtkHapticDevice::Stop, which ends the device's own recording. */
+  void Close(vtkHapticDevice* device, std::string& error);
+
+private:
+  HapticStateLog Log;
+  bool IsRecording = false;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Tells in a device proxy's properties how the device stands, and what is wrong.
+ */
+#ifndef HapticReport_h
+#define HapticReport_h
+
+#include "HapticErrorCatcher.h"
+
+#include <string>
+
+class vtkHapticDevice;
+class vtkObject;
+class vtkSMProxy;
+
+namespace VolumeHapticsLive
+{
+
+class HapticReport
+{
+public:
+  /** From now on errors of this object are not shown, but become a problem. */
+  void Catch(vtkObject* object) { this->Errors.Catch(object); }
+  /** Take what was caught since the last call as the problem; the text if it is a new one, or "". */
+  std::string TakeNewError();
+
+  ///@{
+  /** What is wrong now; empty while all is well. */
+  void SetProblem(const std::string& problem) { this->Problem = problem; }
+  bool HasProblem() const { return !this->Problem.empty(); }
+  const std::string& GetProblem() const { return this->Problem; }
+  ///@}
+  ///@{
+  /** Why the device was stopped, until it is started again. A problem hides it. */
+  void SetNotice(const std::string& notice) { this->Notice = notice; }
+  const std::string& GetNotice() const { return this->Notice; }
+  ///@}
+
+  /** Set the proxy's information properties to the device's latest state; the latency is in s. */
+  void TellInformation(vtkSMProxy* proxy, vtkHapticDevice* device, double latency) const;
+
+  /**
+   * Set the proxy's property State to the device's latest state, for vtkPVHapticStateSource. The
+   * caller sends it to the server.
+   */
+  static void TellState(vtkSMProxy* proxy, vtkHapticDevice* device);
+
+private:
+  HapticErrorCatcher Errors;
+  std::string Problem;
+  std::string Notice;
+  std::string Reported; // the error that was reported last
+};
+
+} // namespace VolumeHapticsLive
+
+#endif
