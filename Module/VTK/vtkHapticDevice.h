@@ -69,7 +69,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Open a device by its id. False, with an error that says what to do, where that is not possible.
+   * Open a device by its id. False, with an error that says what to do, if that is not possible.
    * Closes the one that was open.
    */
   bool Open(const char* id);
@@ -179,7 +179,7 @@ public:
 
   ///@{
   /**
-   * Where the device stands (StatusType), as of the last UpdateState; the text says what is wrong,
+   * The state of the device (StatusType), as of the last UpdateState; the text says what is wrong,
    * and the cure.
    */
   int GetStatus();
@@ -383,7 +383,7 @@ protected:
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
   double AttentionTime = 2.0;
-  double WantedForce = -1.0; // what SetMaximumForce was given; negative: half of the device's
+  double WantedForce = -1.0; // of SetMaximumForce; negative: half of the device's maximum
 
 private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;

@@ -87,7 +87,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /** A function from 0 to 1, and what its 1 stands for. */
+  /** A function from 0 to 1, and the value of its 1. */
   struct Curve
   {
     vtkSmartPointer<vtkPiecewiseFunction> Shape;

@@ -11,7 +11,7 @@
  *   </HapticFunctionDomain>
  *
  * The function (a PiecewiseFunction of ParaView's) has the value `initial` (0 to 1, default 0)
- * everywhere until somebody edits it. ParaView's own domain would begin with a ramp.
+ * everywhere until the user edits it. ParaView's own domain would begin with a ramp.
  */
 #ifndef vtkSMHapticFunctionDomain_h
 #define vtkSMHapticFunctionDomain_h

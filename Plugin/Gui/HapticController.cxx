@@ -163,7 +163,7 @@ void HapticController::change(const char* property, int value)
   }
   BEGIN_UNDO_EXCLUDE();
   {
-    // In no trace: whoever replays one may not have a hand on a device. Nor does what Poll shows
+    // In no trace: a user who replays one may not have a hand on a device. Nor does what Poll shows
     // belong there.
     vtkSMPropertyHelper(this->Device, property).Set(value);
     this->Device->UpdateVTKObjects();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HapticController
- * @brief   what the buttons of the dock window do
+ * @brief   the actions of the dock window's buttons
  *
  * Everything acts through the properties of a `HapticDevice` and a `HapticView`, so that scripts
  * can do the same. The Python trace shows what is set up, but neither Running, Armed nor Recording:
- * who replays it has not got a hand on the device. Nothing of it can be undone: "undo" must not arm
- * a device.
+ * a user who replays it has not got a hand on the device. Nothing of it can be undone: "undo" must
+ * not arm a device.
  *
  * When ParaView quits, and when the server, the view, the device, its filter or the volume goes,
  * the device is detached first, with zero force.
@@ -44,7 +44,7 @@ public:
   /** Looks anew. "virtual" is first. */
   static QList<DeviceChoice> listDevices();
 
-  /** What the dock shows. */
+  /** The contents of the dock. */
   struct Figures
   {
     bool Attached = false;
@@ -53,7 +53,7 @@ public:
     bool Recording = false;
     bool IsVirtual = false;
     bool CanHome = false;
-    QString Felt; ///< names of the volume and of the filter; empty where nothing is attached
+    QString Felt; ///< names of the volume and of the filter; empty if nothing is attached
     QString Status;
     double Force = 0.0;        ///< N, on the hand
     double MaximumForce = 0.0; ///< N

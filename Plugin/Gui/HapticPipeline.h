@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The way from what is active in the pipeline browser to a device that feels it.
+ * From the active object of the pipeline browser to a device that feels it.
  */
 #ifndef HapticPipeline_h
 #define HapticPipeline_h
@@ -14,7 +14,7 @@ namespace HapticPipeline
 {
 
 ///@{
-/** What a pipeline object is. */
+/** The kind of a pipeline object. */
 bool IsDevice(pqPipelineSource* source);
 bool IsTouch(pqPipelineSource* source);
 bool IsVolume(pqPipelineSource* source);
@@ -23,12 +23,12 @@ bool IsVolume(pqPipelineSource* source);
 /**
  * The HapticDevice for a source: itself, or the one that feels it, through a VolumeHaptics filter.
  * What is missing is made; a device that feels something else is disarmed, and used for this from
- * now on, since there is one hand. nullptr where the source is nothing that can be felt.
+ * now on, since there is one hand. nullptr if the source can't be felt.
  */
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
 
 ///@{
-/** Upstream: the filter of a device, and the input of that. nullptr where there is none. */
+/** Upstream: the filter of a device, and the input of that. nullptr if there is none. */
 pqPipelineSource* GetTouch(pqPipelineSource* device);
 pqPipelineSource* GetVolume(pqPipelineSource* touch);
 ///@}

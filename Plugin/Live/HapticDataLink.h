@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Connects a filter in the client with what is touched, on this process or on a server.
+ * Connects a filter in the client with the data that are touched, on this process or on a server.
  */
 #ifndef HapticDataLink_h
 #define HapticDataLink_h
@@ -34,7 +34,7 @@ public:
   explicit HapticDataLink(std::function<void()> lost);
 
   /**
-   * Take over what has changed in the device's properties Touch, FollowOpacity and
+   * Take over the changes of the device's properties Touch, FollowOpacity and
    * MaximumRegionVoxels, in the pipeline, and in its time. Problems go to the report.
    */
   void Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
@@ -68,7 +68,7 @@ private:
   HapticImageLink Surface;
   HapticRegionLink Region; // if the data are on a server
   HapticOpacityLink Opacity;
-  vtkSmartPointer<vtkVolumeProperty> Visibility; // instead of what Opacity finds
+  vtkSmartPointer<vtkVolumeProperty> Visibility; // instead of the one that Opacity finds
   double ViewTime = 0.0;                         // s, of the data
 };
 

@@ -29,7 +29,7 @@ public:
   /** From now on, errors of this object are not shown but kept. Once for an object is enough. */
   void Catch(vtkObject* object);
   /**
-   * What has been caught since the last call, without files and addresses; empty where nothing was.
+   * The errors since the last call, without files and addresses; empty if there were none.
    */
   std::string Take();
 

@@ -18,21 +18,20 @@ namespace VolumeHapticsLive
 {
 
 /**
- * The filter is not connected to the pipeline, since what the servo reads must not be executed by
- * whoever looks at it: it is given a shallow copy whenever the pipeline has something new. Whoever
- * allocates anew in the pipeline then leaves the array alone that is being touched.
+ * The filter is not connected to the pipeline, since a view must not execute what the servo reads:
+ * it gets a shallow copy whenever the pipeline has something new. A pipeline that allocates anew
+ * then leaves the array alone that is being touched.
  */
 class HapticImageLink
 {
 public:
   /**
-   * Bring the source up to date, and give its output to an input port of the filter where it is
-   * new.
+   * Bring the source up to date, and give its output to an input port of the filter if it is new.
    */
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
 
 private:
-  // Weak: what comes after one that is gone may have its address.
+  // Weak: a new object may have the address of one that was deleted.
   vtkWeakPointer<vtkDataObject> Seen;
   vtkWeakPointer<vtkAlgorithm> SeenFilter;
   vtkMTimeType SeenTime = 0;

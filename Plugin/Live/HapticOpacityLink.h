@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is not seen is not felt: the opacity with which ParaView shows a volume.
+ * Finds the opacity with which ParaView shows a volume, as only what is seen is felt.
  */
 #ifndef HapticOpacityLink_h
 #define HapticOpacityLink_h
@@ -22,13 +22,13 @@ class HapticOpacityLink
 public:
   /**
    * The opacity function with which a source is volume-rendered, in the active view, or else in
-   * any: as a volume property whose function is ParaView's own. Null where it is not, where what is
-   * shown is another array or component than what is touched, or where opacity comes from something
-   * else than that array's value.
+   * any: as a volume property whose function is ParaView's own. Null if it is not volume-rendered,
+   * if another array or component is shown than is touched, or if opacity comes from something else
+   * than that array's value.
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 
-  /** The view that was found; null where there is none. */
+  /** The view that was found; null if there is none. */
   vtkSMProxy* GetView() const { return this->View; }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Makes a device do what its proxy's properties Running, Armed and Recording order.
+ * Carries out the orders in the properties Running, Armed and Recording of a device's proxy.
  */
 #ifndef HapticOrderLink_h
 #define HapticOrderLink_h

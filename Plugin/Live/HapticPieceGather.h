@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Gathers on the first process what the pieces of a volume on several processes give.
+ * Gathers samples from the pieces of a volume on several processes.
  */
 #ifndef HapticPieceGather_h
 #define HapticPieceGather_h

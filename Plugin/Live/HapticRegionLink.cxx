@@ -74,7 +74,7 @@ bool HapticRegionLink::Follow(
     vtkSMPropertyHelper(this->Proxy, "Input").Set(volume, port);
     this->Proxy->UpdateVTKObjects();
   }
-  volume->UpdatePipeline(); // where something has changed, so that its next change is told, too
+  volume->UpdatePipeline(); // else its next change would not be told
   const char* const name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   const std::string array = name ? name : "";
   if (this->Proxy && (array != this->Array || this->Proxy->GetStale()))

@@ -25,9 +25,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * At first it asks where the volume is: a corner of it comes, with which the servo may start, since
- * a tip that is not in the corner feels nothing. From then on it asks for what
- * vtkHapticRegionPlanner plans.
+ * At first it asks for the position of the volume: a corner of it comes, with which the servo may
+ * start, since a tip that is not in the corner feels nothing. From then on it asks for the regions
+ * that vtkHapticRegionPlanner plans.
  */
 class HapticRegionLink
 {
@@ -40,7 +40,7 @@ public:
     Lost     ///< the server does not answer
   };
 
-  /** Fetch what is wanted, once at most. The device's latest state says where the tip is. */
+  /** Fetch a region, one at most, if the planner wants it for the device's latest state. */
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter,
     vtkHapticDevice* device);
 

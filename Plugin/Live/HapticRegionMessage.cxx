@@ -24,9 +24,9 @@ namespace
 constexpr int Tag = 78231;
 /** Sent in parts (bytes), so that one for which there is no memory can be let pass. */
 constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
-/** No region has more bytes: what says so is no message. */
+/** No region has more bytes. */
 constexpr vtkIdType MostBytes = vtkIdType{ 1 } << 36;
-/** Reads as another number where the bytes of numbers are in another order. */
+/** Reads as another number on a computer with another byte order. */
 constexpr std::int32_t Mark = 0x01020304;
 enum Contents : std::int32_t
 {

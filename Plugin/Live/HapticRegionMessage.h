@@ -24,11 +24,11 @@ std::vector<char> PackRegion(vtkImageData* image);
 /** Instead of an image: why there is none. */
 std::vector<char> PackError(const std::string& error);
 
-/** False, with an error, where that is what was packed, or the bytes are no image. */
+/** False, with an error, if an error was packed, or the bytes are no image. */
 bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error);
 
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message);
-/** False where the other side is gone. What there is no memory for is an error in its place. */
+/** False if the other side is gone. A message too large for the memory becomes an error. */
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message);
 
 } // namespace VolumeHapticsLive

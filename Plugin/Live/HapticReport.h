@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells in a device proxy's properties how the device stands, and what is wrong.
+ * Tells the state of a device, and its problems, in the properties of its proxy.
  */
 #ifndef HapticReport_h
 #define HapticReport_h
@@ -23,11 +23,11 @@ class HapticReport
 public:
   /** From now on errors of this object are not shown, but become a problem. */
   void Catch(vtkObject* object) { this->Errors.Catch(object); }
-  /** Take what was caught since the last call as the problem; the text if it is a new one, or "". */
+  /** Make the errors since the last call the problem; the text if it is a new one, or "". */
   std::string TakeNewError();
 
   ///@{
-  /** What is wrong now; empty while all is well. */
+  /** The problem of now; empty while all is well. */
   void SetProblem(const std::string& problem) { this->Problem = problem; }
   bool HasProblem() const { return !this->Problem.empty(); }
   const std::string& GetProblem() const { return this->Problem; }

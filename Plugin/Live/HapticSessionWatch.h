@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * When a proxy has to let go of the hand: what it needs is taken out of the pipeline, the session
- * is closed, or the server is gone.
+ * Tells when a proxy has to let go of the hand: an object that it needs is taken out of the
+ * pipeline, the session is closed, or the server is gone.
  */
 #ifndef HapticSessionWatch_h
 #define HapticSessionWatch_h

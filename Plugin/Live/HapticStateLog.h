@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Every tick as text, where a region of a volume is touched, of which vtkHapticDevice makes no
+ * Writes every tick as text if a region of a volume is touched, of which vtkHapticDevice makes no
  * recording.
  */
 #ifndef HapticStateLog_h
@@ -24,11 +24,11 @@ namespace VolumeHapticsLive
 class HapticStateLog
 {
 public:
-  /** False, with an error, where the file can't be written. */
+  /** False, with an error, if the file can't be written. */
   bool Start(const std::string& file, vtkHapticDevice* device, std::string& error);
-  /** Write what has come since the last call. */
+  /** Write the ticks since the last call. */
   void Continue(vtkHapticDevice* device);
-  /** Where nothing is written, nothing. False, with an error, where the file is not complete. */
+  /** Does nothing without a file. False, with an error, if the file is not complete. */
   bool Stop(vtkHapticDevice* device, std::string& error);
   bool IsOpen() const { return this->File.is_open(); }
 

@@ -30,15 +30,15 @@ public:
   HapticTouchLink(const HapticTouchLink&) = delete;
   void operator=(const HapticTouchLink&) = delete;
 
-  /** Take over what has changed; nullptr lets go. */
+  /** Take over the changes of its settings; nullptr lets go. */
   void Follow(vtkSMProxy* touch);
 
-  /** Null without a proxy, or where it is not one of vtkVolumeHapticsFilter. */
+  /** Null without a proxy, or if it is not one of vtkVolumeHapticsFilter. */
   vtkVolumeHapticsFilter* GetFilter() const;
   vtkSMProxy* GetTouch() const;
 
   /**
-   * What an input of the followed proxy is connected to, and to which of its ports; null without.
+   * The source to which an input of the followed proxy is connected, and its port; or null.
    */
   vtkSMSourceProxy* GetInput(const char* name, unsigned int& port) const;
 

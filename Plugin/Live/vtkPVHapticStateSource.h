@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVHapticStateSource
- * @brief   what a device in ParaView's client does, as geometry on the data server
+ * @brief   the state of a device in ParaView's client, as geometry on the data server
  *
  * The output is that of vtkHapticStateSource; the state comes from the client, through
  * vtkSMHapticDeviceProxy. Of several processes the first one has the output.
@@ -20,7 +20,7 @@ public:
   vtkTypeMacro(vtkPVHapticStateSource, vtkHapticStateSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What is touched: only for ParaView to know that it has to do with this source. */
+  /** The filter that is touched; only tells ParaView that the two belong together. */
   void SetTouch(vtkObject*) {}
 
   /** Length of a state. */
@@ -32,7 +32,7 @@ public:
    */
   void SetState(const double state[26]);
 
-  /** Whether the state is newer than the output: what ParaView asks a live source. */
+  /** Whether the state is newer than the output; ParaView asks each live source this. */
   bool GetNeedsUpdate();
 
 protected:

@@ -138,7 +138,7 @@ void vtkSMHapticDeviceProxy::LoseServer()
 void vtkSMHapticDeviceProxy::UpdateVTKObjects()
 {
   auto& d = *this->Internals;
-  // First of all what a hand may be waiting for.
+  // First the orders, for which a hand may be waiting.
   if (this->ObjectsCreated && d.IsBusy)
   {
     // The rest is for when Poll is through.

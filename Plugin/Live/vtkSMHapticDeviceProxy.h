@@ -4,9 +4,9 @@
  * @class   vtkSMHapticDeviceProxy
  * @brief   a haptic device in ParaView's client, which touches the data of a Volume Haptics filter
  *
- * The servo runs in the client, also if the data are on a server. The proxy owns a vtkHapticDevice and, by way
- * of the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy. On the
- * data server there is only a small source that shows what the client tells it,
+ * The servo runs in the client, also if the data are on a server. The proxy owns a vtkHapticDevice
+ * and, by way of the property Touch, a vtkVolumeHapticsFilter with the settings of that filter
+ * proxy. On the data server there is only a small source that shows the client's state,
  * vtkPVHapticStateSource. Data of the same process are touched without a copy. Of data on a server,
  * a region around the tip is fetched (vtkHapticRegionPlanner) and given to the servo, without a
  * step of the force. With the round trip and load time t, v_max of a hand, the spring's length
@@ -53,8 +53,8 @@ public:
   vtkVolumeHapticsFilter* GetFilter();
 
   /**
-   * Take over what has changed in properties, pipeline and opacity, give it to the servo, and take
-   * its latest state. True if that is a new one. If it is called while it runs, it does nothing.
+   * Take over changes of properties, pipeline and opacity, give them to the servo, and take its
+   * latest state. True if that is a new one. If it is called while it runs, it does nothing.
    */
   bool Poll();
 

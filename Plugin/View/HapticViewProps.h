@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is seen of a touch in a view: the hand with its forces, and the figures.
+ * The props of a touch in a view: the hand with its forces, and the figures.
  */
 #ifndef HapticViewProps_h
 #define HapticViewProps_h
@@ -22,7 +22,7 @@ namespace VolumeHaptics
 class HapticViewProps
 {
 public:
-  /** The hand is sized by the filter's image, where there is one. */
+  /** The hand is sized by the filter's image, if there is one. */
   HapticViewProps(vtkRenderer* renderer, vtkHapticDevice* device, vtkVolumeHapticsFilter* filter);
   ~HapticViewProps();
   HapticViewProps(const HapticViewProps&) = delete;

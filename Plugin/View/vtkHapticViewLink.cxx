@@ -176,7 +176,7 @@ void vtkHapticViewLink::Detach()
   {
     return;
   }
-  // Before anything else: nobody sees from here on what the hand feels.
+  // Before anything else, as the hand is not shown any more from here on.
   d.Device->Disarm();
   for (auto& [object, tag] : d.Observers)
   {
@@ -253,7 +253,7 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   {
     return;
   }
-  // Who comes from a button has no pointer in the view yet.
+  // A user who comes from a button has no pointer in the view yet.
   const int* const size = d.Interactor->GetSize();
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);

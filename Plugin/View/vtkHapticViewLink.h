@@ -38,11 +38,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * False, with an error that says what to do, where the view has no interactor (as in pvbatch), or
+   * False, with an error that says what to do, if the view has no interactor (as in pvbatch), or
    * has a device already. Detaches from another view first.
    */
   bool Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProxy* device);
-  /** Does nothing where nothing is attached. */
+  /** Does nothing if nothing is attached. */
   void Detach();
   bool IsAttached() const;
 

@@ -24,7 +24,7 @@ vtkHapticViewStyle::~vtkHapticViewStyle() = default;
 void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
 {
   this->View = view;
-  // It wins over what lies under the pointer.
+  // It wins over the renderer under the pointer.
   vtkRenderer* const renderer = view ? view->GetRenderer() : nullptr;
   this->SetDefaultRenderer(renderer);
   this->SetCurrentRenderer(renderer);
@@ -54,7 +54,7 @@ void vtkHapticViewStyle::OnTimer()
     return;
   }
   this->IsBusy = true;
-  // The view may be closed, and this with it, by what a poll or a frame sets off.
+  // A poll or a frame may close the view, and delete this.
   const vtkSmartPointer<vtkHapticViewStyle> self(this);
   if (this->DeviceProxy)
   {
@@ -91,7 +91,7 @@ void vtkHapticViewStyle::OnKeyPress()
   }
   if (key == "Escape")
   {
-    // Before the clutch is let go of, which looks at it.
+    // Before the clutch is released, which looks at it.
     this->SetArmed(false);
   }
   this->Superclass::OnKeyPress();

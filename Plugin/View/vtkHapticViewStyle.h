@@ -7,9 +7,9 @@
  * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that
  * data on servers are rendered there, too. Picks in the one renderer that shows the data, whichever
  * of the view's renderers lies under the pointer. Of VTK's keys only "r" is left, which resets the
- * view's camera: the others would change actors that belong to ParaView. What arms and disarms does
- * so through the device's property Armed, lest that says something else than the device does; the
- * key for the next method sets Method and Solver of the filter that is touched.
+ * view's camera: the others would change actors that belong to ParaView. Keys arm and disarm by the
+ * device's property Armed, so that it always holds; the key for the next method sets Method and
+ * Solver of the filter that is touched.
  *
  * @sa vtkHapticViewLink
  */
@@ -41,7 +41,7 @@ public:
   /** By the property Armed of the device's proxy. */
   void SetArmed(bool on);
 
-  /** vtkCommand::DisableEvent follows where the interactor has let go of this style. */
+  /** vtkCommand::DisableEvent follows if the interactor has let go of this style. */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
   void OnKeyPress() override;

@@ -60,7 +60,7 @@ void vtkSMHapticViewProxy::OnEnd()
 {
   vtkSMPropertyHelper(this, "Attached").Set(0);
   vtkSMPropertyHelper(this, "TouchMode").Set(0);
-  // What was closed is not kept from going.
+  // Does not keep a view alive that was closed.
   vtkSMPropertyHelper(this, "View").RemoveAllValues();
   vtkSMPropertyHelper(this, "Device").RemoveAllValues();
 }

@@ -13,8 +13,8 @@
  *
  *   link = servermanager.ProxyManager().NewProxy("misc", "HapticView")
  *
- * Attached and TouchMode turn 0 by themselves where the link ends: see vtkHapticViewLink. Neither a
- * state nor a trace has them: whoever loads it has not got a hand on the device.
+ * Attached and TouchMode turn 0 by themselves if the link ends: see vtkHapticViewLink. Neither a
+ * state nor a trace has them, as a user who loads it has not got a hand on the device.
  */
 #ifndef vtkSMHapticViewProxy_h
 #define vtkSMHapticViewProxy_h
@@ -32,7 +32,7 @@ public:
   vtkTypeMacro(vtkSMHapticViewProxy, vtkSMProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What the properties work on. */
+  /** The object that the properties work on. */
   vtkHapticViewLink* GetLink();
 
   void UpdateVTKObjects() override;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Hands the servo what has changed in the filter, and changes the method that is felt.
+ * Hands the servo the changes of the filter, and changes the method that is felt.
  */
 #ifndef FilterPublisher_h
 #define FilterPublisher_h
@@ -38,7 +38,7 @@ public:
   bool NextMethod(const std::function<void(const std::string&)>& notify);
 
 private:
-  /** When the filter, or what it is fed with, changed last. */
+  /** When the filter, its image or its surface changed last. */
   vtkMTimeType GetChangeTime() const;
 
   TouchedScene& Scene;

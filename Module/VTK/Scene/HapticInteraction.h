@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What keys, mouse and timer do to a haptic device, its tip, and the view.
+ * Lets keys, mouse and timer act on a haptic device, its tip, and the view.
  */
 #ifndef HapticInteraction_h
 #define HapticInteraction_h
@@ -30,8 +30,8 @@ namespace VolumeHaptics
 
 /**
  * Stands behind vtkInteractorStyleHaptic, which says what each key and button does. It is composed
- * of parts that have a subject each; here is what connects them: the order of an update, the keys
- * and the mouse, and long work.
+ * of parts that have a subject each, and connects them: the order of an update, the keys and the
+ * mouse, and long work.
  *
  * Functions for keys and the mouse are true if they used the event, else the style's superclass
  * gets it.
@@ -39,7 +39,7 @@ namespace VolumeHaptics
 class HapticInteraction
 {
 public:
-  /** What is done by virtual functions of the style. */
+  /** The style's virtual functions. */
   struct Calls
   {
     std::function<void(bool)> DrawScene;

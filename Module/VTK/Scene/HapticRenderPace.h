@@ -13,9 +13,9 @@ namespace VolumeHaptics
 {
 
 /**
- * What moves is drawn at once and as coarsely as the interactive frame rate needs; what has come to
- * rest, once and well. After that only figures change: they may take a tenth of the time for
- * drawing, so that a volume that takes a second to draw leaves the application free.
+ * A scene that moves is drawn at once and as coarsely as the interactive frame rate needs; one that
+ * has come to rest, once and well. After that only figures change: drawing them may take a tenth of
+ * the time, so that a volume that takes a second to draw leaves the application free.
  */
 class HapticRenderPace
 {
@@ -30,7 +30,7 @@ public:
   static constexpr double Shortest = 0.05; ///< s between frames at rest
 
   /**
-   * Times in s. Moves: something is elsewhere than when last drawn. IsNew: figures have changed.
+   * Times in s. Moves: something has moved since the last frame. IsNew: figures have changed.
    */
   Frame Next(double now, bool moves, bool isNew)
   {
@@ -40,8 +40,7 @@ public:
     }
     if (!this->IsStill)
     {
-      // What a person does while a frame is drawn is only seen after it; a slow frame has to wait
-      // for a longer rest, lest it be in the way.
+      // A motion during a frame is seen only after it, so a slow frame waits for a longer rest.
       const double rest = std::max(Pause, 0.5 * this->Cost);
       return now - this->LastDrawn >= rest ? Frame::Still : Frame::None;
     }

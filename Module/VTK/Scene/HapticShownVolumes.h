@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the volumes of a scene show the image that is felt: as it is, or changed in a way that the
- * hand does not feel.
+ * Finds the volumes of a scene that show the image that is felt in a way that the hand does not
+ * feel.
  */
 #ifndef HapticShownVolumes_h
 #define HapticShownVolumes_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What happened in a table of states, as events in their order.
+ * Finds the events in a table of states, in their order.
  */
 #ifndef HapticStateWatch_h
 #define HapticStateWatch_h

@@ -53,7 +53,7 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position)
 bool FindFirstContact(
   vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position)
 {
-  // In millimetres to metres or whatever the filter says; where the device is does not matter here.
+  // The device's placement does not matter here, so the filter's own scale will do.
   const auto model = HapticBaker(filter).Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
   vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
   if (!model || !image)

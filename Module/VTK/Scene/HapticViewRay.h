@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where a pointer on the screen is in the scene, and what can be felt under it.
+ * From a pointer on the screen to a position in the scene, and to the first contact under it.
  */
 #ifndef HapticViewRay_h
 #define HapticViewRay_h
@@ -23,7 +23,7 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 
 /**
  * Walks along the line of sight under a pointer, from where it enters the image, with the servo's
- * own tick, up to the first contact. True with the last free position in front of it; false where
+ * own tick, up to the first contact. True with the last free position in front of it; false if
  * nothing can be felt along the line.
  */
 bool FindFirstContact(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells when a window goes away under a hand.
+ * Tells when a window goes away during a touch.
  *
  * VTK has no event for the end of a loop or of a window, and each platform ends them in its own
  * order. So this watches everything that comes early in an end: ExitEvent (the key q, the window

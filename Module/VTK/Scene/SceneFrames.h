@@ -19,8 +19,8 @@ namespace VolumeHaptics
 class HapticWindowWatch;
 
 /**
- * Draws if the tip or the proxy has moved by what can be seen, or if an event has happened, since
- * the last frame; else HapticRenderPace says when. A window that was closed is not drawn, as that
+ * Draws if the tip or the proxy has moved visibly, or if an event has happened, since the last
+ * frame; else HapticRenderPace says when. A window that was closed is not drawn, as that
  * would open another one.
  */
 class SceneFrames

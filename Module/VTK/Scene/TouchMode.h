@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The touch mode: it begins in front of what can be felt, and the mouse leads the virtual tip.
+ * The touch mode: it begins in front of the first surface, and the mouse leads the virtual tip.
  */
 #ifndef TouchMode_h
 #define TouchMode_h
@@ -37,7 +37,7 @@ public:
   bool LeadsTip() const;
   /** Along the line of sight, away from the viewer; a step of the wheel is one. */
   void MoveInDepth(double steps);
-  /** In the plane of the view, by what lies between two positions of the pointer (pixels). */
+  /** In the plane of the view, from one position of the pointer to another one (pixels). */
   void MoveInPlane(const int from[2], const int to[2]);
 
 private:
@@ -51,7 +51,7 @@ private:
   const WorkspaceControl& Workspace;
   bool IsTouching = false;
   bool IsBeginning = false; ///< Begin is under way, and nothing has ended it since
-  Vector3 Lead;             ///< world; where the mouse leads the tip
+  Vector3 Lead;             ///< world; to which the mouse leads the tip
 };
 
 } // namespace VolumeHaptics

@@ -22,8 +22,8 @@ namespace VolumeHaptics
 {
 
 /**
- * What the parts of a HapticInteraction share. The application may set each of the three objects to
- * null at any time, also from an observer of what a part does.
+ * The parts of a HapticInteraction share it. The application may set each of the three objects to
+ * null at any time, also from an observer of an event that a part causes.
  */
 class TouchedScene
 {

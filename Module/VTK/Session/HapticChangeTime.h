@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * When a servo has to be told of something new.
+ * The time of the last change that a servo has to know.
  */
 #ifndef HapticChangeTime_h
 #define HapticChangeTime_h
