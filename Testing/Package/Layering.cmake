@@ -90,6 +90,11 @@ forbid("The filter must not know devices, rendering or interaction."
   VTK/vtkVolumeHapticsFilter.h VTK/vtkVolumeHapticsFilter.cxx
   VTK/vtkVolumeHapticsAlgorithm.h VTK/vtkVolumeHapticsAlgorithm.cxx)
 forbid("The module must not know ParaView or Qt." "[\"<](vtkPV|vtkSM|vtkSI|pq|Q[A-Z])" Core Devices VTK)
+forbid("The plugin's filters must not know devices or views." "(HapticDevice|HapticView|[\"<](pq|Q[A-Z]))"
+  ../Plugin/Filters)
+forbid("The plugin's devices must not know views or Qt." "(HapticView|HapticController|HapticDock|[\"<](pq|Q[A-Z]))"
+  ../Plugin/Live)
+forbid("The plugin's views must not know Qt." "(HapticController|HapticDock|[\"<](pq|Q[A-Z]))" ../Plugin/View)
 file(GLOB public RELATIVE "${root}/Module" "${root}/Module/VTK/vtk*.h")
 forbid("Installed headers must not show a device library." "(hidapi|libusb)"
   ${public} Core/Servo/DeviceBackend.h Devices/Common/DeviceKind.h)
