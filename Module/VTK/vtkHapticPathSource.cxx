@@ -4,6 +4,7 @@
 
 #include "VTK/Trace/HapticCurve.h"
 #include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/HapticPathSettings.h"
 #include "VTK/Trace/HapticTraceFiles.h"
 
 #include "vtkCellArray.h"
@@ -30,9 +31,6 @@ using VolumeHaptics::Vector3;
 
 /** More are a mistake in a unit, and would not fit into memory. */
 constexpr double MostPoints = 1e8;
-
-const char* const ShapeNames[] = { "Line", "Circle", "Spiral", "PressAndSlide", "FromFile" };
-const char* const DirectionNames[] = { "+X", "-X", "+Y", "-Y", "+Z", "-Z" };
 
 Vector3 ToVector(const double x[3])
 {
@@ -120,7 +118,7 @@ void vtkHapticPathSource::SetBoxBounds(const double bounds[6])
 //------------------------------------------------------------------------------
 std::string vtkHapticPathSource::CheckSettings() const
 {
-  const std::string shape = ShapeNames[this->Shape];
+  const std::string shape = VolumeHaptics::ShapeNames[this->Shape].Name;
   const bool isRound = this->Shape == CIRCLE || this->Shape == SPIRAL;
   const bool isBox = this->Shape == PRESS_AND_SLIDE;
   const std::pair<const char*, const double*> places[] = { { "Point1", this->Point1 },
@@ -264,19 +262,12 @@ void vtkHapticPathSource::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const auto print = [&](const char* name, const double x[3])
   { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
-  os << indent << "Shape: " << ShapeNames[this->Shape] << "\n";
-  os << indent << "Speed: " << this->Speed << " world units/s\n";
-  os << indent << "PointsPerSecond: " << this->PointsPerSecond << "\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::PathSettings);
   print("Point1", this->Point1);
   print("Point2", this->Point2);
   print("Center", this->Center);
   print("Normal", this->Normal);
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Turns: " << this->Turns << "\n";
   print("BoxCorner", this->BoxCorner);
   print("BoxSize", this->BoxSize);
-  os << indent << "PressDirection: " << DirectionNames[this->PressDirection] << "\n";
-  os << indent << "Depth: " << this->Depth << "\n";
-  os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "FileName: " << (this->FileName.empty() ? "(none)" : this->FileName) << "\n";
 }

@@ -44,11 +44,12 @@ public:
 
   ///@{
   /**
-   * LINE (default): from Point1 to Point2. CIRCLE: Turns times around Center, Radius away from it,
-   * in the plane across Normal, counterclockwise seen from where Normal points to. SPIRAL: in that
-   * plane from Center to Radius, by the same step outwards with each of its Turns. PRESS_AND_SLIDE:
-   * comes down on a face of a box, presses in, slides across and lifts again; see PressDirection.
-   * FROM_FILE: see FileName.
+   * LINE (default): from Point1 to Point2. CIRCLE: around Center, across Normal. SPIRAL: in that
+   * plane, from Center out to Radius. PRESS_AND_SLIDE: comes down on a face of the box, presses
+   * in, slides across and lifts. FROM_FILE: a .vtp or .csv, such as a recording of a haptic
+   * device. CIRCLE goes round Turns times, Radius away from Center, counterclockwise seen from
+   * where Normal points to. SPIRAL goes outwards by the same step with each of its Turns. See
+   * also PressDirection and FileName.
    */
   vtkSetClampMacro(Shape, int, LINE, FROM_FILE);
   vtkGetMacro(Shape, int);
@@ -61,15 +62,17 @@ public:
 
   ///@{
   /**
-   * Where the hand moves (world units per second), more than 0. Default 100: 0.1 m/s in
-   * millimetres.
+   * Speed of the hand (world units per second), more than 0. Default 100: 0.1 m/s if a unit is a
+   * millimetre.
    */
   vtkSetMacro(Speed, double);
   vtkGetMacro(Speed, double);
   ///@}
 
   ///@{
-  /** Points for each second (1/s), 1 to 100000. Default 1000: one a tick of the default servo. */
+  /**
+   * Points for each second, 1 to 100000. Default 1000: one for each tick of a servo of 1 kHz.
+   */
   vtkSetClampMacro(PointsPerSecond, double, 1.0, 1e5);
   vtkGetMacro(PointsPerSecond, double);
   ///@}
@@ -95,15 +98,18 @@ public:
   ///@}
 
   ///@{
-  /** The radius of CIRCLE, and the largest of SPIRAL (world units), more than 0. Default 20. */
+  /**
+   * Radius of the CIRCLE, and the largest one of the SPIRAL (world units), more than 0. Default
+   * 20.
+   */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
   /**
-   * How often CIRCLE and SPIRAL go round, more than 0 and up to 10000; parts of a turn count.
-   * Default 3.
+   * How often the CIRCLE or the SPIRAL goes round, more than 0 and up to 10000; parts of a turn
+   * count. Default 3.
    */
   vtkSetMacro(Turns, double);
   vtkGetMacro(Turns, double);
@@ -135,23 +141,27 @@ public:
 
   ///@{
   /**
-   * Where PRESS_AND_SLIDE presses. With MINUS_Z (default) it begins Clearance above the face with
-   * the largest z, comes down, presses Depth into the box, slides from one end of the face to the
-   * other, along the longer one of its sides and through the middle of the other, and lifts to
-   * where it began.
+   * Where the hand presses. With -Z (default) it comes down on the face of the box with the
+   * largest z, and slides along the longer side of that face. MINUS_Z begins Clearance above that
+   * face, presses Depth into the box, slides from one end to the other through the middle of the
+   * shorter side, and lifts to where it began.
    */
   vtkSetClampMacro(PressDirection, int, PLUS_X, MINUS_Z);
   vtkGetMacro(PressDirection, int);
   ///@}
 
   ///@{
-  /** How far PRESS_AND_SLIDE presses into the box (world units), 0 or more. Default 3. */
+  /**
+   * How far the hand presses into the box, 0 or more world units. Default 3.
+   */
   vtkSetMacro(Depth, double);
   vtkGetMacro(Depth, double);
   ///@}
 
   ///@{
-  /** How far above the box PRESS_AND_SLIDE begins and ends (world units), 0 or more. Default 10. */
+  /**
+   * How far above the box the hand begins and ends, 0 or more world units. Default 10.
+   */
   vtkSetMacro(Clearance, double);
   vtkGetMacro(Clearance, double);
   ///@}

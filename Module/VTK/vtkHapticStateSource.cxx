@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticStateSource.h"
 
+#include "VTK/Session/HapticDeviceSettings.h"
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkCellArray.h"
@@ -160,6 +161,5 @@ void vtkHapticStateSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Device: " << this->Device.GetPointer() << "\n";
-  os << indent << "ForceScale: " << this->ForceScale << " N per world unit\n";
-  os << indent << "ShowCommandedForce: " << (this->ShowCommandedForce ? "On" : "Off") << "\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::StateSourceSettings);
 }

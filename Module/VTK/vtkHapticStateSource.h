@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Newtons per world unit. Default 0.1: 1 N is 10 world units long.
+   * Newtons per world unit in the output. Default 0.1: a line of 10 world units for 1 N.
    */
   vtkSetClampMacro(ForceScale, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(ForceScale, double);
@@ -61,7 +61,8 @@ public:
 
   ///@{
   /**
-   * Whether FORCE is what went to the device, or (default) what the tick computed, armed or not.
+   * Whether the output shows the force that went to the device, or (default) what was computed,
+   * armed or not.
    */
   vtkSetMacro(ShowCommandedForce, bool);
   vtkGetMacro(ShowCommandedForce, bool);

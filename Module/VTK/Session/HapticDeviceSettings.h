@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The settings of vtkHapticDevice and vtkHapticHardware, one row each: see HapticSetting.h.
+ * The settings of vtkHapticDevice, vtkHapticHardware and vtkHapticStateSource, one row each: see
+ * HapticSetting.h.
  */
 #ifndef HapticDeviceSettings_h
 #define HapticDeviceSettings_h
@@ -10,6 +11,7 @@
 #include "VTK/Baking/HapticSetting.h"
 
 #include "vtkHapticDevice.h"
+#include "vtkHapticStateSource.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,6 +21,7 @@ namespace VolumeHaptics
 
 using DeviceSetting = HapticSetting<vtkHapticDevice>;
 using HardwareSetting = HapticSetting<vtkHapticHardware>;
+using StateSourceSetting = HapticSetting<vtkHapticStateSource>;
 
 // One row for a number of the class `Owner`.
 #define HapticNumberMacro(name, minimum, maximum, standard, unit, text) \
@@ -52,10 +55,25 @@ inline constexpr HardwareSetting All[] = { HapticNumberMacro(HomingTime, 1.0, 36
   "How long (s) each step of homing by hand may take, 1 to 3600. Default 120.") };
 } // namespace HardwareSettingRows
 
+namespace StateSourceSettingRows
+{
+using Owner = vtkHapticStateSource;
+
+inline constexpr StateSourceSetting All[] = {
+  HapticNumberMacro(ForceScale, 1e-9, VTK_DOUBLE_MAX, 0.1, "N per world unit",
+    "Newtons per world unit in the output. Default 0.1: a line of 10 world units for 1 N."),
+  SettingAccess<&Owner::GetShowCommandedForce, &Owner::SetShowCommandedForce, NotBaked>::Make(
+    { SettingKind::Flag, "ShowCommandedForce", 0.0, 1.0, 0.0, "", nullptr,
+      "Whether the output shows the force that went to the device, or (default) what was computed, "
+      "armed or not." }),
+};
+} // namespace StateSourceSettingRows
+
 #undef HapticNumberMacro
 
 inline constexpr const auto& DeviceSettings = DeviceSettingRows::All;
 inline constexpr const auto& HardwareSettings = HardwareSettingRows::All;
+inline constexpr const auto& StateSourceSettings = StateSourceSettingRows::All;
 
 /** The nearest value that a setting may have; the minimum, which is the safe one, for NaN. */
 inline double Clamp(const SettingFacts& setting, double value)

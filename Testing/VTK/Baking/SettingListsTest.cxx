@@ -7,6 +7,7 @@
 
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Session/HapticDeviceSettings.h"
+#include "VTK/Trace/HapticPathSettings.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -230,6 +231,17 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
     vtkNew<vtkHapticDevice> device;
     ExpectHeaderBehaves<vtkHapticHardware>(device, setting);
   }
+  for (const StateSourceSetting& setting : StateSourceSettings)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkNew<vtkHapticStateSource> source;
+    ExpectHeaderBehaves<vtkHapticStateSource>(source, setting);
+  }
+  for (const PathSetting& setting : PathSettings)
+  {
+    vtkNew<vtkHapticPathSource> source;
+    EXPECT_EQ(setting.Get(source), setting.Default) << setting.Name;
+  }
 }
 
 TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
@@ -281,6 +293,8 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   expect("vtkHapticProperty", PropertyFunctions);
   expect("vtkHapticDevice", DeviceSettings);
   expect("vtkHapticHardware", HardwareSettings);
+  expect("vtkHapticStateSource", StateSourceSettings);
+  expect("vtkHapticPathSource", PathSettings);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)
@@ -339,6 +353,20 @@ TEST(SettingLists, ParaViewHasTheSameDevice)
   };
   expect(DeviceSettings);
   expect(HardwareSettings);
+  expect(StateSourceSettings);
+}
+
+TEST(SettingLists, ParaViewHasTheSamePath)
+{
+  const ParaViewProxy paraview("HapticPath.xml");
+  for (const PathSetting& setting : PathSettings)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkXMLDataElement* const property = paraview.Find(setting.Name);
+    ExpectProperty(property, setting);
+    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
+    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
+  }
 }
 
 TEST(SettingLists, TheCoreHasTheSameDefaults)
