@@ -233,7 +233,6 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   s.Armed = this->Safety.IsArmed();
   s.Stale = this->Safety.IsStale();
   s.Fault = this->Safety.GetFault();
-  s.Seal = ComputeSeal(s);
   this->Latest.Write(s);
   this->WrittenGeneration.store(s.Generation, std::memory_order_release);
   if (this->Recording.load(std::memory_order_acquire))

@@ -44,7 +44,6 @@ struct ServoSnapshot
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
-  std::uint64_t Seal = 0;       ///< a checksum of the rest: see IsWhole
   std::uint32_t Buttons = 0;
   Vector3 Turn; ///< rad/s, see DeviceSample
   bool Armed = false;
@@ -54,14 +53,6 @@ struct ServoSnapshot
   SafetyFault Fault = SafetyFault::None;
   DeviceState Device = DeviceState::Running;
 };
-
-/** A checksum over the numbers of a snapshot, without the seal itself. */
-std::uint64_t ComputeSeal(const ServoSnapshot& snapshot) noexcept;
-/** False where a snapshot mixes two ticks, which the hand-off must never let happen. */
-inline bool IsWhole(const ServoSnapshot& snapshot) noexcept
-{
-  return snapshot.Seal == ComputeSeal(snapshot);
-}
 
 class ServoLoop
 {

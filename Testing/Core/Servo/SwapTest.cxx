@@ -5,17 +5,89 @@
  * A thousand models while the loop runs at 5 kHz, one thread reads states and another records.
  */
 
+#include "Core/Solvers/ServoStateNumbers.h"
 #include "Rigs/PlayedDevice.h"
 
+#include <cstring>
 #include <vector>
 
 using namespace servotest;
 
 namespace
 {
+/// Everything that it reports tells the number of the tick.
+struct CountingDevice : PlayedDevice
+{
+  static Vector3 TurnOf(std::uint64_t tick)
+  {
+    const double number = static_cast<double>(tick);
+    return { number, -number, 0.5 * number };
+  }
+
+  DeviceState Read(double period, DeviceSample& sample) noexcept override
+  {
+    const std::uint64_t tick = this->Reads.load();
+    sample.Buttons = static_cast<std::uint32_t>(tick);
+    sample.Turn = TurnOf(tick);
+    return PlayedDevice::Read(period, sample);
+  }
+};
+
+bool IsSame(const Vector3& a, const Vector3& b)
+{
+  return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+}
+
+/// False if a snapshot mixes two ticks in the numbers that follow from the tick's own.
+bool IsOfOneTick(const ServoSnapshot& s)
+{
+  return s.Buttons == static_cast<std::uint32_t>(s.Tick) &&
+    IsSame(s.Turn, CountingDevice::TurnOf(s.Tick)) &&
+    IsSame(s.Record.Tip, PlayedDevice::TipOf(s.Tick)) &&
+    (!s.Before.Enabled || IsSame(s.Before.PreviousTip, PlayedDevice::TipOf(s.Tick - 1)));
+}
+
+/// A checksum over all numbers of a snapshot.
+std::uint64_t SumOf(const ServoSnapshot& s)
+{
+  std::uint64_t sum = 0;
+  const auto add = [&](double number)
+  {
+    std::uint64_t word;
+    std::memcpy(&word, &number, sizeof(word));
+    sum = (sum ^ word) * 0x9E3779B97F4A7C15ULL;
+    sum ^= sum >> 29;
+  };
+  for (const Vector3& v :
+    { s.Record.Tip, s.Record.Proxy, s.Record.Force, s.Record.Normal, s.Command, s.Turn })
+  {
+    add(v.X);
+    add(v.Y);
+    add(v.Z);
+  }
+  for (const double number : { s.Time, static_cast<double>(s.Tick),
+         static_cast<double>(s.Generation), s.Record.GradientMagnitude, s.Record.SurfaceValue,
+         s.Record.MediumValue, s.Record.Stiffness, s.Record.SurfaceStrength, s.Record.NormalForce,
+         s.Record.FrictionForce, s.Record.DragForce, s.Residency, static_cast<double>(s.Buttons),
+         static_cast<double>(s.Record.Contact), static_cast<double>(s.Device) })
+  {
+    add(number);
+  }
+  for (const bool flag : { s.Stale, s.Awaiting, s.Record.IsUnfinished, s.Record.IsRenewed })
+  {
+    add(flag);
+  }
+  for (const double number : ToNumbers(s.Before))
+  {
+    add(number);
+  }
+  return sum;
+}
+
 /// Watches a stream of states.
 struct Watcher
 {
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> Sums; ///< the tick, SumOf
   std::uint64_t States = 0;
   std::uint64_t Torn = 0;
   std::uint64_t Backward = 0;
@@ -25,7 +97,8 @@ struct Watcher
 
   void See(const ServoSnapshot& s)
   {
-    this->Torn += IsWhole(s) ? 0 : 1;
+    this->Torn += IsOfOneTick(s) ? 0 : 1;
+    this->Sums.emplace_back(s.Tick, SumOf(s));
     this->Backward += this->States > 0 && s.Tick <= this->Tick ? 1 : 0;
     this->Backward += s.Generation < this->Generation ? 1 : 0;
     this->Skipped += this->States > 0 && s.Tick != this->Tick + 1 ? 1 : 0;
@@ -58,7 +131,7 @@ std::shared_ptr<const HapticModel> MakeModel(int i)
 
 TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
 {
-  PlayedDevice device;
+  CountingDevice device;
   std::vector<std::weak_ptr<const HapticModel>> models;
   Watcher reader;
   Watcher recorder;
@@ -122,7 +195,19 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
   EXPECT_EQ(reader.Torn + recorder.Torn, 0U);
   EXPECT_EQ(reader.Backward + recorder.Backward, 0U);
   EXPECT_EQ(lost, 0U);
-  EXPECT_EQ(recorder.Skipped, 0U);
+  ASSERT_EQ(recorder.Skipped, 0U);
+  // Two ways out of the loop give the same.
+  const std::uint64_t first = recorder.Sums.front().first;
+  std::uint64_t compared = 0;
+  for (const auto& [tick, sum] : reader.Sums)
+  {
+    if (tick >= first && tick - first < recorder.Sums.size())
+    {
+      EXPECT_EQ(sum, recorder.Sums[tick - first].second) << "tick " << tick;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100U);
   EXPECT_LE(device.LargestGrowth, QuickLimits().MaximumForceRate / 5000.0 * (1.0 + 1e-9));
   EXPECT_TRUE(models.back().expired());
 }
