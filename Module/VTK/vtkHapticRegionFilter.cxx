@@ -121,7 +121,7 @@ vtkHapticRegionFilter::SamplesOfComponents vtkHapticRegionFilter::CollectSamples
   SamplesOfComponents samples(array ? array->GetNumberOfComponents() : 0);
   for (std::size_t c = 0; c < samples.size(); ++c)
   {
-    VolumeHaptics::CollectSamples(array, static_cast<int>(c), extent, whole, samples[c]);
+    VolumeHaptics::CollectNoiseSamples(array, static_cast<int>(c), extent, whole, samples[c]);
   }
   return samples;
 }

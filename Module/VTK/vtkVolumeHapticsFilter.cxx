@@ -109,7 +109,7 @@ vtkStandardNewMacro(vtkVolumeHapticsFilter);
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   : Surfaces(new VolumeHaptics::HapticSurface)
-  , Noise(new VolumeHaptics::NoiseOfScalars)
+  , Noise(new VolumeHaptics::HapticNoise)
   , Regions(new VolumeHaptics::RegionSeries)
 {
   this->SetNumberOfInputPorts(3);

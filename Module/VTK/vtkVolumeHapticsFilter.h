@@ -111,7 +111,7 @@ namespace VolumeHaptics
 class HapticBaker;
 class HapticModel;
 class HapticSurface;
-class NoiseOfScalars;
+class HapticNoise;
 class RegionSeries;
 struct Affine3;
 struct ForceCaps;
@@ -177,7 +177,7 @@ private:
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
   vtkMTimeType LastBakedTime = 0;
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
-  std::unique_ptr<VolumeHaptics::NoiseOfScalars> Noise;
+  std::unique_ptr<VolumeHaptics::HapticNoise> Noise;
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
 #endif
 

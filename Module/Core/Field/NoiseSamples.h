@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What has to be known of a whole volume to touch a region of it: samples that any piece of it may
- * give.
+ * Samples of a whole volume, from which its noise and its border value are estimated.
  *
- * The noise (HapticNoise.h) is estimated from some thousand blocks of 5^3 samples, and the border
- * value is that of a corner. Where a volume is in pieces, each piece gives the samples that it
- * holds; blocks that pieces share come together when they are merged. Plain numbers, which can be
- * sent as they are.
+ * A region of a volume is touched with the noise and the border value of the whole. If the volume
+ * is in pieces, each piece gives the samples that it holds (NoiseEstimate.h): some thousand blocks
+ * of 5^3 samples, and the corners. Merge puts together blocks that pieces share. Plain numbers,
+ * which can be sent as they are.
  */
 #ifndef NoiseSamples_h
 #define NoiseSamples_h
@@ -20,24 +19,24 @@
 namespace VolumeHaptics
 {
 
-/** Of one component of an array. */
+/** The samples of one component of an array. */
 struct NoiseSamples
 {
   /** Of the whole volume. */
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   /**
-   * Numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any order,
-   * and their values.
+   * The numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any
+   * order, and their values.
    */
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
-   * Smallest and largest value of all samples of the pieces; the first is the larger where there
-   * are none.
+   * Smallest and largest value of all samples of the pieces; the first is the larger if there are
+   * none.
    */
   double Range[2] = { 1.0, 0.0 };
 
-  /** Takes what another piece of the same volume gave; what both gave counts once. */
+  /** Adds the samples of another piece of the same volume; those that both have count once. */
   void Merge(const NoiseSamples& other)
   {
     this->Indices.insert(this->Indices.end(), other.Indices.begin(), other.Indices.end());

@@ -77,7 +77,7 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 
 /** Keeps noise from being felt where nobody has said from which gradient on there is a surface. */
 void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
-  const WholeFacts& whole, NoiseOfScalars& estimate, HapticModelDescription& d)
+  const WholeFacts& whole, HapticNoise& estimate, HapticModelDescription& d)
 {
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)

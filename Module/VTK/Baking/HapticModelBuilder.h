@@ -19,7 +19,7 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 class HapticSurface;
-class NoiseOfScalars;
+class HapticNoise;
 class RegionSeries;
 
 struct HapticModelOptions
@@ -31,7 +31,7 @@ struct HapticModelOptions
   HapticModelDescription Description;
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
-  NoiseOfScalars* Noise = nullptr;   ///< required
+  HapticNoise* Noise = nullptr;      ///< required
   RegionSeries* Regions = nullptr;   ///< of the models before, where the image may be a region
 };
 

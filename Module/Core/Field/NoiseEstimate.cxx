@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Field/NoiseEstimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+constexpr int BlockReach = 2;
+constexpr int BlockSide = 2 * BlockReach + 1;
+constexpr int BlockSamples = BlockSide * BlockSide * BlockSide;
+constexpr int Quadratic = 10; // coefficients
+constexpr int MostBlocksAlongAnAxis = 16;
+/** The share of the blocks, in ascending order of their remainders, that counts as flat. */
+constexpr double Flattest = 0.1;
+/** A tenth of the estimates from 115 degrees of freedom lies below this share of the true value. */
+constexpr double ShareAtFlattest = 0.916;
+/** Noise below this share of the largest value is rounding. */
+constexpr double NoiseRounding = 1e-9;
+constexpr double NoiseThreshold = 3.4;
+
+/** Orthogonal on -2 ... 2: constant, line and parabola, with the sums of their squares. */
+constexpr double Basis[3][BlockSide] = { { 1, 1, 1, 1, 1 }, { -2, -1, 0, 1, 2 },
+  { 2, -1, -2, -1, 2 } };
+constexpr double Squares[3] = { 5, 10, 14 };
+/** The products of degree 2 at most. */
+constexpr int Terms[Quadratic][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+  { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } };
+
+/** The blocks of a volume along an axis. */
+struct BlockAxis
+{
+  static constexpr std::int64_t None = -1;
+
+  explicit BlockAxis(std::int64_t count)
+    : Last(count - 1)
+    , Step(std::max<std::int64_t>(BlockSide, count / MostBlocksAlongAnAxis))
+    , Blocks(count < BlockSide ? 0 : (count - BlockSide) / this->Step + 1)
+  {
+  }
+
+  /** The block that contains an index, or None. */
+  std::int64_t Find(std::int64_t index) const
+  {
+    const std::int64_t block = index / this->Step;
+    return block < this->Blocks && index - block * this->Step < BlockSide ? block : None;
+  }
+  bool IsEnd(std::int64_t index) const { return index == 0 || index == this->Last; }
+
+  std::int64_t Last;
+  std::int64_t Step;
+  std::int64_t Blocks;
+};
+
+/** The sum of squares of a block after the best quadratic is subtracted. */
+double Remainder(const double* block)
+{
+  // Around the middle, so that no digits are lost.
+  const double middle = block[BlockSamples / 2];
+  double left = 0.0;
+  for (int i = 0; i < BlockSamples; ++i)
+  {
+    left += (block[i] - middle) * (block[i] - middle);
+  }
+  for (const int* term : Terms)
+  {
+    double sum = 0.0;
+    for (int i = 0; i < BlockSamples; ++i)
+    {
+      sum += (block[i] - middle) * Basis[term[0]][i % BlockSide] *
+        Basis[term[1]][i / BlockSide % BlockSide] * Basis[term[2]][i / (BlockSide * BlockSide)];
+    }
+    left -= sum * sum / (Squares[term[0]] * Squares[term[1]] * Squares[term[2]]);
+  }
+  return std::max(0.0, left);
+}
+
+/** Standard deviation of an estimated gradient component per voxel, of noise of one unit. */
+double NoiseGain(const GradientKernel& kernel)
+{
+  // White noise through a kernel: the root of the sum of the squared weights, averaged over
+  // positions.
+  constexpr int positions = 32;
+  double smoothing = 0.0;
+  double slope = 0.0;
+  for (int p = 0; p < positions; ++p)
+  {
+    const double t = (p + 0.5) / positions;
+    double s = 0.0;
+    double d = 0.0;
+    if (kernel.Estimator == GradientEstimator::CentralDifference)
+    {
+      s = (1.0 - t) * (1.0 - t) + t * t;
+      d = 2.0 * s / (4.0 * kernel.Radius * kernel.Radius);
+    }
+    else if (kernel.Estimator == GradientEstimator::CubicBSpline)
+    {
+      const double w[4] = { std::pow(1.0 - t, 3) / 6.0, 2.0 / 3.0 - t * t * (2.0 - t) / 2.0,
+        2.0 / 3.0 - (1.0 - t) * (1.0 - t) * (1.0 + t) / 2.0, t * t * t / 6.0 };
+      const double v[4] = { -0.5 * (1.0 - t) * (1.0 - t), -2.0 * t + 1.5 * t * t,
+        2.0 * (1.0 - t) - 1.5 * (1.0 - t) * (1.0 - t), 0.5 * t * t };
+      for (int i = 0; i < 4; ++i)
+      {
+        s += w[i] * w[i];
+        d += v[i] * v[i];
+      }
+    }
+    else
+    {
+      // At the middle of an interval of the table, where its polynomials are read at 1/2.
+      const int count = 2 * kernel.Taps;
+      const double* const c =
+        &kernel.Table[static_cast<std::size_t>(p) * GradientKernel::Coefficients * count];
+      for (int i = 0; i < count; ++i)
+      {
+        double weight = 0.0;
+        for (int power = GradientKernel::Coefficients - 1; power >= 0; --power)
+        {
+          weight = 0.5 * weight + c[power * count + i];
+        }
+        (i < kernel.Taps ? s : d) += weight * weight;
+      }
+    }
+    smoothing += s / positions;
+    slope += d / positions;
+  }
+  return smoothing * std::sqrt(slope);
+}
+static_assert(GradientKernel::Intervals == 32, "NoiseGain reads one position per interval");
+
+} // namespace
+
+void CollectNoiseSamples(
+  const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples)
+{
+  std::int64_t n[3];    // of the piece
+  std::int64_t from[3]; // of its first sample, in the whole
+  std::vector<std::int64_t> wanted[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    n[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
+    from[a] = std::int64_t{ extent[2 * a] } - whole[2 * a];
+    samples.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
+    const BlockAxis axis(samples.Dimensions[a]);
+    for (std::int64_t i = 0; i < n[a]; ++i)
+    {
+      if (axis.Find(from[a] + i) != BlockAxis::None || axis.IsEnd(from[a] + i))
+      {
+        wanted[a].push_back(i);
+      }
+    }
+  }
+  const BlockAxis axes[3] = { BlockAxis(samples.Dimensions[0]), BlockAxis(samples.Dimensions[1]),
+    BlockAxis(samples.Dimensions[2]) };
+  for (const std::int64_t k : wanted[2])
+  {
+    for (const std::int64_t j : wanted[1])
+    {
+      for (const std::int64_t i : wanted[0])
+      {
+        const std::int64_t at[3] = { from[0] + i, from[1] + j, from[2] + k };
+        bool isInBlock = true;
+        bool isCorner = true;
+        for (int a = 0; a < 3; ++a)
+        {
+          isInBlock = isInBlock && axes[a].Find(at[a]) != BlockAxis::None;
+          isCorner = isCorner && axes[a].IsEnd(at[a]);
+        }
+        if (isInBlock || isCorner)
+        {
+          samples.Indices.push_back(
+            at[0] + samples.Dimensions[0] * (at[1] + samples.Dimensions[1] * at[2]));
+          samples.Values.push_back(read(i + n[0] * (j + n[1] * k)));
+        }
+      }
+    }
+  }
+}
+
+double FindBorderValue(const NoiseSamples& samples)
+{
+  const std::int64_t* const n = samples.Dimensions;
+  int first = 8;
+  double value = 0.0;
+  for (std::size_t s = 0; s < samples.Indices.size(); ++s)
+  {
+    const std::int64_t place = samples.Indices[s];
+    const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
+    int corner = 0;
+    bool isCorner = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      isCorner = isCorner && (at[a] == 0 || at[a] == n[a] - 1);
+      corner |= at[a] == 0 ? 0 : 1 << a;
+    }
+    if (isCorner && corner < first && std::isfinite(samples.Values[s]))
+    {
+      first = corner;
+      value = samples.Values[s];
+    }
+  }
+  return value;
+}
+
+double EstimateNoise(const NoiseSamples& samples)
+{
+  const std::int64_t* const n = samples.Dimensions;
+  const BlockAxis axes[3] = { BlockAxis(n[0]), BlockAxis(n[1]), BlockAxis(n[2]) };
+  const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
+  constexpr double missing = std::numeric_limits<double>::infinity();
+  std::vector<double> all(static_cast<std::size_t>(blocks * BlockSamples), missing);
+  for (std::size_t s = 0; s < samples.Indices.size(); ++s)
+  {
+    const std::int64_t place = samples.Indices[s];
+    const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
+    const std::int64_t x = axes[0].Find(at[0]);
+    const std::int64_t y = axes[1].Find(at[1]);
+    const std::int64_t z = axes[2].Find(at[2]);
+    if (x != BlockAxis::None && y != BlockAxis::None && z != BlockAxis::None)
+    {
+      const std::int64_t block = x + axes[0].Blocks * (y + axes[1].Blocks * z);
+      const std::int64_t sample = at[0] - x * axes[0].Step +
+        BlockSide * (at[1] - y * axes[1].Step + BlockSide * (at[2] - z * axes[2].Step));
+      all[static_cast<std::size_t>(block * BlockSamples + sample)] = samples.Values[s];
+    }
+  }
+  const double* const range = samples.Range;
+  std::vector<double> left;
+  for (std::int64_t b = 0; b < blocks; ++b)
+  {
+    const double* const block = &all[static_cast<std::size_t>(b * BlockSamples)];
+    bool isFlat = true;
+    bool isFinite = true;
+    for (int i = 0; i < BlockSamples; ++i)
+    {
+      isFlat = isFlat && block[i] == block[0];
+      isFinite = isFinite && std::isfinite(block[i]);
+    }
+    if (isFinite && !(isFlat && (block[0] == range[0] || block[0] == range[1])))
+    {
+      left.push_back(isFlat ? 0.0 : Remainder(block));
+    }
+  }
+  if (left.empty())
+  {
+    return 0.0;
+  }
+  const auto tenth = left.begin() + static_cast<std::ptrdiff_t>(Flattest * (left.size() - 1));
+  std::nth_element(left.begin(), tenth, left.end());
+  const double noise = std::sqrt(*tenth / (BlockSamples - Quadratic)) / ShareAtFlattest;
+  return noise > NoiseRounding * std::max(std::abs(range[0]), std::abs(range[1])) ? noise : 0.0;
+}
+
+Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld)
+{
+  if (!(noise > 0.0))
+  {
+    return {};
+  }
+  const Matrix3 columns = Transpose(indexToWorld.Linear);
+  const double finest =
+    std::min({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
+  const double start = NoiseThreshold * noise * NoiseGain(kernel) / finest;
+  return { { start, 0.0 }, { 2.0 * start, 1.0 } };
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The noise of a volume, and the gradient above which a surface is more than noise.
+ */
+#ifndef NoiseEstimate_h
+#define NoiseEstimate_h
+
+#include "Core/Field/GradientKernel.h"
+#include "Core/Field/NoiseSamples.h"
+#include "Core/Math/PiecewiseTable.h"
+#include "Core/Math/Vector3.h"
+
+#include <functional>
+
+namespace VolumeHaptics
+{
+
+/** Returns the sample with a number, i + n_x (j + n_y k), of a piece of a volume. */
+using SampleReader = std::function<double(std::int64_t)>;
+
+/**
+ * Adds the samples of noise blocks and corners that one piece of a volume holds. The piece has a
+ * sample for every index of `extent`; the indices count as those of `whole`. The range is the
+ * caller's to merge (NoiseSamples::MergeRange).
+ */
+void CollectNoiseSamples(
+  const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples);
+
+/**
+ * The standard deviation of the noise (scalar units): the remainder of blocks of 5^3 samples after
+ * the best quadratic is subtracted, in the flattest tenth of some thousand blocks.
+ *
+ * Blocks that are all the smallest or the largest value (padding, saturation) and blocks that are
+ * not complete do not count. 0 without noise, and for volumes of less than 5 samples along an axis.
+ */
+double EstimateNoise(const NoiseSamples& samples);
+
+/** The first finite value among the corners of a volume that were given; 0 if there is none. */
+double FindBorderValue(const NoiseSamples& samples);
+
+/**
+ * The ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4 sigma_g,
+ * which a hundredth of the gradients of pure noise exceed, and 1 from twice that on. sigma_g is the
+ * noise of a component of the estimated gradient per world unit, along the axis with the finest
+ * spacing. Empty without noise.
+ */
+Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld);
+
+} // namespace VolumeHaptics
+
+#endif
