@@ -7,7 +7,7 @@
 #include "Core/Regions/Residency.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "VTK/Baking/HapticFunctions.h"
-#include "VTK/Baking/HapticRegion.h"
+#include "VTK/Baking/WholeFacts.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"

@@ -4,10 +4,10 @@
 
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticNoise.h"
-#include "VTK/Baking/HapticRegion.h"
+#include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
-#include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Baking/RegionSeries.h"
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticHash.h"
 #include "VTK/Trace/HapticTipPath.h"

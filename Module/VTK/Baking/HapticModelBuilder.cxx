@@ -6,10 +6,10 @@
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticNoise.h"
-#include "VTK/Baking/HapticRegion.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
-#include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Baking/RegionSeries.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -147,21 +147,16 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
 {
   HapticModelDescription d = options.Description;
-  WholeFacts whole;
-  vtkSmartPointer<vtkDataArray> holder;
-  if (!MakeVolumeView(
-        image, scalars, property->GetComponent(), d.KernelRadius, d.View, holder, error) ||
-    !ReadWholeFacts(image, property->GetComponent(), whole, error) ||
-    !MakeIndexToWorld(
-      image, whole.IsThere ? whole.Extent : image->GetExtent(), d.IndexToWorld, error) ||
+  HapticVolume volume;
+  const int component = property->GetComponent();
+  if (!ReadVolume(image, scalars, component, d.KernelRadius, volume, error) ||
     !BakeFunctions(property, d.Material, error))
   {
     return nullptr;
   }
-  if (whole.IsThere)
-  {
-    PlaceInWhole(image, whole, d.View);
-  }
+  const WholeFacts& whole = volume.Whole;
+  d.View = volume.View;
+  d.IndexToWorld = volume.IndexToWorld;
   const std::int64_t* const n = d.View.Dimensions;
   const std::int64_t needed = PointsNeeded(d.KernelRadius);
   if (std::min({ n[0], n[1], n[2] }) < needed)
@@ -175,7 +170,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     return nullptr;
   }
   BakeVisibility(property, image, d.Material);
-  d.Samples = ShareArray(holder);
+  d.Samples = ShareArray(volume.Holder);
   for (const PropertySetting& setting : PropertySettings)
   {
     if (setting.Bake)
@@ -183,13 +178,13 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
       setting.Bake(property, d);
     }
   }
-  if (!BakeSurface(image, scalars, property->GetComponent(), options, d, error))
+  if (!BakeSurface(image, scalars, component, options, d, error))
   {
     return nullptr;
   }
   BakeNoiseRamp(property, image, scalars, whole, *options.Noise, d);
   const std::string array =
-    std::to_string(property->GetComponent()) + (scalars->GetName() ? scalars->GetName() : "");
+    std::to_string(component) + (scalars->GetName() ? scalars->GetName() : "");
   d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;
   auto model = std::make_shared<const HapticModel>(d);
   if (options.Regions)

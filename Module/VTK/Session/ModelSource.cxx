@@ -3,7 +3,7 @@
 #include "VTK/Session/ModelSource.h"
 
 #include "VTK/Baking/HapticBaker.h"
-#include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Session/HapticChangeTime.h"
 #include "VTK/Session/HapticLongWork.h"
 

@@ -3,8 +3,8 @@
 #include "VTK/Setup/HapticSetupSettings.h"
 
 #include "Core/Model/HapticModel.h"
+#include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
-#include "VTK/Baking/HapticVolumeView.h"
 #include "VTK/Setup/HapticSetupFunctions.h"
 
 #include "vtkCamera.h"

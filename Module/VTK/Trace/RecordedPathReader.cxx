@@ -4,7 +4,7 @@
 
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "VTK/Baking/HapticTuples.h"
-#include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Baking/HapticPlacement.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

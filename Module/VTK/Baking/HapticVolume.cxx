@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Baking/HapticVolumeView.h"
+#include "VTK/Baking/HapticVolume.h"
 
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkSOADataArrayTemplate.h"
 
 #include <cmath>
@@ -54,8 +53,8 @@ bool LocateComponent(
   holder = scalars;
   if (auto* const separate = SeparateComponents::FastDownCast(scalars))
   {
-    // Where the array itself gives its memory up for another layout, as it may whenever it is
-    // rendered, what shares the memory keeps it for the servo.
+    // The array may give its memory up for another layout whenever it is rendered. The holder shares
+    // the memory and keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
     const bool isSeparate = HasSeparateComponents(separate);
@@ -83,7 +82,7 @@ bool LocateComponent(
   return true;
 }
 
-/** The first finite value among the corners of the volume; 0 where there is none. */
+/** The first finite value among the corners of the volume; 0 if there is none. */
 double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView& view)
 {
   const std::int64_t* const n = view.Dimensions;
@@ -107,8 +106,10 @@ std::string Describe(vtkDataArray* scalars)
   return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
 }
 
-} // namespace
-
+/**
+ * Views the scalars, whose kernel radius (voxels) is for the cure. `holder` has to live as long as
+ * the view: it is the array, or another one that shares its memory.
+ */
 bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error)
 {
@@ -186,6 +187,7 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
   return false;
 }
 
+/** The map from an index that counts from the beginning of an extent. */
 bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, std::string& error)
 {
   const double* const spacing = image->GetSpacing();
@@ -233,36 +235,36 @@ bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, st
   return false;
 }
 
-bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error)
+/** Lets a view of a region count its indices as the whole does. */
+void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view)
 {
-  const double* const m = matrix->GetData();
-  map.Linear = { { { m[0], m[1], m[2] }, { m[4], m[5], m[6] }, { m[8], m[9], m[10] } } };
-  map.Offset = { m[3], m[7], m[11] };
-  const double determinant = Determinant(map.Linear);
-  const double scale = std::cbrt(determinant);
-  const Matrix3 gram = Transpose(map.Linear) * map.Linear;
-  const Matrix3 wanted = (scale * scale) * Matrix3{};
-  double error2 = 0.0;
-  for (int i = 0; i < 3; ++i)
+  const int* const extent = image->GetExtent();
+  for (int a = 0; a < 3; ++a)
   {
-    const Vector3 difference = gram.Row[i] - wanted.Row[i];
-    error2 += Dot(difference, difference);
+    view.First[a] = std::int64_t{ extent[2 * a] } - facts.Extent[2 * a];
+    view.Whole[a] = std::int64_t{ facts.Extent[2 * a + 1] } - facts.Extent[2 * a] + 1;
   }
-  constexpr double tolerance = 1e-6;
-  // Beyond, positions and indices are no longer numbers that the solvers can step along.
-  constexpr double most = 1e15;
-  // Also false where anything is NaN.
-  if (determinant > 0.0 && std::sqrt(error2) <= tolerance * scale * scale && scale < most &&
-    scale > 1.0 / most && Norm(map.Offset) < most && m[12] == 0.0 && m[13] == 0.0 && m[14] == 0.0 &&
-    m[15] == 1.0)
+  view.BorderValue = facts.BorderValue;
+}
+
+} // namespace
+
+bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
+  HapticVolume& volume, std::string& error)
+{
+  WholeFacts& whole = volume.Whole;
+  if (!MakeVolumeView(image, scalars, component, kernelRadius, volume.View, volume.Holder, error) ||
+    !ReadWholeFacts(image, component, whole, error) ||
+    !MakeIndexToWorld(
+      image, whole.IsThere ? whole.Extent : image->GetExtent(), volume.IndexToWorld, error))
   {
-    return true;
+    return false;
   }
-  error =
-    "The device-to-world matrix is not a rotation, a translation and one uniform, positive scale "
-    "(a similarity, of numbers up to 1e15), so that forces would be wrong. Build it from such "
-    "transforms only.";
-  return false;
+  if (whole.IsThere)
+  {
+    PlaceInWhole(image, whole, volume.View);
+  }
+  return true;
 }
 
 } // namespace VolumeHaptics

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The placement of a device in the world.
+ */
+#ifndef HapticPlacement_h
+#define HapticPlacement_h
+
+#include "Core/Math/Vector3.h"
+
+#include <string>
+
+class vtkMatrix4x4;
+
+namespace VolumeHaptics
+{
+
+/**
+ * Reads the map from the device (m) to the world. False, with an error, unless the matrix is a
+ * rotation, a translation and one uniform, positive scale.
+ */
+bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

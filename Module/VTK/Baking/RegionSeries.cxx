@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Baking/RegionSeries.h"
+
+#include "VTK/Baking/HapticSettingLists.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+bool IsSameLine(const Polyline& a, const Polyline& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const Vertex& v, const Vertex& w) { return v.X == w.X && v.Y == w.Y; });
+}
+
+bool IsSameMaterial(const HapticMaterial& a, const HapticMaterial& b)
+{
+  return std::all_of(std::begin(PropertyFunctions), std::end(PropertyFunctions),
+           [&](const PropertyFunction& f) { return IsSameLine(a.*f.Baked, b.*f.Baked); }) &&
+    IsSameLine(a.ScalarVisibility, b.ScalarVisibility) &&
+    IsSameLine(a.GradientVisibility, b.GradientVisibility);
+}
+
+template <typename Settings>
+bool IsSameIn(
+  const Settings& settings, const HapticModelDescription& a, const HapticModelDescription& b)
+{
+  return std::all_of(std::begin(settings), std::end(settings),
+    [&](const auto& setting) { return !setting.IsSame || setting.IsSame(a, b); });
+}
+
+bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)
+{
+  return IsSameIn(FilterSettings, a, b) && IsSameIn(PropertySettings, a, b) &&
+    a.Settings.TickPeriod == b.Settings.TickPeriod && a.Settings.Caps == b.Settings.Caps &&
+    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface;
+}
+
+} // namespace
+
+bool RegionSeries::IsSame(const Entry& a, const Entry& b)
+{
+  const HapticModelDescription& d = a.Description;
+  const HapticModelDescription& e = b.Description;
+  const bool isSameWhole = a.Facts.IsThere && b.Facts.IsThere &&
+    std::equal(a.Facts.Extent, a.Facts.Extent + 6, b.Facts.Extent) &&
+    a.Facts.Noise == b.Facts.Noise && a.Facts.BorderValue == b.Facts.BorderValue &&
+    a.Facts.Time == b.Facts.Time && a.Array == b.Array && d.View.Type == e.View.Type &&
+    IsIdentical(d.IndexToWorld, e.IndexToWorld);
+  return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
+    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh);
+}
+
+std::uint64_t RegionSeries::Find(
+  const HapticModelDescription& d, const WholeFacts& facts, const std::string& array) const
+{
+  const Entry wanted{ d, facts, array };
+  const auto found = std::find_if(this->Last.begin(), this->Last.end(),
+    [&](const Entry& entry) { return IsSame(entry, wanted); });
+  return found == this->Last.end() ? 0 : found->Number;
+}
+
+void RegionSeries::Note(const HapticModelDescription& d, const WholeFacts& facts,
+  const std::string& array, std::uint64_t number)
+{
+  if (!facts.IsThere)
+  {
+    return;
+  }
+  constexpr std::size_t most = 4;
+  Entry entry{ d, facts, array, number };
+  // A comparison keeps nothing alive except a surface of the user's own.
+  entry.Description.Samples.reset();
+  entry.Description.View.Data = nullptr;
+  if (d.Settings.HasIsoSurface)
+  {
+    entry.Description.Mesh.reset();
+  }
+  const auto old = std::find_if(this->Last.begin(), this->Last.end(),
+    [&](const Entry& other) { return other.Number == number; });
+  if (old != this->Last.end() || this->Last.size() == most)
+  {
+    this->Last.erase(old != this->Last.end() ? old : this->Last.begin());
+  }
+  this->Last.push_back(std::move(entry));
+}
+
+} // namespace VolumeHaptics

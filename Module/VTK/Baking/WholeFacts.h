@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The facts about a whole volume that an image carries if it is a region of the volume.
+ */
+#ifndef WholeFacts_h
+#define WholeFacts_h
+
+#include <string>
+
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** The field arrays that vtkHapticRegionFilter documents, for one component. */
+struct WholeFacts
+{
+  bool IsThere = false; ///< whether the image carries any of them: it is a region
+  int Extent[6] = {};   ///< of the whole volume
+  double Noise = 0.0;   ///< scalar units, of the component
+  double BorderValue = 0.0;
+  double Time = 0.0; ///< changes when the whole changes
+};
+
+/** Reads the field arrays. False, with the cure in `error`, if they are malformed. */
+bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif
