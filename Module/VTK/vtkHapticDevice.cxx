@@ -163,7 +163,7 @@ std::string vtkHapticDevice::GetMethodText()
     vtkVolumeHapticsFilter* const filter = d.Models.GetFilter();
     return filter ? filter->GetMethodText() : std::string();
   }
-  const HapticSettings& settings = model->Settings;
+  const HapticSettings& settings = model->Baked->Settings;
   return GetMethodChoice(static_cast<int>(settings.Method), static_cast<int>(settings.Solver)).Text;
 }
 

@@ -3,6 +3,7 @@
 #include "vtkHapticRegionPlanner.h"
 
 #include "Core/Field/ResidentBox.h"
+#include "Core/Model/HapticModel.h"
 #include "Core/Regions/RegionPlan.h"
 #include "Core/Regions/Residency.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"

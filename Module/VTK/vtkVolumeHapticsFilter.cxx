@@ -284,7 +284,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   VolumeHaptics::Affine3 placement;
   auto model = this->LastBaked.lock();
   const bool isCurrent = model && time == this->LastBakedTime &&
-    model->Settings.TickPeriod == 1.0 / rate && model->Settings.Caps == this->Tighten(deviceCaps);
+    model->Baked->Settings.TickPeriod == 1.0 / rate &&
+    model->Baked->Settings.Caps == this->Tighten(deviceCaps);
   if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
   {
     model = std::make_shared<const VolumeHaptics::HapticModel>(*model, placement);

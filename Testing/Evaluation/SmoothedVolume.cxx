@@ -30,18 +30,19 @@ SmoothedVolume::SmoothedVolume(vtkImageData* image)
 double SmoothedVolume::Value(const Vector3& world) const
 {
   const Vector3 index = this->Model ? this->Model->DeviceToIndex(0.001 * world) : Vector3{};
-  const bool isInside = this->Model && this->Model->Field.IsInside(index);
-  return isInside ? this->Model->Field.Gradient(index).Value : 0.0;
+  const bool isInside = this->Model && this->Model->Baked->Field.IsInside(index);
+  return isInside ? this->Model->Baked->Field.Gradient(index).Value : 0.0;
 }
 
 Vector3 SmoothedVolume::Gradient(const Vector3& world) const
 {
   const Vector3 index = this->Model ? this->Model->DeviceToIndex(0.001 * world) : Vector3{};
-  const bool isInside = this->Model && this->Model->Field.IsInside(index);
+  const bool isInside = this->Model && this->Model->Baked->Field.IsInside(index);
   // Device space is the world, in metres: the axes are the same, and the gradient is per world
   // unit.
-  return isInside ? this->Model->GradientToDevice * this->Model->Field.Gradient(index).Gradient
-                  : Vector3{};
+  return isInside
+    ? this->Model->GradientToDevice * this->Model->Baked->Field.Gradient(index).Gradient
+    : Vector3{};
 }
 
 double SmoothedVolume::RawValue(const Vector3& world) const
@@ -77,7 +78,7 @@ vtkSmartPointer<vtkPolyData> SmoothedVolume::FindSurface(double level) const
       for (int i = 0; i < n[0]; ++i)
       {
         const Vector3 index = { 1.0 * i, 1.0 * j, 1.0 * k };
-        *to++ = static_cast<float>(this->Model->Field.Gradient(index).Value);
+        *to++ = static_cast<float>(this->Model->Baked->Field.Gradient(index).Value);
       }
     }
   }

@@ -128,7 +128,7 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
     Check(Norm(record.Force - again.Force) == 0.0, "a stored state goes on the same");
     // Where the tip was far away, rounding is, too.
     constexpr double far = 1e-9;
-    const bool isLocal = model.Settings.Method == HapticMethod::LocalSurface;
+    const bool isLocal = model.Baked->Settings.Method == HapticMethod::LocalSurface;
     const double bound = isLocal
       ? std::hypot(record.NormalForce, record.FrictionForce)
       : record.SurfaceStrength * std::hypot(1.0, record.Friction) + record.Viscosity;

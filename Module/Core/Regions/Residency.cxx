@@ -26,17 +26,17 @@ Vector3 StepsPerLength(const Matrix3& toIndex) noexcept
 /** How far (world units) a local surface is looked for around a place, without what is ahead. */
 double LocalDistance(const HapticModel& model) noexcept
 {
-  return Diagonal * LocalReach * LargestColumn(model.IndexToWorld.Linear);
+  return Diagonal * LocalReach * LargestColumn(model.Baked->IndexToWorld.Linear);
 }
 
 } // namespace
 
 Vector3 FindReadReach(const HapticModel& model) noexcept
 {
-  const HapticSettings& settings = model.Settings;
+  const HapticSettings& settings = model.Baked->Settings;
   const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
   const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * perMeter;
-  const double radius = model.Kernel.Radius;
+  const double radius = model.Baked->Kernel.Radius;
   const Vector3 spare{ ResidencySpare, ResidencySpare, ResidencySpare };
   const Vector3 kernel = Vector3{ radius, radius, radius } + spare;
   if (settings.Method == HapticMethod::SurfaceProxy)
@@ -45,7 +45,7 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
   }
   if (settings.Method == HapticMethod::LocalSurface)
   {
-    const double bend = radius * LargestColumn(model.IndexToWorld.Linear);
+    const double bend = radius * LargestColumn(model.Baked->IndexToWorld.Linear);
     return (LocalDistance(model) + bend) * perUnit + kernel;
   }
   return Most(model.KernelLength * perMeter + spare, kernel);
@@ -53,7 +53,7 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
 
 double FindResidency(const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
 {
-  const HapticSettings& settings = model.Settings;
+  const HapticSettings& settings = model.Baked->Settings;
   const bool readsMesh = settings.Method == HapticMethod::SurfaceProxy && !settings.HasIsoSurface;
   // A tip that is nowhere is the tick's to judge.
   if (model.Resident.IsWhole() || readsMesh || !IsFinite(tip))
@@ -83,7 +83,7 @@ double FindResidency(const HapticModel& model, const ServoState& state, const Ve
       include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
       const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
       // The nearest place of a surface that is met ahead may lie on any side.
-      const double most = LocalReachAhead * LargestColumn(model.IndexToWorld.Linear);
+      const double most = LocalReachAhead * LargestColumn(model.Baked->IndexToWorld.Linear);
       const double ahead = std::fmin(Norm(request.Ahead), most) - LocalDistance(model);
       margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * perMeter;
     }

@@ -22,9 +22,9 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
 {
   const std::int64_t now = ServoClock::Now();
   const HapticModel* const model = this->Models.Hold();
-  const bool isAsked = model && model->Settings.Method == HapticMethod::LocalSurface;
+  const bool isAsked = model && model->Baked->Settings.Method == HapticMethod::LocalSurface;
   const std::int64_t period = isAsked
-    ? static_cast<std::int64_t>(NanosecondsPerSecond / model->Settings.LocalSurfaceRate)
+    ? static_cast<std::int64_t>(NanosecondsPerSecond / model->Baked->Settings.LocalSurfaceRate)
     : IdlePeriod;
   if (now - this->Looked >= period)
   {
@@ -33,7 +33,7 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
     {
       const Request& request = this->Requests.Read();
       this->Results.Write(
-        { FitLocalSurface(*model, request.Wanted), request.Number, model->BakedNumber });
+        { FitLocalSurface(*model, request.Wanted), request.Number, model->Baked->Number });
     }
   }
   this->Models.LetGo();
@@ -57,13 +57,13 @@ LocalSurfaceResult LocalSurfaceFitter::FindResult(
 {
   this->Results.Update();
   const Result& result = this->Results.Read();
-  const bool isMeant = result.Number == local.Number && result.Baked == model.BakedNumber;
+  const bool isMeant = result.Number == local.Number && result.Baked == model.Baked->Number;
   return { false, isMeant ? &result.Surface : nullptr };
 }
 
 void LocalSurfaceFitter::Send(const HapticModel& model, const LocalState& local) noexcept
 {
-  if (model.Settings.Method == HapticMethod::LocalSurface)
+  if (model.Baked->Settings.Method == HapticMethod::LocalSurface)
   {
     // In every tick, until there is a result: the fitter may have taken one for another model.
     this->Requests.Write({ local.Request, local.Number });

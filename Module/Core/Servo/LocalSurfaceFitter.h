@@ -48,7 +48,7 @@ private:
   {
     LocalSurface Surface;
     std::uint32_t Number = 0;
-    std::uint64_t Baked = 0; ///< BakedNumber of the volume and the settings
+    std::uint64_t Baked = 0; ///< BakedVolume::Number
   };
 
   /** Fits once, if it is time. Returns the time until the next call (ns). */

@@ -30,8 +30,8 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.Contact = ContactState::Free;
   record.IsUnfinished = record.IsRenewed = false;
 
-  const HapticMethod method = model.Settings.Method;
-  if (method == HapticMethod::SurfaceProxy && model.Mesh)
+  const HapticMethod method = model.Baked->Settings.Method;
+  if (method == HapticMethod::SurfaceProxy && model.Baked->Mesh)
   {
     StepSurfaceProxy(model, state, record);
   }
@@ -39,7 +39,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   {
     StepLocalSurface(model, state, record, result);
   }
-  else if (method == HapticMethod::Proxy && model.Settings.Solver == HapticSolver::Precise)
+  else if (method == HapticMethod::Proxy && model.Baked->Settings.Solver == HapticSolver::Precise)
   {
     StepPrecise(model, state, record);
   }
@@ -55,7 +55,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   state.PreviousTip = tip;
   state.Enabled = true;
 
-  const double limit = model.Settings.MaximumForce;
+  const double limit = model.Baked->Settings.MaximumForce;
   if (limit > 0.0)
   {
     const double norm = Norm(record.Force);
@@ -66,7 +66,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
 Vector3 FindDrag(
   const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
 {
-  const bool isField = model.Settings.Method == HapticMethod::ForceField;
+  const bool isField = model.Baked->Settings.Method == HapticMethod::ForceField;
   if (!isField || !(record.DragForce > 0.0))
   {
     return {};
@@ -80,7 +80,7 @@ Vector3 FindDrag(
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept
 {
   const bool isRegion = !from.Resident.IsWhole() || !to.Resident.IsWhole();
-  if (isRegion && from.BakedNumber == to.BakedNumber &&
+  if (isRegion && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
     // Another part of the same volume: the felt force does not change.
@@ -92,9 +92,9 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   state.Precise.Spring.DropReserve();
   state.Precise.CachedSampleDistance = PreciseState::Unknown;
   state.Precise.StepPrediction = 1.0;
-  const HapticSettings& was = from.Settings;
-  const bool isOther = was.Method != to.Settings.Method;
-  if (isOther || was.Solver != to.Settings.Solver)
+  const HapticSettings& was = from.Baked->Settings;
+  const bool isOther = was.Method != to.Baked->Settings.Method;
+  if (isOther || was.Solver != to.Baked->Settings.Solver)
   {
     // Methods and solvers keep only their own state up to date.
     state.Precise = PreciseState{};
@@ -103,11 +103,11 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   if (isOther)
   {
     const Vector3 outside = EnterSurface(to, state.Proxy);
-    state.Proxy = to.Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
+    state.Proxy = to.Baked->Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
     StartLocalSurface(to.DeviceToWorld(outside), to.DeviceToWorld(state.PreviousTip), state.Local);
   }
   // In another volume the level means nothing.
-  state.Precise.IsHeld = state.Precise.IsHeld && from.BakedNumber == to.BakedNumber;
+  state.Precise.IsHeld = state.Precise.IsHeld && from.Baked->Number == to.Baked->Number;
 }
 
 } // namespace VolumeHaptics

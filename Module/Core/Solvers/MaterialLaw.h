@@ -76,11 +76,11 @@ inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexc
   Surface surface;
   surface.Normal = model.FallbackNormal;
   surface.Reach = model.FallbackReach;
-  if (!model.Field.IsInside(index))
+  if (!model.Baked->Field.IsInside(index))
   {
     return surface;
   }
-  const FieldSample sample = model.Field.Gradient(index);
+  const FieldSample sample = model.Baked->Field.Gradient(index);
   const double floor = RelativeGradientEpsilon * sample.Value;
   const Vector3 gradient = model.GradientToDevice * sample.Gradient;
   const double square = Dot(gradient, gradient);
@@ -104,7 +104,7 @@ inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexc
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
 {
-  const SurfaceSide side = model.Settings.Side;
+  const SurfaceSide side = model.Baked->Settings.Side;
   return side == SurfaceSide::Lower || (side == SurfaceSide::Both && Dot(lag, normal) < 0.0);
 }
 
@@ -132,15 +132,15 @@ inline void ReadMaterials(const HapticModel& model, const Vector3& index, const 
   MaterialPoint& point) noexcept
 {
   // Before the values: their sampling hides the lookup's latency.
-  const DistinctnessTable::Values distinct = model.Distinctness(surface.GradientMagnitude);
-  const ValuePair values = model.Field.Values(index, surface.Reach);
-  const MaterialTable::Values inside = model.Materials(values.Ahead);
-  const MaterialTable::Values outside = model.Materials(values.Behind);
+  const DistinctnessTable::Values distinct = model.Baked->Distinctness(surface.GradientMagnitude);
+  const ValuePair values = model.Baked->Field.Values(index, surface.Reach);
+  const MaterialTable::Values inside = model.Baked->Materials(values.Ahead);
+  const MaterialTable::Values outside = model.Baked->Materials(values.Behind);
   point.Normal = surface.Normal;
   point.GradientMagnitude = surface.GradientMagnitude;
   point.SurfaceValue = values.Ahead;
   point.MediumValue = values.Behind;
-  point.Stiffness = Capped(inside[0], model.Settings.Caps.Stiffness);
+  point.Stiffness = Capped(inside[0], model.Baked->Settings.Caps.Stiffness);
   point.Friction = inside[1];
   point.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
   point.Viscosity = outside[3] * (outside[4] * distinct[1]);
@@ -149,12 +149,12 @@ inline void ReadMaterials(const HapticModel& model, const Vector3& index, const 
 /** The material at the isovalue, for methods that touch an isosurface. False if it is not felt. */
 inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noexcept
 {
-  const double iso = model.Settings.IsoValue;
-  const MaterialTable::Values material = model.Materials(iso);
+  const double iso = model.Baked->Settings.IsoValue;
+  const MaterialTable::Values material = model.Baked->Materials(iso);
   point = MaterialPoint{};
   point.Normal = model.FallbackNormal;
   point.SurfaceValue = point.MediumValue = iso;
-  point.Stiffness = Capped(material[0], model.Settings.Caps.Stiffness);
+  point.Stiffness = Capped(material[0], model.Baked->Settings.Caps.Stiffness);
   point.Friction = material[1];
   return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
 }

@@ -84,7 +84,7 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
   {
     const double noise =
       whole.IsThere ? whole.Noise : estimate.Get(image, scalars, d.View, property->GetComponent());
-    ramp = MakeNoiseRamp(noise, HapticModel::MakeKernel(d), d.IndexToWorld);
+    ramp = MakeNoiseRamp(noise, BakedVolume::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())
   {
@@ -189,7 +189,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   auto model = std::make_shared<const HapticModel>(d);
   if (options.Regions)
   {
-    options.Regions->Note(d, whole, array, model->BakedNumber);
+    options.Regions->Note(d, whole, array, model->Baked->Number);
   }
   return model;
 }

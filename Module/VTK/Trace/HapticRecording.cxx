@@ -117,7 +117,7 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
   const bool isFirst = this->LastPlacement < 0;
   if (isFirst)
   {
-    const HapticSettings& settings = model.Settings;
+    const HapticSettings& settings = model.Baked->Settings;
     this->Begin.reset(new RecordingBegin{ ToNumbers(snapshot.Before), settings.TickPeriod,
       { settings.Caps.Stiffness, settings.Caps.Damping } });
   }

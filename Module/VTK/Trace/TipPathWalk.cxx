@@ -52,7 +52,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
 void TipPathWalk::Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
   const LocalSurfaceResult& result)
 {
-  this->Servo.Tick(model, this->State, tip, model.Settings.TickPeriod, this->Whole, result);
+  this->Servo.Tick(model, this->State, tip, model.Baked->Settings.TickPeriod, this->Whole, result);
   record = this->Whole;
   if (this->Servo.GetShare() < 1.0)
   {

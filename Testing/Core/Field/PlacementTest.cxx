@@ -94,7 +94,7 @@ TEST(Placement, MovedModelIsTheModelBakedThere)
   const HapticModel baked(description);
   const HapticModel moved(*origin, description.DeviceToWorld);
   EXPECT_EQ(moved.KernelLength, baked.KernelLength);
-  EXPECT_EQ(&moved.Materials, &origin->Materials) << "nothing is baked anew";
+  EXPECT_EQ(&moved.Baked->Materials, &origin->Baked->Materials) << "nothing is baked anew";
   origin.reset();
   ServoState states[2];
   TickRecord a;

@@ -60,7 +60,7 @@ protected:
   std::shared_ptr<const HapticModel> MakeRegion(const Vector3& tip, std::int64_t half)
   {
     HapticModelDescription d = CropAround(this->Whole, tip, half);
-    d.Number = this->Model ? this->Model->BakedNumber : 0;
+    d.Number = this->Model ? this->Model->Baked->Number : 0;
     return std::make_shared<const HapticModel>(d);
   }
 

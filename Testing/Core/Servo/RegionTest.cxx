@@ -36,7 +36,7 @@ protected:
         // Not always in the same place relative to the tip, and with everything beyond it gone.
         const Vector3 off = 1e-3 * Vector3{ double(i % 3), double(i % 2), -double(i % 3) };
         HapticModelDescription d = CropAround(this->Whole, tip + off, half);
-        d.Number = region ? region->BakedNumber : 0;
+        d.Number = region ? region->Baked->Number : 0;
         auto next = std::make_shared<const HapticModel>(d);
         ASSERT_FALSE(next->Resident.IsWhole());
         if (region)
@@ -97,7 +97,7 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
     ASSERT_TRUE(IsSame(felt.Force, record.Force)) << i;
     const Vector3 at = whole.DeviceToIndex(tip);
     ASSERT_EQ(region.BorderFade(at), whole.BorderFade(at));
-    ASSERT_EQ(region.Field.IsInside(at), whole.Field.IsInside(at));
+    ASSERT_EQ(region.Baked->Field.IsInside(at), whole.Baked->Field.IsInside(at));
   }
 }
 

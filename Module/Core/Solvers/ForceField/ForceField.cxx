@@ -10,14 +10,15 @@ namespace VolumeHaptics
 
 Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept
 {
-  return (-model.Settings.ForceFieldGain * record.GradientMagnitude) * record.Normal;
+  return (-model.Baked->Settings.ForceFieldGain * record.GradientMagnitude) * record.Normal;
 }
 
 Vector3 FindFieldDamping(
   const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
 {
-  const Vector3 velocity = (1.0 / model.Settings.TickPeriod) * (record.Tip - previousTip);
-  const double damping = Law::Capped(model.Settings.ForceFieldDamping, model.Settings.Caps.Damping);
+  const Vector3 velocity = (1.0 / model.Baked->Settings.TickPeriod) * (record.Tip - previousTip);
+  const double damping =
+    Law::Capped(model.Baked->Settings.ForceFieldDamping, model.Baked->Settings.Caps.Damping);
   return -damping * velocity;
 }
 

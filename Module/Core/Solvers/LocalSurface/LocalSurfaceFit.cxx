@@ -38,13 +38,13 @@ public:
   IsoSurfaceFinder(const HapticModel& model, const LocalSurfaceRequest& request) noexcept
     : Model(model)
     , Request(request)
-    , IndexToWorld(model.IndexToWorld)
-    , WorldToIndex(Inverse(model.IndexToWorld))
+    , IndexToWorld(model.Baked->IndexToWorld)
+    , WorldToIndex(Inverse(model.Baked->IndexToWorld))
     , GradientToWorld(Transpose(this->WorldToIndex.Linear))
     , Voxel(1.0 / LargestColumn(this->GradientToWorld))
     , IsKnown(Dot(request.Normal, request.Normal) > 0.0)
   {
-    const SurfaceSide side = model.Settings.Side;
+    const SurfaceSide side = model.Baked->Settings.Side;
     const bool isHigh = this->Excess(request.Position) > 0.0;
     this->Sign = side == SurfaceSide::Lower || (side == SurfaceSide::Both && isHigh) ? -1.0 : 1.0;
   }
@@ -64,7 +64,7 @@ public:
       return found;
     }
     this->FollowFoot(foot, normal);
-    const bool isBoth = this->Model.Settings.Side == SurfaceSide::Both;
+    const bool isBoth = this->Model.Baked->Settings.Side == SurfaceSide::Both;
     // By rounding, the proxy may lie on either side of the surface that holds it. And if a
     // structure is thinner than the kernel, the gradient may be that of the structure behind it.
     const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Request.Normal) < 0.0
@@ -77,7 +77,7 @@ public:
     found.IsThere = true;
     found.Shape.Centre = foot;
     found.Shape.Gradient = normal;
-    if (this->Model.Settings.LocalShape == LocalSurfaceShape::Quadric)
+    if (this->Model.Baked->Settings.LocalShape == LocalSurfaceShape::Quadric)
     {
       found.Shape.Curvature = this->FindCurvature(foot, normal);
     }
@@ -87,18 +87,20 @@ public:
 private:
   double Excess(const Vector3& x) const noexcept
   {
-    return this->Model.Field.Value(this->WorldToIndex(x)) - this->Model.Settings.IsoValue;
+    return this->Model.Baked->Field.Value(this->WorldToIndex(x)) -
+      this->Model.Baked->Settings.IsoValue;
   }
 
   /** Unit, into the structure; false without a gradient. */
   bool FindNormal(const Vector3& x, Vector3& normal) const noexcept
   {
     const Vector3 index = this->WorldToIndex(x);
-    if (!this->Model.Field.IsInside(index))
+    if (!this->Model.Baked->Field.IsInside(index))
     {
       return false;
     }
-    const Vector3 gradient = this->GradientToWorld * this->Model.Field.Gradient(index).Gradient;
+    const Vector3 gradient =
+      this->GradientToWorld * this->Model.Baked->Field.Gradient(index).Gradient;
     const double norm = Norm(gradient);
     // Also false for NaN.
     if (!(norm > 0.0 && std::isfinite(norm)))
@@ -213,7 +215,7 @@ private:
   /** The change of the normal across the foot; 0 if there is no normal a kernel radius away. */
   Symmetric3 FindCurvature(const Vector3& foot, const Vector3& normal) const noexcept
   {
-    const double step = this->Model.Kernel.Radius * LargestColumn(this->IndexToWorld.Linear);
+    const double step = this->Model.Baked->Kernel.Radius * LargestColumn(this->IndexToWorld.Linear);
     // Any two directions at right angles to the normal: away from its largest component.
     const bool isAlongX = std::abs(normal.X) > 0.7;
     const Vector3 side = Cross(normal, isAlongX ? Vector3{ 0, 1, 0 } : Vector3{ 1, 0, 0 });

@@ -144,11 +144,11 @@ bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& 
 /** Lets a jump of the lag fade in. */
 void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) noexcept
 {
-  const double period = model.Settings.TickPeriod;
+  const double period = model.Baked->Settings.TickPeriod;
   local.Fading = local.Fading - jump;
   // A jump that is fading already must not take longer.
   local.Fall = std::max(
-    local.Fall, Norm(local.Fading) * period / std::max(model.Settings.RecoveryTime, period));
+    local.Fall, Norm(local.Fading) * period / std::max(model.Baked->Settings.RecoveryTime, period));
 }
 
 Vector3 LagOf(const LocalState& local) noexcept
@@ -222,7 +222,7 @@ void WriteForces(const HapticModel& model, const Vector3& felt, const LocalState
 /** Requests the next surface. */
 void Request(const HapticModel& model, const Vector3& motion, LocalState& local) noexcept
 {
-  const HapticSettings& settings = model.Settings;
+  const HapticSettings& settings = model.Baked->Settings;
   // The result comes one period from now, and stays for another.
   const double ticksAhead = std::max(2.0, 2.0 / (settings.LocalSurfaceRate * settings.TickPeriod));
   const double near = LocalReach * model.WorldUnitsPerMeter / model.MostVoxelsPerMeter;
@@ -257,7 +257,7 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
   const LocalSurfaceResult& result) noexcept
 {
   LocalState& local = state.Local;
-  const HapticSettings& settings = model.Settings;
+  const HapticSettings& settings = model.Baked->Settings;
   record.Proxy = record.Tip;
   const bool isFelt = Law::ReadIsoMaterial(model, record);
   const Vector3 tip = model.DeviceToWorld(record.Tip);

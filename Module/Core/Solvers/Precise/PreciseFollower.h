@@ -20,7 +20,7 @@ class PreciseFollower
 public:
   PreciseFollower(const HapticModel& model, ServoState& state) noexcept
     : Field(model)
-    , IsTwoSided(model.Settings.Side == SurfaceSide::Both)
+    , IsTwoSided(model.Baked->Settings.Side == SurfaceSide::Both)
     , Proxy(state.Proxy)
     , State(state.Precise)
   {

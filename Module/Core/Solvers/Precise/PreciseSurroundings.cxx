@@ -63,9 +63,10 @@ PrecisePoint PreciseSurroundings::Look(const Vector3& proxy, const Vector3& lag)
   point.Value = surface.Value;
   const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
   point.Slope = isDescending ? -slope : slope;
-  if (this->Model.Settings.Alignment == ContactAlignment::Edge && point.SurfaceStrength > 0.0)
+  if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge &&
+    point.SurfaceStrength > 0.0)
   {
-    point.SurfaceStrength *= AtEdge(point, this->Model.Field.Value(index), isDescending);
+    point.SurfaceStrength *= AtEdge(point, this->Model.Baked->Field.Value(index), isDescending);
   }
   return point;
 }
@@ -79,7 +80,7 @@ bool PreciseSurroundings::IsBeyond(const Vector3& a, const Vector3& b) const noe
 {
   const Vector3 i = this->Model.DeviceToIndex(a);
   const Vector3 j = this->Model.DeviceToIndex(b);
-  const VolumeView& view = this->Model.Field.GetView();
+  const VolumeView& view = this->Model.Baked->Field.GetView();
   const auto beyond = [&](double u, double v, int axis)
   {
     const double last = static_cast<double>(view.Border(axis));

@@ -44,9 +44,9 @@ class Sphere
 {
 public:
   Sphere(const HapticModel& model, const Vector3& centre) noexcept
-    : Mesh(*model.Mesh)
-    , Radius(model.Settings.ProxyRadius)
-    , IsShaded(model.Settings.ForceShading && this->Mesh.HasNormals())
+    : Mesh(*model.Baked->Mesh)
+    , Radius(model.Baked->Settings.ProxyRadius)
+    , IsShaded(model.Baked->Settings.ForceShading && this->Mesh.HasNormals())
     , Centre(centre)
   {
   }
@@ -152,7 +152,7 @@ void StepSurfaceProxy(
   }
   const double k = record.Stiffness;
   const double scale = model.WorldUnitsPerMeter;
-  const double radius = model.Settings.ProxyRadius;
+  const double radius = model.Baked->Settings.ProxyRadius;
   const Vector3 goal = model.DeviceToWorld(record.Tip);
   Sphere sphere(model, model.DeviceToWorld(state.Proxy));
   bool slides = false;
@@ -204,18 +204,18 @@ void StepSurfaceProxy(
 Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept
 {
   constexpr int steps = 12;
-  const double iso = model.Settings.IsoValue;
-  const bool isLower = model.Settings.Side == SurfaceSide::Lower;
+  const double iso = model.Baked->Settings.IsoValue;
+  const bool isLower = model.Baked->Settings.Side == SurfaceSide::Lower;
   const auto isOutside = [&](const Vector3& at)
   {
     const double value = model.ValueAtDevice(at);
     return isLower ? value > iso : value < iso;
   };
-  if (!model.Settings.HasIsoSurface || isOutside(place))
+  if (!model.Baked->Settings.HasIsoSurface || isOutside(place))
   {
     return place;
   }
-  const double radius = 1.1 * model.Settings.ProxyRadius / model.WorldUnitsPerMeter;
+  const double radius = 1.1 * model.Baked->Settings.ProxyRadius / model.WorldUnitsPerMeter;
   for (int step = 1; step <= steps; ++step)
   {
     const double distance = EntryDepth * model.KernelLength * step / steps;

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A volume with its material and settings, baked for the servo tick.
+ */
+#ifndef BakedVolume_h
+#define BakedVolume_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Math/PiecewiseTable.h"
+#include "Core/Model/HapticModelDescription.h"
+
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+/** The part of a model that does not depend on the device's placement. Immutable. */
+struct BakedVolume
+{
+  explicit BakedVolume(const HapticModelDescription& description);
+  BakedVolume(const BakedVolume&) = delete;
+  BakedVolume& operator=(const BakedVolume&) = delete;
+
+  /** The kernel that a model of this description gets. */
+  static GradientKernel MakeKernel(const HapticModelDescription& description);
+
+  const GradientKernel Kernel;
+  const FieldSampler Field;
+  const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
+  const DistinctnessTable Distinctness; ///< channels W_d, visibility
+  const Affine3 IndexToWorld;
+  const HapticSettings Settings;
+  const std::shared_ptr<const void> Samples;     ///< keeps the memory of Field alive
+  const std::shared_ptr<const SurfaceMesh> Mesh; ///< null without one
+  /** Of the volume, the material and the settings; only regions of one volume may share one. */
+  const std::uint64_t Number;
+};
+
+} // namespace VolumeHaptics
+
+#endif

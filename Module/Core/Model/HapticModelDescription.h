@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The input of a model: volume, material and settings.
+ */
+#ifndef HapticModelDescription_h
+#define HapticModelDescription_h
+
+#include "Core/Field/GradientKernel.h"
+#include "Core/Field/VolumeView.h"
+#include "Core/Math/PiecewiseTable.h"
+#include "Core/Math/Vector3.h"
+#include "Core/Model/HapticSettings.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace VolumeHaptics
+{
+class SurfaceMesh;
+
+/** Material functions of the scalar, and functions of the gradient magnitude per world unit. */
+struct HapticMaterial
+{
+  Polyline Stiffness = ConstantPolyline(500.0);        ///< k, N/m
+  Polyline Friction = ConstantPolyline(0.0);           ///< mu
+  Polyline SurfaceStrength = ConstantPolyline(2.0);    ///< T_N, N
+  Polyline Viscosity = ConstantPolyline(0.0);          ///< R, N
+  Polyline Distinctness = ConstantPolyline(1.0);       ///< W_d, 0 to 1
+  Polyline ScalarVisibility = ConstantPolyline(1.0);   ///< 0 or 1, scales T_N and R
+  Polyline GradientVisibility = ConstantPolyline(1.0); ///< 0 or 1, scales T_N and R
+};
+
+/** Everything that a model is baked from. */
+struct HapticModelDescription
+{
+  VolumeView View;
+  std::shared_ptr<const void> Samples; ///< keeps View.Data alive
+  Affine3 IndexToWorld;                ///< not singular
+  Affine3 DeviceToWorld;               ///< a similarity, world units per metre
+  GradientEstimator Estimator = GradientEstimator::Gaussian;
+  int KernelRadius = 2; ///< voxels
+  HapticMaterial Material;
+  HapticSettings Settings;
+  std::shared_ptr<const SurfaceMesh> Mesh; ///< in the world; for HapticMethod::SurfaceProxy
+  /**
+   * 0, or the BakedVolume::Number of a model of another region of the same volume, with the same
+   * material and settings: a servo goes on from one to the other as if it had the whole.
+   */
+  std::uint64_t Number = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

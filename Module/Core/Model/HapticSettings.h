@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The settings of a model: how a volume is touched.
+ */
+#ifndef HapticSettings_h
+#define HapticSettings_h
+
+#include "Core/Model/ForceCaps.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+enum class HapticMethod : std::uint8_t
+{
+  Proxy,        ///< the paper's section 3
+  ForceField,   ///< the paper's eq. 1
+  SurfaceProxy, ///< a sphere on the triangles of a mesh; see SurfaceProxy.h
+  LocalSurface  ///< a plane or quadric that a slow loop renews; see LocalSurfaceSolver.h
+};
+
+/** How Proxy advances the proxy in a tick. */
+enum class HapticSolver : std::uint8_t
+{
+  Paper,  ///< as published, with one gradient a tick
+  Precise ///< the same law, in balance at the proxy's end point; see PreciseSolver.h
+};
+
+/** The point at which a surface begins to hold; of HapticSolver::Precise. */
+enum class ContactAlignment : std::uint8_t
+{
+  Distinctness, ///< by W_d and T_N alone
+  Edge          ///< not before V(x_p) >= (V(x_s) + V(x_v))/2
+};
+
+/** The shape that stands in for the surface near the proxy; of HapticMethod::LocalSurface. */
+enum class LocalSurfaceShape : std::uint8_t
+{
+  Plane,
+  Quadric
+};
+
+/** The side of a surface on which its structure lies: that of higher values, of lower, or either. */
+enum class SurfaceSide : std::uint8_t
+{
+  Higher,
+  Lower,
+  Both
+};
+
+/** Method, solver and limits of a model. */
+struct HapticSettings
+{
+  HapticMethod Method = HapticMethod::Proxy;
+  HapticSolver Solver = HapticSolver::Precise;
+  ContactAlignment Alignment = ContactAlignment::Distinctness;
+  SurfaceSide Side = SurfaceSide::Higher;
+  double TickPeriod = 1e-3; ///< s
+  ForceCaps Caps;
+  double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
+  double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
+  double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
+  double IsoValue = 0.0;          ///< of the surface of SurfaceProxy and LocalSurface
+  bool HasIsoSurface = false;     ///< the surface is that of IsoValue, not another mesh
+  double ProxyRadius = 0.5;       ///< world units, more than 0; of SurfaceProxy
+  bool ForceShading = true;       ///< of SurfaceProxy, if the mesh has normals
+  double LocalSurfaceRate = 60.0; ///< Hz, of the slow loop of LocalSurface
+  double RecoveryTime = 0.015;    ///< s, from one surface to the next, of LocalSurface
+  LocalSurfaceShape LocalShape = LocalSurfaceShape::Plane;
+};
+
+} // namespace VolumeHaptics
+
+#endif
