@@ -14,8 +14,8 @@ std::int64_t SizeOf(ScalarType type)
 }
 
 /**
- * Lets the volume's indices lead to the samples of a region; as a number, since nothing may be
- * there.
+ * The address of the whole volume's first sample. Computed as a number, since there may be no
+ * memory at it.
  */
 const void* WholeData(const VolumeView& view)
 {

@@ -23,25 +23,26 @@ namespace VolumeHaptics
 
 struct FieldSample
 {
-  /** The estimator's own (smoothed) value; the gradient is its derivative with CubicBSpline and
-   * GaussianWeights::OwnDerivative, else only a measure of scale. */
+  /**
+   * The estimator's own (smoothed) value. The gradient is its derivative with CubicBSpline and
+   * GaussianWeights::OwnDerivative; else the value is only a measure of scale.
+   */
   double Value = 0.0;
   /** Per step of the index, along the index axes. */
   Vector3 Gradient;
 };
 
-/** What a kernel samples and with which weights; borrows both. */
+/** The samples and the weights of a kernel; borrows both. */
 struct FieldView
 {
-  /** Its Data is where the volume's first sample would be; only a region of it may be there. */
+  /** Data points to the volume's first sample; only a region of the samples may be resident. */
   VolumeView Volume;
   KernelView Kernel;
-  double First[3] = { 0.0, 0.0,
-    0.0 }; ///< the smallest and the largest index along each axis that are there
-  double Last[3] = { 0.0, 0.0, 0.0 };
+  double First[3] = { 0.0, 0.0, 0.0 }; ///< the smallest resident index along each axis
+  double Last[3] = { 0.0, 0.0, 0.0 };  ///< the largest one
 };
 
-/** Values on both sides of a position, which a tick always needs together. */
+/** Values on both sides of a position: a tick always needs both. */
 struct ValuePair
 {
   double Ahead;
@@ -80,8 +81,8 @@ public:
     InstructionSet instructions = DetectInstructionSet());
 
   /**
-   * V at a continuous index, clamped to the samples that are there; BorderValue where a sample is
-   * not finite.
+   * V at a continuous index, clamped to the resident samples; BorderValue if a sample is not
+   * finite.
    */
   double Value(const Vector3& index) const noexcept
   {
@@ -103,7 +104,8 @@ public:
   }
 
   /**
-   * Whether a continuous index lies within the bounding box of the volume's samples, there or not.
+   * Whether a continuous index lies within the bounding box of the volume's samples, resident or
+   * not.
    */
   bool IsInside(const Vector3& index) const noexcept
   {
@@ -113,7 +115,7 @@ public:
   }
 
   /**
-   * How many voxels an index lies within the volume's border along the axis where it is nearest.
+   * The distance (voxels) of an index from the volume's nearest border, along that border's axis.
    */
   double DistanceToBorder(const Vector3& index) const noexcept
   {

@@ -22,9 +22,9 @@
  * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
  * interpolated by quintic polynomials, which keeps the sums that make linear fields exact.
  *
- * These gradients are not quite normal to the levels of any function. Where that matters (a surface
- * whose normal they are would give a sliding hand energy) GaussianWeights::OwnDerivative takes the
- * fit's value,
+ * These gradients are not quite normal to the levels of any function. If that matters (a surface
+ * with them as its normals would give a sliding hand energy), GaussianWeights::OwnDerivative takes
+ * the fit's value,
  *   smoothing   a_i = w_i / sum w - m (the derivative weights above),
  *   derivative  d a_i / d fraction,
  * so that the gradient is the derivative of the smoothed value, to rounding. To leave no step in
@@ -53,7 +53,7 @@ enum class GaussianWeights : std::uint8_t
   OwnDerivative
 };
 
-/** What a kernel needs at a tick; borrows the table. */
+/** The part of a kernel that a tick needs; borrows the table. */
 struct KernelView
 {
   const double* Table = nullptr;

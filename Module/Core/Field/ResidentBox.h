@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the samples of a region end and the volume goes on (VolumeView::Whole).
+ * The box of resident samples in a larger volume (VolumeView::Whole).
  */
 #ifndef ResidentBox_h
 #define ResidentBox_h
@@ -16,20 +16,20 @@ namespace VolumeHaptics
 /** Voxels over which the residency falls from 1 to 0. */
 constexpr double ResidencyBand = 4.0;
 
-/** In index steps. */
+/** The box of the resident samples, in index steps. */
 class ResidentBox
 {
 public:
   explicit ResidentBox(const VolumeView& view) noexcept;
 
-  /** Whether there is nothing but these samples. */
+  /** Whether all samples of the volume are resident. */
   bool IsWhole() const noexcept { return this->Whole; }
 
-  /** The residency of what lies between two corners, with a margin along each axis. */
+  /** The residency of the box between two corners, with a margin along each axis. */
   double Find(const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept;
 
 private:
-  Vector3 Low; ///< infinite where the border is the volume's own
+  Vector3 Low; ///< infinite if the border is the volume's own
   Vector3 High;
   bool Whole = true;
 };

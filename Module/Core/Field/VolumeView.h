@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A typed view of somebody else's scalar array: no copy, no ownership.
+ * A typed view of a scalar array: no copy, no ownership.
  */
 #ifndef VolumeView_h
 #define VolumeView_h
@@ -33,8 +33,8 @@ enum class ScalarType : std::uint8_t
  * Dimensions - 1, whatever extent the image had: the index-to-space maps account for that.
  *
  * A view may be of a region of a larger volume. Its indices are then the volume's: they count from
- * First, and the sample that `Data` points to has the index First. So whatever is read in a region
- * is read as in the whole, to the bit.
+ * First, the index of the sample that `Data` points to. So reading in a region gives the same
+ * values as in the whole, to the bit.
  */
 struct VolumeView
 {
@@ -43,12 +43,12 @@ struct VolumeView
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   std::int64_t Stride[3] = { 0, 0, 0 };
   std::int64_t First[3] = { 0, 0, 0 };
-  /** Samples of the whole volume, of which these are a region; 0 where there are no others. */
+  /** The dimensions of the whole volume, if this is a region of it; else 0. */
   std::int64_t Whole[3] = { 0, 0, 0 };
   /** The value that stands for a sample that is NaN or infinite (Documentation/method.md). */
   double BorderValue = 0.0;
 
-  /** The largest index along an axis: of a sample that is here, and of the volume. */
+  /** The largest index along an axis: of a resident sample, and of the volume. */
   std::int64_t Last(int axis) const noexcept
   {
     return this->First[axis] + this->Dimensions[axis] - 1;

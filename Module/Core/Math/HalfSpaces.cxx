@@ -22,8 +22,7 @@ double Excess(const HalfSpace& space, const Vector3& y) noexcept
 }
 
 /**
- * The point nearest to `goal` where all of `count` (1 to 3) bounds are just kept; false if there is
- * none.
+ * The point nearest to `goal` that lies on all of `count` (1 to 3) bounds; false if there is none.
  */
 bool Project(
   const HalfSpace* const* spaces, int count, const Vector3& goal, Vector3& point) noexcept
@@ -86,7 +85,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
   int count = 0;
   Vector3 point = goal;
   const double slack = Slack * (1.0 + Norm(goal) + Norm(fallback));
-  // Each round takes the goal farther away, so that no set of three comes twice.
+  // Each round gets farther from the goal, so that no set of three comes twice.
   for (int round = 0; round < 4 * Most; ++round)
   {
     const HalfSpace* worst = nullptr;
@@ -105,7 +104,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
       return point;
     }
     active[count++] = worst;
-    // Of all sets of these that have the new one: the nearest point that all of them allow.
+    // Of all subsets with the new one: the nearest point that all half-spaces here allow.
     int best = 0;
     double nearest = 0.0;
     Vector3 found;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The nearest point that some half-spaces allow: where a proxy would go that touches several faces
- * at once.
+ * The nearest point in some half-spaces: the goal of a proxy that touches several faces at once.
  */
 #ifndef HalfSpaces_h
 #define HalfSpaces_h
@@ -22,7 +21,7 @@ struct HalfSpace
   double Bound;
 };
 
-/** A few half-spaces, of those that were met on the way. */
+/** The half-spaces of the faces that a proxy touches; a few. */
 class HalfSpaces
 {
 public:
@@ -31,12 +30,12 @@ public:
   void Clear() noexcept { this->Count = 0; }
   int GetCount() const noexcept { return this->Count; }
 
-  /** Leaves out what another one implies all but exactly, and what does not fit in. */
+  /** Leaves out a half-space that another one implies almost exactly, and any beyond Most. */
   void Add(const HalfSpace& space) noexcept;
 
   /**
-   * The point of all half-spaces that is nearest to a goal, by an active set of three at most.
-   * `fallback` where there is none.
+   * The point in all half-spaces that is nearest to a goal, by an active set of three at most.
+   * `fallback` if there is none.
    */
   Vector3 Nearest(const Vector3& goal, const Vector3& fallback) const noexcept;
 

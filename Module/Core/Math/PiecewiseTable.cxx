@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Value and slope of a polyline just right of x, where no vertex stands inside (x, next). */
+/** Value and slope of a polyline just right of x, up to its next vertex. */
 struct Line
 {
   double Value;

@@ -7,7 +7,7 @@
  * A table merges the break points of its channels, so that one search finds all of them: the
  * material of a scalar value (stiffness, friction, surface strength, viscosity) costs one lookup.
  * Between its break points a channel is exactly linear, steps included; nothing is resampled to a
- * grid. What is piecewise linear is therefore reproduced to rounding, however steep its edges.
+ * grid. A piecewise-linear function is therefore reproduced to rounding, however steep its edges.
  */
 #ifndef PiecewiseTable_h
 #define PiecewiseTable_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Bounds on what forces may change by with position and speed.
+ * Bounds on the change of a force with position and speed.
  */
 #ifndef ForceCaps_h
 #define ForceCaps_h
@@ -13,7 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * What a device and its sampling can hold, whatever the materials and settings say; 0 does not cap.
+ * The stiffness and damping that a device and its sampling can hold, whatever the materials and
+ * settings are; 0 does not cap.
  */
 struct ForceCaps
 {

@@ -48,7 +48,9 @@ public:
   const Matrix3 GradientToDevice;
   /** Stands in for the normal without a gradient: the volume's third axis. */
   const Vector3 FallbackNormal;
-  /** KernelRadius times the largest spacing, in metres: the distance of x_s and x_v from the proxy. */
+  /**
+   * KernelRadius times the largest spacing, in metres: the distance of x_s and x_v from the proxy.
+   */
   const double KernelLength;
   const double InverseRadius; ///< 1/KernelRadius
   /** Turns a gradient per index step, over its magnitude in device space, into x_s - x_p. */

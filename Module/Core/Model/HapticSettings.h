@@ -43,7 +43,9 @@ enum class LocalSurfaceShape : std::uint8_t
   Quadric
 };
 
-/** The side of a surface on which its structure lies: that of higher values, of lower, or either. */
+/**
+ * The side of a surface on which its structure lies: that of higher values, of lower, or either.
+ */
 enum class SurfaceSide : std::uint8_t
 {
   Higher,

@@ -12,7 +12,7 @@ namespace
 {
 
 /**
- * A triangle whose height is less than this share of its longest edge has no normal worth the name.
+ * A triangle whose height is less than this share of its longest edge has no reliable normal.
  */
 constexpr double LeastHeight = 1e-9;
 
@@ -126,7 +126,7 @@ void SurfaceMesh::Build()
   std::vector<std::int32_t> order(size);
   std::iota(order.begin(), order.end(), 0);
 
-  // Halves along the axis on which the middles lie farthest apart.
+  // Halves along the axis on which the centres lie farthest apart.
   const auto twiceMiddle = [&](std::int32_t i, int axis)
   { return boxes[i].Low[axis] + boxes[i].High[axis]; };
   this->Nodes.push_back({ {}, 0, size });

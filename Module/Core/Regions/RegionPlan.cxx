@@ -11,7 +11,7 @@ namespace
 
 /** World units; longer lengths are this long. */
 constexpr double Longest = 1e12;
-/** A region of fewer samples along an axis is of no use, where the volume has more. */
+/** The smallest useful width of a region along an axis (samples), unless the volume is smaller. */
 constexpr double LeastWidth = 16.0;
 constexpr int MostHalvings = 60;
 constexpr double LeastRoom = 0.5;
@@ -30,7 +30,7 @@ struct Cube
   double PerUnit[3]; // index steps
 };
 
-/** Round a place (world) or, where that is not finite, the middle of the volume. */
+/** The cube around a position (world); if that is not finite, around the volume's middle. */
 Cube FindCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
 {
   const Vector3 at = inverse * (centre - whole.IndexToWorld.Offset);
@@ -55,8 +55,8 @@ double CountVoxels(const int extent[6]) noexcept
 }
 
 /**
- * The part of a volume within a half-width (world units), by indices; never empty. How many voxels
- * it has.
+ * Finds the part of a volume within a half-width (world units), by indices; never empty. Returns
+ * the number of its voxels.
  */
 double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int region[6]) noexcept
 {
@@ -78,7 +78,7 @@ bool IsEmpty(const int extent[6]) noexcept
   return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
 }
 
-/** How far (world units) a place is from where a region ends and the volume goes on. */
+/** The distance (world units) of the cube's centre from the borders inside the volume. */
 double FindRoom(const WholeGeometry& whole, const Cube& cube, const int region[6]) noexcept
 {
   double room = Longest;
@@ -149,7 +149,7 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const bool isSame = std::equal(wanted, wanted + 6, resident);
   const double now = FindRoom(whole, cube, resident) - needed;
   const double then = FindRoom(whole, cube, wanted) - needed;
-  // Where a cut region has no room at all, the one with more of it still is the better.
+  // If a cut region has no room at all, the region with more of it is still the better one.
   const double enough = then > 0.0 ? LeastRoom * then : then - 0.5 * needed;
   return !isSame && now < enough;
 }

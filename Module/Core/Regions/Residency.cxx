@@ -15,15 +15,14 @@ namespace
 constexpr double Diagonal = 1.7320508075688772;
 
 /**
- * How many index steps a way of length 1, in the space that a matrix begins in, is along each axis
- * at most.
+ * The largest number of index steps along each axis of a vector of length 1.
  */
 Vector3 StepsPerLength(const Matrix3& toIndex) noexcept
 {
   return { Norm(toIndex.Row[0]), Norm(toIndex.Row[1]), Norm(toIndex.Row[2]) };
 }
 
-/** How far (world units) a local surface is looked for around a place, without what is ahead. */
+/** The reach (world units) of the search for a local surface, except for the ray ahead. */
 double LocalDistance(const HapticModel& model) noexcept
 {
   return Diagonal * LocalReach * LargestColumn(model.Baked->IndexToWorld.Linear);
@@ -55,7 +54,7 @@ double FindResidency(const HapticModel& model, const ServoState& state, const Ve
 {
   const HapticSettings& settings = model.Baked->Settings;
   const bool readsMesh = settings.Method == HapticMethod::SurfaceProxy && !settings.HasIsoSurface;
-  // A tip that is nowhere is the tick's to judge.
+  // The tick itself handles a tip that is not finite.
   if (model.Resident.IsWhole() || readsMesh || !IsFinite(tip))
   {
     return 1.0;
@@ -82,7 +81,7 @@ double FindResidency(const HapticModel& model, const ServoState& state, const Ve
       const LocalSurfaceRequest& request = state.Local.Request;
       include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
       const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
-      // The nearest place of a surface that is met ahead may lie on any side.
+      // The nearest point of a surface that is met ahead may lie on any side.
       const double most = LocalReachAhead * LargestColumn(model.Baked->IndexToWorld.Linear);
       const double ahead = std::fmin(Norm(request.Ahead), most) - LocalDistance(model);
       margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * perMeter;

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Touching a region of a volume that is somewhere else: how much of what a tick reads is there.
+ * The residency of a tick: how many of the samples that it reads are resident.
  *
- * A model of a region (VolumeView::Whole) knows which of its borders are the volume's own, where
- * surfaces fade (HapticModel::BorderFade), and which are merely the region's, where they must not.
- * At those it says how *resident* a tick is instead. With c the voxels between the region's border
- * and what the tick can read (kernels, x_s, x_v, and the way between tip and proxy), over all
- * borders that are not the volume's own,
+ * A model of a region (VolumeView::Whole) has borders of two kinds. At the volume's own borders
+ * surfaces fade (HapticModel::BorderFade). At the region's other borders they must not; the force
+ * is scaled by the *residency* of the tick instead. Let c be the smallest distance (voxels) between
+ * these borders and all samples that the tick can read (kernels, x_s, x_v, and the path between tip
+ * and proxy). Then
  *
  *   residency = s(c / ResidencyBand),   s(t) = t^2 (3 - 2 t) on 0 ... 1,
  *
- * so that it is 1 well inside, 0 from where a tick could read what is not there, and everything is
- * true in between. Models of whole volumes have a residency of 1.
+ * so that it is 1 well inside and 0 before a tick could read a sample that is not resident. Models
+ * of whole volumes have a residency of 1.
  */
 #ifndef Residency_h
 #define Residency_h
@@ -26,12 +26,14 @@ class HapticModel;
 struct ServoState;
 
 /**
- * Voxels that a kernel reads beyond its radius, that a motion bulges out between tip and proxy, and
- * one to spare.
+ * Spare voxels: for the taps of a kernel beyond its radius, for motions aside from the line between
+ * tip and proxy, and one more.
  */
 constexpr double ResidencySpare = 3.0;
 
-/** How far (index steps along each axis) a tick reads around tip and proxy. */
+/**
+ * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.
+ */
 Vector3 FindReadReach(const HapticModel& model) noexcept;
 
 /** The residency of the tick that takes a state to a tip (device): 0 to 1. */

@@ -53,8 +53,8 @@ bool LocateComponent(
   holder = scalars;
   if (auto* const separate = SeparateComponents::FastDownCast(scalars))
   {
-    // The array may give its memory up for another layout whenever it is rendered. The holder shares
-    // the memory and keeps it for the servo.
+    // The array may give its memory up for another layout whenever it is rendered. The holder
+    // shares the memory and keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
     const bool isSeparate = HasSeparateComponents(separate);

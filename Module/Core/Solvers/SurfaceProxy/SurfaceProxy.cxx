@@ -13,29 +13,24 @@ namespace
 {
 
 /**
- * Shares of the radius: what counts as touching, what is kept from a triangle, and what is no
- * motion.
+ * Shares of the radius: within the first it touches, the second is kept free, the third is rest.
  */
 constexpr double Margin = 3e-3;
 constexpr double Distance = 1e-6;
 constexpr double Still = 1e-5;
 /**
- * In a valley the shadings of its two sides may lead to and fro: after so many passes this is no
- * motion, too.
+ * In a valley the shadings of its sides may lead to and fro: after ManyPasses this is rest, too.
  */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
-/** Of the radius, however deep a triangle is in it. */
+/** The smallest share of the radius, however deep a triangle is in it. */
 constexpr double LeastLeft = 1e-3;
-/** Radii that are gone at once: no more than can be looked at. */
-constexpr double LongestWay = 64.0;
-/** Of the angle between a triangle and its shading. */
+/** The longest move (radii): its triangles must fit into the budget. */
+constexpr double LongestMove = 64.0;
+/** The largest angle between a triangle and its shading, by its cosine. */
 constexpr double LeastCosine = 0.8;
 
-/**
- * Ways that shrink no faster than this are taken whole at once, by their geometric series; or not
- * at all.
- */
+/** Moves that shrink at a rate between these are summed up at once, by their geometric series. */
 constexpr double SlowRate = 0.2;
 constexpr double SlowestRate = 0.9;
 
@@ -54,17 +49,16 @@ public:
   const Vector3& GetCentre() const noexcept { return this->Centre; }
   bool IsShading() const noexcept { return this->IsShaded; }
   bool IsTouching() const noexcept { return this->True.GetCount() > 0; }
-  /** Whether there were more triangles than a tick has time for. */
+  /** Whether there are more triangles than a tick has time for. */
   bool IsSpent() const noexcept { return this->Budget < 0; }
 
-  /** The nearest point to a goal that what the sphere touches allows. */
+  /** The nearest point to a goal that the touched triangles allow. */
   Vector3 FindSubgoal(const Vector3& goal) noexcept
   {
     this->Touch();
     if (this->Nearest < (1.0 - Margin) * this->Radius)
     {
-      // What it overlaps, since it began there or the mesh came, it touches with what is left of
-      // it.
+      // It began in a triangle, or the mesh is new: it shrinks until it only touches it.
       this->Radius = std::max(this->Nearest, LeastLeft * this->Radius);
       this->Touch();
     }
@@ -72,10 +66,10 @@ public:
     return this->True.Nearest(shaded, this->Centre);
   }
 
-  /** Goes a way, the first part of a long one, or up to the first triangle. */
+  /** Moves, by the first part of a long displacement at most, up to the first triangle. */
   void Move(const Vector3& whole) noexcept
   {
-    const Vector3 displacement = std::min(1.0, LongestWay * this->Radius / Norm(whole)) * whole;
+    const Vector3 displacement = std::min(1.0, LongestMove * this->Radius / Norm(whole)) * whole;
     double first = Never;
     const bool isWhole = this->Mesh.VisitAlong(this->Centre, displacement, this->Radius,
       this->Budget,
@@ -108,14 +102,14 @@ private:
     const TrianglePoint nearest = NearestPoint(this->Mesh.GetTriangle(i), this->Centre);
     const Vector3 off = this->Centre - nearest.Position;
     const double distance = Norm(off);
-    // A centre that is on a triangle has no side: what put it there has to take it away.
+    // A centre on a triangle is on neither side of it.
     if (distance > this->Radius * (1.0 + Margin) || distance == 0.0)
     {
       return;
     }
     this->Nearest = std::min(this->Nearest, distance);
     const Vector3 normal = (1.0 / distance) * off;
-    // It goes no deeper, but is not thrown out.
+    // The sphere goes no deeper, but is not thrown out.
     const double overlap = this->Radius * (1.0 + Distance) - distance;
     const double missing = overlap > Margin * this->Radius ? 0.0 : overlap;
     this->True.Add({ normal, Dot(normal, this->Centre) + missing });
@@ -171,7 +165,7 @@ void StepSurfaceProxy(
     held = goal - subgoal;
     rest = Norm(displacement);
     const double excess = rest - record.Friction * Norm(held);
-    // While it touches. Between, it may fall towards the tip.
+    // While the sphere touches; in between, it may fall towards the tip.
     const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
     const double still = sphere.IsShading() && pass >= ManyPasses ? ShadedStill : Still;
     if (excess <= still * radius)
@@ -179,7 +173,7 @@ void StepSurfaceProxy(
       record.IsUnfinished = false;
       break;
     }
-    // Not against friction: a way too far is not taken back.
+    // Not with friction: a move that went too far is not taken back.
     const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
     sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * displacement);
     slides = slides || sphere.IsTouching();
@@ -195,7 +189,7 @@ void StepSurfaceProxy(
   record.FrictionForce = k * rest / scale;
   if (record.NormalForce > Law::ForceEpsilon)
   {
-    // What holds the proxy back lies along the spring, as far as friction does not.
+    // The surfaces hold the part of the spring that friction does not.
     record.Normal = (1.0 / Norm(held)) * (Transpose(model.DeviceToWorldRotation) * held);
     record.Contact = slides ? ContactState::Sliding : ContactState::Sticking;
   }

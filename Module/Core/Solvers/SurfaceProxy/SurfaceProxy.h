@@ -2,29 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The polygonal surface haptics that the paper compares itself with: a sphere that no triangle lets
+ * Polygonal surface haptics, with which the paper compares itself: a sphere that no triangle lets
  * through.
  *
  * After Ruspini, Kolarov and Khatib, "The Haptic Display of Complex Graphical Environments", 1997.
- * The proxy is a sphere of radius HapticSettings::ProxyRadius round x. Every triangle it touches
- * gives a half-space; the subgoal y is the point of all these that is nearest to the tip. Friction
- * takes mu times what the surfaces hold,
+ * The proxy is a sphere of radius HapticSettings::ProxyRadius around x. Every triangle that it
+ * touches gives a half-space; the subgoal y is the point in all of them that is nearest to the tip.
+ * Friction takes mu times the lag that the surfaces hold,
  *
  *   x' = x + (y - x) max(0, 1 - mu |x_tip - y| / |y - x|),
  *
- * and the sphere goes there or to the first triangle on its way, again and again, until it does not
- * move. It never overlaps what it did not overlap before: there is no way through, at any speed.
+ * and the sphere moves there or to the first triangle that it meets, again and again, until it
+ * stands still. It never overlaps a triangle that it did not overlap before: no speed takes it
+ * through a surface.
  *
- * With ForceShading the half-spaces are first taken with the normals that are interpolated between
- * the points', and the subgoal of these is the goal of the true ones: the force turns smoothly over
+ * With ForceShading the half-spaces first get normals that are interpolated between those of the
+ * points; their subgoal is then the goal for the true half-spaces. So the force turns smoothly over
  * a coarse mesh.
  *
- * Where it overlaps a triangle, since it began there or the mesh came, it is as large as its
- * distance: nothing throws it out, and nothing holds it but what it would go deeper into.
+ * If the sphere overlaps a triangle, because it began there or the mesh is new, its radius shrinks
+ * to the triangle's distance: nothing throws it out, and surfaces only keep it from going deeper.
  *
  * Stiffness and friction are those of the material at HapticSettings::IsoValue. Surfaces hold
- * without limit; there is no drag. A tick takes MaximumPasses; if these do not do, the next one
- * goes on.
+ * without limit; there is no drag. A tick takes at most MaximumPasses; if these do not suffice, the
+ * next tick goes on.
  */
 #ifndef SurfaceProxy_h
 #define SurfaceProxy_h
@@ -40,13 +41,13 @@ struct TickRecord;
 /** Rounds of subgoal and motion in a tick, at most. */
 constexpr int MaximumPasses = 24;
 /**
- * Boxes of the mesh that a tick looks at, at most: half a millisecond. Then the sphere stays where
- * it came to.
+ * Boxes of the mesh that a tick looks at, at most: half a millisecond. The sphere then stays at the
+ * point that it has reached.
  */
 constexpr int MaximumVisits = 20000;
 /**
- * A sphere that touches more than this at once is too large to be felt: it would use that up
- * standing still.
+ * A sphere that touches more boxes than this at once is too large to be felt: it would spend the
+ * budget standing still.
  */
 constexpr int MostTouched = MaximumVisits / 4;
 
@@ -55,10 +56,11 @@ void StepSurfaceProxy(
   const HapticModel& model, const ServoState& state, TickRecord& record) noexcept;
 
 /**
- * Where the proxy (device) begins that another method has left at a place. As nothing is let
- * through, out again neither, one that is up to EntryDepth inside the isosurface, where other
- * methods may be, begins on the nearest outside of it; deeper ones are held from within. Looks at a
- * few hundred values.
+ * The first position (device) of a proxy that another method has left at `place`.
+ *
+ * Triangles let no proxy through, not even outward. Other methods may leave the proxy inside the
+ * isosurface: up to EntryDepth inside, it begins at the nearest position outside; a deeper one is
+ * held from within. Samples a few hundred values.
  */
 Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept;
 
