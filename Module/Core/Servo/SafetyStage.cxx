@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Within which a stale force goes to zero (s). */
+/** A force without samples goes to zero within this time (s). */
 constexpr double RetreatTime = 0.02;
 
 /** Nothing passes a limit that is not positive, NaN included. */
@@ -38,23 +38,20 @@ double FindRecoverable(const SafetyInput& input, double most) noexcept
 
 } // namespace
 
-void SafetyStage::Arm() noexcept
+void SafetyStage::Reset() noexcept
 {
-  this->Armed = true;
-  this->Fault = SafetyFault::None;
   this->HasTip = false;
-  this->Cut();
-}
-
-Vector3 SafetyStage::Cut() noexcept
-{
   this->Growth.Reset();
-  this->Ramp = 0.0;
-  this->Retreats = false;
-  return {};
 }
 
-Vector3 SafetyStage::Retreat(const SafetyInput& input, const SafetyLimits& limits) noexcept
+bool SafetyStage::IsForceLeft() const noexcept
+{
+  const Vector3& last = this->Growth.GetForce();
+  return Dot(last, last) > 0.0;
+}
+
+Vector3 SafetyStage::Retreat(
+  const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
   // A force without fresh samples must be gone in time, however slowly forces may grow.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
@@ -64,10 +61,10 @@ Vector3 SafetyStage::Retreat(const SafetyInput& input, const SafetyLimits& limit
   {
     // It is known again where the hand is: it gets no push that is not wanted there.
     const double norm = Norm(last);
-    next = ClampNorm(next, norm > 0.0 ? input.Residency * Dot(input.Force, last) / norm : 0.0);
+    next = ClampNorm(next, norm > 0.0 ? gate.GetOpening() * Dot(input.Force, last) / norm : 0.0);
   }
   this->Growth.Override(next);
-  this->Retreats = this->Stale || Dot(next, next) > 0.0;
+  gate.NoteRetreat(this->Stale, this->IsForceLeft());
   return next;
 }
 
@@ -81,13 +78,14 @@ double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
   return speed;
 }
 
-Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits) noexcept
+bool SafetyStage::FollowSamples(
+  const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
   this->SampleAge += input.Elapsed;
   const bool finite = IsFinite(input.Force) && IsFinite(input.Tip);
   double speed = 0.0;
-  // A gap counts even where the sample that ends it is fresh: nobody watched the hand meanwhile.
   this->Stale = this->SampleAge > limits.WatchdogTime;
+  // A gap counts even if a fresh sample ends it: nothing watched the hand meanwhile.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {
@@ -95,19 +93,30 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
     this->SampleAge = 0.0;
     this->Stale = false;
   }
-  if (this->Armed && this->Fault == SafetyFault::None)
+  if (input.Lost)
   {
-    const bool tooFast = limits.MaximumSpeed > 0.0 && speed > limits.MaximumSpeed;
-    this->Fault = input.Lost ? SafetyFault::DeviceLost
-      : !finite              ? SafetyFault::NotFinite
-      : tooFast              ? SafetyFault::OverSpeed
-                             : SafetyFault::None;
+    gate.NoteFault(GateReason::DeviceLost);
   }
-  if (!this->Armed || this->Fault != SafetyFault::None)
+  else if (!finite)
   {
-    return this->Cut();
+    gate.NoteFault(GateReason::NotFinite);
   }
+  else if (limits.MaximumSpeed > 0.0 && speed > limits.MaximumSpeed)
+  {
+    gate.NoteFault(GateReason::OverSpeed);
+  }
+  return gap;
+}
 
+Vector3 SafetyStage::FindCommand(
+  const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept
+{
+  if (!gate.IsOpen())
+  {
+    this->Growth.Reset();
+    gate.Cut();
+    return {};
+  }
   if (input.Elapsed > limits.WatchdogTime)
   {
     // The loop itself stood still: what was felt before is not what is there now.
@@ -115,23 +124,27 @@ Vector3 SafetyStage::Apply(const SafetyInput& input, const SafetyLimits& limits)
   }
   if (gap)
   {
-    this->Ramp = 0.0;
-    const Vector3& last = this->Growth.GetForce();
-    this->Retreats = this->Stale || Dot(last, last) > 0.0;
+    gate.NoteGap(this->Stale, this->IsForceLeft());
   }
-  if (this->Retreats)
+  if (gate.IsRetreating())
   {
-    return this->Retreat(input, limits);
+    return this->Retreat(input, limits, gate);
   }
-
-  const double share = input.Residency * this->Ramp;
+  const double share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
   const double norm = Norm(input.Force);
   const double kept = norm > 0.0 ? share * Norm(clamped) / norm : 0.0;
-  const double step = limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0;
-  this->Ramp = std::min(1.0, this->Ramp + step);
   return this->Growth.Apply(share * clamped, input.Tip, limits.MaximumForceRate * input.Period,
     share * FindRecoverable(input, Norm(clamped)), kept * input.Drag);
+}
+
+Vector3 SafetyStage::Apply(
+  const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
+{
+  const bool gap = this->FollowSamples(input, limits, gate);
+  const Vector3 command = this->FindCommand(input, limits, gap, gate);
+  gate.NoteCommand(Dot(command, command) > 0.0);
+  return command;
 }
 
 void SaturateTogether(double* commands, int count, double limit) noexcept

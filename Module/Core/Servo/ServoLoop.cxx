@@ -4,6 +4,8 @@
 
 #include "Core/Servo/ServoClock.h"
 
+#include <utility>
+
 namespace VolumeHaptics
 {
 namespace
@@ -55,7 +57,7 @@ void ServoLoop::FollowModel() noexcept
   }
   else
   {
-    this->State.Enabled = false;
+    this->IsVolumeNew = true;
   }
   this->Current = next;
   this->Models.Acknowledge(next->Generation);
@@ -63,45 +65,28 @@ void ServoLoop::FollowModel() noexcept
 
 void ServoLoop::FollowCommands() noexcept
 {
-  // First: what was ordered before a release is then seen with it.
-  const bool wasHeld = this->Servo.IsHeld();
-  // A fade that has begun goes on to zero: what is felt begins anew after it.
-  const bool fades = wasHeld && !this->AtRest.load(std::memory_order_relaxed);
-  this->Servo.SetHeld(this->HoldWanted.load(std::memory_order_acquire) || fades);
-  if (wasHeld && !this->Servo.IsHeld())
-  {
-    // The hand went on while it felt nothing: a spring from where it was before would push it back.
-    this->State.Enabled = false;
-    this->Safety.RestartRamp();
-  }
+  // First: the orders that came before a release are then seen with it.
+  this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
   const std::uint64_t command = this->ArmCommand.load(std::memory_order_acquire);
   if (command != this->ArmCommandSeen)
   {
-    const bool isOneOrder = (command >> 2) - (this->ArmCommandSeen >> 2) == 1;
-    this->ArmCommandSeen = command;
-    const auto order = static_cast<ArmOrder>(command & 3);
     // Several orders at once may have a Disarm among them, of which the last one says nothing.
-    const Vector3& last = this->Snapshot.Command;
-    const bool flows =
-      isOneOrder && this->Safety.IsArmed() && !this->Servo.IsFadingOut() && Dot(last, last) > 0.0;
-    if (order == ArmOrder::FadeOut)
+    const bool isSole = (command >> 2) - (this->ArmCommandSeen >> 2) == 1;
+    this->ArmCommandSeen = command;
+    switch (static_cast<ArmOrder>(command & 3))
     {
-      this->Servo.FadeOut();
-    }
-    else
-    {
-      this->Servo.Recover();
-      this->IsUnattended = false;
-    }
-    if (order == ArmOrder::Arm && !flows)
-    {
-      // Re-entry after a fault starts from the tip, without force.
-      this->State.Enabled = this->State.Enabled && this->Safety.GetFault() == SafetyFault::None;
-      this->Safety.Arm();
-    }
-    else if (order == ArmOrder::Disarm)
-    {
-      this->Safety.Disarm();
+      case ArmOrder::Disarm:
+        this->Gate.Disarm();
+        break;
+      case ArmOrder::Arm:
+        if (this->Gate.Arm(isSole))
+        {
+          this->Safety.Reset();
+        }
+        break;
+      case ArmOrder::FadeOut:
+        this->Gate.FadeOut();
+        break;
     }
   }
   if (this->ResetRequested.exchange(false, std::memory_order_acq_rel))
@@ -125,19 +110,24 @@ void ServoLoop::FollowAttention(std::int64_t now) noexcept
 {
   const double most = this->Limits.Read().AttentionTime;
   const std::int64_t silence = now - this->AttendedAt.load(std::memory_order_acquire);
-  if (most > 0.0 && static_cast<double>(silence) > most * NanosecondsPerSecond &&
-    this->Safety.IsArmed() && this->Safety.GetFault() == SafetyFault::None && !this->Servo.IsHeld())
+  if (most > 0.0 && static_cast<double>(silence) > most * NanosecondsPerSecond)
   {
-    // Who comes back meanwhile does not stop the fade: a hand has to be told before it is held
-    // again.
-    this->IsUnattended = true;
-    this->Servo.FadeOut();
+    this->Gate.NoteSilence();
   }
 }
 
 void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
 {
   const double period = static_cast<double>(this->Period) / NanosecondsPerSecond;
+  const DeviceSample sample = this->ReadDevice(period);
+  this->PlaceProxy(sample, elapsed);
+  this->Touch(sample, period);
+  this->SendForce(sample, period, elapsed);
+  this->Tell(start);
+}
+
+DeviceSample ServoLoop::ReadDevice(double period) noexcept
+{
   ServoSnapshot& s = this->Snapshot;
   DeviceSample sample;
   sample.Tip = s.Record.Tip;
@@ -146,26 +136,37 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   s.Turn = sample.Turn;
   if (s.Device == DeviceState::NotReady)
   {
-    // Whoever arms has to see that the device can be felt: it does not begin by itself.
-    this->Safety.Disarm();
+    // Arming has to see that the device can be felt: it does not begin by itself.
+    this->Gate.NoteNotReady();
   }
-  if (elapsed > this->Limits.Read().WatchdogTime)
+  return sample;
+}
+
+void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
+{
+  // The one place that lets the proxy begin at the tip, without force:
+  const bool isVolumeNew = std::exchange(this->IsVolumeNew, false);
+  // The loop stood still, and the hand did not.
+  const bool stood = elapsed > this->Limits.Read().WatchdogTime;
+  // The stylus is taken up here: not on the way from a tip at which no hand has been.
+  const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
+  // The hand went on while the gate let nothing through: see the table of ForceGate.h.
+  const bool isGateNew = this->Gate.TakeRestart();
+  if (isVolumeNew || stood || isTakenUp || isGateNew)
   {
-    // The loop stood still, and the hand did not: start from the tip.
-    this->State.Enabled = false;
-  }
-  if (sample.Begins || (sample.Fresh && !this->HasSample))
-  {
-    // Not on the way from where no hand has been.
     this->State.Enabled = false;
   }
   this->HasSample = this->HasSample || sample.Fresh;
-  s.Before = this->State;
-  const HapticModel* const model = this->Current->Model.get();
-  if (model)
+  this->Snapshot.Before = this->State;
+}
+
+void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
+{
+  ServoSnapshot& s = this->Snapshot;
+  if (const HapticModel* const model = this->Current->Model.get())
   {
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
-      this->Fitter.FindResult(*model, this->State.Local));
+      this->Fitter.FindResult(*model, this->State.Local), this->Gate);
     this->Fitter.Send(*model, this->State.Local);
     if (s.Record.IsUnfinished)
     {
@@ -176,63 +177,52 @@ void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
   {
     s.Record = TickRecord{};
     s.Record.Tip = s.Record.Proxy = sample.Tip;
-    this->State.Enabled = false;
-    this->Servo.Rest(period);
+    this->Servo.Rest(period, this->Gate);
   }
-  s.Residency = this->Servo.GetShare();
+  s.Residency = this->Gate.GetOpening();
   s.Awaiting = this->Servo.IsAwaiting();
   if (s.Awaiting)
   {
     this->AbsentTicks.fetch_add(1, std::memory_order_relaxed);
   }
+}
 
+void ServoLoop::SendForce(const DeviceSample& sample, double period, double elapsed) noexcept
+{
+  ServoSnapshot& s = this->Snapshot;
+  const HapticModel* const model = this->Current->Model.get();
   SafetyInput input;
   input.Force = s.Record.Force;
   input.Stiffness = s.Record.Stiffness;
   input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
-  // Where the data are missing, the force is that of an earlier tick.
+  // If data are missing, the force is that of an earlier tick.
   input.Drag = model && !s.Awaiting ? FindDrag(*model, s.Before.PreviousTip, s.Record) : Vector3{};
   input.Tip = sample.Tip;
-  input.Residency = s.Residency;
   input.Period = period;
   input.Elapsed = elapsed;
   input.Fresh = sample.Fresh;
-  // What Write found counts from the next tick on.
+  // A loss that Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
-  const bool retreated = this->Safety.IsRetreating();
-  s.Command = this->Safety.Apply(input, this->Limits.Read());
-  // Not before the command is there, too: it may follow late.
-  if (this->Servo.IsFadedOut() && Dot(s.Command, s.Command) == 0.0)
-  {
-    this->IsUnattended ? this->Safety.Trip(SafetyFault::Unattended) : this->Safety.Disarm();
-    this->IsUnattended = false;
-    this->Servo.Recover();
-  }
+  s.Command = this->Safety.Apply(input, this->Limits.Read(), this->Gate);
   this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
-  const bool isAtRest = this->Servo.IsHeld() && Dot(s.Command, s.Command) == 0.0;
-  if (isAtRest)
-  {
-    // If the device is armed during the hold, the force must not begin with the rest of a fade.
-    this->Servo.DropShare();
-  }
-  this->AtRest.store(isAtRest, std::memory_order_release);
+  // Not before the device has got it.
+  this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
   if (this->WriteLost)
   {
     s.Device = DeviceState::Lost;
   }
-  if ((retreated || this->Safety.IsRetreating()) && Dot(s.Command, s.Command) == 0.0)
-  {
-    // It is not known where the hand went meanwhile. Not while force is left: it would end in a
-    // step.
-    this->State.Enabled = false;
-  }
+}
 
+void ServoLoop::Tell(std::int64_t start) noexcept
+{
+  ServoSnapshot& s = this->Snapshot;
   s.Time = static_cast<double>(start) / NanosecondsPerSecond;
   s.Tick = this->TickCount.load(std::memory_order_relaxed);
   s.Generation = this->Current->Generation;
-  s.Armed = this->Safety.IsArmed();
+  s.Gate = this->Gate.GetState();
+  s.Reason = this->Gate.GetReason();
+  s.Share = this->Gate.GetShare();
   s.Stale = this->Safety.IsStale();
-  s.Fault = this->Safety.GetFault();
   this->Latest.Write(s);
   this->WrittenGeneration.store(s.Generation, std::memory_order_release);
   if (this->Recording.load(std::memory_order_acquire))

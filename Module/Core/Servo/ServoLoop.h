@@ -4,7 +4,7 @@
  * @file
  * The servo loop: one tick after the other at a fixed rate, on a thread of its own.
  *
- * What goes in and out never makes the loop wait:
+ * Nothing that goes in or out makes the loop wait:
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
@@ -19,6 +19,7 @@
 #define ServoLoop_h
 
 #include "Core/Servo/DeviceBackend.h"
+#include "Core/Servo/ForceGate.h"
 #include "Core/Servo/LocalSurfaceFitter.h"
 #include "Core/Servo/MemoryLock.h"
 #include "Core/Servo/ModelExchange.h"
@@ -38,20 +39,24 @@ namespace VolumeHaptics
 /** Everything about one tick, for displays and recordings. */
 struct ServoSnapshot
 {
-  TickRecord Record;            ///< what the tick computed, before the safety stage
+  TickRecord Record;            ///< as the tick computed it, before the safety stage
   ServoState Before;            ///< the state that the tick started from; not enabled: f = 0
-  Vector3 Command;              ///< N, what went to the device
+  Vector3 Command;              ///< N, that went to the device
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
   std::uint32_t Buttons = 0;
   Vector3 Turn; ///< rad/s, see DeviceSample
-  bool Armed = false;
-  bool Stale = false;
-  bool Awaiting = false;  ///< force was held back since data were not there
-  double Residency = 1.0; ///< the share of Record.Force that went to the safety stage
-  SafetyFault Fault = SafetyFault::None;
+  GateState Gate = GateState::Disarmed;
+  GateReason Reason = GateReason::Ordered; ///< why Share is not 1
+  bool Stale = false;                      ///< the tip is older than the watchdog allows
+  bool Awaiting = false;                   ///< force was held back since data were missing
+  double Share = 0.0;                      ///< of Record.Force, that the gate let through
+  double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
   DeviceState Device = DeviceState::Running;
+
+  bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
+  GateReason GetFault() const noexcept { return FindFault(this->Gate, this->Reason); }
 };
 
 class ServoLoop
@@ -91,7 +96,7 @@ public:
     return this->WrittenGeneration.load(std::memory_order_acquire);
   }
 
-  /** Force may flow, after a ramp; forgets a fault. Changes nothing where force flows already. */
+  /** Force may flow, after a ramp; forgets a fault. Changes nothing if force flows already. */
   void Arm() noexcept
   {
     this->Attend();
@@ -99,10 +104,10 @@ public:
   }
   /** No force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
-  /** The force goes to zero within ResidentServo::FadeTime; then as Disarm. */
+  /** The force goes to zero within ForceGate::FadeTime; then as Disarm. */
   void FadeOut() noexcept
   {
-    // What is disarmed, or is about to be, has nothing to fade.
+    // A loop that is disarmed, or is about to be, has nothing to fade.
     if ((this->ArmCommand.load(std::memory_order_relaxed) & 3) !=
       static_cast<std::uint64_t>(ArmOrder::Disarm))
     {
@@ -128,9 +133,9 @@ public:
   ///@}
 
   /**
-   * The owner is there. Where SafetyLimits::AttentionTime is set and neither this nor Arm is called
-   * for that long while armed, the force fades out as with FadeOut, and SafetyFault::Unattended
-   * holds until Arm.
+   * The owner is there. If SafetyLimits::AttentionTime is set and neither this nor Arm is called
+   * for that long while armed, the force fades out as with FadeOut, and the fault Unattended holds
+   * until Arm.
    */
   void Attend() noexcept;
 
@@ -210,7 +215,15 @@ private:
   void FollowModel() noexcept;
   void FollowCommands() noexcept;
   void FollowAttention(std::int64_t now) noexcept;
+  ///@{
+  /** A tick, and its steps in their order. Times in ns since the loop started, durations in s. */
   void TickOnce(std::int64_t start, double elapsed) noexcept;
+  DeviceSample ReadDevice(double period) noexcept;
+  void PlaceProxy(const DeviceSample& sample, double elapsed) noexcept;
+  void Touch(const DeviceSample& sample, double period) noexcept;
+  void SendForce(const DeviceSample& sample, double period, double elapsed) noexcept;
+  void Tell(std::int64_t start) noexcept;
+  ///@}
   void CountTime(std::int64_t planned, std::int64_t woken, std::int64_t done) noexcept;
 
   DeviceBackend& Backend;
@@ -234,12 +247,13 @@ private:
   // The servo's own.
   const PublishedModel* Current = nullptr;
   ServoState State;
+  bool IsVolumeNew = false; ///< none was touched before, or none is now
   ResidentServo Servo;
   bool HasSample = false; ///< a fresh one, ever
+  ForceGate Gate;
   SafetyStage Safety;
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
-  bool IsUnattended = false; ///< why it fades out
   bool WriteLost = false;
   std::int64_t StatisticsStart = 0;
   std::uint64_t StatisticsTicks = 0;

@@ -113,7 +113,9 @@ void HapticDeviceHolder::Stop()
     ReleaseSession(this->Session.get());
     this->Session.reset();
     this->ArmWanted = false;
-    this->State.Armed = false;
+    this->State.Gate = GateState::Disarmed;
+    this->State.Reason = GateReason::Ordered;
+    this->State.Share = 0.0;
     this->State.Command = {};
     Copy({}, this->Force);
   }

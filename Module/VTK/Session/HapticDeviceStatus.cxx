@@ -12,26 +12,25 @@ namespace
 {
 
 /** What is wrong, and what to do. */
-const char* Explain(SafetyFault fault)
+const char* Explain(GateReason fault)
 {
   switch (fault)
   {
-    case SafetyFault::NotFinite:
+    case GateReason::NotFinite:
       return "Force cut off: a force or a position was not a finite number. Check the image and "
              "the device, then Arm() again.";
-    case SafetyFault::OverSpeed:
+    case GateReason::OverSpeed:
       return "Force cut off: the tip moved faster than a hand can hold the device. Take the "
              "stylus, then Arm() again.";
-    case SafetyFault::DeviceLost:
+    case GateReason::DeviceLost:
       return "Force cut off: the device was lost. Once it is back, with Home() or with Open() and "
              "Start(), Arm() again.";
-    case SafetyFault::Unattended:
+    case GateReason::Unattended:
       return "Force let go of: the program did not call the device for longer than AttentionTime. "
              "Arm() again. If the program is often busy for that long, raise AttentionTime.";
-    case SafetyFault::None:
-      break;
+    default:
+      return "";
   }
-  return "";
 }
 
 const char* DescribePrivilege(ServoLoop::Privilege privilege)
@@ -72,11 +71,11 @@ int HapticDeviceHolder::GetStatus() const
   {
     return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
-  if (this->State.Fault != SafetyFault::None)
+  if (this->State.GetFault() != GateReason::None)
   {
     return vtkHapticDevice::FAULT;
   }
-  if (!this->State.Armed)
+  if (!this->State.IsArmed())
   {
     return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
@@ -113,7 +112,7 @@ std::string HapticDeviceHolder::DescribeDevice() const
     case vtkHapticDevice::CLOSED:
       return "Closed. Open() a device.";
     case vtkHapticDevice::FAULT:
-      return Explain(this->State.Fault);
+      return Explain(this->State.GetFault());
     default:
       break;
   }
@@ -130,18 +129,19 @@ std::string HapticDeviceHolder::DescribeDevice() const
   {
     text = "Finished: " + this->Id + " has come to its end.";
   }
-  else if (const Work* work = this->FindLongWork(); work && this->ArmWanted && this->State.Armed)
+  else if (const Work* work = this->FindLongWork();
+           work && this->ArmWanted && this->State.IsArmed())
   {
     text = "Force is off while " + work->What + ", and comes back by itself.";
   }
-  else if (this->State.Armed && this->State.Stale)
+  else if (this->State.IsArmed() && this->State.Stale)
   {
     text = "Armed, but " + this->Id + " gives no fresh positions: no force.";
   }
   else
   {
-    text = this->State.Armed ? "Active: " + this->Id + "."
-                             : "Running: " + this->Id + ". Arm() lets force through.";
+    text = this->State.IsArmed() ? "Active: " + this->Id + "."
+                                 : "Running: " + this->Id + ". Arm() lets force through.";
   }
   if (this->State.Awaiting)
   {

@@ -22,8 +22,8 @@ StateRow::StateRow(const ServoSnapshot& state)
   , Tick(state.Tick)
   , Generation(state.Generation)
   , Contact(state.Record.Contact)
-  , Fault(state.Fault)
-  , Armed(state.Armed)
+  , Fault(state.GetFault())
+  , Armed(state.IsArmed())
 {
 }
 

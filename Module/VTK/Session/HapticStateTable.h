@@ -38,7 +38,7 @@ struct StateRow
   std::uint64_t Tick;
   std::uint64_t Generation;
   ContactState Contact;
-  SafetyFault Fault;
+  GateReason Fault;
   bool Armed;
 };
 

@@ -140,8 +140,8 @@ RecordingRow MakeRecordingRow(
   row.Placement = placement;
   row.Buttons = static_cast<std::int32_t>(snapshot.Buttons);
   row.Enabled = snapshot.Before.Enabled ? 0 : 1;
-  row.Armed = snapshot.Armed ? 1 : 0;
-  row.Fault = static_cast<unsigned char>(snapshot.Fault);
+  row.Armed = snapshot.IsArmed() ? 1 : 0;
+  row.Fault = static_cast<unsigned char>(snapshot.GetFault());
   return row;
 }
 

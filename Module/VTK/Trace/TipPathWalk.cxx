@@ -52,11 +52,12 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
 void TipPathWalk::Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
   const LocalSurfaceResult& result)
 {
-  this->Servo.Tick(model, this->State, tip, model.Baked->Settings.TickPeriod, this->Whole, result);
+  this->Servo.Tick(
+    model, this->State, tip, model.Baked->Settings.TickPeriod, this->Whole, result, this->Gate);
   record = this->Whole;
-  if (this->Servo.GetShare() < 1.0)
+  if (this->Gate.GetOpening() < 1.0)
   {
-    record.Force = this->Servo.GetShare() * record.Force;
+    record.Force = this->Gate.GetOpening() * record.Force;
   }
 }
 

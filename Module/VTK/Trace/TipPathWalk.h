@@ -7,6 +7,7 @@
 #ifndef TipPathWalk_h
 #define TipPathWalk_h
 
+#include "Core/Servo/ForceGate.h"
 #include "Core/Servo/ResidentServo.h"
 #include "VTK/Trace/HapticTipPath.h"
 
@@ -36,6 +37,7 @@ private:
   std::size_t Next = 0;
   ServoState State;
   ResidentServo Servo;
+  ForceGate Gate;   ///< for its opening alone
   TickRecord Whole; ///< of the last tick, with the force before the residency takes its share
 };
 

@@ -82,7 +82,7 @@ double Throw(double rate, HapticSolver solver)
   RunningLoop loop(body, 1.0 / Step, limits);
   loop->Publish(std::make_shared<HapticModel>(description));
   loop->Arm();
-  EXPECT_TRUE(Eventually([&] { return loop->ReadState() && loop->GetState().Armed; }));
+  EXPECT_TRUE(Eventually([&] { return loop->ReadState() && loop->GetState().IsArmed(); }));
   body.IsThrown.store(true);
   EXPECT_TRUE(Eventually([&] { return body.Energy.load() >= 0.0; }));
   return body.Energy.load();

@@ -45,7 +45,7 @@ protected:
   void Follow(RunningLoop& loop, int ticks)
   {
     const double most =
-      std::max(this->Limits.MaximumForceRate, this->Limits.MaximumForce / ResidentServo::FadeTime);
+      std::max(this->Limits.MaximumForceRate, this->Limits.MaximumForce / ForceGate::FadeTime);
     for (int i = 0; i < ticks; ++i)
     {
       ServoSnapshot s;
@@ -54,19 +54,19 @@ protected:
       EXPECT_TRUE(!this->HasLast || step <= most / Rate * (1.0 + 1e-9)) << step << " N";
       // By the loop's own ticks: how far behind it this thread is, and whether the force still
       // grows, does not matter.
-      const bool flows = s.Armed && s.Fault == SafetyFault::None && s.Residency > 0.0;
+      const bool flows = s.IsArmed() && s.GetFault() == GateReason::None && s.Residency > 0.0;
       this->Falling += flows && s.Residency < 1.0;
       EXPECT_EQ(flows, Norm(s.Command) > 0.0);
       this->Last = s;
       this->HasLast = true;
     }
   }
-  void ExpectFade(SafetyFault fault)
+  void ExpectFade(GateReason fault)
   {
     EXPECT_EQ(Norm(this->Last.Command), 0.0);
-    EXPECT_EQ(this->Last.Fault, fault);
-    EXPECT_EQ(this->Last.Armed, fault != SafetyFault::None);
-    EXPECT_NEAR(this->Falling, ResidentServo::FadeTime * Rate, 3.0) << "over the whole time";
+    EXPECT_EQ(this->Last.GetFault(), fault);
+    EXPECT_EQ(this->Last.IsArmed(), fault != GateReason::None);
+    EXPECT_NEAR(this->Falling, ForceGate::FadeTime * Rate, 3.0) << "over the whole time";
   }
 
   TestVolume Volume = MakeRamp();
@@ -88,9 +88,9 @@ TEST_P(FadeOut, GetsToZeroWithoutAStep)
     [&]
     {
       this->Follow(loop, 20);
-      return !this->Last.Armed;
+      return !this->Last.IsArmed();
     }));
-  this->ExpectFade(SafetyFault::None);
+  this->ExpectFade(GateReason::None);
 }
 
 TEST_P(FadeOut, ComesByItselfWhereNobodyLooksAndHoldsUntilArmed)
@@ -104,11 +104,11 @@ TEST_P(FadeOut, ComesByItselfWhereNobodyLooksAndHoldsUntilArmed)
     [&]
     {
       this->Follow(loop, 20);
-      return this->Last.Fault != SafetyFault::None;
+      return this->Last.GetFault() != GateReason::None;
     }));
   loop->Attend();
   this->Follow(loop, 200);
-  this->ExpectFade(SafetyFault::Unattended);
+  this->ExpectFade(GateReason::Unattended);
   this->Limits.AttentionTime = 60.0;
   loop->SetLimits(this->Limits);
   this->Device.Frozen.store(false); // what is felt begins anew from the tip

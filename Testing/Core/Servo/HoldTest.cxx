@@ -40,7 +40,7 @@ protected:
   void Follow(RunningLoop& loop, int ticks)
   {
     const double most =
-      std::max(this->Limits.MaximumForceRate, this->Limits.MaximumForce / ResidentServo::FadeTime);
+      std::max(this->Limits.MaximumForceRate, this->Limits.MaximumForce / ForceGate::FadeTime);
     for (int i = 0; i < ticks; ++i)
     {
       ServoSnapshot s;
@@ -82,10 +82,9 @@ TEST_F(Hold, FadesAndComesBackFromTheTipWithARamp)
   ASSERT_NO_FATAL_FAILURE(this->Press(loop));
   loop->Hold();
   ASSERT_TRUE(this->WaitRest(loop));
-  ASSERT_NO_FATAL_FAILURE(
-    this->Follow(loop, static_cast<int>(2.0 * ResidentServo::FadeTime * Rate)));
+  ASSERT_NO_FATAL_FAILURE(this->Follow(loop, static_cast<int>(2.0 * ForceGate::FadeTime * Rate)));
   ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
-  EXPECT_TRUE(this->Last.Armed);
+  EXPECT_TRUE(this->Last.IsArmed());
   loop->Release();
   // The first tick that is not held puts the proxy on the tip.
   ASSERT_TRUE(Eventually(
@@ -139,8 +138,8 @@ TEST_F(Hold, NeedsNoAttention)
   this->Limits.AttentionTime = 0.01;
   loop->SetLimits(this->Limits);
   ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop)); // 0.1 s
-  EXPECT_EQ(this->Last.Fault, SafetyFault::None);
-  EXPECT_TRUE(this->Last.Armed);
+  EXPECT_EQ(this->Last.GetFault(), GateReason::None);
+  EXPECT_TRUE(this->Last.IsArmed());
   this->Limits.AttentionTime = 60.0;
   loop->SetLimits(this->Limits);
   loop->Release();
@@ -158,7 +157,7 @@ TEST_F(Hold, DoesNotUndoWhatEndsTheForceMeanwhile)
     fades ? loop->FadeOut() : loop->Disarm();
     loop->Release();
     ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
-    EXPECT_FALSE(this->Last.Armed);
+    EXPECT_FALSE(this->Last.IsArmed());
   }
 }
 
@@ -173,7 +172,7 @@ TEST_F(Hold, KeepsAFault)
   this->Device.ReadLost.store(false);
   loop->Release();
   ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
-  EXPECT_EQ(this->Last.Fault, SafetyFault::DeviceLost);
+  EXPECT_EQ(this->Last.GetFault(), GateReason::DeviceLost);
 }
 
 TEST_F(Hold, LetsNothingThroughThatIsArmedMeanwhile)
@@ -185,7 +184,7 @@ TEST_F(Hold, LetsNothingThroughThatIsArmedMeanwhile)
   ASSERT_TRUE(this->WaitRest(loop));
   loop->Arm();
   ASSERT_NO_FATAL_FAILURE(this->ExpectNone(loop));
-  EXPECT_TRUE(this->Last.Armed);
+  EXPECT_TRUE(this->Last.IsArmed());
   loop->Release();
   EXPECT_TRUE(this->WaitForce());
 }

@@ -11,7 +11,7 @@
  * grows by 1 + k T^2 / 2m.
  */
 
-#include "Core/Servo/SafetyStage.h"
+#include "GatedStage.h"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ struct Loop
     input.Elapsed = input.Period = Period;
     input.Fresh = true;
     input.Tip = body.Place;
-    SafetyStage stage;
+    servotest::GatedStage stage;
     stage.Arm();
     for (int i = 0; i < 600; ++i)
     {
@@ -230,7 +230,7 @@ TEST(Impact, WorkLostToFrictionDoesNotHideWhatAWallIsOwed)
   const auto fly = [&](double rate)
   {
     limits.MaximumForceRate = rate;
-    SafetyStage stage;
+    servotest::GatedStage stage;
     SafetyInput input;
     input.Stiffness = k;
     input.Elapsed = input.Period = Period;
@@ -268,7 +268,7 @@ TEST(Impact, DragDoesNotHideWhatAWallIsOwed)
     SafetyLimits limits;
     limits.MaximumForce = 8.0;
     limits.MaximumForceRate = rate;
-    SafetyStage stage;
+    servotest::GatedStage stage;
     SafetyInput input;
     input.Elapsed = input.Period = Period;
     input.Fresh = true;
@@ -309,7 +309,7 @@ TEST(Impact, SlowGrowthGivesNothingBackThatWasNotPutIn)
       SafetyInput input;
       input.Elapsed = input.Period = Period;
       input.Fresh = true;
-      SafetyStage stage;
+      servotest::GatedStage stage;
       stage.Arm();
       double given = 0.0;
       double felt = 0.0;
@@ -350,7 +350,7 @@ TEST(Impact, PressingOnBringsBackWhatTheLimitTook)
   SafetyInput input;
   input.Elapsed = input.Period = Period;
   input.Fresh = true;
-  SafetyStage stage;
+  servotest::GatedStage stage;
   stage.Arm();
   const auto press = [&](double speed, double depth)
   {

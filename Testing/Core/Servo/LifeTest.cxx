@@ -85,6 +85,6 @@ TEST(ServoLife, TheLatestOfArmAndDisarmCounts)
     const std::uint64_t from = loop->GetTickCount() + 1;
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > from; }));
     loop->ReadState();
-    EXPECT_EQ(loop->GetState().Armed, i % 2 == 0);
+    EXPECT_EQ(loop->GetState().IsArmed(), i % 2 == 0);
   }
 }

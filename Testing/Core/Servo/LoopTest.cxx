@@ -34,10 +34,10 @@ protected:
     return Eventually([&] { return this->Device.Writes.load() > from + ticks; }) &&
       this->Device.LastPush.load() <= from;
   }
-  SafetyFault FaultOf(RunningLoop& loop)
+  GateReason FaultOf(RunningLoop& loop)
   {
     loop->ReadState();
-    return loop->GetState().Fault;
+    return loop->GetState().GetFault();
   }
 
   TestVolume Volume = MakeRamp();
@@ -142,7 +142,7 @@ TEST_F(Servo, AFrozenDeviceGetsNoForceUntilItMovesAgain)
       return loop->GetState().Stale && this->Device.Force.load() == 0.0;
     }));
   EXPECT_TRUE(this->StaysZero(loop, 1000));
-  EXPECT_EQ(this->FaultOf(loop), SafetyFault::None);
+  EXPECT_EQ(this->FaultOf(loop), GateReason::None);
   EXPECT_TRUE(loop->GetState().Stale);
   this->Device.Frozen.store(false);
   EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.5; }));
@@ -157,8 +157,8 @@ TEST_F(Servo, SamplesThatComeBackWhileTheForceFallsMakeNoStepAndBeginFromTheTip)
   RunningLoop loop(device, 5000.0, limits);
   loop->Publish(this->Model);
   loop->Arm();
-  ASSERT_TRUE(
-    Eventually([&] { return loop->ReadState() && loop->GetState().Armed && device.Reads > 200; }));
+  ASSERT_TRUE(Eventually(
+    [&] { return loop->ReadState() && loop->GetState().IsArmed() && device.Reads > 200; }));
   device.IsIn.store(true);
   ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; })); // 500 N/m
   device.Frozen.store(true);
@@ -176,8 +176,8 @@ TEST_F(Servo, ArmChangesNothingWhereForceFlows)
   RunningLoop loop(device);
   loop->Publish(this->Model);
   loop->Arm();
-  ASSERT_TRUE(
-    Eventually([&] { return loop->ReadState() && loop->GetState().Armed && device.Reads > 200; }));
+  ASSERT_TRUE(Eventually(
+    [&] { return loop->ReadState() && loop->GetState().IsArmed() && device.Reads > 200; }));
   device.IsIn.store(true);
   ASSERT_TRUE(Eventually([&] { return device.Force.load() >= 0.99; }));
   for (int i = 0; i < 3; ++i)
@@ -198,7 +198,7 @@ TEST_F(Servo, ADeviceThatIsLostInReadOrWriteStaysCutUntilArmed)
     this->Activate(loop);
     lost->store(true);
     EXPECT_TRUE(this->IsCut(loop)) << (lost == &this->Device.ReadLost ? "Read" : "Write");
-    EXPECT_EQ(this->FaultOf(loop), SafetyFault::DeviceLost);
+    EXPECT_EQ(this->FaultOf(loop), GateReason::DeviceLost);
     lost->store(false);
     EXPECT_TRUE(this->StaysZero(loop, 3500)) << "it must not resume by itself";
     this->Activate(loop);

@@ -6,7 +6,7 @@
  * the same way.
  */
 
-#include "Core/Servo/SafetyStage.h"
+#include "GatedStage.h"
 #include "RegionRig.h"
 #include "Rigs/Growth.h"
 
@@ -17,7 +17,7 @@ using namespace servotest;
 namespace
 {
 constexpr double Period = 1e-3;
-constexpr double LargestShareStep = Period / ResidentServo::FadeTime * (1.0 + 1e-9);
+constexpr double LargestShareStep = Period / ForceGate::FadeTime * (1.0 + 1e-9);
 
 class RegionFade : public testing::TestWithParam<MethodCase>
 {
@@ -34,13 +34,12 @@ protected:
   /// A tick as the loop makes it; what is sent obeys the slew limit, and the share its own.
   void Step(const Vector3& tip)
   {
-    const double share = this->Servo.GetShare();
-    this->Servo.Tick(
-      *this->Model, this->State, tip, Period, this->Record, LocalSurfaceResult::Simulated());
-    EXPECT_LE(std::abs(this->Servo.GetShare() - share), LargestShareStep);
+    const double share = this->Stage.Gate.GetOpening();
+    this->Servo.Tick(*this->Model, this->State, tip, Period, this->Record,
+      LocalSurfaceResult::Simulated(), this->Stage.Gate);
+    EXPECT_LE(std::abs(this->Stage.Gate.GetOpening() - share), LargestShareStep);
     SafetyInput input;
     input.Force = this->Record.Force;
-    input.Residency = this->Servo.GetShare();
     input.Tip = tip;
     input.Elapsed = Period;
     input.Fresh = true;
@@ -48,7 +47,7 @@ protected:
     this->Command = this->Stage.Apply(input, this->Limits);
     EXPECT_LE(
       GrowthOf(before, this->Command), this->Limits.MaximumForceRate * Period * (1.0 + 1e-9));
-    EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+    EXPECT_EQ(this->Stage.Gate.GetFault(), GateReason::None);
   }
   void Walk(const Vector3& from, const Vector3& to, int ticks)
   {
@@ -70,7 +69,7 @@ protected:
   ServoState State;
   ResidentServo Servo;
   TickRecord Record;
-  SafetyStage Stage;
+  GatedStage Stage;
   SafetyLimits Limits;
   Vector3 Command;
 };
@@ -80,11 +79,11 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
 {
   const Vector3 here = TipOf(0);
   const Vector3 there = here + 1e-3 * Vector3{ 0.0, 0.0, 40.0 };
-  EXPECT_EQ(this->Servo.GetShare(), 1.0);
+  EXPECT_EQ(this->Stage.Gate.GetOpening(), 1.0);
   const double pressed = Norm(this->Command);
   EXPECT_GT(pressed, 0.1);
   this->Walk(here, there, 200);
-  EXPECT_EQ(this->Servo.GetShare(), 0.0);
+  EXPECT_EQ(this->Stage.Gate.GetOpening(), 0.0);
   EXPECT_TRUE(this->Servo.IsAwaiting());
   EXPECT_EQ(Norm(this->Command), 0.0);
   EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
@@ -104,7 +103,7 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
   this->Walk(here, Outside, 100);
   this->Walk(Outside, here, 100);
   this->Walk(here, here, 100);
-  EXPECT_EQ(this->Servo.GetShare(), 1.0);
+  EXPECT_EQ(this->Stage.Gate.GetOpening(), 1.0);
   EXPECT_NEAR(Norm(this->Command), pressed, 0.2 * pressed) << "felt as before";
 }
 
@@ -118,10 +117,10 @@ TEST_P(RegionFade, ARegionThatIsElsewhereEndsWhatIsFelt)
   {
     this->Step(TipOf(0));
     EXPECT_NEAR(Norm(this->Record.Force), pressed, 1e-12) << "fades by its share alone";
-    EXPECT_GT(this->Servo.GetShare(), 0.0);
+    EXPECT_GT(this->Stage.Gate.GetOpening(), 0.0);
   }
   this->Walk(TipOf(0), TipOf(0), 3);
-  EXPECT_EQ(this->Servo.GetShare(), 0.0);
+  EXPECT_EQ(this->Stage.Gate.GetOpening(), 0.0);
   EXPECT_EQ(Norm(this->Record.Force), 0.0);
 }
 

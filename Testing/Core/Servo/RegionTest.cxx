@@ -25,6 +25,7 @@ protected:
     ServoState state;
     ServoState regionState;
     ResidentServo servo;
+    ForceGate gate;
     TickRecord record;
     TickRecord felt;
     int contacts[4] = {};
@@ -46,8 +47,8 @@ protected:
         region = next;
       }
       Tick(whole, state, tip, record);
-      servo.Tick(*region, regionState, tip, 1e-3, felt, LocalSurfaceResult::Simulated());
-      ASSERT_EQ(servo.GetShare(), 1.0) << i;
+      servo.Tick(*region, regionState, tip, 1e-3, felt, LocalSurfaceResult::Simulated(), gate);
+      ASSERT_EQ(gate.GetOpening(), 1.0) << i;
       ASSERT_FALSE(servo.IsAwaiting());
       ASSERT_TRUE(IsSame(felt.Force, record.Force)) << i << ": " << Norm(felt.Force - record.Force);
       ASSERT_TRUE(IsSame(felt.Proxy, record.Proxy)) << i;
@@ -84,6 +85,7 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
   ServoState state;
   ServoState regionState;
   ResidentServo servo;
+  ForceGate gate;
   TickRecord record;
   TickRecord felt;
   for (int i = 0; i < 900; ++i)
@@ -92,8 +94,8 @@ TEST_P(Region, EndsWhereTheVolumeEndsAsTheWholeDoes)
     const double x = -40.0 + 25.0 * std::sin(0.0035 * i);
     const Vector3 tip = 1e-3 * Vector3{ x, 3.0 * std::sin(0.01 * i), 0.02 * i };
     Tick(whole, state, tip, record);
-    servo.Tick(region, regionState, tip, 1e-3, felt, LocalSurfaceResult::Simulated());
-    ASSERT_EQ(servo.GetShare(), 1.0) << i;
+    servo.Tick(region, regionState, tip, 1e-3, felt, LocalSurfaceResult::Simulated(), gate);
+    ASSERT_EQ(gate.GetOpening(), 1.0) << i;
     ASSERT_TRUE(IsSame(felt.Force, record.Force)) << i;
     const Vector3 at = whole.DeviceToIndex(tip);
     ASSERT_EQ(region.BorderFade(at), whole.BorderFade(at));

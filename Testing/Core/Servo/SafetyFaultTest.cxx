@@ -20,7 +20,7 @@ class SafetyFaults : public SafetyTest
 
 TEST_F(SafetyFaults, NoForceBeforeArming)
 {
-  EXPECT_FALSE(this->Stage.IsArmed());
+  EXPECT_EQ(this->Stage.Gate.GetState(), GateState::Disarmed);
   EXPECT_TRUE(IsZero(this->Repeat(Force, 1000)));
 }
 
@@ -34,7 +34,7 @@ TEST_F(SafetyFaults, ForcesThatAreNotFinite)
       Vector3 broken = Force;
       (axis == 0 ? broken.X : axis == 1 ? broken.Y : broken.Z) = bad;
       this->Apply(broken);
-      this->ExpectLatched(SafetyFault::NotFinite, Force);
+      this->ExpectLatched(GateReason::NotFinite, Force);
     }
   }
 }
@@ -47,7 +47,7 @@ TEST_F(SafetyFaults, TipsThatAreNotFinite)
     this->Input.Tip = { 0.0, bad, 0.0 };
     this->Apply(Force);
     this->Input.Tip = {};
-    this->ExpectLatched(SafetyFault::NotFinite, Force);
+    this->ExpectLatched(GateReason::NotFinite, Force);
   }
 }
 
@@ -62,7 +62,7 @@ TEST_F(SafetyFaults, OverSpeed)
   }
   this->Input.Tip.X += 0.0026;
   this->Apply(Force);
-  this->ExpectLatched(SafetyFault::OverSpeed, Force);
+  this->ExpectLatched(GateReason::OverSpeed, Force);
 }
 
 TEST_F(SafetyFaults, OverSpeedGoesByTheTimeThatPassed)
@@ -72,10 +72,10 @@ TEST_F(SafetyFaults, OverSpeedGoesByTheTimeThatPassed)
   this->Input.Elapsed = 0.01;
   this->Input.Tip.X += 0.024;
   this->Apply(Force);
-  EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+  EXPECT_EQ(this->Stage.Gate.GetFault(), GateReason::None);
   this->Input.Tip.X += 0.026;
   this->Apply(Force);
-  EXPECT_EQ(this->Stage.GetFault(), SafetyFault::OverSpeed);
+  EXPECT_EQ(this->Stage.Gate.GetFault(), GateReason::OverSpeed);
 }
 
 TEST_F(SafetyFaults, OverSpeedIsNotMadeUpByALateWakeUp)
@@ -87,7 +87,7 @@ TEST_F(SafetyFaults, OverSpeedIsNotMadeUpByALateWakeUp)
     this->Input.Elapsed = i % 2 == 0 ? 0.0019 : 0.0001;
     this->Input.Tip.X += 0.002;
     this->Apply(Force);
-    ASSERT_EQ(this->Stage.GetFault(), SafetyFault::None) << "in tick " << i;
+    ASSERT_EQ(this->Stage.Gate.GetFault(), GateReason::None) << "in tick " << i;
   }
 }
 
@@ -97,7 +97,7 @@ TEST_F(SafetyFaults, NoSpeedIsTooMuchWithoutALimit)
   this->Activate(Force);
   this->Input.Tip.X += 1.0;
   this->Apply(Force);
-  EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+  EXPECT_EQ(this->Stage.Gate.GetFault(), GateReason::None);
 }
 
 TEST_F(SafetyFaults, ALostDevice)
@@ -105,7 +105,7 @@ TEST_F(SafetyFaults, ALostDevice)
   this->Activate(Force);
   this->Input.Lost = true;
   this->Apply(Force);
-  this->ExpectLatched(SafetyFault::DeviceLost, Force);
+  this->ExpectLatched(GateReason::DeviceLost, Force);
 }
 
 TEST_F(SafetyFaults, AreNotRaisedWhileDisarmed)
@@ -116,14 +116,14 @@ TEST_F(SafetyFaults, AreNotRaisedWhileDisarmed)
   this->Input.Lost = false;
   this->Input.Tip.X = 100.0;
   this->Apply(Force);
-  EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+  EXPECT_EQ(this->Stage.Gate.GetFault(), GateReason::None);
   EXPECT_TRUE(IsZero(this->Output));
 }
 
 TEST_F(SafetyFaults, DisarmingCutsAtOnce)
 {
   this->Activate(Force);
-  this->Stage.Disarm();
+  this->Stage.Gate.Disarm();
   EXPECT_TRUE(IsZero(this->Apply(Force)));
-  EXPECT_FALSE(this->Stage.IsArmed());
+  EXPECT_EQ(this->Stage.Gate.GetState(), GateState::Disarmed);
 }

@@ -8,7 +8,7 @@
 #ifndef SafetyRig_h
 #define SafetyRig_h
 
-#include "Core/Servo/SafetyStage.h"
+#include "GatedStage.h"
 #include "Rigs/Growth.h"
 
 #include <gtest/gtest.h>
@@ -70,24 +70,24 @@ protected:
   }
 
   /// Cut at once, with a fault that holds until the stage is armed again.
-  void ExpectLatched(SafetyFault fault, const Vector3& force)
+  void ExpectLatched(GateReason fault, const Vector3& force)
   {
     EXPECT_TRUE(IsZero(this->Output));
-    EXPECT_EQ(this->Stage.GetFault(), fault);
+    EXPECT_EQ(this->Stage.Gate.GetFault(), fault);
     this->Input.Lost = false;
     for (int i = 0; i < 2000; ++i)
     {
       ASSERT_TRUE(IsZero(this->Apply(force)));
     }
-    EXPECT_EQ(this->Stage.GetFault(), fault);
+    EXPECT_EQ(this->Stage.Gate.GetFault(), fault);
     this->Stage.Arm();
-    EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+    EXPECT_EQ(this->Stage.Gate.GetFault(), GateReason::None);
     EXPECT_TRUE(IsZero(this->Apply(force))) << "the ramp begins at zero";
     this->Repeat(force, 600);
     EXPECT_LT(Norm(this->Output - force), 1e-12);
   }
 
-  SafetyStage Stage;
+  GatedStage Stage;
   SafetyLimits Limits;
   SafetyInput Input;
   Vector3 Output;

@@ -137,7 +137,7 @@ TEST_F(Safety, StaleSamplesLeadToZeroAndRampInAgain)
     last = Norm(this->Output);
   }
   EXPECT_EQ(last, 0.0);
-  EXPECT_EQ(this->Stage.GetFault(), SafetyFault::None);
+  EXPECT_EQ(this->Stage.Gate.GetFault(), GateReason::None);
   EXPECT_TRUE(IsZero(this->Repeat(force, 1000)));
   EXPECT_TRUE(IsZero(this->Output));
 
@@ -190,7 +190,7 @@ TEST_F(Safety, ARetreatPushesNoHandThatIsKnownToBeElsewhere)
   this->Input.Fresh = false;
   this->Repeat(force, 31);
   this->Input.Fresh = true;
-  this->Input.Residency = 0.25;
+  this->Stage.Gate.NoteData(0.25, ForceGate::FadeTime);
   EXPECT_NEAR(this->Apply(force).X, 0.75, 1e-12);
 }
 

@@ -107,7 +107,7 @@ TEST_F(FalconSession, FromFirmwareToFeelingAndBack)
 
     this->Usb.Unplug();
     const auto isFault = [&]
-    { return loop->ReadState() && loop->GetState().Fault == SafetyFault::DeviceLost; };
+    { return loop->ReadState() && loop->GetState().GetFault() == GateReason::DeviceLost; };
     EXPECT_TRUE(Eventually(isFault));
     EXPECT_TRUE(this->IsAt(DeviceStage::Lost));
     EXPECT_TRUE(Has(this->GetText(), "unplugged")) << this->GetText();

@@ -81,13 +81,13 @@ public:
     return Eventually([&] { return this->Text().find(part) != std::string::npos; });
   }
   std::string Text() { return this->Device->GetCondition().Text.data(); }
-  bool WaitForFault(SafetyFault fault)
+  bool WaitForFault(GateReason fault)
   {
     return Eventually(
       [&]
       {
         (*this)->ReadState();
-        return (*this)->GetState().Fault == fault;
+        return (*this)->GetState().GetFault() == fault;
       });
   }
   bool WaitForTicks(std::uint64_t ticks)
@@ -119,11 +119,11 @@ public:
   /// Cut, said, and not back by arming it.
   void ExpectLost(const char* text)
   {
-    EXPECT_TRUE(this->WaitForFault(SafetyFault::DeviceLost));
+    EXPECT_TRUE(this->WaitForFault(GateReason::DeviceLost));
     EXPECT_TRUE(this->WaitForText(text)) << this->Text();
     (*this)->Arm();
     EXPECT_TRUE(this->WaitForTicks(20));
-    EXPECT_TRUE(this->WaitForFault(SafetyFault::DeviceLost));
+    EXPECT_TRUE(this->WaitForFault(GateReason::DeviceLost));
     EXPECT_EQ(this->Device->GetCondition().Stage, DeviceStage::Lost);
   }
 

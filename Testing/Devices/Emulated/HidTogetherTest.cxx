@@ -51,8 +51,8 @@ TEST(HidTogether, OneGoesOnWhereTheOtherIsUnplugged)
   EXPECT_LT(stick.Model.GetForce()[0], -1.5);
 
   arm.Hid.Unplug();
-  EXPECT_TRUE(arm.Bench.WaitForFault(SafetyFault::DeviceLost));
+  EXPECT_TRUE(arm.Bench.WaitForFault(GateReason::DeviceLost));
   EXPECT_TRUE(stick.Bench.WaitForTicks(200));
-  EXPECT_TRUE(stick.Bench.WaitForFault(SafetyFault::None));
+  EXPECT_TRUE(stick.Bench.WaitForFault(GateReason::None));
   EXPECT_LT(stick.Model.GetForce()[0], -1.5);
 }

@@ -54,7 +54,7 @@ TEST_F(PidFaults, PlacesThatNoHandReachesAreOverSpeed)
   limits.MaximumSpeed = this->Bench.Device->GetLimits().MaximumSpeed;
   this->Bench->SetLimits(limits);
   this->Model.Fault = StickFault::Garbage;
-  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::OverSpeed));
+  EXPECT_TRUE(this->Bench.WaitForFault(GateReason::OverSpeed));
   EXPECT_TRUE(this->IsQuiet());
 }
 
@@ -75,7 +75,7 @@ TEST_F(PidFaults, AStickThatReportedAllTheTimeMayNotFallSilent)
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   this->Bench->Arm();
-  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::None));
+  EXPECT_TRUE(this->Bench.WaitForFault(GateReason::None));
 }
 
 TEST_F(PidFaults, AfterAWriteErrorEffectsEndByThemselves)

@@ -40,7 +40,7 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
 
   // Unplugged in contact: cut, said; its effects end by themselves.
   this->Hid.Unplug();
-  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::DeviceLost));
+  EXPECT_TRUE(this->Bench.WaitForFault(GateReason::DeviceLost));
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged. Plug it in, then Open() and Start() it."));
   EXPECT_TRUE(Eventually([&] { return this->Model.CountPlaying() == 0; }));
   EXPECT_EQ(Size(this->Model.GetForce()), 0.0);

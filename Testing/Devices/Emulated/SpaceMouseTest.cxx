@@ -87,13 +87,13 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
   // Away from the hand, into the floor: a force is computed, and none is sent.
   this->Model.Push({ 0, -350, 0, 0, 0, 0 });
   EXPECT_TRUE(Eventually([&] { return this->State().Record.Force.Z > 1.0; }));
-  EXPECT_TRUE(this->State().Armed);
+  EXPECT_TRUE(this->State().IsArmed());
   EXPECT_EQ(Norm(this->State().Command), 0.0);
   this->Model.Push({ 0, 0, -350, 0, 0, 0 });
   EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.Y > 0.95 * Edge; }));
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Reaches({ 0.0, Edge, 0.0 })) << "from the middle straight up";
-  EXPECT_FALSE(this->State().Armed);
+  EXPECT_FALSE(this->State().IsArmed());
   this->Bench->Arm();
 
   this->Model.Push({ 0, 0, 0, 350, 0, 0 });
@@ -105,14 +105,14 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
   this->Model.Press(2);
   EXPECT_TRUE(Eventually([&] { return this->State().Buttons == 2; }));
   EXPECT_TRUE(this->Bench.WaitForTicks(5000));
-  EXPECT_EQ(this->State().Fault, SafetyFault::None);
+  EXPECT_EQ(this->State().GetFault(), GateReason::None);
   this->Bench.Device->SetLights(0);
   EXPECT_TRUE(Eventually([&] { return this->Model.Light == 0; }));
   this->Bench.Device->SetLights(1);
   EXPECT_TRUE(Eventually([&] { return this->Model.Light == 1; }));
 
   this->Hid.Unplug();
-  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::DeviceLost));
+  EXPECT_TRUE(this->Bench.WaitForFault(GateReason::DeviceLost));
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged. Plug it in, then Open() and Start() it."));
   this->Bench.Stop();
   this->Model.Push({});

@@ -24,7 +24,7 @@ TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
     Has(this->Bench.Text(), "put the arm into its rest pose, hold it still, and press Home()"));
   this->Bench->ReadState();
   EXPECT_EQ(this->Bench->GetState().Device, DeviceState::NotReady);
-  EXPECT_FALSE(this->Bench->GetState().Armed);
+  EXPECT_FALSE(this->Bench->GetState().IsArmed());
   // Nor is one that was calibrated in another session: it may have been without power since.
   this->Bench.Stop();
   this->Bench.Device->Home();
@@ -69,7 +69,7 @@ TEST_F(Wooden, FromPluggingInToFeelingAgain)
 
   // Unplugged in contact: cut, said, and nothing resumes by itself.
   this->Hid.Unplug();
-  EXPECT_TRUE(this->Bench.WaitForFault(SafetyFault::DeviceLost));
+  EXPECT_TRUE(this->Bench.WaitForFault(GateReason::DeviceLost));
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged. Plug it in, then Open() and Start() it."));
   EXPECT_TRUE(ListDevices().empty());
   this->Bench.Device->Home();

@@ -80,7 +80,7 @@ TEST(HapticSession, QuenchOfAHangingLoopReturns)
   EXPECT_GE(device.Quenches.load(), 2) << "before and after the wait for the loop";
   device.Hangs.store(false);
   EXPECT_TRUE(Eventually(
-    [&] { return session.GetLoop().ReadState() && !session.GetLoop().GetState().Armed; }));
+    [&] { return session.GetLoop().ReadState() && !session.GetLoop().GetState().IsArmed(); }));
 }
 
 TEST(HapticSession, QuenchTellsAllBeforeItWaitsForOne)

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A safety stage with a gate of its own.
+ */
+#ifndef GatedStage_h
+#define GatedStage_h
+
+#include "Core/Servo/SafetyStage.h"
+
+namespace servotest
+{
+class GatedStage
+{
+public:
+  /// Anew, also while force flows.
+  void Arm()
+  {
+    this->Gate.Arm(false);
+    this->Stage.Reset();
+  }
+  VolumeHaptics::Vector3 Apply(
+    const VolumeHaptics::SafetyInput& input, const VolumeHaptics::SafetyLimits& limits)
+  {
+    return this->Stage.Apply(input, limits, this->Gate);
+  }
+  bool IsStale() const { return this->Stage.IsStale(); }
+
+  VolumeHaptics::ForceGate Gate;
+
+private:
+  VolumeHaptics::SafetyStage Stage;
+};
+} // namespace servotest
+
+#endif
