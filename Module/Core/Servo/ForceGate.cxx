@@ -170,9 +170,11 @@ GateReason ForceGate::GetReason() const noexcept
       return GateReason::NoSamples;
     case GateState::Ramping:
     case GateState::Armed:
-      return this->Data < 1.0                     ? GateReason::NoData
-        : this->Ramp < 1.0 || this->Opening < 1.0 ? GateReason::Rising
-                                                  : GateReason::None;
+      if (this->Data < 1.0)
+      {
+        return GateReason::NoData;
+      }
+      return this->Ramp < 1.0 || this->Share < 1.0 ? GateReason::Rising : GateReason::None;
     default:
       return this->Cause;
   }

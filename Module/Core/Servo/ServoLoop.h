@@ -104,12 +104,13 @@ public:
   }
   /** No force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
+  /** Whether the last order of these was Arm, be it seen by the loop or not. */
+  bool IsArmOrdered() const noexcept { return this->GetLastOrder() == ArmOrder::Arm; }
   /** The force goes to zero within ForceGate::FadeTime; then as Disarm. */
   void FadeOut() noexcept
   {
     // A loop that is disarmed, or is about to be, has nothing to fade.
-    if ((this->ArmCommand.load(std::memory_order_relaxed) & 3) !=
-      static_cast<std::uint64_t>(ArmOrder::Disarm))
+    if (this->GetLastOrder() != ArmOrder::Disarm)
     {
       this->Command(ArmOrder::FadeOut);
     }
@@ -202,6 +203,10 @@ private:
     Arm = 1,
     FadeOut = 2
   };
+  ArmOrder GetLastOrder() const noexcept
+  {
+    return static_cast<ArmOrder>(this->ArmCommand.load(std::memory_order_relaxed) & 3);
+  }
   /** From any thread. */
   void Command(ArmOrder order) noexcept
   {

@@ -8,6 +8,7 @@
 #include "VTK/Session/HapticStateTable.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -69,7 +70,7 @@ void HapticDeviceHolder::Close()
   this->Virtual = nullptr;
   ++this->Opening;
   // Arming is for the device that is at hand, not for the next one.
-  this->ArmWanted = false;
+  this->ArmsAtStart = false;
   this->IsReplay = false;
   this->Replay = {};
   this->Id.clear();
@@ -98,7 +99,7 @@ void HapticDeviceHolder::Start(double rate, const SafetyLimits& limits,
   {
     this->Session->GetLoop().Hold();
   }
-  if (this->ArmWanted)
+  if (std::exchange(this->ArmsAtStart, false))
   {
     this->Session->GetLoop().Arm();
   }
@@ -112,7 +113,6 @@ void HapticDeviceHolder::Stop()
     this->Session->End();
     ReleaseSession(this->Session.get());
     this->Session.reset();
-    this->ArmWanted = false;
     this->State.Gate = GateState::Disarmed;
     this->State.Reason = GateReason::Ordered;
     this->State.Share = 0.0;
@@ -135,16 +135,17 @@ void HapticDeviceHolder::Arm(bool on)
   {
     GuardSession(this->Session.get());
   }
-  this->ArmWanted = on;
-  if (this->Session)
+  if (!this->Session)
   {
-    on ? this->Session->GetLoop().Arm() : this->Session->GetLoop().Disarm();
+    this->ArmsAtStart = on;
+    return;
   }
+  on ? this->Session->GetLoop().Arm() : this->Session->GetLoop().Disarm();
 }
 
 void HapticDeviceHolder::FadeOut()
 {
-  this->ArmWanted = false;
+  this->ArmsAtStart = false;
   if (this->Session)
   {
     this->Session->GetLoop().FadeOut();

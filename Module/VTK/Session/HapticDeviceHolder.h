@@ -109,6 +109,11 @@ private:
   };
   /** The outermost work that is long; null if there is none. */
   const Work* FindLongWork() const;
+  /** Whether the last order was to arm, be it seen by the servo or not. */
+  bool IsArmOrdered() const
+  {
+    return this->Session ? this->Session->GetLoop().IsArmOrdered() : this->ArmsAtStart;
+  }
   std::string Describe(const DeviceCondition& condition) const;
   std::string DescribeDevice() const;
 
@@ -120,7 +125,7 @@ private:
   RecordedTips Replay;
   std::unique_ptr<HapticSession> Session;
   ServoSnapshot State;
-  bool ArmWanted = false;
+  bool ArmsAtStart = false; ///< ordered before there was a session
   double Rate = 0.0;
   std::vector<Work> Works;
 };

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** What is wrong, and what to do. */
+/** The trouble and the cure. */
 const char* Explain(GateReason fault)
 {
   switch (fault)
@@ -31,6 +31,37 @@ const char* Explain(GateReason fault)
     default:
       return "";
   }
+}
+
+/** Why the share of the force is not 1. */
+const char* DescribeReason(GateState state, GateReason reason)
+{
+  switch (reason)
+  {
+    case GateReason::Ordered:
+      return state == GateState::Fading ? "it fades out" : "not armed";
+    case GateReason::Unattended:
+      return "it fades out, since the program is silent";
+    case GateReason::NotReady:
+      return "the device was not ready";
+    case GateReason::LongWork:
+      return "long work";
+    case GateReason::NoSamples:
+      return "no fresh positions";
+    case GateReason::NoData:
+      return "data are missing";
+    case GateReason::Rising:
+      return "it rises";
+    default:
+      return "";
+  }
+}
+
+std::string DescribeShare(const ServoSnapshot& state)
+{
+  const std::string reason = DescribeReason(state.Gate, state.Reason);
+  return " " + std::to_string(static_cast<int>(100.0 * state.Share)) + " % of the force passes" +
+    (reason.empty() ? "." : " (" + reason + ").");
 }
 
 const char* DescribePrivilege(ServoLoop::Privilege privilege)
@@ -69,7 +100,7 @@ int HapticDeviceHolder::GetStatus() const
   }
   if (!this->Session)
   {
-    return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
+    return this->IsArmOrdered() ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
   if (this->State.GetFault() != GateReason::None)
   {
@@ -77,7 +108,7 @@ int HapticDeviceHolder::GetStatus() const
   }
   if (!this->State.IsArmed())
   {
-    return this->ArmWanted ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
+    return this->IsArmOrdered() ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
   return this->State.Stale || this->FindLongWork() ? vtkHapticDevice::ARMED
                                                    : vtkHapticDevice::ACTIVE;
@@ -130,7 +161,7 @@ std::string HapticDeviceHolder::DescribeDevice() const
     text = "Finished: " + this->Id + " has come to its end.";
   }
   else if (const Work* work = this->FindLongWork();
-           work && this->ArmWanted && this->State.IsArmed())
+           work && this->IsArmOrdered() && this->State.IsArmed())
   {
     text = "Force is off while " + work->What + ", and comes back by itself.";
   }
@@ -150,8 +181,9 @@ std::string HapticDeviceHolder::DescribeDevice() const
       : " The data around the tip are awaited: no force until then.";
   }
   ServoLoop& loop = this->Session->GetLoop();
-  text += std::string(" Real-time priority ") + DescribePrivilege(loop.GetRealTimePriority()) +
-    ", locking of the servo's own memory " + DescribePrivilege(loop.GetLockedMemory()) + ".";
+  text += DescribeShare(this->State) + std::string(" Real-time priority ") +
+    DescribePrivilege(loop.GetRealTimePriority()) + ", locking of the servo's own memory " +
+    DescribePrivilege(loop.GetLockedMemory()) + ".";
   return text;
 }
 

@@ -7,10 +7,11 @@
  * recording's length.
  *
  * Beyond the arrays of vtkVolumeHapticsFilter's output a recording has the point arrays `DeviceTip`
- * (m), `Command` (3; N, world axes: what the safety stage let through), `Tick`, `Enabled`,
- * `Placement`, `Buttons`, `Armed` and `Fault`, and the field arrays `DeviceToWorld` (16 a
- * placement), `InitialState`, `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`,
- * `Units`, `VolumeHash` and `LostTicks`.
+ * (m), `Command` (3; N, world axes: the force that went to the device), `Tick`, `Enabled`,
+ * `Placement`, `Buttons`, `Armed`, `Fault`, `Share` (0 to 1, of the force, that the gate let
+ * through) and `Reason` (why that is not 1: a GateReason of ForceGate.h), and the field arrays
+ * `DeviceToWorld` (16 a placement), `InitialState`, `TickPeriod` (s), `Caps` (N/m and N s/m),
+ * `DeviceId`, `Settings`, `Units`, `VolumeHash` and `LostTicks`.
  */
 #ifndef HapticRecordingFile_h
 #define HapticRecordingFile_h

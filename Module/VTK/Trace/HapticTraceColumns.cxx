@@ -71,6 +71,8 @@ const std::vector<TraceColumn>& GetRecordingColumns()
       { "Buttons", "", ColumnType::Int32, 1, offsetof(RecordingRow, Buttons) },
       { "Armed", "", UInt8, 1, offsetof(RecordingRow, Armed) },
       { "Fault", "", UInt8, 1, offsetof(RecordingRow, Fault) },
+      { "Share", "", Float64, 1, offsetof(RecordingRow, Share) },
+      { "Reason", "", UInt8, 1, offsetof(RecordingRow, Reason) },
     };
     const auto add = [all](TraceColumn column)
     {
@@ -142,6 +144,8 @@ RecordingRow MakeRecordingRow(
   row.Enabled = snapshot.Before.Enabled ? 0 : 1;
   row.Armed = snapshot.IsArmed() ? 1 : 0;
   row.Fault = static_cast<unsigned char>(snapshot.GetFault());
+  row.Share = snapshot.Share;
+  row.Reason = static_cast<unsigned char>(snapshot.Reason);
   return row;
 }
 

@@ -50,12 +50,14 @@ struct RecordingRow
   TraceRow Trace;
   double DeviceTip[3]; ///< m
   double Command[3];   ///< N
+  double Share;        ///< of the force, that the gate let through (ForceGate.h)
   std::int64_t Tick;
   std::int32_t Placement;
   std::int32_t Buttons;
   unsigned char Enabled;
   unsigned char Armed;
   unsigned char Fault;
+  unsigned char Reason; ///< why Share is not 1, a GateReason
 };
 
 enum class ColumnType : std::uint8_t

@@ -153,6 +153,7 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
   ForceGate gate;
   gate.Arm();
   gate.Pass(ramp);
+  gate.Pass(0.0);
   gate.NoteCommand(flows);
   if (Has(causes, 's'))
   {
@@ -571,6 +572,8 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
                                                 : GateState::Armed;
       ASSERT_EQ(gate.GetState(), expected) << sequence << ", " << tick;
       ++seen[static_cast<int>(expected)];
+      ASSERT_EQ(gate.GetReason() == GateReason::None, gate.GetShare() == 1.0)
+        << sequence << ", " << tick;
       // Of the share itself: never a jump upwards.
       const double opens = period / ForceGate::FadeTime;
       ASSERT_GE(gate.GetShare(), 0.0);

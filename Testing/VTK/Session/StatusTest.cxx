@@ -35,9 +35,11 @@ TEST_F(DeviceStatus, GoesFromClosedToActiveAndBack)
   this->Device->Arm();
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
   EXPECT_TRUE(this->Says("Real-time priority"));
+  EXPECT_TRUE(this->Wait([this] { return this->Says(" 100 % of the force passes."); }));
   EXPECT_TRUE(this->Says("locking of the servo's own memory"));
   this->Device->Disarm();
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
+  EXPECT_TRUE(this->Says(" 0 % of the force passes (not armed)"));
   this->Device->Stop();
   EXPECT_FALSE(this->Device->IsRunning());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);

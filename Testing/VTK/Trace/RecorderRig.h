@@ -69,7 +69,9 @@ public:
     s.Tick = this->Count++;
     s.Time = 1e-3 * static_cast<double>(s.Tick) + 1e-7 * this->Draw();
     s.Generation = 1;
-    s.Gate = VolumeHaptics::GateState::Armed;
+    s.Gate = VolumeHaptics::GateState::Ramping;
+    s.Reason = VolumeHaptics::GateReason::Rising;
+    s.Share = 0.75;
     TickRecord& r = s.Record;
     const double t = 1e-3 * static_cast<double>(s.Tick);
     r.Tip = { 0.007 + 0.003 * std::sin(t), 0.007 + 0.002 * std::sin(0.7 * t),

@@ -82,7 +82,7 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
     {
       EXPECT_EQ(trace->GetPointData()->GetArray(a)->GetNumberOfTuples(), count);
     }
-    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 27);
+    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 29);
     double work = 0.0;
     for (int i = 0; i < count; ++i)
     {
@@ -98,6 +98,8 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
       EXPECT_EQ(number("SurfaceValue", 0), r.SurfaceValue);
       EXPECT_EQ(number("Contact", 0), 2.0);
       EXPECT_EQ(number("Enabled", 0), 1.0);
+      EXPECT_EQ(number("Share", 0), 0.75);
+      EXPECT_EQ(number("Reason", 0), static_cast<double>(GateReason::Rising));
       work += i > 0
         ? 0.5 * Dot(r.Force + ticks[i - 1].Record.Force, r.Tip - ticks[i - 1].Record.Tip)
         : 0.0;

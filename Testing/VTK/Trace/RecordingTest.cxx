@@ -118,6 +118,18 @@ TEST_F(Recording, GoesOnAfterAFault)
   this->ExpectSame();
   vtkDataArray* const enabled = this->Recorded->GetPointData()->GetArray("Enabled");
   EXPECT_EQ(enabled->GetRange()[1], 1.0) << "the re-entry is in the recording";
+  vtkPointData* const points = this->Recorded->GetPointData();
+  vtkDataArray* const share = points->GetArray("Share");
+  for (vtkIdType i = 0; i < share->GetNumberOfTuples(); ++i)
+  {
+    const double fault = points->GetArray("Fault")->GetComponent(i, 0);
+    const double reason = points->GetArray("Reason")->GetComponent(i, 0);
+    const double passes = share->GetComponent(i, 0);
+    // 2 is OverSpeed, 10 Rising.
+    ASSERT_EQ(reason, fault != 0.0 ? 2.0 : passes < 1.0 ? 10.0 : 0.0) << i;
+    ASSERT_TRUE(fault == 0.0 || passes == 0.0) << i;
+  }
+  EXPECT_GT(share->GetRange()[1], 0.01) << "the ramp is in the recording";
 }
 
 TEST_F(Recording, NeedsSomethingToBeFelt)
