@@ -27,10 +27,10 @@
  * Events
  * ------
  *
- * "open" stands for: the open state by the list above. "-" changes nothing.
+ * "open" stands for: the open state by the list above. "-": the state stays.
  *
  *   event                     Disarmed    Fault          open
- *   Arm                       open (a)    open (a, b)    open (a, c)
+ *   Arm                       open (a, j) open (a, b)    open (a, c)
  *   Disarm                    -           Disarmed (d)   Disarmed
  *   FadeOut                   - (e)       - (e)          Fading
  *   SetHeld(true)             - (f)       - (f)          Holding, unless Fading
@@ -38,7 +38,7 @@
  *   NoteSilence               -           -              Fading, unless held
  *   NoteNotReady              -           Disarmed (d)   Disarmed
  *   NoteFault                 -           -              Fault
- *   NoteGap                   -           -              open: Retreating or Ramping (h)
+ *   NoteGap                   -           -              open (h)
  *   NoteCommand of zero:
  *     the end of a retreat    - (b)       - (b)          open (b)
  *     the end of a fade       -           Disarmed (d)   Disarmed; Fault if the owner was silent
@@ -52,8 +52,10 @@
  *   (f) Remembered for Arm.
  *   (g) A hold that has not come to its end goes on until no force flows. Then the ramp begins at
  *       0.
- *   (h) The ramp begins at 0. Retreating if samples are still missing or force flows.
+ *   (h) The ramp begins at 0. The cause of Retreating is there if samples are still missing or
+ *       force flows, and else gone.
  *   (i) Moves the opening towards the share of the data that are there, by 1 in FadeTime.
+ *   (j) As (b), if the reason is a fault.
  *
  * Faults and Disarm act in the tick in which they come. Nothing that opens the gate makes the
  * share jump: it rises by RampTime, and the opening by FadeTime.
