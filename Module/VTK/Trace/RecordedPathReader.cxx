@@ -3,8 +3,8 @@
 #include "VTK/Trace/RecordedPathReader.h"
 
 #include "Core/Solvers/ServoStateNumbers.h"
-#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Baking/HapticPlacement.h"
+#include "VTK/Baking/HapticTuples.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
