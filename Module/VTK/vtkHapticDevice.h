@@ -260,9 +260,9 @@ public:
   double* GetMediumPosition() VTK_SIZEHINT(3);
   ///@}
   /**
-   * Of the latest state: the share of the force, 0 to 1, that passed since the data around the tip
-   * are here; 1 unless the image is a region (vtkHapticRegionFilter). Changes by 1 in 50 ms at
-   * most.
+   * Of the latest state: the share of the force, 0 to 1, that missing data around the tip
+   * (vtkHapticRegionFilter), FadeOut, AttentionTime and long work leave; 1 without any of these.
+   * Changes by 1 in 50 ms at most. The ramp after Arm is not part of it.
    */
   double GetResidency();
   /** Of the latest state: its number since Start, and its time (s). */
@@ -332,6 +332,10 @@ public:
    * the placement of the device changed while it was made. Needs a running servo and a filter. A
    * region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no one image
    * could replay it.
+   *
+   * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
+   * Tick, Buttons, Armed, Fault, Share (0 to 1: how much of Force the gate let through) and Reason
+   * (why not all of it; numbers in Documentation/devices.md).
    *
    * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A
    * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), and FILE.part up to about two

@@ -92,7 +92,7 @@ public:
   ///@}
 
   ///@{
-  /** What CIRCLE and SPIRAL are across, of any length but 0. Default (0, 0, 1). */
+  /** Normal of the plane of CIRCLE and SPIRAL, of any length but 0. Default (0, 0, 1). */
   vtkSetVector3Macro(Normal, double);
   vtkGetVector3Macro(Normal, double);
   ///@}

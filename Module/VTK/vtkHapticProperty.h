@@ -109,7 +109,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** Whoever bakes this property says which ramp it has set. No modification. */
+  /** Sets NoiseRamp; called by the baker. Does not change MTime. */
   void NoteNoiseRamp(double start, double full);
 #endif
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVolumeHapticsFilter
- * @brief   what a hand feels that moves a stylus through a volume
+ * @brief   the forces on a hand that moves a stylus through a volume
  *
  * Implements Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density
  * Data", 2002. A proxy is tied to the stylus' tip by a spring of stiffness k. Virtual surfaces,
@@ -79,8 +79,8 @@
  *   Energy             J; given to the hand so far, by trapezoids. If a path ends without force,
  *                      the last value is the energy that was created (FORCE_FIELD can) or, below
  *                      0, spent
- *   Unfinished         1 where PRECISE left a tick's way to the next, else 0
- *   Renewed            1 where LOCAL_SURFACE got a new surface from its slow loop, else 0
+ *   Unfinished         1 if PRECISE spent its budget, and the next tick does the rest; else 0
+ *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit. Without a path the output is empty. Input that
  * can't be touched gives one error that names the input and the cure, and an empty output. A long

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether force may flow: the one state machine that decides it.
+ * The one state machine that decides whether force may flow.
  *
  * Orders of the owner and everything that the servo loop finds go in as events; a state, a share
  * of the force from 0 to 1 and one reason come out. SafetyStage.h multiplies the force by the
@@ -13,7 +13,7 @@
  *
  *   Disarmed    no force, from the tick on in which it is entered
  *   Fault       the same; the reason says what is wrong, and stays until Arm
- *   Fading      the share falls to 0 within FadeTime, after FadeOut or since the owner is silent
+ *   Fading      the share falls to 0 within FadeTime, after FadeOut or because the owner is silent
  *   Holding     the same for as long as it is held, for example during long work
  *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows
  *   Ramping     the share rises from 0 to 1 over SafetyLimits::RampTime
@@ -89,13 +89,13 @@ enum class GateState : std::uint8_t
  */
 enum class GateReason : std::uint8_t
 {
-  None,       ///< it is
+  None,       ///< the whole force passes
   NotFinite,  ///< a fault: a force or a tip that is not a finite number
   OverSpeed,  ///< a fault: a tip that is faster than SafetyLimits::MaximumSpeed
   DeviceLost, ///< a fault
   Unattended, ///< a fault, once the fade is over: SafetyLimits::AttentionTime
-  Ordered,    ///< the owner has not armed it, has disarmed it or lets it fade
-  NotReady,   ///< the device is not: it has to be armed anew once it is
+  Ordered,    ///< not armed yet, disarmed, or fading out after FadeOut
+  NotReady,   ///< the device was not ready; Arm is needed when it is
   LongWork,   ///< held by the owner
   NoSamples,  ///< none within SafetyLimits::WatchdogTime
   NoData,     ///< the samples of the volume around the tip are not all there (Residency.h)

@@ -45,7 +45,7 @@ private:
   bool Awaits = false;
   bool IsOut = false; ///< the force of before has to end before a new one begins
   Vector3 Force;      ///< while IsOut: the last one
-  Vector3 Lag;        ///< while IsOut: of the proxy behind the tip
+  Vector3 Lag;        ///< while IsOut: proxy minus tip
 };
 
 } // namespace VolumeHaptics

@@ -15,10 +15,13 @@
  * commands are scaled down together, by the back end: SaturateTogether.
  *
  * The share is applied before the slew limit, so that nothing that leaves grows faster than it
- * allows. A fault and disarming cut the force at once. Without fresh samples for WatchdogTime the
- * force retreats: it goes down to zero at MaximumForceRate, in 20 ms at most, also if samples come
- * back meanwhile, but is then no more than the force that is wanted along it; after a pause of the
- * loop that long it starts from zero.
+ * allows. A fault and disarming cut the force at once.
+ *
+ * Without fresh samples for WatchdogTime the force retreats: the last force falls to zero at
+ * MaximumForceRate, or faster, so that it is gone after 20 ms. A retreat goes on to zero even if
+ * samples come back. It then also stays below the part of the wanted force along its direction, so
+ * that it never pushes a hand that has moved on. After the loop itself stood still for
+ * WatchdogTime, the force starts from zero.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h

@@ -73,7 +73,7 @@ void ServoLoop::FollowCommands() noexcept
     // Several orders at once may have a Disarm among them, of which the last one says nothing.
     const bool isSole = (command >> 2) - (this->ArmCommandSeen >> 2) == 1;
     this->ArmCommandSeen = command;
-    switch (static_cast<ArmOrder>(command & 3))
+    switch (OrderOf(command))
     {
       case ArmOrder::Disarm:
         this->Gate.Disarm();
@@ -144,7 +144,8 @@ DeviceSample ServoLoop::ReadDevice(double period) noexcept
 
 void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 {
-  // The one place that lets the proxy begin at the tip, without force:
+  // Begins at the tip, without force, on these four causes. Tick() does so after a tip that is not
+  // finite, ResidentServo after missing data.
   const bool isVolumeNew = std::exchange(this->IsVolumeNew, false);
   // The loop stood still, and the hand did not.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;

@@ -105,16 +105,15 @@ public:
   /** No force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
   /** Whether the last order of these was Arm, be it seen by the loop or not. */
-  bool IsArmOrdered() const noexcept { return this->GetLastOrder() == ArmOrder::Arm; }
-  /** The force goes to zero within ForceGate::FadeTime; then as Disarm. */
-  void FadeOut() noexcept
+  bool IsArmOrdered() const noexcept
   {
-    // A loop that is disarmed, or is about to be, has nothing to fade.
-    if (this->GetLastOrder() != ArmOrder::Disarm)
-    {
-      this->Command(ArmOrder::FadeOut);
-    }
+    return OrderOf(this->ArmCommand.load(std::memory_order_relaxed)) == ArmOrder::Arm;
   }
+  /**
+   * The force goes to zero within ForceGate::FadeTime; then as Disarm. Changes nothing if the last
+   * order was Disarm, even one of another thread at the same time.
+   */
+  void FadeOut() noexcept { this->Command(ArmOrder::FadeOut); }
 
   ///@{
   /**
@@ -203,18 +202,23 @@ private:
     Arm = 1,
     FadeOut = 2
   };
-  ArmOrder GetLastOrder() const noexcept
+  static ArmOrder OrderOf(std::uint64_t command) noexcept
   {
-    return static_cast<ArmOrder>(this->ArmCommand.load(std::memory_order_relaxed) & 3);
+    return static_cast<ArmOrder>(command & 3);
   }
   /** From any thread. */
   void Command(ArmOrder order) noexcept
   {
     std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
-    while (!this->ArmCommand.compare_exchange_weak(
-      last, ((last >> 2) + 1) << 2 | static_cast<std::uint64_t>(order), std::memory_order_release))
+    std::uint64_t next = 0;
+    do
     {
-    }
+      if (order == ArmOrder::FadeOut && OrderOf(last) == ArmOrder::Disarm)
+      {
+        return; // nothing is left to fade
+      }
+      next = ((last >> 2) + 1) << 2 | static_cast<std::uint64_t>(order);
+    } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
   }
   void AskForRealTime(MemoryLock& lock) noexcept;
   void FollowModel() noexcept;

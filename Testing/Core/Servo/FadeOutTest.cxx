@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A force that fades out gets to zero without a step, and a loop that nobody looks after lets go by
- * itself.
+ * A force that fades out gets to zero without a step, and a loop that its owner does not look after
+ * lets go by itself.
  */
 
 #include "Rigs/PlayedDevice.h"
@@ -78,6 +78,36 @@ protected:
 };
 } // namespace
 
+TEST(FadeOutOrder, NeverUndoesADisarmOfAnotherThread)
+{
+  PlayedDevice device;
+  for (int i = 0; i < 300; ++i)
+  {
+    ServoLoop loop(device, Rate);
+    loop.Arm();
+    std::atomic<int> ready{ 0 };
+    const auto order = [&](void (ServoLoop::*give)() noexcept)
+    {
+      ++ready;
+      while (ready < 2)
+      {
+      }
+      (loop.*give)();
+    };
+    std::thread other([&] { order(&ServoLoop::Disarm); });
+    order(&ServoLoop::FadeOut);
+    other.join();
+    loop.SetRecording(true);
+    std::thread servo([&] { loop.Run(); });
+    ServoSnapshot first;
+    EXPECT_TRUE(Eventually([&] { return loop.Drain(first); }));
+    loop.RequestStop();
+    servo.join();
+    // A fade would have begun in this tick.
+    ASSERT_EQ(first.Residency, 1.0) << "after " << i << " rounds";
+  }
+}
+
 TEST_P(FadeOut, GetsToZeroWithoutAStep)
 {
   RunningLoop loop(this->Device, Rate, this->Limits);
@@ -93,7 +123,7 @@ TEST_P(FadeOut, GetsToZeroWithoutAStep)
   this->ExpectFade(GateReason::None);
 }
 
-TEST_P(FadeOut, ComesByItselfWhereNobodyLooksAndHoldsUntilArmed)
+TEST_P(FadeOut, ComesByItselfWithoutAttentionAndHoldsUntilArmed)
 {
   RunningLoop loop(this->Device, Rate, this->Limits);
   this->Hold(loop);
