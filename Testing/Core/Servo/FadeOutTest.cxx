@@ -6,7 +6,7 @@
  * lets go by itself.
  */
 
-#include "Rigs/PlayedDevice.h"
+#include "Rigs/FadingLoop.h"
 
 using namespace servotest;
 
@@ -22,10 +22,13 @@ struct LimitsCase
   double ForceRate;
 };
 
-class FadeOut : public testing::TestWithParam<LimitsCase>
+class FadeOut
+  : public FadingLoop
+  , public testing::WithParamInterface<LimitsCase>
 {
 protected:
   FadeOut()
+    : FadingLoop(Rate)
   {
     this->Limits.MaximumForce = this->GetParam().Force;
     this->Limits.MaximumForceRate = this->GetParam().ForceRate;
@@ -41,24 +44,18 @@ protected:
     loop->SetRecording(true);
     this->Follow(loop, 200); // any slewing ends
   }
-  /// Takes so many ticks; no force changes faster than the case and the fade let it.
+  /// Takes so many ticks, in which force flows only while it may.
   void Follow(RunningLoop& loop, int ticks)
   {
-    const double most =
-      std::max(this->Limits.MaximumForceRate, this->Limits.MaximumForce / ForceGate::FadeTime);
     for (int i = 0; i < ticks; ++i)
     {
-      ServoSnapshot s;
-      ASSERT_TRUE(Eventually([&] { return loop->Drain(s); }));
-      const double step = Norm(s.Command - this->Last.Command);
-      EXPECT_TRUE(!this->HasLast || step <= most / Rate * (1.0 + 1e-9)) << step << " N";
+      ASSERT_NO_FATAL_FAILURE(this->Take(loop));
+      const ServoSnapshot& s = this->Last;
       // By the loop's own ticks: how far behind it this thread is, and whether the force still
       // grows, does not matter.
       const bool flows = s.IsArmed() && s.GetFault() == GateReason::None && s.Residency > 0.0;
       this->Falling += flows && s.Residency < 1.0;
       EXPECT_EQ(flows, Norm(s.Command) > 0.0);
-      this->Last = s;
-      this->HasLast = true;
     }
   }
   void ExpectFade(GateReason fault)
@@ -69,11 +66,6 @@ protected:
     EXPECT_NEAR(this->Falling, ForceGate::FadeTime * Rate, 3.0) << "over the whole time";
   }
 
-  TestVolume Volume = MakeRamp();
-  PlayedDevice Device;
-  SafetyLimits Limits = QuickLimits();
-  ServoSnapshot Last;
-  bool HasLast = false;
   int Falling = 0; ///< ticks in which it faded
 };
 } // namespace

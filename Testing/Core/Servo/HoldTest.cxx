@@ -6,7 +6,7 @@
  * released.
  */
 
-#include "Rigs/PlayedDevice.h"
+#include "Rigs/FadingLoop.h"
 
 using namespace servotest;
 
@@ -14,10 +14,14 @@ namespace
 {
 constexpr double Rate = 2000.0;
 
-class Hold : public testing::Test
+class Hold : public FadingLoop
 {
 protected:
-  Hold() { this->Limits.RampTime = 0.05; }
+  Hold()
+    : FadingLoop(Rate)
+  {
+    this->Limits.RampTime = 0.05;
+  }
   /// Force flows, on a hand that moves up and down through a ramp of V = 100 z.
   void Press(RunningLoop& loop)
   {
@@ -25,8 +29,8 @@ protected:
     loop->Arm();
     ASSERT_TRUE(this->WaitForce());
     loop->SetRecording(true);
-    ASSERT_TRUE(Eventually([&] { return loop->Drain(this->Last); }));
-    ASSERT_NO_FATAL_FAILURE(this->Follow(loop, 50));
+    this->HasLast = false;
+    ASSERT_NO_FATAL_FAILURE(this->Follow(loop, 51));
   }
   bool WaitForce()
   {
@@ -36,18 +40,11 @@ protected:
   {
     return Eventually([&] { return loop->IsAtRest(); });
   }
-  /// Takes so many ticks; no force changes faster than the limits and the fade let it.
   void Follow(RunningLoop& loop, int ticks)
   {
-    const double most =
-      std::max(this->Limits.MaximumForceRate, this->Limits.MaximumForce / ForceGate::FadeTime);
     for (int i = 0; i < ticks; ++i)
     {
-      ServoSnapshot s;
-      ASSERT_TRUE(Eventually([&] { return loop->Drain(s); }));
-      const double step = Norm(s.Command - this->Last.Command);
-      EXPECT_LE(step, most / Rate * (1.0 + 1e-9)) << "tick " << s.Tick;
-      this->Last = s;
+      ASSERT_NO_FATAL_FAILURE(this->Take(loop));
     }
   }
   void TakeAll(RunningLoop& loop)
@@ -68,11 +65,6 @@ protected:
       this->Last = s;
     }
   }
-
-  TestVolume Volume = MakeRamp();
-  PlayedDevice Device;
-  SafetyLimits Limits = QuickLimits();
-  ServoSnapshot Last;
 };
 } // namespace
 
