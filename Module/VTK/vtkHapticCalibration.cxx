@@ -20,7 +20,7 @@ namespace
 
 using Coordinates = double[3];
 
-/** What is wrong with the points of one space: nothing, where they span a triangle. */
+/** The fault in the points of one space; empty if they span a triangle. */
 std::string FindFlaw(vtkPoints* points, const std::string& space)
 {
   Coordinates a, b, c;

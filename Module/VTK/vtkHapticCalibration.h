@@ -65,7 +65,7 @@ public:
    */
   bool Compute();
 
-  /** What the last successful Compute found; the identity before. */
+  /** The result of the last successful Compute; the identity before. */
   vtkMatrix4x4* GetDeviceToWorld();
 
   ///@{

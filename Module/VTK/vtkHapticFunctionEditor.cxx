@@ -32,7 +32,7 @@ struct Choice
   vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
 };
 
-// What an empty function stands for is as in vtkHapticProperty.
+// An empty function means the same as in vtkHapticProperty.
 const Choice Choices[] = {
   { { "Stiffness (N/m)", 500.0, 1000.0, 1e5 }, &vtkHapticProperty::GetStiffness },
   { { "Friction coefficient", 0.0, 1.0, 10.0 }, &vtkHapticProperty::GetFriction },

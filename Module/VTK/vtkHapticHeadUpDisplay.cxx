@@ -211,7 +211,7 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   const int code = device->GetStatus();
   const bool asksHand = code == vtkHapticDevice::FAULT || code == vtkHapticDevice::HOMING ||
     code == vtkHapticDevice::FIRMWARE;
-  // What is asked of the hand, or a fault with its cure, over two lines; else the first sentence
+  // A request to the hand, or a fault with its cure, over two lines; else the first sentence
   // says enough.
   const std::size_t sentence = status.find(". ");
   if (sentence != std::string::npos)

@@ -116,7 +116,7 @@ protected:
   static void CopySamples(
     vtkDataArray* from, const int fromExtent[6], vtkDataArray* to, const int toExtent[6]);
 
-  /** What a piece holds of its whole, one entry a component. */
+  /** The samples of its whole that a piece holds, one entry a component. */
   static SamplesOfComponents CollectSamples(
     vtkDataArray* array, const int extent[6], const int whole[6]);
 

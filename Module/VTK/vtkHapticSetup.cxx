@@ -164,7 +164,7 @@ bool vtkHapticSetup::Save(const char* file)
   SetupPass writing;
   writing.Writing = true;
   PassSetup(this, writing, root);
-  // What could not be loaded again must not replace a setup that can.
+  // A setup that could not be loaded again must not replace one that can.
   SetupPass reading;
   PassSetup(this, reading, root);
   if (!reading.Error.empty())

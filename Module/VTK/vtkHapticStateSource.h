@@ -33,7 +33,7 @@ public:
   vtkTypeMacro(vtkHapticStateSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What a cell shows. */
+  /** The meaning of a cell. */
   enum Parts
   {
     TIP = 0,

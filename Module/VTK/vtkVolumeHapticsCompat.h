@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What differs between VTK 9.1 and 9.6, in one place.
+ * The differences between VTK 9.1 and 9.6, in one place.
  */
 #ifndef vtkVolumeHapticsCompat_h
 #define vtkVolumeHapticsCompat_h

@@ -47,7 +47,7 @@ public:
   ///@}
 
   ///@{
-  /** What 1 in a function stands for: N/m (default 1000), no unit (1), N (1) and N (4). */
+  /** The unit of a function's values: N/m (default 1000), no unit (1), N (1) and N (4). */
   void SetStiffnessScale(double scale);
   void SetFrictionScale(double scale);
   void SetViscosityScale(double scale);

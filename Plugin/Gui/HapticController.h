@@ -80,7 +80,7 @@ public Q_SLOTS:
   void release();
 
 Q_SIGNALS:
-  /** What could not be done, and the cure; empty: all is well. */
+  /** The failure and its cure; empty: all is well. */
   void told(const QString& message);
 
 private Q_SLOTS:

@@ -57,7 +57,7 @@ bool ReadAxis(const std::string& text, int& axis)
   return text.size() == 1 && found != std::string::npos;
 }
 
-/** What an option has to be, if its value is wrong; else nullptr. */
+/** The values that an option takes, if the given one is wrong; else nullptr. */
 const char* ReadOption(const std::string& name, const std::string& value, ToolOptions& options)
 {
   if (name == "--firmware")

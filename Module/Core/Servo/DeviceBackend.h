@@ -21,7 +21,7 @@
 namespace VolumeHaptics
 {
 
-/** What a device can stand. */
+/** The limits of a device. */
 struct DeviceLimits
 {
   double MaximumForce = 0.0;     ///< N
@@ -33,8 +33,8 @@ struct DeviceLimits
 };
 
 /**
- * What a device can hold at a tick period (s): its own limits, and a stiffness of 2 b / period,
- * above which a sampled spring feeds energy in.
+ * The largest stiffness and damping that a device holds at a tick period (s): its own limits, and
+ * a stiffness of 2 b / period, above which a sampled spring feeds energy in.
  */
 inline ForceCaps CapsOf(const DeviceLimits& limits, double period) noexcept
 {
@@ -42,7 +42,7 @@ inline ForceCaps CapsOf(const DeviceLimits& limits, double period) noexcept
   return { TighterCap(limits.MaximumStiffness, sampled), limits.MaximumDamping };
 }
 
-/** What a device reports in a tick. */
+/** The report of a device in a tick. */
 struct DeviceSample
 {
   Vector3 Tip;               ///< m

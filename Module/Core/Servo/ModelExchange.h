@@ -22,7 +22,7 @@ namespace VolumeHaptics
 {
 class HapticModel;
 
-/** What the pointer that is swapped points to. */
+/** The target of the pointer that is swapped. */
 struct PublishedModel
 {
   std::shared_ptr<const HapticModel> Model;

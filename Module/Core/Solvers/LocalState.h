@@ -29,7 +29,7 @@ struct LocalSurfaceRequest
   Vector3 Normal;   ///< of the surface that is known there, into the structure; 0 if there is none
 };
 
-/** What LOCAL_SURFACE carries from tick to tick. */
+/** The state that LOCAL_SURFACE carries from tick to tick. */
 struct LocalState
 {
   LocalSurface Surface;

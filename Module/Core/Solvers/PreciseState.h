@@ -22,7 +22,7 @@ struct PrecisePoint : MaterialPoint
   double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
 };
 
-/** What PRECISE carries from tick to tick. */
+/** The state that PRECISE carries from tick to tick. */
 struct PreciseState
 {
   static constexpr double Unknown = std::numeric_limits<double>::max();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a tick of the servo carries to the next one.
+ * The state that a tick of the servo hands to the next one.
  *
  * Everything is in device space (metres, newtons) except LocalState.
  */

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What one tick found and did. In device space: metres, newtons.
+ * The results of one tick. In device space: metres, newtons.
  */
 #ifndef TickRecord_h
 #define TickRecord_h

@@ -20,7 +20,7 @@
 namespace VolumeHaptics
 {
 
-/** What a user sets before a device is opened; each kind takes what concerns it. */
+/** Settings of the user before a device is opened; each kind takes what concerns it. */
 struct DeviceOptions
 {
   std::string FirmwareFile;  ///< an image to load into a device that has none

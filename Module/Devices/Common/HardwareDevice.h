@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** What talks to one kind of device. */
+/** Talks to one kind of device. */
 class HardwareDriver
 {
 public:

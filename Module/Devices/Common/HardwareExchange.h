@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What goes between the servo and the thread that talks to a device.
+ * The exchange between the servo and the thread that talks to a device.
  *
  * Libraries for USB and HID lock and allocate, so that they are called from a thread of their own.
  * Positions come from it and forces go to it by single-producer buffers: the servo never waits, and

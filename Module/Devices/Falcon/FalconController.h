@@ -19,7 +19,7 @@
 namespace VolumeHaptics
 {
 
-/** What the device can stand: 8 N, 3000 N/m, 20 N s/m, a ball of 0.04 m radius, 2.5 m/s. */
+/** The device's limits: 8 N, 3000 N/m, 20 N s/m, a ball of 0.04 m radius, 2.5 m/s. */
 DeviceLimits FalconLimits() noexcept;
 
 /** The middle of the workspace, in the frame of FalconKinematics.h (m). */
@@ -62,8 +62,8 @@ public:
   void Restart() noexcept;
 
   /**
-   * What to send now. Motors get the servo's force while the device is ready, else zero. Colours
-   * are those of homing, then green, blue while there is force, red when lost; or those of
+   * The packet to send now. Motors get the servo's force while the device is ready, else zero.
+   * Colours are those of homing, then green, blue while there is force, red when lost; or those of
    * SetLights, except while homing, when they guide the hand.
    */
   FalconOrder GetOrder() noexcept;

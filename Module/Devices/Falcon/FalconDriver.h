@@ -30,7 +30,7 @@ public:
   void Disconnect() noexcept override { this->Usb.Close(); }
 
 private:
-  /** What a part of a session ended with. */
+  /** How a part of a session ended. */
   enum class End
   {
     Done,

@@ -28,7 +28,7 @@ enum class FalconHomingState : std::uint8_t
   Lost      ///< the encoders lost their zero after all were homed; until Restart
 };
 
-/** What to ask of the hand, in words, for a status. */
+/** The request to the hand, in words, for a status. */
 const char* FalconHomingText(FalconHomingState state) noexcept;
 
 /** How far out (m) the grip has to be to become ready. */
@@ -55,7 +55,7 @@ public:
   FalconHomingState GetState() const noexcept { return this->State; }
   /** The encoders that are not homed, a bit each. */
   std::uint8_t GetMissing() const noexcept { return this->Missing; }
-  /** What to send: no command to the motors; homing, and a colour that says how far it is. */
+  /** The packet to send: no command to the motors; homing, and a colour that says how far it is. */
   FalconOrder GetOrder() const noexcept;
 
 private:

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 /** Encoder counts or motor commands, one a leg, as they are sent. */
 using FalconCounts = std::array<std::int16_t, 3>;
 
-/** What a motor is given at most; more would be risky for the motors, much more turns the sign. */
+/** The largest command of a motor; more would be risky for the motors, much more turns the sign. */
 constexpr int FalconLargestCommand = 4096;
 
 enum class FalconReach : std::uint8_t

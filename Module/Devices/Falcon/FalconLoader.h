@@ -26,7 +26,7 @@ constexpr std::uint16_t FalconRunBaud = 0x0002;
 constexpr std::size_t FalconBlockSize = 62; ///< of the image: what fits beside the status bytes
 constexpr int FalconMostGreetings = 100;
 
-/** What a device is told before run packets go back and forth. */
+/** The steps before run packets go back and forth. */
 constexpr std::array<FtdiRequest, 4> FalconRunRequests = { FtdiLatency(1), FtdiBaud(FalconRunBaud),
   FtdiPurgeReceive, FtdiPurgeTransmit };
 
@@ -46,7 +46,7 @@ enum class FalconLoaderFault : std::uint8_t
 /** In words, for a status. */
 const char* FalconLoaderFaultText(FalconLoaderFault fault) noexcept;
 
-/** What the transport has to do now. */
+/** The step that the transport has to take now. */
 struct FalconLoaderStep
 {
   enum class Kind : std::uint8_t
@@ -73,7 +73,7 @@ public:
   FalconLoaderStep GetStep() const noexcept;
 
   ///@{
-  /** What became of the step; ignored where the step is not one that it answers. */
+  /** The result of the step; ignored if the step has no such result. */
   void Done() noexcept;
   void Refuse() noexcept;
   /** Bytes without the converter's status: any part of what is due. */

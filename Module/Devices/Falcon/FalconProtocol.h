@@ -50,14 +50,14 @@ constexpr std::uint8_t FalconMinus = 0x08;
 /** FalconReport::Homed where every encoder is. */
 constexpr std::uint8_t FalconAllHomed = 0x07;
 
-/** What is sent to the device. */
+/** A packet to the device. */
 struct FalconOrder
 {
   FalconCounts Motors{};   ///< commands, see FalconCommandsOf
   std::uint8_t Lights = 0; ///< FalconHome and colours; other bits are not sent
 };
 
-/** What comes back. */
+/** The device's answer. */
 struct FalconReport
 {
   FalconCounts Encoders{};  ///< counts; without meaning before they are homed
@@ -65,7 +65,7 @@ struct FalconReport
   std::uint8_t Homed = 0;   ///< a bit an encoder
 };
 
-/** What is wrong with bytes that should be a packet. */
+/** The fault in bytes that should be a packet. */
 enum class FalconFlaw : std::uint8_t
 {
   None,
@@ -79,11 +79,11 @@ enum class FalconFlaw : std::uint8_t
 /** In words, for a status. */
 const char* FalconFlawText(FalconFlaw flaw) noexcept;
 
-/** What is wrong with a byte (0 to 255) at a place (0 to 15) of a packet. */
+/** The fault in a byte (0 to 255) at a place (0 to 15) of a packet. */
 FalconFlaw FalconCheck(std::size_t place, std::uint8_t byte) noexcept;
 
 ///@{
-/** What the host sends, and what a device sends: an emulated one needs the other half. */
+/** The packets of the host and of the device; an emulated device needs the other half. */
 FalconPacket FalconEncode(const FalconOrder& order) noexcept;
 FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}

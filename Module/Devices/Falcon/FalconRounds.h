@@ -38,7 +38,7 @@ public:
   void Wait() noexcept;
 
   ///@{
-  /** What happened in the last Wait. */
+  /** The event that ended the last Wait. */
   bool HasReport() const noexcept { return this->Reported; }
   const FalconReport& GetReport() const noexcept { return this->Report; }
   /** A packet was not answered in time; GetGarbage says why, or is nullptr. */

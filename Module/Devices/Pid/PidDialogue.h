@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What goes between the host and a force-feedback stick or wheel, without anything that sends it.
+ * The dialogue of the host with a force-feedback stick or wheel, without anything that sends it.
  *
  * PidDialogue makes the device ready: reset twice, enable the actuators, read the pool, full gain;
  * then for each axis create a constant effect, wait for its block, set it with a short duration and
@@ -35,11 +35,11 @@ public:
   /** The device has to outlive this. */
   PidDialogue(const PidDevice& device, const PidSettings& settings);
 
-  /** What is to be done now; the same until Sent or Fetched is called. */
+  /** The next step; the same until Sent or Fetched is called. */
   PidStep GetStep(HidReport& report) const;
 
   ///@{
-  /** What became of it. A payload of no bytes says that nothing was to be had. */
+  /** The result of that step. A payload of no bytes says that nothing was to be had. */
   void Sent(bool went);
   void Fetched(const std::uint8_t* payload, std::size_t size);
   ///@}

@@ -54,12 +54,12 @@ public:
   /** While the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
   const VirtualDynamics& GetDynamics() const noexcept { return this->Dynamics; }
-  /** What another device can stand; while the loop does not run. */
+  /** The limits of another device. Only while the loop does not run. */
   void SetLimits(const DeviceLimits& limits) noexcept { this->Limits = limits; }
   ///@}
 
   ///@{
-  /** What can happen to a real device: samples stop coming, or it is unplugged. */
+  /** Troubles of a real device: samples stop coming, or it is unplugged. */
   void Freeze(bool frozen) noexcept { this->Frozen.store(frozen); }
   void Unplug() noexcept { this->Unplugged.store(true); }
   ///@}

@@ -162,7 +162,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
     hasNews = true;
     this->TakePacket(exchange, bytes, size);
   }
-  // What was not kept is missing behind what was.
+  // Reports that were not kept are missing after those that were.
   this->HasTip = this->HasTip && !isLate;
   if (!this->IsLost() && this->IsSilent(hasNews))
   {

@@ -47,7 +47,7 @@ public:
   using Packet = std::array<std::uint8_t, PacketSize + 1>; ///< the report id 0 in front
   using Currents = std::array<std::int16_t, 3>;            ///< mA
 
-  /** What the device says. */
+  /** The device's report. */
   struct Input
   {
     std::array<std::int16_t, 6> Counts{}; ///< encoders a to f

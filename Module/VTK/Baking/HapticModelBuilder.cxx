@@ -57,7 +57,7 @@ bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::s
   return true;
 }
 
-/** What the volume property's opacities hide, as masks of the material. */
+/** The opacities of the volume property as masks of the material. */
 void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMaterial& material)
 {
   vtkVolumeProperty* const volume = property->GetVisibilityFrom();

@@ -38,7 +38,7 @@ enum class SettingKind
   Choice
 };
 
-/** What does not depend on the class that has the setting. */
+/** The parts that do not depend on the class that has the setting. */
 struct SettingFacts
 {
   SettingKind Kind;

@@ -54,7 +54,7 @@ public:
   double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
 
 private:
-  /** What it was made of, and when; value and component of an isosurface. */
+  /** The data that it was made of, and when; value and component of an isosurface. */
   using Key = std::tuple<const void*, const void*, vtkMTimeType, double, int>;
 
   static Key MakeKey(vtkPolyData* surface, const IsoSurface& iso);

@@ -26,7 +26,7 @@ public:
   /** The place of the points: from x to x, and from 0 to the scale (above 0). */
   void SetRange(double from, double to, double scale);
 
-  /** What an empty function stands for. No point is the current one any more. */
+  /** The meaning of an empty function. No point is the current one any more. */
   void SetEmptyValue(double value);
 
   /** The value of the current point and its place, such as "800 at 70", or nothing. */

@@ -25,7 +25,7 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** What a function is about. */
+/** How the chart of a function is labelled and scaled. */
 struct EditedQuantity
 {
   const char* Title;

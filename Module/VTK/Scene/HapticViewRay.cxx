@@ -88,7 +88,7 @@ bool FindFirstContact(
     const Vector3 tip = start + (i * step) * sight;
     if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
     {
-      // What is not here is not felt.
+      // Without its data a place is not felt.
       state.Enabled = false;
       continue;
     }

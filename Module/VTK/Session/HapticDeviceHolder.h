@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What stands behind vtkHapticDevice: the open back end, its session, and the latest state.
+ * The parts behind vtkHapticDevice: the open back end, its session, and the latest state.
  */
 #ifndef HapticDeviceHolder_h
 #define HapticDeviceHolder_h

@@ -236,7 +236,7 @@ void HapticSession::StartRecording(std::unique_ptr<HapticRecording> recording)
 std::unique_ptr<HapticRecording> HapticSession::StopRecording()
 {
   this->Loop.SetRecording(!this->Readers.empty());
-  // What the loop is in the middle of belongs to it, too.
+  // The tick that the loop is in belongs to it, too.
   const std::uint64_t last = this->Loop.GetTickCount();
   for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)
   {

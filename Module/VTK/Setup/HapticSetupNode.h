@@ -16,7 +16,7 @@
 namespace VolumeHaptics
 {
 
-/** What a pass over the settings leaves: the changes to make, unless there is an error. */
+/** The result of a pass over the settings: the changes to make, unless there is an error. */
 struct SetupPass
 {
   bool Writing = false;
@@ -24,7 +24,7 @@ struct SetupPass
   std::string Error; ///< the first one
 };
 
-/** What a number may be. */
+/** The range of a number. */
 struct NumberRange
 {
   double Minimum;

@@ -95,7 +95,7 @@ std::vector<double> ReadNumbers(vtkDataArray* array)
   return numbers;
 }
 
-/** What a file holds, before it is judged. */
+/** The contents of a file, before they are judged. */
 struct Contents
 {
   std::vector<Vector3> DeviceTips;
@@ -163,7 +163,7 @@ bool EndsWithLine(const std::string& file)
   return stream.get() == '\n';
 }
 
-/** What is wrong with the contents; empty where nothing is. */
+/** The fault in the contents; empty if there is none. */
 std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& times)
 {
   if (tips.empty())
@@ -190,7 +190,7 @@ std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& t
   return {};
 }
 
-/** What is wrong with a file; empty where nothing is. */
+/** The fault in a file; empty if there is none. */
 std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
 {
   const std::string ending = GetTraceEnding(file);

@@ -41,7 +41,7 @@ protected:
   }
 
   ///@{
-  /** What a kind of device does. */
+  /** The parts that differ from kind to kind. */
   /**
    * The devices to try, in this order, where others hold the first ones. None: the reason and the
    * cure.

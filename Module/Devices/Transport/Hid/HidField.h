@@ -47,7 +47,7 @@ struct HidField
   int Collection = -1;         ///< the innermost one, in the descriptor's list; -1: none
 
   ///@{
-  /** What the wire carries, and what that stands for; both physical ones 0: the same. */
+  /** The range on the wire and the physical range; both physical limits 0: the same range. */
   std::int64_t LogicalMinimum = 0;
   std::int64_t LogicalMaximum = 0;
   std::int64_t PhysicalMinimum = 0;

@@ -36,7 +36,7 @@ private:
 
     std::int64_t Signed() const;
   };
-  /** What holds until it is changed, and can be pushed. */
+  /** Holds until it is changed, and can be pushed. */
   struct GlobalState
   {
     std::uint16_t Page = 0;
@@ -47,7 +47,7 @@ private:
     int UnitExponent = 0;
     Item LogicalMinimum, LogicalMaximum, PhysicalMinimum, PhysicalMaximum;
   };
-  /** What holds for the next main item. */
+  /** Holds for the next main item. */
   struct LocalState
   {
     struct Usages

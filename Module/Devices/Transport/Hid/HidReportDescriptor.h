@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a HID device says of its reports, after the HID 1.11 specification, 6.2.2.
+ * The reports of a HID device as it describes them, after the HID 1.11 specification, 6.2.2.
  *
  * Long items and reserved ones are skipped, constant fields (padding) take up their bits and are
  * not listed, and of alternatives between delimiters the first one counts. Any bytes may come: a
@@ -40,7 +40,7 @@ class HidReportDescriptor
 {
 public:
   ///@{
-  /** What is refused beyond; real devices stay far below. */
+  /** The largest that are accepted; real devices stay far below. */
   static constexpr std::size_t MaximumSize = 16384; ///< bytes of a descriptor
   static constexpr int MaximumDepth = 32;           ///< of collections, and of pushed states
   static constexpr std::size_t MaximumFields = 4096;

@@ -53,7 +53,7 @@ std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 
-/** What is in the way, and the cure, where opening or claiming gave this error of libusb. */
+/** The obstacle and the cure, if opening or claiming gave this error of libusb. */
 std::string UsbTroubleText(int error, const UsbProduct& product);
 
 } // namespace VolumeHaptics

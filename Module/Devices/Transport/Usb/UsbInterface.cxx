@@ -73,7 +73,7 @@ int UsbInterface::Transfer(
   int done = 0;
   const int result =
     libusb_bulk_transfer(this->Handle, endpoint, bytes, static_cast<int>(size), &done, time);
-  // What had come when the time was over counts.
+  // Bytes that had come when the time was over count.
   return result == LIBUSB_SUCCESS || (result == LIBUSB_ERROR_TIMEOUT && done > 0) ? done : result;
 }
 

@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** What became of a transfer. */
+/** The end of a transfer. */
 enum class UsbOutcome : std::uint8_t
 {
   Done,
