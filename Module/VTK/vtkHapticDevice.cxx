@@ -409,19 +409,19 @@ bool vtkHapticDevice::UpdateState()
 }
 
 //------------------------------------------------------------------------------
-#define vtkHapticDeviceStateMacro(type, name, value) \
-  type vtkHapticDevice::Get##name()                  \
-  {                                                  \
-    return this->Internals->Holder.value;            \
+#define vtkHapticDeviceStateMacro(type, name, value)         \
+  type vtkHapticDevice::Get##name()                          \
+  {                                                          \
+    return static_cast<type>(this->Internals->Holder.value); \
   }
 
 vtkHapticDeviceStateMacro(double*, TipPosition, Tip);
 vtkHapticDeviceStateMacro(double*, ProxyPosition, Proxy);
 vtkHapticDeviceStateMacro(double*, Force, Force);
 vtkHapticDeviceStateMacro(double*, ComputedForce, ComputedForce);
-vtkHapticDeviceStateMacro(int, Buttons, GetButtons());
+vtkHapticDeviceStateMacro(int, Buttons, GetState().Buttons);
 vtkHapticDeviceStateMacro(double*, TurnRate, TurnRate);
-vtkHapticDeviceStateMacro(int, Contact, GetContact());
+vtkHapticDeviceStateMacro(int, Contact, GetState().Record.Contact);
 vtkHapticDeviceStateMacro(double, SurfaceValue, GetState().Record.SurfaceValue);
 vtkHapticDeviceStateMacro(double, NormalForce, GetState().Record.NormalForce);
 vtkHapticDeviceStateMacro(double, FrictionForce, GetState().Record.FrictionForce);
@@ -429,8 +429,8 @@ vtkHapticDeviceStateMacro(double, DragForce, GetState().Record.DragForce);
 vtkHapticDeviceStateMacro(double*, Normal, Normal);
 vtkHapticDeviceStateMacro(double*, SurfacePosition, SurfacePosition);
 vtkHapticDeviceStateMacro(double*, MediumPosition, MediumPosition);
-vtkHapticDeviceStateMacro(double, Residency, GetResidency());
-vtkHapticDeviceStateMacro(vtkIdType, Tick, GetTick());
+vtkHapticDeviceStateMacro(double, Residency, GetState().Residency);
+vtkHapticDeviceStateMacro(vtkIdType, Tick, GetState().Tick);
 vtkHapticDeviceStateMacro(double, Time, GetState().Time);
 
 //------------------------------------------------------------------------------

@@ -153,8 +153,7 @@ bool vtkVolumeHapticsFilter::ReadPlacement(
   {
     return VolumeHaptics::ReadSimilarity(deviceToWorld, placement, error);
   }
-  placement = {};
-  placement.Linear = (1.0 / this->MetersPerWorldUnit) * VolumeHaptics::Matrix3{};
+  placement = VolumeHaptics::ScaledPlacement(this->MetersPerWorldUnit);
   return true;
 }
 
@@ -208,12 +207,6 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 }
 
 //------------------------------------------------------------------------------
-void vtkVolumeHapticsFilter::UpdateWhatIsTouched()
-{
-  UpdateSources(this);
-}
-
-//------------------------------------------------------------------------------
 double vtkVolumeHapticsFilter::EstimateBakeTime()
 {
   if (this->Method != SURFACE_PROXY)
@@ -222,7 +215,7 @@ double vtkVolumeHapticsFilter::EstimateBakeTime()
   }
   try
   {
-    this->UpdateWhatIsTouched();
+    UpdateSources(this);
   }
   catch (const std::bad_alloc&)
   {

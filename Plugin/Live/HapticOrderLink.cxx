@@ -73,13 +73,13 @@ void HapticOrderLink::Take()
   {
     return;
   }
-  const bool arm = this->GetInt("Armed") != 0;
-  const bool record = this->GetInt("Recording") != 0;
   if (!this->GetInt("Running"))
   {
     this->Stop("");
     return;
   }
+  const bool arm = this->GetInt("Armed") != 0;
+  const bool record = this->GetInt("Recording") != 0;
   // Something else, too, may have armed it.
   const int status = this->Device->GetStatus();
   if (!arm &&
@@ -92,7 +92,7 @@ void HapticOrderLink::Take()
   this->TakeTip();
   if (record != this->Recording.IsOn())
   {
-    this->TakeRecording();
+    this->TakeRecording(record);
   }
   if (arm && !this->IsArmed && this->CanReachServer())
   {
@@ -112,9 +112,8 @@ void HapticOrderLink::TakeCuts()
   }
 }
 
-void HapticOrderLink::TakeRecording()
+void HapticOrderLink::TakeRecording(bool record)
 {
-  const bool record = this->GetInt("Recording") != 0;
   const char* const file = vtkSMPropertyHelper(this->Proxy, "RecordingFile").GetAsString();
   std::string error;
   record ? this->Recording.Start(file, HapticDataLink::IsLocal(this->Proxy), this->Device, error)

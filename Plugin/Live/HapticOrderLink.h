@@ -60,7 +60,7 @@ private:
   void Reset(const char* name);
   void TakeLimits();
   void TakeTip();
-  void TakeRecording();
+  void TakeRecording(bool record);
   void EndForce();
 
   vtkSMHapticDeviceProxy* const Proxy;

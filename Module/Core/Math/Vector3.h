@@ -62,6 +62,16 @@ inline double Norm(const Vector3& a) noexcept
 {
   return std::sqrt(Dot(a, a));
 }
+/** Nothing passes a limit that is not positive, NaN included. */
+inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
+{
+  if (!(most > 0.0))
+  {
+    return {};
+  }
+  const double norm = Norm(v);
+  return norm > most ? (most / norm) * v : v;
+}
 ///@{
 /** Of each component. */
 inline Vector3 Least(const Vector3& a, const Vector3& b) noexcept

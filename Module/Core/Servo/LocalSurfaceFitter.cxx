@@ -14,7 +14,6 @@ namespace
 
 /** The longest wait between two looks at the requests (ns). */
 constexpr std::int64_t IdlePeriod = 10000000;
-constexpr double NanosecondsPerSecond = 1e9;
 
 } // namespace
 
@@ -23,9 +22,9 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
   const std::int64_t now = ServoClock::Now();
   const HapticModel* const model = this->Models.Hold();
   const bool isAsked = model && model->Baked->Settings.Method == HapticMethod::LocalSurface;
-  const std::int64_t period = isAsked
-    ? static_cast<std::int64_t>(NanosecondsPerSecond / model->Baked->Settings.LocalSurfaceRate)
-    : IdlePeriod;
+  const std::int64_t period = isAsked ? static_cast<std::int64_t>(ServoClock::NanosecondsPerSecond /
+                                          model->Baked->Settings.LocalSurfaceRate)
+                                      : IdlePeriod;
   if (now - this->Looked >= period)
   {
     this->Looked = std::max(this->Looked + period, now - period);

@@ -13,17 +13,6 @@ namespace
 /** A force without samples goes to zero within this time (s). */
 constexpr double RetreatTime = 0.02;
 
-/** Nothing passes a limit that is not positive, NaN included. */
-Vector3 ClampNorm(const Vector3& v, double most) noexcept
-{
-  if (!(most > 0.0))
-  {
-    return {};
-  }
-  const double norm = Norm(v);
-  return norm > most ? (most / norm) * v : v;
-}
-
 /**
  * The energy (J) that the spring of an input gives back while it relaxes, if it is felt with no
  * more than `most` (N) of its pull. The pull goes by the stretch: the force may be clamped already.

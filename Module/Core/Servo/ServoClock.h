@@ -15,6 +15,7 @@ namespace ServoClock
 {
 
 constexpr double SecondsPerNanosecond = 1e-9;
+constexpr double NanosecondsPerSecond = 1e9;
 constexpr std::int64_t Millisecond = 1000000; ///< ns
 
 /** Monotonic time in ns. */

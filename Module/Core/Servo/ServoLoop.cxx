@@ -11,7 +11,6 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double NanosecondsPerSecond = 1e9;
 /** 16 s at 1 kHz, should the recorder be kept from draining; every start has to clear it. */
 constexpr std::size_t TraceCapacity = 1 << 14;
 /** More than any method needs of the stack (bytes); the rest of it is not locked. */
@@ -23,7 +22,7 @@ constexpr std::int64_t RateWindow = 100000000;
 
 ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
   : Backend(backend)
-  , Period(static_cast<std::int64_t>(NanosecondsPerSecond / rate + 0.5))
+  , Period(static_cast<std::int64_t>(ServoClock::NanosecondsPerSecond / rate + 0.5))
   , Trace(TraceCapacity)
 {
 }
@@ -110,7 +109,7 @@ void ServoLoop::FollowAttention(std::int64_t now) noexcept
 {
   const double most = this->Limits.Read().AttentionTime;
   const std::int64_t silence = now - this->AttendedAt.load(std::memory_order_acquire);
-  if (most > 0.0 && static_cast<double>(silence) > most * NanosecondsPerSecond)
+  if (most > 0.0 && static_cast<double>(silence) > most * ServoClock::NanosecondsPerSecond)
   {
     this->Gate.NoteSilence();
   }
@@ -118,7 +117,7 @@ void ServoLoop::FollowAttention(std::int64_t now) noexcept
 
 void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
 {
-  const double period = static_cast<double>(this->Period) / NanosecondsPerSecond;
+  const double period = static_cast<double>(this->Period) / ServoClock::NanosecondsPerSecond;
   const DeviceSample sample = this->ReadDevice(period);
   this->PlaceProxy(sample, elapsed);
   this->Touch(sample, period);
@@ -217,7 +216,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
 void ServoLoop::Tell(std::int64_t start) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
-  s.Time = static_cast<double>(start) / NanosecondsPerSecond;
+  s.Time = static_cast<double>(start) / ServoClock::NanosecondsPerSecond;
   s.Tick = this->TickCount.load(std::memory_order_relaxed);
   s.Generation = this->Current->Generation;
   s.Gate = this->Gate.GetState();
@@ -246,8 +245,8 @@ void ServoLoop::CountTime(std::int64_t planned, std::int64_t woken, std::int64_t
   const std::int64_t time = done - this->StatisticsStart;
   if (time >= RateWindow)
   {
-    this->TickRate.store(static_cast<double>(ticks - this->StatisticsTicks) * NanosecondsPerSecond /
-        static_cast<double>(time),
+    this->TickRate.store(static_cast<double>(ticks - this->StatisticsTicks) *
+        ServoClock::NanosecondsPerSecond / static_cast<double>(time),
       std::memory_order_relaxed);
   }
 }
@@ -266,7 +265,8 @@ void ServoLoop::Run() noexcept
     this->FollowModel();
     this->FollowCommands();
     this->FollowAttention(woken);
-    this->TickOnce(woken - begin, static_cast<double>(woken - last) / NanosecondsPerSecond);
+    this->TickOnce(
+      woken - begin, static_cast<double>(woken - last) / ServoClock::NanosecondsPerSecond);
     const std::int64_t done = ServoClock::Now();
     this->CountTime(planned, woken, done);
     last = woken;

@@ -104,9 +104,7 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   }
   if (d.Settings.ProxyRadius == 0.0)
   {
-    const double* const spacing = image->GetSpacing();
-    d.Settings.ProxyRadius =
-      0.5 * std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+    d.Settings.ProxyRadius = 0.5 * SmallestSpacing(image);
   }
   d.Settings.HasIsoSurface = options.Surface == nullptr;
   const std::int64_t* const first = d.View.First;

@@ -22,6 +22,14 @@ namespace VolumeHaptics
  */
 bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error);
 
+/** The map without a matrix: the world, scaled. */
+inline Affine3 ScaledPlacement(double metersPerWorldUnit)
+{
+  Affine3 map;
+  map.Linear = (1.0 / metersPerWorldUnit) * Matrix3{};
+  return map;
+}
+
 } // namespace VolumeHaptics
 
 #endif

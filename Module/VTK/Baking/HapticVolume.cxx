@@ -9,6 +9,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkSOADataArrayTemplate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -265,6 +266,12 @@ bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int k
     PlaceInWhole(image, whole, volume.View);
   }
   return true;
+}
+
+double SmallestSpacing(vtkImageData* image)
+{
+  const double* const s = image->GetSpacing();
+  return std::min({ std::abs(s[0]), std::abs(s[1]), std::abs(s[2]) });
 }
 
 } // namespace VolumeHaptics

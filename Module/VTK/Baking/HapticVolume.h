@@ -39,6 +39,9 @@ struct HapticVolume
 bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   HapticVolume& volume, std::string& error);
 
+/** The smallest spacing of an image (world units). */
+double SmallestSpacing(vtkImageData* image);
+
 /** Points that an image needs along every axis. */
 constexpr int PointsNeeded(int kernelRadius)
 {

@@ -43,14 +43,13 @@ bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& 
 
 } // namespace
 
-bool RegionSeries::IsSame(const Entry& a, const Entry& b)
+bool RegionSeries::IsSame(const Entry& entry, const HapticModelDescription& e,
+  const WholeFacts& facts, const std::string& array)
 {
-  const HapticModelDescription& d = a.Description;
-  const HapticModelDescription& e = b.Description;
-  const bool isSameWhole = a.Facts.IsThere && b.Facts.IsThere &&
-    std::equal(a.Facts.Extent, a.Facts.Extent + 6, b.Facts.Extent) &&
-    a.Facts.Noise == b.Facts.Noise && a.Facts.BorderValue == b.Facts.BorderValue &&
-    a.Facts.Time == b.Facts.Time && a.Array == b.Array && d.View.Type == e.View.Type &&
+  const HapticModelDescription& d = entry.Description;
+  const bool isSameWhole = std::equal(entry.Facts.Extent, entry.Facts.Extent + 6, facts.Extent) &&
+    entry.Facts.Noise == facts.Noise && entry.Facts.BorderValue == facts.BorderValue &&
+    entry.Facts.Time == facts.Time && entry.Array == array && d.View.Type == e.View.Type &&
     IsIdentical(d.IndexToWorld, e.IndexToWorld);
   return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
     (d.Settings.HasIsoSurface || d.Mesh == e.Mesh);
@@ -59,9 +58,12 @@ bool RegionSeries::IsSame(const Entry& a, const Entry& b)
 std::uint64_t RegionSeries::Find(
   const HapticModelDescription& d, const WholeFacts& facts, const std::string& array) const
 {
-  const Entry wanted{ d, facts, array };
+  if (!facts.IsThere)
+  {
+    return 0;
+  }
   const auto found = std::find_if(this->Last.begin(), this->Last.end(),
-    [&](const Entry& entry) { return IsSame(entry, wanted); });
+    [&](const Entry& entry) { return IsSame(entry, d, facts, array); });
   return found == this->Last.end() ? 0 : found->Number;
 }
 

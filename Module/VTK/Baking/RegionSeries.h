@@ -38,7 +38,8 @@ private:
     std::string Array;
     std::uint64_t Number = 0;
   };
-  static bool IsSame(const Entry& a, const Entry& b);
+  static bool IsSame(const Entry& entry, const HapticModelDescription& description,
+    const WholeFacts& facts, const std::string& array);
 
   /** The latest last: those of a servo, and of other users of the same filter. */
   std::vector<Entry> Last;

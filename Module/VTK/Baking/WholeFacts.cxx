@@ -20,6 +20,13 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
                          "field arrays HapticWholeExtent, HapticNoise and HapticBorderValue to "
                          "touch the image as a volume of its own.";
 
+/** One number of an array, counted through its tuples. */
+double NumberOf(vtkDataArray* array, vtkIdType i)
+{
+  const int components = array->GetNumberOfComponents();
+  return array->GetComponent(i / components, static_cast<int>(i % components));
+}
+
 /** A numeric field array of at least `least` finite numbers; null, with an error, if it is not. */
 vtkDataArray* FindNumbers(
   vtkFieldData* fields, const char* name, vtkIdType least, std::string& error)
@@ -41,8 +48,7 @@ vtkDataArray* FindNumbers(
     }
     for (vtkIdType i = 0; i < count && message.str().empty(); ++i)
     {
-      const double value = array->GetComponent(
-        i / array->GetNumberOfComponents(), static_cast<int>(i % array->GetNumberOfComponents()));
+      const double value = NumberOf(array, i);
       if (!std::isfinite(value))
       {
         message << "The field array \"" << name << "\" of the input image has the value " << value
@@ -53,12 +59,6 @@ vtkDataArray* FindNumbers(
   error = message.str();
   error += error.empty() ? "" : Cure;
   return error.empty() ? array : nullptr;
-}
-
-double NumberOf(vtkDataArray* array, int i)
-{
-  const int components = array->GetNumberOfComponents();
-  return array->GetComponent(i / components, i % components);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "Core/Regions/Residency.h"
 #include "Core/Servo/ServoTick.h"
 #include "VTK/Baking/HapticBaker.h"
+#include "VTK/Baking/HapticVolume.h"
 
 #include "vtkBox.h"
 #include "vtkCamera.h"
@@ -21,12 +22,6 @@ namespace
 Vector3 FromArray(const double* v)
 {
   return { v[0], v[1], v[2] };
-}
-
-double SmallestSpacing(vtkImageData* image)
-{
-  const double* const s = image->GetSpacing();
-  return std::min({ std::abs(s[0]), std::abs(s[1]), std::abs(s[2]) });
 }
 
 } // namespace

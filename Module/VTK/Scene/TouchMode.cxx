@@ -3,20 +3,18 @@
 #include "VTK/Scene/TouchMode.h"
 
 #include "VTK/Baking/HapticBaker.h"
+#include "VTK/Baking/HapticVolume.h"
 #include "VTK/Scene/HapticViewRay.h"
 #include "VTK/Scene/HapticWindowWatch.h"
 #include "VTK/Scene/WorkspaceControl.h"
 #include "VTK/Session/HapticLongWork.h"
 
 #include "vtkCamera.h"
-#include "vtkImageData.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace VolumeHaptics
@@ -122,8 +120,7 @@ double TouchMode::GetDepthStep() const
   {
     return wanted > 0.0 ? wanted : 1.0;
   }
-  const double* const s = image->GetSpacing();
-  return std::min({ std::abs(s[0]), std::abs(s[1]), std::abs(s[2]) });
+  return SmallestSpacing(image);
 }
 
 double TouchMode::GetFineness() const

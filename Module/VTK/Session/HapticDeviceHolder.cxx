@@ -131,14 +131,14 @@ void HapticDeviceHolder::Attend()
 
 void HapticDeviceHolder::Arm(bool on)
 {
-  if (on && this->Session)
-  {
-    GuardSession(this->Session.get());
-  }
   if (!this->Session)
   {
     this->ArmsAtStart = on;
     return;
+  }
+  if (on)
+  {
+    GuardSession(this->Session.get());
   }
   on ? this->Session->GetLoop().Arm() : this->Session->GetLoop().Disarm();
 }

@@ -75,10 +75,6 @@ public:
   /** Takes the latest state; the placement is used where there is no model. */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
-  int GetButtons() const { return static_cast<int>(this->State.Buttons); }
-  int GetContact() const { return static_cast<int>(this->State.Record.Contact); }
-  double GetResidency() const { return this->State.Residency; }
-  long long GetTick() const { return static_cast<long long>(this->State.Tick); }
 
   /**
    * Every state since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates.

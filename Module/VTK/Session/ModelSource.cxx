@@ -75,9 +75,7 @@ Affine3 ModelSource::GetPlacement() const
   std::string error;
   if (!this->DeviceToWorld || !ReadSimilarity(this->DeviceToWorld, map, error))
   {
-    const double meters = this->Filter ? this->Filter->GetMetersPerWorldUnit() : 1e-3;
-    map = {};
-    map.Linear = (1.0 / meters) * Matrix3{};
+    map = ScaledPlacement(this->Filter ? this->Filter->GetMetersPerWorldUnit() : 1e-3);
   }
   return map;
 }
