@@ -144,7 +144,7 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
   {
     // See Residency.cxx: the corners of the cube in which a surface is looked for, and how it bends
     // there.
-    voxels += std::sqrt(3.0) * LocalReach + radius;
+    voxels += LocalCornerReach + radius;
   }
   this->SetReach(voxels * voxel +
     (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0));

@@ -31,6 +31,7 @@ struct BakedVolume
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const Affine3 IndexToWorld;
+  const double LargestSpacing; ///< world units
   const HapticSettings Settings;
   const std::shared_ptr<const void> Samples;     ///< keeps the memory of Field alive
   const std::shared_ptr<const SurfaceMesh> Mesh; ///< null without one

@@ -39,15 +39,18 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , DeviceToIndex(Compose(Inverse(this->Baked->IndexToWorld), deviceToWorld))
   , DeviceToWorldRotation((1.0 / SimilarityScale(deviceToWorld)) * deviceToWorld.Linear)
   , WorldUnitsPerMeter(SimilarityScale(deviceToWorld))
+  , VoxelsPerMeter{ Norm(this->DeviceToIndex.Linear.Row[0]),
+    Norm(this->DeviceToIndex.Linear.Row[1]), Norm(this->DeviceToIndex.Linear.Row[2]) }
   // The rows are at right angles.
-  , MostVoxelsPerMeter(LargestColumn(Transpose(this->DeviceToIndex.Linear)))
+  , MostVoxelsPerMeter(
+      std::fmax(this->VoxelsPerMeter.X, std::fmax(this->VoxelsPerMeter.Y, this->VoxelsPerMeter.Z)))
   // A gradient transforms with the inverse transpose; the device's axes are turned, not scaled.
   , GradientToDevice(
       Transpose(this->DeviceToWorldRotation) * Transpose(Inverse(this->Baked->IndexToWorld.Linear)))
   , FallbackNormal(
       MakeFallbackNormal(Inverse(deviceToWorld.Linear) * this->Baked->IndexToWorld.Linear))
-  , KernelLength(this->Baked->Kernel.Radius * LargestColumn(this->Baked->IndexToWorld.Linear) /
-      SimilarityScale(deviceToWorld))
+  , KernelLength(
+      this->Baked->Kernel.Radius * this->Baked->LargestSpacing / SimilarityScale(deviceToWorld))
   , InverseRadius(1.0 / this->Baked->Kernel.Radius)
   , GradientToReach(this->KernelLength * (this->DeviceToIndex.Linear * this->GradientToDevice))
   , FallbackReach(this->DeviceToIndex.Linear * (this->KernelLength * this->FallbackNormal))

@@ -43,6 +43,8 @@ public:
   const Affine3 DeviceToIndex;
   const Matrix3 DeviceToWorldRotation;
   const double WorldUnitsPerMeter;
+  /** The largest number of index steps along each axis of a vector of 1 m. */
+  const Vector3 VoxelsPerMeter;
   const double MostVoxelsPerMeter; ///< along the axis of the smallest spacing
   /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
   const Matrix3 GradientToDevice;

@@ -11,30 +11,19 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The diagonal of a cube. */
-constexpr double Diagonal = 1.7320508075688772;
-
-/**
- * The largest number of index steps along each axis of a vector of length 1.
- */
-Vector3 StepsPerLength(const Matrix3& toIndex) noexcept
-{
-  return { Norm(toIndex.Row[0]), Norm(toIndex.Row[1]), Norm(toIndex.Row[2]) };
-}
-
 /** The reach (world units) of the search for a local surface, except for the ray ahead. */
 double LocalDistance(const HapticModel& model) noexcept
 {
-  return Diagonal * LocalReach * LargestColumn(model.Baked->IndexToWorld.Linear);
+  return LocalCornerReach * model.Baked->LargestSpacing;
 }
 
-} // namespace
-
+/**
+ * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.
+ */
 Vector3 FindReadReach(const HapticModel& model) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
-  const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
-  const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * perMeter;
+  const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
   const double radius = model.Baked->Kernel.Radius;
   const Vector3 spare{ ResidencySpare, ResidencySpare, ResidencySpare };
   const Vector3 kernel = Vector3{ radius, radius, radius } + spare;
@@ -44,11 +33,13 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
   }
   if (settings.Method == HapticMethod::LocalSurface)
   {
-    const double bend = radius * LargestColumn(model.Baked->IndexToWorld.Linear);
+    const double bend = radius * model.Baked->LargestSpacing;
     return (LocalDistance(model) + bend) * perUnit + kernel;
   }
-  return Most(model.KernelLength * perMeter + spare, kernel);
+  return Most(model.KernelLength * model.VoxelsPerMeter + spare, kernel);
 }
+
+} // namespace
 
 double FindResidency(const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
 {
@@ -80,11 +71,10 @@ double FindResidency(const HapticModel& model, const ServoState& state, const Ve
     {
       const LocalSurfaceRequest& request = state.Local.Request;
       include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
-      const Vector3 perMeter = StepsPerLength(model.DeviceToIndex.Linear);
       // The nearest point of a surface that is met ahead may lie on any side.
-      const double most = LocalReachAhead * LargestColumn(model.Baked->IndexToWorld.Linear);
+      const double most = LocalReachAhead * model.Baked->LargestSpacing;
       const double ahead = std::fmin(Norm(request.Ahead), most) - LocalDistance(model);
-      margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * perMeter;
+      margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
     }
   }
   return model.Resident.Find(low, high, margin);

@@ -215,7 +215,7 @@ private:
   /** The change of the normal across the foot; 0 if there is no normal a kernel radius away. */
   Symmetric3 FindCurvature(const Vector3& foot, const Vector3& normal) const noexcept
   {
-    const double step = this->Model.Baked->Kernel.Radius * LargestColumn(this->IndexToWorld.Linear);
+    const double step = this->Model.Baked->Kernel.Radius * this->Model.Baked->LargestSpacing;
     // Any two directions at right angles to the normal: away from its largest component.
     const bool isAlongX = std::abs(normal.X) > 0.7;
     const Vector3 side = Cross(normal, isAlongX ? Vector3{ 0, 1, 0 } : Vector3{ 1, 0, 0 });

@@ -29,6 +29,8 @@ class HapticModel;
 
 /** The search's reach around the hand (voxels along each axis). */
 constexpr int LocalReach = 4;
+/** The same to a corner of the cube that is searched: sqrt(3) LocalReach. */
+constexpr double LocalCornerReach = 1.7320508075688772 * LocalReach;
 /** Its largest reach ahead of the hand (voxels). */
 constexpr int LocalReachAhead = 64;
 
