@@ -3,6 +3,7 @@
 #include "Core/Field/NoiseEstimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,13 @@ struct BlockAxis
   std::int64_t Step;
   std::int64_t Blocks;
 };
+
+/** The blocks of the whole volume along each axis. */
+std::array<BlockAxis, 3> AxesOf(const NoiseSamples& samples)
+{
+  const std::int64_t* const n = samples.Dimensions;
+  return { BlockAxis(n[0]), BlockAxis(n[1]), BlockAxis(n[2]) };
+}
 
 /** The sum of squares of a block after the best quadratic is subtracted. */
 double Remainder(const double* block)
@@ -145,17 +153,18 @@ void CollectNoiseSamples(
     n[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
     from[a] = std::int64_t{ extent[2 * a] } - whole[2 * a];
     samples.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
-    const BlockAxis axis(samples.Dimensions[a]);
+  }
+  const std::array<BlockAxis, 3> axes = AxesOf(samples);
+  for (int a = 0; a < 3; ++a)
+  {
     for (std::int64_t i = 0; i < n[a]; ++i)
     {
-      if (axis.Find(from[a] + i) != BlockAxis::None || axis.IsEnd(from[a] + i))
+      if (axes[a].Find(from[a] + i) != BlockAxis::None || axes[a].IsEnd(from[a] + i))
       {
         wanted[a].push_back(i);
       }
     }
   }
-  const BlockAxis axes[3] = { BlockAxis(samples.Dimensions[0]), BlockAxis(samples.Dimensions[1]),
-    BlockAxis(samples.Dimensions[2]) };
   for (const std::int64_t k : wanted[2])
   {
     for (const std::int64_t j : wanted[1])
@@ -188,8 +197,7 @@ double FindBorderValue(const NoiseSamples& samples)
   double value = 0.0;
   for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
-    const std::int64_t place = samples.Indices[s];
-    const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
+    const std::array<std::int64_t, 3> at = samples.FindPlace(s);
     int corner = 0;
     bool isCorner = true;
     for (int a = 0; a < 3; ++a)
@@ -208,15 +216,13 @@ double FindBorderValue(const NoiseSamples& samples)
 
 double EstimateNoise(const NoiseSamples& samples)
 {
-  const std::int64_t* const n = samples.Dimensions;
-  const BlockAxis axes[3] = { BlockAxis(n[0]), BlockAxis(n[1]), BlockAxis(n[2]) };
+  const std::array<BlockAxis, 3> axes = AxesOf(samples);
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   constexpr double missing = std::numeric_limits<double>::infinity();
   std::vector<double> all(static_cast<std::size_t>(blocks * BlockSamples), missing);
   for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
-    const std::int64_t place = samples.Indices[s];
-    const std::int64_t at[3] = { place % n[0], place / n[0] % n[1], place / n[0] / n[1] };
+    const std::array<std::int64_t, 3> at = samples.FindPlace(s);
     const std::int64_t x = axes[0].Find(at[0]);
     const std::int64_t y = axes[1].Find(at[1]);
     const std::int64_t z = axes[2].Find(at[2]);

@@ -13,6 +13,8 @@
 #define NoiseSamples_h
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -35,6 +37,14 @@ struct NoiseSamples
    * none.
    */
   double Range[2] = { 1.0, 0.0 };
+
+  /** The index along each axis of the sample whose value is Values[s]. */
+  std::array<std::int64_t, 3> FindPlace(std::size_t s) const
+  {
+    const std::int64_t number = this->Indices[s];
+    return { number % this->Dimensions[0], number / this->Dimensions[0] % this->Dimensions[1],
+      number / this->Dimensions[0] / this->Dimensions[1] };
+  }
 
   /** Adds the samples of another piece of the same volume; those that both have count once. */
   void Merge(const NoiseSamples& other)
