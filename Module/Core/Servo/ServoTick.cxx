@@ -58,8 +58,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   const double limit = model.Baked->Settings.MaximumForce;
   if (limit > 0.0)
   {
-    const double norm = Norm(record.Force);
-    record.Force = norm > limit ? (limit / norm) * record.Force : record.Force;
+    record.Force = ClampNorm(record.Force, limit);
   }
 }
 

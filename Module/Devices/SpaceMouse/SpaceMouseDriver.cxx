@@ -146,11 +146,7 @@ void SpaceMouseDriver::Move(HardwareExchange& exchange)
   }
   const std::array<double, 6>& axes = this->State.Axes;
   this->Tip += (FullSpeed * elapsed) * TurnAxes(axes[0], axes[1], axes[2]);
-  const double distance = Norm(this->Tip);
-  if (distance > Radius)
-  {
-    this->Tip = (Radius / distance) * this->Tip;
-  }
+  this->Tip = ClampNorm(this->Tip, Radius);
   DeviceSample sample;
   sample.Tip = this->Tip;
   sample.Buttons = this->State.Buttons;

@@ -121,7 +121,8 @@ bool HidDriver::IsSilent(bool hasNews) noexcept
     return false;
   }
   ++this->EmptyReads;
-  constexpr auto longest = static_cast<std::int64_t>(SilenceTime * 1e9);
+  constexpr auto longest =
+    static_cast<std::int64_t>(SilenceTime * ServoClock::NanosecondsPerSecond);
   return this->EmptyReads > SilentReads && now - this->LastNews > longest;
 }
 
