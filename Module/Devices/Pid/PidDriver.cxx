@@ -58,20 +58,14 @@ bool PidDriver::ReadNumbers(const std::string& id, Numbers& numbers)
   return isWhole;
 }
 
-bool PidDriver::IsPid(const HidDeviceInfo& info)
+bool PidDriver::IsPid(const HidDeviceInfo& info, std::string& objection)
 {
   PidDevice device;
   HidStick stick;
   std::string error;
-  return MapBoth(info, device, stick, error);
-}
-
-std::string PidDriver::FindObjection(const HidDeviceInfo& info)
-{
-  PidDevice device;
-  HidStick stick;
-  std::string error;
-  return MapBoth(info, device, stick, error) && device.GetNumberOfAxes() > 1 ? TwoAxes : "";
+  const bool isPid = MapBoth(info, device, stick, error);
+  objection = isPid && device.GetNumberOfAxes() > 1 ? TwoAxes : "";
+  return isPid;
 }
 
 PidDriver::PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale)

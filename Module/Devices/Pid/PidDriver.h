@@ -46,10 +46,11 @@ public:
   };
   /** False for what is not "pid" or "pid:VVVV:PPPP". */
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
-  /** Whether its report descriptor has what forces need. */
-  static bool IsPid(const HidDeviceInfo& info);
-  /** Why forces are refused although it has, and what to do; empty if they are not. */
-  static std::string FindObjection(const HidDeviceInfo& info);
+  /**
+   * Whether its report descriptor has what forces need. The objection says why forces are refused
+   * all the same, and what to do; it is empty if they are not.
+   */
+  static bool IsPid(const HidDeviceInfo& info, std::string& objection);
 
   PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
 

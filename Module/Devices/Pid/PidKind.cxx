@@ -14,13 +14,13 @@ namespace
 std::vector<DeviceListing> ListPid()
 {
   std::vector<DeviceListing> all;
+  std::string objection;
   for (const HidDeviceInfo& info : FindHidDevices())
   {
-    if (PidDriver::IsPid(info))
+    if (PidDriver::IsPid(info, objection))
     {
       char id[16];
       std::snprintf(id, sizeof(id), "pid:%04x:%04x", info.Vendor, info.ProductId);
-      const std::string objection = PidDriver::FindObjection(info);
       all.push_back(
         { id, info.GetLabel(), objection.empty() ? info.GetState() : "refused: " + objection });
     }

@@ -56,14 +56,7 @@ bool SpaceMouseDriver::IsSpaceMouse(const HidDeviceInfo& info)
 
 std::vector<HidDeviceInfo> SpaceMouseDriver::Choose(std::string& error) const
 {
-  std::vector<HidDeviceInfo> devices;
-  for (const HidDeviceInfo& info : FindHidDevices())
-  {
-    if (SpaceMouseDriver::IsSpaceMouse(info))
-    {
-      devices.push_back(info);
-    }
-  }
+  const std::vector<HidDeviceInfo> devices = FindHidDevices(&SpaceMouseDriver::IsSpaceMouse);
   if (static_cast<std::size_t>(this->Number) >= devices.size())
   {
     error = devices.empty()

@@ -83,18 +83,14 @@ bool WoodenDriver::IsPolhem(const HidDeviceInfo& info)
 
 std::vector<HidDeviceInfo> WoodenDriver::Choose(std::string& error) const
 {
-  std::vector<HidDeviceInfo> devices = FindHidDevices();
-  const auto polhem = std::find_if(devices.begin(), devices.end(), &WoodenDriver::IsPolhem);
-  const std::string other = polhem != devices.end() ? polhem->GetLabel() : "";
-  devices.erase(std::remove_if(devices.begin(), devices.end(),
-                  [](const HidDeviceInfo& info) { return !WoodenDriver::IsWooden(info); }),
-    devices.end());
+  const std::vector<HidDeviceInfo> devices = FindHidDevices(&WoodenDriver::IsWooden);
   if (static_cast<std::size_t>(this->Number) >= devices.size())
   {
+    const std::vector<HidDeviceInfo> others = FindHidDevices(&WoodenDriver::IsPolhem);
     error = !devices.empty()
       ? "There is no WoodenHaptics with this number. Count from 0, as EnumerateDevices() does."
-      : !other.empty()
-      ? other +
+      : !others.empty()
+      ? others.front().GetLabel() +
         " can't be used: its linkage, encoders and rest pose are not those of a WoodenHaptics, so "
         "that positions and forces would be wrong. Plug in a WoodenHaptics instead."
       : "No WoodenHaptics is plugged in. Plug it in and switch it on; its product name has to "

@@ -8,6 +8,7 @@
 #include <hidapi.h>
 
 #include <algorithm>
+#include <functional>
 
 #if defined(__linux__)
 #include <fcntl.h>
@@ -94,6 +95,13 @@ std::vector<HidDeviceInfo> FindHidDevices()
   std::sort(devices.begin(), devices.end(),
     [](const HidDeviceInfo& a, const HidDeviceInfo& b)
     { return a.Path.size() != b.Path.size() ? a.Path.size() < b.Path.size() : a.Path < b.Path; });
+  return devices;
+}
+
+std::vector<HidDeviceInfo> FindHidDevices(bool (*isSome)(const HidDeviceInfo&))
+{
+  std::vector<HidDeviceInfo> devices = FindHidDevices();
+  devices.erase(std::remove_if(devices.begin(), devices.end(), std::not_fn(isSome)), devices.end());
   return devices;
 }
 

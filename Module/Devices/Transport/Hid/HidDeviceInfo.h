@@ -33,8 +33,11 @@ struct HidDeviceInfo
   bool ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const;
 };
 
-/** In the order in which the system numbers them. Any thread. */
+///@{
+/** All, or some, in the order in which the system numbers them. Any thread. */
 std::vector<HidDeviceInfo> FindHidDevices();
+std::vector<HidDeviceInfo> FindHidDevices(bool (*isSome)(const HidDeviceInfo&));
+///@}
 
 } // namespace VolumeHaptics
 

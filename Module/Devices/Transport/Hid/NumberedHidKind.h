@@ -20,13 +20,9 @@ inline std::vector<DeviceListing> ListNumbered(
   const char* kind, bool (*isSome)(const HidDeviceInfo&))
 {
   std::vector<DeviceListing> all;
-  for (const HidDeviceInfo& info : FindHidDevices())
+  for (const HidDeviceInfo& info : FindHidDevices(isSome))
   {
-    if (isSome(info))
-    {
-      all.push_back(
-        { kind + (":" + std::to_string(all.size())), info.GetLabel(), info.GetState() });
-    }
+    all.push_back({ kind + (":" + std::to_string(all.size())), info.GetLabel(), info.GetState() });
   }
   return all;
 }
