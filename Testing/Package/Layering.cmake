@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 
 # The private headers that a file of the module includes are written from Module: "Core/Math/Vector3.h". Fails for
-# those that are in none of the rooms that follow.
+# those that are in none of the rooms that follow, and are none of the files that follow.
 function(allow room)
   file(GLOB_RECURSE files RELATIVE "${root}/Module" "${root}/Module/${room}/*.h" "${root}/Module/${room}/*.cxx")
   if (NOT files)
@@ -18,7 +18,7 @@ function(allow room)
       string(REGEX REPLACE ".*\"(.*)\".*" "\\1" header "${line}")
       set(allowed FALSE)
       foreach (other IN LISTS room ARGN)
-        if (header MATCHES "^${other}/")
+        if (header MATCHES "^${other}(/|$)")
           set(allowed TRUE)
         endif ()
       endforeach ()
@@ -59,7 +59,9 @@ allow(Core/Regions ${solver_basis} Core/Solvers)
 allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
 
 set(device_basis Core/Math Core/Model/ForceCaps.h Core/Servo)
-allow(Devices/Common ${device_basis})
+# The list of kinds names each kind.
+allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Pid/PidKind.h
+  Devices/SpaceMouse/SpaceMouseKind.h Devices/WoodenHaptics/WoodenKind.h)
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
 allow(Devices/Falcon ${device_basis} Devices/Common Devices/Transport/Usb)

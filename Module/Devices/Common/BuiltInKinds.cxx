@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Common/BuiltInKinds.h"
 
+#include "Devices/Falcon/FalconKind.h"
+#include "Devices/Pid/PidKind.h"
+#include "Devices/SpaceMouse/SpaceMouseKind.h"
+#include "Devices/WoodenHaptics/WoodenKind.h"
+
 namespace VolumeHaptics
 {
 namespace
@@ -22,33 +27,23 @@ DeviceKind WithoutLibrary(const char* name, const std::string& library, const st
 
 } // namespace
 
-#if !defined(VOLUME_HAPTICS_HAS_LIBUSB)
-DeviceKind GetFalconKind()
-{
-  return WithoutLibrary("falcon", "libusb", "VolumeHaptics_USE_LIBUSB");
-}
-#endif
-
-#if !defined(VOLUME_HAPTICS_HAS_HIDAPI)
-DeviceKind GetWoodenKind()
-{
-  return WithoutLibrary("wooden", "hidapi", "VolumeHaptics_USE_HIDAPI");
-}
-
-DeviceKind GetPidKind()
-{
-  return WithoutLibrary("pid", "hidapi", "VolumeHaptics_USE_HIDAPI");
-}
-
-DeviceKind GetSpaceMouseKind()
-{
-  return WithoutLibrary("spacemouse", "hidapi", "VolumeHaptics_USE_HIDAPI");
-}
-#endif
-
 std::vector<DeviceKind> GetBuiltInKinds()
 {
-  return { GetFalconKind(), GetWoodenKind(), GetPidKind(), GetSpaceMouseKind() };
+  std::vector<DeviceKind> kinds;
+#if defined(VOLUME_HAPTICS_HAS_LIBUSB)
+  kinds.push_back(GetFalconKind());
+#else
+  kinds.push_back(WithoutLibrary("falcon", "libusb", "VolumeHaptics_USE_LIBUSB"));
+#endif
+#if defined(VOLUME_HAPTICS_HAS_HIDAPI)
+  kinds.insert(kinds.end(), { GetWoodenKind(), GetPidKind(), GetSpaceMouseKind() });
+#else
+  for (const char* const name : { "wooden", "pid", "spacemouse" })
+  {
+    kinds.push_back(WithoutLibrary(name, "hidapi", "VolumeHaptics_USE_HIDAPI"));
+  }
+#endif
+  return kinds;
 }
 
 } // namespace VolumeHaptics

@@ -12,18 +12,10 @@
 namespace VolumeHaptics
 {
 
-///@{
 /**
- * Each where its library was found when this one was built; else nothing is listed, and Make says
- * so.
+ * All of them. If this library was built without the one that a kind needs, that kind lists
+ * nothing, and its Make says so.
  */
-DeviceKind GetFalconKind();
-DeviceKind GetWoodenKind();
-DeviceKind GetPidKind();
-DeviceKind GetSpaceMouseKind();
-///@}
-
-/** All of them. */
 std::vector<DeviceKind> GetBuiltInKinds();
 
 } // namespace VolumeHaptics

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Devices/Common/BuiltInKinds.h"
+#include "Devices/Falcon/FalconKind.h"
+
 #include "Devices/Common/DeviceRegistry.h"
 #include "Devices/Falcon/FalconDriver.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Devices/Common/BuiltInKinds.h"
+#include "Devices/WoodenHaptics/WoodenKind.h"
+
 #include "Devices/Transport/Hid/NumberedHidKind.h"
 #include "Devices/WoodenHaptics/WoodenDriver.h"
 
