@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The tests of the back ends on emulated devices, by the library that they need. Both programs of them include this:
+# ../CMakeLists.txt for umockdev, ../../VirtualMachine/CMakeLists.txt for a kernel of its own.
+set(libusb_tests FalconBytes FalconDirection FalconFault FalconFirmware FalconHomingAgain FalconListing FalconPanel
+  FalconSession FalconSleep FalconUnplug FalconZero)
+set(hidapi_tests HidClaim HidTogether Pid PidFault SpaceMouse SpaceMouseFault Wooden WoodenFault)
+# For umockdev only: a kernel of its own has its own test of permissions.
+set(umockdev_libusb_tests FalconPermission)
+set(umockdev_hidapi_tests PidStuck)
