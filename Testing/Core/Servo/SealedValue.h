@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A value of several cache lines, in which a mix of two writes shows.
+ * A value of several cache lines, in which a mix of two writes shows, and its reader.
  */
 #ifndef SealedValue_h
 #define SealedValue_h
@@ -39,6 +39,24 @@ public:
 private:
   static constexpr std::uint64_t Words = 61;
   std::uint64_t Word[Words] = {};
+};
+
+/// Counts what is wrong with the values that one thread gets from another, which numbers them.
+class SealedReader
+{
+public:
+  void Take(const SealedValue& value)
+  {
+    ++this->Taken;
+    this->Torn += value.IsWhole() ? 0 : 1;
+    this->Backward += value.Number() > this->Last ? 0 : 1;
+    this->Last = value.Number();
+  }
+
+  std::uint64_t Taken = 0;
+  std::uint64_t Torn = 0;
+  std::uint64_t Backward = 0; ///< values that are not newer than the one before
+  std::uint64_t Last = 0;     ///< number of the latest value
 };
 } // namespace servotest
 

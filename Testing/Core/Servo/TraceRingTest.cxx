@@ -12,6 +12,7 @@
 
 #include <thread>
 
+using servotest::SealedReader;
 using servotest::SealedValue;
 using VolumeHaptics::TraceRing;
 
@@ -93,27 +94,21 @@ TEST(TraceRing, AcrossThreadsNothingIsTornSwappedOrUncounted)
         }
       }
     });
-  std::uint64_t seen = 0;
-  std::uint64_t received = 0;
-  std::uint64_t torn = 0;
-  std::uint64_t backward = 0;
+  SealedReader reader;
   SealedValue value;
-  while (seen < last)
+  while (reader.Last < last)
   {
     if (!ring.Pop(value))
     {
       std::this_thread::yield();
       continue;
     }
-    ++received;
-    torn += value.IsWhole() ? 0 : 1;
-    backward += value.Number() > seen ? 0 : 1;
-    seen = value.Number();
+    reader.Take(value);
   }
   producer.join();
-  EXPECT_EQ(torn, 0U);
-  EXPECT_EQ(backward, 0U);
-  EXPECT_LE(received, last);
+  EXPECT_EQ(reader.Torn, 0U);
+  EXPECT_EQ(reader.Backward, 0U);
+  EXPECT_LE(reader.Taken, last);
   // Attempts to push the last one again are counted as lost, too.
-  EXPECT_GE(received + ring.GetLost(), last);
+  EXPECT_GE(reader.Taken + ring.GetLost(), last);
 }

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <thread>
 
+using servotest::SealedReader;
 using servotest::SealedValue;
 using VolumeHaptics::TripleBuffer;
 
@@ -75,23 +76,18 @@ TEST(TripleBuffer, ValuesAreWholeAndInOrderAcrossThreads)
         buffer.Write(SealedValue(i));
       }
     });
-  std::uint64_t seen = 0;
-  std::uint64_t torn = 0;
-  std::uint64_t backward = 0;
-  while (seen < last)
+  SealedReader reader;
+  while (reader.Last < last)
   {
     if (!buffer.Update())
     {
       std::this_thread::yield();
       continue;
     }
-    const SealedValue& value = buffer.Read();
-    torn += value.IsWhole() ? 0 : 1;
-    backward += value.Number() > seen ? 0 : 1;
-    seen = value.Number();
+    reader.Take(buffer.Read());
   }
   writer.join();
-  EXPECT_EQ(torn, 0U);
-  EXPECT_EQ(backward, 0U);
+  EXPECT_EQ(reader.Torn, 0U);
+  EXPECT_EQ(reader.Backward, 0U);
   EXPECT_FALSE(buffer.Update());
 }
