@@ -46,6 +46,16 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
+  /// The servo runs, armed, with a light tip that a far goal makes faster than a hand may be.
+  void BeginFast()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    this->Device->SetVirtualDynamics(0.01, 4.0, 2000.0, 0.0, 0);
+    this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+    ASSERT_TRUE(this->Device->Start());
+    this->Device->Arm();
+    ASSERT_TRUE(this->WaitTicks(5));
+  }
   bool WaitTicks(vtkIdType ticks)
   {
     this->Look();

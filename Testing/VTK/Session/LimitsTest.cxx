@@ -89,12 +89,7 @@ TEST_F(DeviceLimits, TheVirtualDeviceRefusesNonsense)
 
 TEST_F(DeviceLimits, AnOverspeedLatchesUntilArmed)
 {
-  ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualDynamics(0.01, 4.0, 2000.0, 0.0, 0);
-  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
-  ASSERT_TRUE(this->Device->Start());
-  this->Device->Arm();
-  ASSERT_TRUE(this->WaitTicks(5));
+  this->BeginFast();
   this->Device->SetVirtualTip(7.0, 600.0, 5.0);
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; }));
   EXPECT_NE(this->Device->GetStatusText().find("faster"), std::string::npos);

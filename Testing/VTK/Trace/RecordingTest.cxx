@@ -101,12 +101,7 @@ TEST_F(Recording, KnowsTheRateOfTheDevice)
 
 TEST_F(Recording, GoesOnAfterAFault)
 {
-  ASSERT_TRUE(this->Device->Open("virtual"));
-  this->Device->SetVirtualDynamics(0.01, 4.0, 2000.0, 0.0, 0);
-  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
-  ASSERT_TRUE(this->Device->Start());
-  this->Device->Arm();
-  ASSERT_TRUE(this->WaitTicks(5));
+  this->BeginFast();
   this->StartRecording();
   this->Wander(20);
   this->Device->SetVirtualTip(7.0, 600.0, 5.0);
