@@ -17,8 +17,6 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr double MostNewtons = 100.0;
-
 std::vector<DeviceListing> ListAll()
 {
   std::vector<DeviceListing> all{ { "virtual", "A stylus without hardware: the mouse",
@@ -104,8 +102,9 @@ void vtkHapticHardware::SetNewtonsPerFullScale(double x, double y)
     vtkErrorMacro("NewtonsPerFullScale must be finite; it stays as it was.");
     return;
   }
-  const double newtons[2] = { std::clamp(x, -MostNewtons, MostNewtons),
-    std::clamp(y, -MostNewtons, MostNewtons) };
+  const HardwareVector& row = HardwareSettingRows::NewtonsPerFullScale;
+  const double newtons[2] = { std::clamp(x, row.Minimum, row.Maximum),
+    std::clamp(y, row.Minimum, row.Maximum) };
   if (newtons[0] != this->NewtonsPerFullScale[0] || newtons[1] != this->NewtonsPerFullScale[1])
   {
     std::copy(newtons, newtons + 2, this->NewtonsPerFullScale);
@@ -142,6 +141,5 @@ void vtkHapticHardware::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FirmwareFile: " << (this->FirmwareFile.empty() ? "(none)" : this->FirmwareFile)
      << "\n";
   PrintSettings(os, indent, this, HardwareSettings);
-  os << indent << "NewtonsPerFullScale: " << this->NewtonsPerFullScale[0] << " "
-     << this->NewtonsPerFullScale[1] << " N\n";
+  PrintSettings(os, indent, this, HardwareVectors);
 }

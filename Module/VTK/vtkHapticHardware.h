@@ -111,9 +111,9 @@ public:
 
   ///@{
   /**
-   * The force (N) of a force-feedback wheel at full scale. Only the first number (x) is used, since
-   * devices of two axes are refused. No device reports its force: measure it with a spring scale.
-   * -100 to 100; a negative number reverses the direction, 0 gives no force. Firmwares differ in
+   * The force (N) of a force-feedback wheel at full scale, -100 to 100; only the first number is
+   * used. That is x: devices of two axes are refused. No device reports its force: measure it with
+   * a spring scale. A negative number reverses the direction, 0 gives no force. Firmwares differ in
    * the direction, so try it gently first (volumehaptics-device test): if the wall pulls the hand
    * in, give a negative number. A number that is too small gives too much force. Default 100, more
    * than nearly all devices have, so that none pushes harder than was asked for; weaker ones are

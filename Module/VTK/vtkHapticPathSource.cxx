@@ -260,14 +260,7 @@ int vtkHapticPathSource::RequestData(
 void vtkHapticPathSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&](const char* name, const double x[3])
-  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
   VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::PathSettings);
-  print("Point1", this->Point1);
-  print("Point2", this->Point2);
-  print("Center", this->Center);
-  print("Normal", this->Normal);
-  print("BoxCorner", this->BoxCorner);
-  print("BoxSize", this->BoxSize);
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::PathVectors);
   os << indent << "FileName: " << (this->FileName.empty() ? "(none)" : this->FileName) << "\n";
 }

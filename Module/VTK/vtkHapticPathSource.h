@@ -78,21 +78,27 @@ public:
   ///@}
 
   ///@{
-  /** The ends of LINE (world). Default (-50, 0, 0) and (50, 0, 0). */
+  /** Where the LINE begins. Default (-50, 0, 0). All positions are in world units. */
   vtkSetVector3Macro(Point1, double);
   vtkGetVector3Macro(Point1, double);
+  ///@}
+
+  ///@{
+  /** Where the LINE ends. Default (50, 0, 0). */
   vtkSetVector3Macro(Point2, double);
   vtkGetVector3Macro(Point2, double);
   ///@}
 
   ///@{
-  /** The middle of CIRCLE and SPIRAL (world). Default (0, 0, 0). */
+  /** The middle of the CIRCLE or the SPIRAL. Default (0, 0, 0). */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
 
   ///@{
-  /** Normal of the plane of CIRCLE and SPIRAL, of any length but 0. Default (0, 0, 1). */
+  /**
+   * The direction that the CIRCLE or the SPIRAL is across, of any length but 0. Default (0, 0, 1).
+   */
   vtkSetVector3Macro(Normal, double);
   vtkGetVector3Macro(Normal, double);
   ///@}
@@ -117,14 +123,21 @@ public:
 
   ///@{
   /**
-   * The box of PRESS_AND_SLIDE (world): its corner with the least coordinates, and its size, 0 or
-   * more. Default (-25, -25, -25) and (50, 50, 50). SetBoxBounds() takes both as (x0, x1, y0, y1,
-   * z0, z1).
+   * The corner of the box with the least coordinates. Default (-25, -25, -25). PRESS_AND_SLIDE
+   * presses into this box.
    */
   vtkSetVector3Macro(BoxCorner, double);
   vtkGetVector3Macro(BoxCorner, double);
+  ///@}
+
+  ///@{
+  /** The size of the box along x, y and z, 0 or more. Default (50, 50, 50). */
   vtkSetVector3Macro(BoxSize, double);
   vtkGetVector3Macro(BoxSize, double);
+  ///@}
+
+  ///@{
+  /** BoxCorner and BoxSize, from the bounds (x0, x1, y0, y1, z0, z1). */
   void SetBoxBounds(double x0, double x1, double y0, double y1, double z0, double z1);
   void SetBoxBounds(const double bounds[6]);
   ///@}

@@ -16,7 +16,11 @@
 
 #include "vtkIndent.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <ostream>
 #include <type_traits>
 
@@ -66,6 +70,28 @@ struct HapticSetting : SettingFacts
   void (*Bake)(Owner*, HapticModelDescription&);
   bool (*IsSame)(const HapticModelDescription&, const HapticModelDescription&);
   ///@}
+};
+
+/** The largest number of numbers of a vector: a direction matrix. */
+constexpr int LongestVector = 9;
+using SettingVector = std::array<double, LongestVector>;
+
+/** A setting of the class Owner that is several numbers, such as a position. */
+template <typename Owner>
+struct HapticVectorSetting
+{
+  const char* Name; ///< as in Get... and Set...
+  int Size;
+  ///@{
+  /** Of each number. */
+  double Minimum;
+  double Maximum;
+  ///@}
+  SettingVector Default; ///< its first `Size` numbers, and so below
+  const char* Unit;      ///< empty for a setting that has none
+  const char* Documentation;
+  SettingVector (*Get)(Owner*);
+  void (*Set)(Owner*, const SettingVector&);
 };
 
 /** A transfer function of the class Owner. Its values are 0 or more. */
@@ -131,6 +157,62 @@ struct SettingAccess<Getter, Setter, Baked>
   }
 };
 
+/** Makes the functions of a vector from the members of its class. */
+template <typename Owner, typename Value, int Size, Value* (Owner::*Getter)(),
+  void (Owner::*Setter)(const Value*)>
+struct VectorAccess
+{
+  static_assert(Size <= LongestVector);
+
+  static SettingVector Get(Owner* owner)
+  {
+    SettingVector values{};
+    const Value* const found = (owner->*Getter)();
+    std::copy(found, found + Size, values.begin());
+    return values;
+  }
+  static void Set(Owner* owner, const SettingVector& values)
+  {
+    Value wanted[Size];
+    std::transform(values.begin(), values.begin() + Size, wanted,
+      [](double value) { return static_cast<Value>(value); });
+    (owner->*Setter)(wanted);
+  }
+
+  static constexpr HapticVectorSetting<Owner> Make(const char* name, double minimum, double maximum,
+    const char* unit, const char* text, const SettingVector& standard)
+  {
+    return { name, Size, minimum, maximum, standard, unit, text, &Get, &Set };
+  }
+};
+
+// One row each, for the class `Owner`. `baked` is the member of HapticSettings or of
+// HapticModelDescription that keeps the setting, or NotBaked.
+#define HapticRowMacro(name, baked, ...) \
+  SettingAccess<&Owner::Get##name, &Owner::Set##name, baked>::Make({ __VA_ARGS__ })
+#define HapticNumberMacro(name, minimum, maximum, standard, unit, baked, text) \
+  HapticRowMacro(                                                              \
+    name, baked, SettingKind::Number, #name, minimum, maximum, standard, unit, nullptr, text)
+#define HapticIntegerMacro(name, minimum, maximum, standard, unit, baked, text) \
+  HapticRowMacro(                                                               \
+    name, baked, SettingKind::Integer, #name, minimum, maximum, standard, unit, nullptr, text)
+#define HapticFlagMacro(name, standard, baked, text) \
+  HapticRowMacro(name, baked, SettingKind::Flag, #name, 0.0, 1.0, standard, "", nullptr, text)
+// The names of the choices are in an array NAMENames.
+#define HapticChoiceMacro(name, standard, baked, text)         \
+  HapticRowMacro(name, baked, SettingKind::Choice, #name, 0.0, \
+    static_cast<double>(std::size(name##Names) - 1), standard, "", name##Names, text)
+// `type` is that of the numbers; those of the default come last.
+#define HapticVectorMacro(name, type, size, minimum, maximum, unit, text, ...)                   \
+  VectorAccess<Owner, type, size, static_cast<type* (Owner::*)()>(&Owner::Get##name),            \
+    static_cast<void (Owner::*)(const type*)>(&Owner::Set##name)>::Make(#name, minimum, maximum, \
+    unit, text, { __VA_ARGS__ })
+
+/** Of settings without limit; those that VTK's macros clamp at 0 have VTK_DOUBLE_MAX, 1e299. */
+inline constexpr double LargestNumber = std::numeric_limits<double>::max();
+inline constexpr double LargestInteger = std::numeric_limits<int>::max();
+
+///@{
 /** Prints settings for PrintSelf, one a line. */
 template <typename Owner, std::size_t Size>
 void PrintSettings(
@@ -158,6 +240,22 @@ void PrintSettings(
     os << (*setting.Unit ? " " : "") << setting.Unit << "\n";
   }
 }
+template <typename Owner, std::size_t Size>
+void PrintSettings(std::ostream& os, vtkIndent indent, Owner* owner,
+  const HapticVectorSetting<Owner> (&settings)[Size])
+{
+  for (const HapticVectorSetting<Owner>& setting : settings)
+  {
+    const SettingVector values = setting.Get(owner);
+    os << indent << setting.Name << ": (" << values[0];
+    for (int i = 1; i < setting.Size; ++i)
+    {
+      os << ", " << values[static_cast<std::size_t>(i)];
+    }
+    os << ")" << (*setting.Unit ? " " : "") << setting.Unit << "\n";
+  }
+}
+///@}
 
 } // namespace VolumeHaptics
 

@@ -15,19 +15,12 @@
 #include "vtkHapticProperty.h"
 #include "vtkVolumeHapticsAlgorithm.h"
 
-#include <iterator>
-#include <limits>
-
 namespace VolumeHaptics
 {
 
 using FilterSetting = HapticSetting<vtkVolumeHapticsAlgorithm>;
 using PropertySetting = HapticSetting<vtkHapticProperty>;
 using PropertyFunction = HapticFunctionSetting<vtkHapticProperty, vtkPiecewiseFunction>;
-
-/// Of settings without limit; those that VTK's macros clamp at 0 have VTK_DOUBLE_MAX, 1e299.
-inline constexpr double LargestNumber = std::numeric_limits<double>::max();
-inline constexpr double LargestInteger = std::numeric_limits<int>::max();
 
 inline constexpr SettingChoice MethodNames[] = { { "Proxy", "Proxy" },
   { "ForceField", "Force field" }, { "SurfaceProxy", "Surface proxy" },
@@ -42,22 +35,6 @@ inline constexpr SettingChoice LocalSurfaceShapeNames[] = { { "Plane", "Plane" }
   { "Quadric", "Quadric" } };
 inline constexpr SettingChoice SurfaceSideNames[] = { { "Higher", "Higher" }, { "Lower", "Lower" },
   { "Both", "Both" } };
-
-// One row each, for the class `Owner`. `baked` is the member of HapticSettings or of
-// HapticModelDescription that keeps the setting, or NotBaked.
-#define HapticRowMacro(name, baked, ...) \
-  SettingAccess<&Owner::Get##name, &Owner::Set##name, baked>::Make({ __VA_ARGS__ })
-#define HapticNumberMacro(name, minimum, maximum, standard, unit, baked, text) \
-  HapticRowMacro(                                                              \
-    name, baked, SettingKind::Number, #name, minimum, maximum, standard, unit, nullptr, text)
-#define HapticIntegerMacro(name, minimum, maximum, standard, unit, baked, text) \
-  HapticRowMacro(                                                               \
-    name, baked, SettingKind::Integer, #name, minimum, maximum, standard, unit, nullptr, text)
-#define HapticFlagMacro(name, standard, baked, text) \
-  HapticRowMacro(name, baked, SettingKind::Flag, #name, 0.0, 1.0, standard, "", nullptr, text)
-#define HapticChoiceMacro(name, standard, baked, text)         \
-  HapticRowMacro(name, baked, SettingKind::Choice, #name, 0.0, \
-    static_cast<double>(std::size(name##Names) - 1), standard, "", name##Names, text)
 
 namespace FilterSettingRows
 {
@@ -161,12 +138,6 @@ inline constexpr PropertySetting All[] = {
     "the noise is estimated from the flattest blocks of the image."),
 };
 } // namespace PropertySettingRows
-
-#undef HapticRowMacro
-#undef HapticNumberMacro
-#undef HapticIntegerMacro
-#undef HapticFlagMacro
-#undef HapticChoiceMacro
 
 inline constexpr const auto& FilterSettings = FilterSettingRows::All;
 inline constexpr const auto& PropertySettings = PropertySettingRows::All;

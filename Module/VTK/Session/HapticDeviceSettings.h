@@ -21,28 +21,24 @@ namespace VolumeHaptics
 
 using DeviceSetting = HapticSetting<vtkHapticDevice>;
 using HardwareSetting = HapticSetting<vtkHapticHardware>;
+using HardwareVector = HapticVectorSetting<vtkHapticHardware>;
 using StateSourceSetting = HapticSetting<vtkHapticStateSource>;
-
-// One row for a number of the class `Owner`.
-#define HapticNumberMacro(name, minimum, maximum, standard, unit, text) \
-  SettingAccess<&Owner::Get##name, &Owner::Set##name, NotBaked>::Make(  \
-    { SettingKind::Number, #name, minimum, maximum, standard, unit, nullptr, text })
 
 namespace DeviceSettingRows
 {
 using Owner = vtkHapticDevice;
 inline constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
-inline constexpr DeviceSetting ServoRate = HapticNumberMacro(
-  ServoRate, 100.0, 10000.0, 1000.0, "Hz", "Ticks per second (Hz), 100 to 10000. Default 1000.");
+inline constexpr DeviceSetting ServoRate = HapticNumberMacro(ServoRate, 100.0, 10000.0, 1000.0,
+  "Hz", NotBaked, "Ticks per second (Hz), 100 to 10000. Default 1000.");
 inline constexpr DeviceSetting MaximumForce = HapticNumberMacro(MaximumForce, 0.0, VTK_DOUBLE_MAX,
-  0.0, "N", "Longest force (N) on the hand, at most the device's own maximum.");
+  0.0, "N", NotBaked, "Longest force (N) on the hand, at most the device's own maximum.");
 inline constexpr DeviceSetting MaximumForceRate =
-  HapticNumberMacro(MaximumForceRate, 1.0, Unlimited, 500.0, "N/s",
+  HapticNumberMacro(MaximumForceRate, 1.0, Unlimited, 500.0, "N/s", NotBaked,
     "Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that "
     "becomes smaller does so at once");
 inline constexpr DeviceSetting AttentionTime = HapticNumberMacro(AttentionTime, 0.0, Unlimited, 2.0,
-  "s", "How long (s) an armed device keeps its force if the program stands still");
+  "s", NotBaked, "How long (s) an armed device keeps its force if the program stands still");
 
 inline constexpr DeviceSetting All[] = { ServoRate, MaximumForce, MaximumForceRate, AttentionTime };
 } // namespace DeviceSettingRows
@@ -52,7 +48,15 @@ namespace HardwareSettingRows
 using Owner = vtkHapticHardware;
 
 inline constexpr HardwareSetting All[] = { HapticNumberMacro(HomingTime, 1.0, 3600.0, 120.0, "s",
-  "How long (s) each step of homing by hand may take, 1 to 3600. Default 120.") };
+  NotBaked, "How long (s) each step of homing by hand may take, 1 to 3600. Default 120.") };
+
+inline constexpr HardwareVector NewtonsPerFullScale =
+  HapticVectorMacro(NewtonsPerFullScale, double, 2, -100.0, 100.0, "N",
+    "The force (N) of a force-feedback wheel at full scale, -100 to 100; only "
+    "the first number is used.",
+    100.0, 100.0);
+
+inline constexpr HardwareVector Vectors[] = { NewtonsPerFullScale };
 } // namespace HardwareSettingRows
 
 namespace StateSourceSettingRows
@@ -60,19 +64,17 @@ namespace StateSourceSettingRows
 using Owner = vtkHapticStateSource;
 
 inline constexpr StateSourceSetting All[] = {
-  HapticNumberMacro(ForceScale, 1e-9, VTK_DOUBLE_MAX, 0.1, "N per world unit",
+  HapticNumberMacro(ForceScale, 1e-9, VTK_DOUBLE_MAX, 0.1, "N per world unit", NotBaked,
     "Newtons per world unit in the output. Default 0.1: a line of 10 world units for 1 N."),
-  SettingAccess<&Owner::GetShowCommandedForce, &Owner::SetShowCommandedForce, NotBaked>::Make(
-    { SettingKind::Flag, "ShowCommandedForce", 0.0, 1.0, 0.0, "", nullptr,
-      "Whether the output shows the force that went to the device, or (default) what was computed, "
-      "armed or not." }),
+  HapticFlagMacro(ShowCommandedForce, false, NotBaked,
+    "Whether the output shows the force that went to the device, or (default) what was computed, "
+    "armed or not."),
 };
 } // namespace StateSourceSettingRows
 
-#undef HapticNumberMacro
-
 inline constexpr const auto& DeviceSettings = DeviceSettingRows::All;
 inline constexpr const auto& HardwareSettings = HardwareSettingRows::All;
+inline constexpr const auto& HardwareVectors = HardwareSettingRows::Vectors;
 inline constexpr const auto& StateSourceSettings = StateSourceSettingRows::All;
 
 /** The nearest value that a setting may have; the minimum, which is the safe one, for NaN. */

@@ -71,8 +71,8 @@ std::string HeaderComment(const std::string& header, const std::string& name)
   std::ifstream file(Root + "/Module/VTK/" + header + ".h");
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   std::size_t setter = std::string::npos;
-  for (const std::string& start :
-    { "vtkSetMacro(" + name + ",", "vtkSetClampMacro(" + name + ",", "void Set" + name + "(" })
+  for (const std::string& start : { "vtkSetMacro(" + name + ",", "vtkSetClampMacro(" + name + ",",
+         "vtkSetVector3Macro(" + name + ",", "void Set" + name + "(" })
   {
     setter = std::min(setter, text.find(start));
   }
@@ -150,6 +150,23 @@ void ExpectHeaderBehaves(Owner* object, const HapticSetting<Owner>& setting)
   }
 }
 
+template <typename Owner>
+void ExpectHeaderBehaves(Owner* object, const HapticVectorSetting<Owner>& setting)
+{
+  const SettingVector none{};
+  EXPECT_EQ(setting.Get(object), setting.Default);
+  for (const double bound : { setting.Minimum, setting.Maximum })
+  {
+    SettingVector wanted = none;
+    for (int i = 0; i < setting.Size; ++i)
+    {
+      wanted[i] = i % 2 ? bound : 1.0;
+    }
+    setting.Set(object, wanted);
+    EXPECT_EQ(setting.Get(object), wanted);
+  }
+}
+
 void ExpectRange(vtkXMLDataElement* property, const SettingFacts& setting)
 {
   vtkXMLDataElement* const integers = property->FindNestedElementWithName("IntRangeDomain");
@@ -203,6 +220,23 @@ void ExpectProperty(vtkXMLDataElement* property, const SettingFacts& setting)
     ExpectRange(property, setting);
   }
 }
+
+template <typename Owner>
+void ExpectVector(vtkXMLDataElement* property, const HapticVectorSetting<Owner>& setting)
+{
+  ASSERT_NE(property, nullptr);
+  EXPECT_STREQ(property->GetName(), "DoubleVectorProperty");
+  EXPECT_EQ(ParaViewProxy::Number(property, "number_of_elements"), setting.Size);
+  double numbers[LongestVector] = {};
+  ASSERT_EQ(property->GetVectorAttribute("default_values", LongestVector, numbers), setting.Size);
+  EXPECT_TRUE(std::equal(numbers, numbers + setting.Size, setting.Default.begin()));
+  vtkXMLDataElement* const range = property->FindNestedElementWithName("DoubleRangeDomain");
+  ASSERT_NE(range, nullptr);
+  const double minimum = ParaViewProxy::Number(range, "min");
+  const double maximum = ParaViewProxy::Number(range, "max");
+  EXPECT_EQ(std::isnan(minimum) ? -LargestNumber : minimum, setting.Minimum);
+  EXPECT_EQ(std::isnan(maximum) ? LargestNumber : maximum, setting.Maximum);
+}
 } // namespace
 
 TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
@@ -237,27 +271,52 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
     vtkNew<vtkHapticStateSource> source;
     ExpectHeaderBehaves<vtkHapticStateSource>(source, setting);
   }
+  for (const HardwareVector& setting : HardwareVectors)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkNew<vtkHapticDevice> device;
+    ExpectHeaderBehaves<vtkHapticHardware>(device, setting);
+    SettingVector large{};
+    std::fill_n(large.begin(), setting.Size, 2.0 * setting.Maximum);
+    setting.Set(device, large);
+    EXPECT_EQ(setting.Get(device)[0], setting.Maximum);
+    EXPECT_EQ(setting.Get(device)[setting.Size - 1], setting.Maximum);
+  }
   for (const PathSetting& setting : PathSettings)
   {
     vtkNew<vtkHapticPathSource> source;
     EXPECT_EQ(setting.Get(source), setting.Default) << setting.Name;
   }
+  for (const PathVector& setting : PathVectors)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkNew<vtkHapticPathSource> source;
+    ExpectHeaderBehaves<vtkHapticPathSource>(source, setting);
+  }
 }
 
 TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
 {
-  const auto names = [](const auto& settings)
+  const auto names = [](const auto&... lists)
   {
-    std::vector<std::string> list;
-    for (const auto& setting : settings)
+    std::vector<std::string> all;
+    const auto append = [&all](const auto& settings)
     {
-      list.emplace_back(setting.Name);
-    }
-    return list;
+      for (const auto& setting : settings)
+      {
+        all.emplace_back(setting.Name);
+      }
+    };
+    (append(lists), ...);
+    return all;
   };
+  std::vector<std::string> path = names(PathSettings, PathVectors);
+  path.emplace_back("FileName"); // which is text
   for (const auto& [header, rows] :
     { std::pair{ "vtkVolumeHapticsAlgorithm", names(FilterSettings) },
-      std::pair{ "vtkHapticProperty", names(PropertySettings) } })
+      std::pair{ "vtkHapticProperty", names(PropertySettings) },
+      std::pair{ "vtkHapticStateSource", names(StateSourceSettings) },
+      std::pair{ "vtkHapticPathSource", path } })
   {
     std::ifstream file(Root + "/Module/VTK/" + header + ".h");
     std::vector<std::string> found;
@@ -293,8 +352,10 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   expect("vtkHapticProperty", PropertyFunctions);
   expect("vtkHapticDevice", DeviceSettings);
   expect("vtkHapticHardware", HardwareSettings);
+  expect("vtkHapticHardware", HardwareVectors);
   expect("vtkHapticStateSource", StateSourceSettings);
   expect("vtkHapticPathSource", PathSettings);
+  expect("vtkHapticPathSource", PathVectors);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)
@@ -354,6 +415,13 @@ TEST(SettingLists, ParaViewHasTheSameDevice)
   expect(DeviceSettings);
   expect(HardwareSettings);
   expect(StateSourceSettings);
+  for (const HardwareVector& setting : HardwareVectors)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkXMLDataElement* const property = paraview.Find(setting.Name);
+    ExpectVector(property, setting);
+    EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), setting.Documentation);
+  }
 }
 
 TEST(SettingLists, ParaViewHasTheSamePath)
@@ -364,6 +432,14 @@ TEST(SettingLists, ParaViewHasTheSamePath)
     SCOPED_TRACE(setting.Name);
     vtkXMLDataElement* const property = paraview.Find(setting.Name);
     ExpectProperty(property, setting);
+    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
+    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
+  }
+  for (const PathVector& setting : PathVectors)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkXMLDataElement* const property = paraview.Find(setting.Name);
+    ExpectVector(property, setting);
     EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
     EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
   }
