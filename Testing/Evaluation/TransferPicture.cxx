@@ -4,11 +4,11 @@
 
 #include "TransferCharts.h"
 
-#include "Applications/Explorer/BodyIsolation.h"
-#include "Applications/Explorer/InputError.h"
-#include "Applications/Explorer/SceneCamera.h"
-#include "Applications/Explorer/VolumeLoader.h"
-#include "Applications/Explorer/VolumeLook.h"
+#include "Applications/Explorer/Analysis/BodyIsolation.h"
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Scene/VolumeLook.h"
+#include "Applications/Explorer/View/SceneCamera.h"
+#include "Applications/Explorer/Volume/VolumeLoader.h"
 
 #include "vtkCamera.h"
 #include "vtkContextActor.h"

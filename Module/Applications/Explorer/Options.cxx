@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Options.h"
 
-#include "Applications/Explorer/InputError.h"
-#include "Applications/Explorer/StereoModes.h"
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/View/StereoModes.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"

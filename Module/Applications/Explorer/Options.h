@@ -3,9 +3,9 @@
 #ifndef Explore_Options_h
 #define Explore_Options_h
 
-#include "Applications/Explorer/Explorer.h"
-#include "Applications/Explorer/ExplorerScene.h"
-#include "Applications/Explorer/TouchScene.h"
+#include "Applications/Explorer/Exploration/Exploration.h"
+#include "Applications/Explorer/Live/TouchScene.h"
+#include "Applications/Explorer/Scene/ExplorerScene.h"
 
 #include <string>
 

@@ -3,8 +3,8 @@
 #ifndef HeadExploration_h
 #define HeadExploration_h
 
-#include "Applications/Explorer/Explorer.h"
-#include "Applications/Explorer/VolumeLoader.h"
+#include "Applications/Explorer/Exploration/Exploration.h"
+#include "Applications/Explorer/Volume/VolumeLoader.h"
 
 #include <vtksys/SystemTools.hxx>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShuffledHead.h"
 
-#include "Applications/Explorer/VolumeOrientation.h"
+#include "Applications/Explorer/Volume/VolumeOrientation.h"
 
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"

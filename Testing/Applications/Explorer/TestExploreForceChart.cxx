@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plot of the force: three components and the whole, units on the axes, what the hand did on
 // top.
-#include "Applications/Explorer/ForceChart.h"
+#include "Applications/Explorer/Report/ForceChart.h"
 #include "HeadExploration.h"
 
 #include "vtkRegressionTestImage.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The main job's picture: head upright and shaded, trail on the skin and, beneath it, on the skull.
-#include "Applications/Explorer/ExplorerScene.h"
+#include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "HeadExploration.h"
 
 #include "vtkRegressionTestImage.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture where there is no GPU, with other materials and another gradient estimator.
-#include "Applications/Explorer/ExplorerScene.h"
+#include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "HeadExploration.h"
 
 #include "vtkRegressionTestImage.h"

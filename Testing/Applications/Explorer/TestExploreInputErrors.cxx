@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever cannot be explored gets one message that says what is wrong and how to cure it.
-#include "Applications/Explorer/InputError.h"
+#include "Applications/Explorer/Errors/InputError.h"
 #include "HeadExploration.h"
 
 #include "vtkExtractVOI.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every method feels the same path over the same head, with forces that a hand can bear, and the
 // output says which it was.
-#include "Applications/Explorer/InputError.h"
+#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Options.h"
-#include "Applications/Explorer/TraceSummary.h"
-#include "Applications/Explorer/VolumeOrientation.h"
+#include "Applications/Explorer/Report/TraceSummary.h"
+#include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The head comes out of every format the same way up, at the same place, whatever the order of its
 // voxels in the file.
-#include "Applications/Explorer/VolumeOrientation.h"
+#include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "HeadExploration.h"
 #include "ShuffledHead.h"
 

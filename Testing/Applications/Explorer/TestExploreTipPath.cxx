@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The planned path is one that a hand can follow, and it touches what it should.
-#include "Applications/Explorer/TissueTable.h"
+#include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 

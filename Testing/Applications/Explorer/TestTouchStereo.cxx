@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same in stereo, for red and cyan glasses.
-#include "Applications/Explorer/StereoModes.h"
+#include "Applications/Explorer/View/StereoModes.h"
 #include "TouchedHead.h"
 
 #include "vtkRegressionTestImage.h"

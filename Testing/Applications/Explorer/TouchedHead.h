@@ -3,7 +3,7 @@
 #ifndef TouchedHead_h
 #define TouchedHead_h
 
-#include "Applications/Explorer/TouchScene.h"
+#include "Applications/Explorer/Live/TouchScene.h"
 #include "HeadExploration.h"
 #include "Rigs/LoopPauses.h"
 

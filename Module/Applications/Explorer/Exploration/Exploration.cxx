@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Exploration/Exploration.h"
+
+#include "Applications/Explorer/Analysis/BodyIsolation.h"
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Exploration/MethodScale.h"
+#include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Path/SurfaceMap.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkNew.h"
+#include "vtkTimerLog.h"
+#include "vtkVolumeHapticsFilter.h"
+
+namespace
+{
+using Explore::Estimator;
+
+/// Sets the estimator and returns its name for people.
+std::string SetEstimator(vtkVolumeHapticsFilter* filter, Estimator estimator)
+{
+  switch (estimator)
+  {
+    case Estimator::CentralDifference:
+      filter->SetGradientEstimatorToCentralDifference();
+      return "central differences";
+    case Estimator::CubicBSpline:
+      filter->SetGradientEstimatorToCubicBSpline();
+      return "cubic B-spline";
+    default:
+      filter->SetGradientEstimatorToGaussian();
+      return "derivative of a Gaussian";
+  }
+}
+} // namespace
+
+namespace Explore
+{
+Exploration ExploreVolume(const Volume& volume, const Settings& settings)
+{
+  Exploration result;
+  result.Input = volume;
+  result.Values = AnalyseVolume(volume.Image);
+  result.Body = IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
+  MeasureBody(result.Values, result.Body);
+  result.View = MakeViewFrame(result.Values.Centre, settings.Front, settings.Up);
+
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  result.Materials = ApplyMaterials(settings.Preset, result.Values, filter->GetProperty());
+  result.Estimator = SetEstimator(filter, settings.Gradient);
+  result.KernelRadius = filter->GetKernelRadius();
+  result.ServoRate = filter->GetServoRate();
+  filter->SetMetersPerWorldUnit(result.Values.MetersPerWorldUnit);
+
+  const SurfaceMap map(result.Body, result.Values, result.View);
+  if (map.IsEmpty())
+  {
+    throw InputError(
+      volume.Name, "has no surface that faces the camera", "turn it with --front and --up");
+  }
+  result.Tip = PlanTipPath(map, result.View, result.Values.MetersPerWorldUnit, result.ServoRate);
+
+  filter->SetInputData(0, volume.Image);
+  ScaleMethods(filter, result.Values, result.Body);
+  filter->SetMethodByName(settings.Method.c_str());
+  result.Method = filter->GetMethodText();
+  filter->SetInputData(1, result.Tip.Path);
+  const double start = vtkTimerLog::GetUniversalTime();
+  {
+    const MessageCapture capture;
+    filter->Update();
+    if (capture.HasErrors() || filter->GetOutput()->GetNumberOfPoints() == 0)
+    {
+      throw std::runtime_error("the haptic computation failed: " + capture.FirstError());
+    }
+  }
+  result.FilterSeconds = vtkTimerLog::GetUniversalTime() - start;
+  result.Filter = filter;
+  result.Trace = vtkSmartPointer<vtkPolyData>::New();
+  result.Trace->ShallowCopy(filter->GetOutput());
+  return result;
+}
+} // namespace Explore

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_Exploration_h
+#define Explore_Exploration_h
+
+#include "Applications/Explorer/Analysis/VolumeAnalysis.h"
+#include "Applications/Explorer/Path/TipPathPlanner.h"
+#include "Applications/Explorer/View/ViewFrame.h"
+#include "Applications/Explorer/Volume/VolumeLoader.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <string>
+
+namespace Explore
+{
+enum class Estimator
+{
+  CentralDifference,
+  Gaussian,
+  CubicBSpline
+};
+
+/// How a volume is to be explored.
+struct Settings
+{
+  std::string Preset = "auto";
+  std::string Front = "-y"; // world axis along which a face looks
+  std::string Up = "+z";    // world axis to the top
+  Estimator Gradient = Estimator::Gaussian;
+  std::string Method = "proxy"; // see vtkVolumeHapticsFilter::GetMethodNames
+};
+
+/// The results: all that the pictures and the summary show.
+struct Exploration
+{
+  Volume Input;
+  vtkSmartPointer<vtkImageData> Body; // the input without what is not connected with the body
+  Analysis Values;
+  ViewFrame View;
+  TipPath Tip;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  vtkSmartPointer<vtkPolyData> Trace; // of the filter
+  std::string Materials;              // name of the preset that was applied
+  std::string Estimator;
+  std::string Method;     // of the trace, for people
+  int KernelRadius = 0;   // voxels
+  double ServoRate = 0.0; // Hz
+  double FilterSeconds = 0.0;
+};
+
+/// Looks at the values, plans a tip path and feels its way along it. Throws InputError.
+Exploration ExploreVolume(const Volume& volume, const Settings& settings);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Exploration/TissueTable.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+
+#include "vtkPiecewiseFunction.h"
+#include "vtkStringArray.h"
+
+#include <limits>
+
+namespace
+{
+using Explore::Analysis;
+using Explore::VolumeKind;
+
+constexpr double ENDLESS = std::numeric_limits<double>::infinity();
+
+/// Steps at the thresholds, a little smoothed so that nothing pops.
+void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const double values[3])
+{
+  const double edge = 0.02 * (analysis.High - analysis.Low);
+  function->RemoveAllPoints();
+  function->AddPoint(analysis.OuterThreshold - edge, values[0]);
+  function->AddPoint(analysis.OuterThreshold, values[1]);
+  function->AddPoint(analysis.DeepThreshold - edge, values[1]);
+  function->AddPoint(analysis.DeepThreshold, values[2]);
+}
+
+void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
+{
+  // Nothing outside, soft body, hard inside: the contrast of the CT preset on other thresholds.
+  const double stiffness[3] = { 0.0, 350.0, 800.0 };
+  const double friction[3] = { 0.0, 0.25, 0.30 };
+  const double viscosity[3] = { 0.0, 0.2, 0.2 };
+  const double strength[3] = { 0.0, 1.2, 20.0 };
+  TwoSteps(property->GetStiffness(), analysis, stiffness);
+  TwoSteps(property->GetFriction(), analysis, friction);
+  TwoSteps(property->GetViscosity(), analysis, viscosity);
+  TwoSteps(property->GetSurfaceStrength(), analysis, strength);
+  // A surface is distinct when the step to the body takes no more than about 8 mm.
+  const double step = analysis.OuterThreshold - analysis.Low;
+  const double gradient = step * analysis.MetersPerWorldUnit / 0.008;
+  property->GetDistinctness()->RemoveAllPoints();
+  property->GetDistinctness()->AddPoint(0.25 * gradient, 0.0);
+  property->GetDistinctness()->AddPoint(gradient, 1.0);
+}
+
+std::string PresetForKind(VolumeKind kind)
+{
+  switch (kind)
+  {
+    case VolumeKind::CT:
+      return "CT contrast";
+    case VolumeKind::EightBit:
+      return "MRI";
+    default:
+      return "histogram";
+  }
+}
+} // namespace
+
+namespace Explore
+{
+std::vector<Tissue> MakeTissueTable(const Analysis& analysis)
+{
+  if (analysis.Kind == VolumeKind::CT)
+  {
+    return { { "air", -ENDLESS, -950.0 }, { "lung or air-filled", -950.0, -500.0 },
+      { "edge of the skin", -500.0, -150.0 }, { "fat", -150.0, -20.0 }, { "fluid", -20.0, 17.5 },
+      { "muscle, organ", 17.5, 90.0 }, { "contrast medium, cartilage", 90.0, 300.0 },
+      { "bone", 300.0, ENDLESS } };
+  }
+  return { { "background", -ENDLESS, analysis.OuterThreshold },
+    { "body, darker", analysis.OuterThreshold, analysis.DeepThreshold },
+    { "body, brighter", analysis.DeepThreshold, ENDLESS } };
+}
+
+std::size_t FindTissue(const std::vector<Tissue>& table, double value)
+{
+  std::size_t row = 0;
+  while (row + 1 < table.size() && value >= table[row].To)
+  {
+    ++row;
+  }
+  return row;
+}
+
+std::string ApplyMaterials(
+  const std::string& preset, const Analysis& analysis, vtkHapticProperty* property)
+{
+  const std::string name = preset == "auto" ? PresetForKind(analysis.Kind) : preset;
+  if (name == "histogram")
+  {
+    HistogramMaterials(analysis, property);
+    return name;
+  }
+  vtkStringArray* known = vtkHapticProperty::GetPresetNames();
+  if (known->LookupValue(name) < 0)
+  {
+    std::string list = "auto, histogram";
+    for (vtkIdType i = 0; i < known->GetNumberOfValues(); ++i)
+    {
+      list += ", " + known->GetValue(i);
+    }
+    throw InputError("--preset '" + name + "'", "there is no such preset", "take one of: " + list);
+  }
+  property->ApplyPreset(name.c_str());
+  return name;
+}
+} // namespace Explore

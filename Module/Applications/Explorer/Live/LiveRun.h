@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_LiveRun_h
+#define Explore_LiveRun_h
+
+#include "Applications/Explorer/Exploration/Exploration.h"
+
+#include <string>
+
+namespace Explore
+{
+/// The measurements of a run through the servo loop.
+struct LiveRun
+{
+  vtkSmartPointer<vtkPolyData> Trace; // as recorded, tick by tick
+  std::string Report;                 // time keeping, and how it compares with the offline filter
+  bool IsReproduced = false;          // offline and live forces are the same for the same tips
+};
+
+/// Leads the virtual device along the planned path in real time, with the servo at its rate, and
+/// records into a file (.vtp); then replays the planned path tick by tick, to compare with the
+/// trace of the exploration. Throws std::runtime_error if the servo can't run.
+LiveRun RunLive(const Exploration& exploration, const std::string& file);
+} // namespace Explore
+
+#endif

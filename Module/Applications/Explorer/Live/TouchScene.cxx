@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/TouchScene.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/View/StereoModes.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <iostream>
+
+namespace
+{
+using Explore::TouchScene;
+
+/// Everything that draws in two dimensions goes above the volume and below the marker.
+void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int width)
+{
+  const Explore::Analysis& analysis = exploration.Values;
+  touch.Hand->SetDevice(touch.Device);
+  // A newton is two centimetres long, in any unit of the world.
+  touch.Hand->SetRadius(0.003 / analysis.MetersPerWorldUnit);
+  touch.Hand->SetForceScale(50.0 * analysis.MetersPerWorldUnit);
+  touch.Scene.Renderer->AddViewProp(touch.Hand);
+
+  touch.Display->SetDevice(touch.Device);
+  for (const Explore::Tissue& tissue : Explore::MakeTissueTable(analysis))
+  {
+    touch.Display->AddTissue(tissue.Name.c_str(), tissue.From, tissue.To);
+  }
+  touch.Scene.Overlay->AddViewProp(touch.Display);
+
+  touch.Editor->SetProperty(exploration.Filter->GetProperty());
+  touch.Editor->SetVolumeProperty(touch.Scene.Look);
+  touch.Editor->SetInputData(exploration.Body);
+  // Beside the display's plot, above the scale of the arrows.
+  touch.Editor->SetRectangle(std::max(10, width - 265), 40, 255, 190);
+  touch.Editor->VisibilityOff();
+  touch.Scene.Overlay->AddViewProp(touch.Editor);
+}
+
+const char* const KEYS = R"(
+The mouse turns the head. Press t with the pointer on it to touch it, then
+  move the mouse    along the surface
+  turn the wheel    into it and out of it (Shift: finer)
+  right button      turn the head without letting go
+Keys
+  t  touch mode       a  arm, disarm        Escape  let go
+  m  next method      h  status             g  graph              3  stereo
+  v  function editor  n  next function      c  recentre           k  clutch
+  + -  workspace      Home  home a device     q  close
+)";
+} // namespace
+
+namespace Explore
+{
+void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
+  const DeviceChoice& device)
+{
+  BuildScene(touch.Scene, exploration, options);
+  vtkVolumeHapticsFilter* const filter = exploration.Filter;
+  filter->GetProperty()->SetVisibilityFrom(touch.Scene.Look);
+  const MessageCapture capture;
+  touch.Device->SetVolumeHaptics(filter);
+  touch.Device->SetServoRate(exploration.ServoRate);
+  if (!device.Firmware.empty())
+  {
+    touch.Device->SetFirmwareFile(device.Firmware);
+  }
+  touch.Device->SetNewtonsPerFullScale(device.Newtons, device.Newtons);
+  if (!touch.Device->Open(device.Id.c_str()) || !touch.Device->Start())
+  {
+    throw InputError("--device " + device.Id, capture.FirstError(),
+      "name another device, or none; volumehaptics-device list shows what there is");
+  }
+  AddParts(touch, exploration, options.Width);
+  touch.Setup->SetVolumeHaptics(filter);
+  touch.Setup->SetVolumeProperty(touch.Scene.Look);
+  touch.Setup->SetCamera(touch.Scene.Renderer->GetActiveCamera());
+  touch.Style->SetDevice(touch.Device);
+  touch.Style->SetHeadUpDisplay(touch.Display);
+  touch.Style->SetFunctionEditor(touch.Editor);
+  touch.Style->SetDefaultRenderer(touch.Scene.Renderer);
+}
+
+void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
+  const DeviceChoice& device, const std::string& setup, const std::string& stereo)
+{
+  TouchScene touch;
+  SetStereo(touch.Scene.Window, stereo);
+  BuildTouchScene(touch, exploration, options, device);
+  if (!setup.empty() && vtksys::SystemTools::FileExists(setup, true))
+  {
+    const MessageCapture capture;
+    if (!touch.Setup->Load(setup.c_str()))
+    {
+      throw InputError("--setup " + setup, capture.FirstError(), "correct it or name another file");
+    }
+  }
+  touch.Scene.Window->SetWindowName("VTK Volume Haptics");
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(touch.Scene.Window);
+  interactor->SetInteractorStyle(touch.Style);
+  std::cout << touch.Scene.MapperName << "\n" << KEYS << std::endl;
+  touch.Scene.Window->Render();
+  interactor->Initialize();
+  interactor->Start();
+  touch.Device->Close();
+  if (!setup.empty() && !touch.Setup->Save(setup.c_str()))
+  {
+    throw InputError("--setup " + setup, "can't be written", "name a file in a folder of yours");
+  }
+}
+} // namespace Explore

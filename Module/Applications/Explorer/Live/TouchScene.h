@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_TouchScene_h
+#define Explore_TouchScene_h
+
+#include "Applications/Explorer/Scene/ExplorerScene.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticFunctionEditor.h"
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticRepresentation.h"
+#include "vtkHapticSetup.h"
+#include "vtkInteractorStyleHaptic.h"
+
+namespace Explore
+{
+/// The device of the window: see vtkHapticDevice::Open and SetFirmwareFile.
+struct DeviceChoice
+{
+  std::string Id = "virtual";
+  std::string Firmware;   // none: as the environment says
+  double Newtons = 100.0; // of a stick at full scale
+};
+
+/// A scene that can be touched: the volume, and a device whose servo runs, with everything that
+/// shows what it does. What is not seen is not felt.
+struct TouchScene
+{
+  ExplorerScene Scene;
+  vtkNew<vtkHapticDevice> Device;
+  vtkNew<vtkHapticRepresentation> Hand;
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+  vtkNew<vtkHapticFunctionEditor> Editor;
+  vtkNew<vtkHapticSetup> Setup;
+  vtkNew<vtkInteractorStyleHaptic> Style;
+};
+
+/// Fills the scene, opens the device and starts its servo. Throws InputError if the device can't
+/// be had.
+void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
+  const DeviceChoice& device);
+
+/// Opens a window on the scene and returns when it is closed. With a setup file: loads it first,
+/// if there is one, and saves it at the end. Throws InputError if it can't be read.
+void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
+  const DeviceChoice& device, const std::string& setup, const std::string& stereo);
+} // namespace Explore
+
+#endif

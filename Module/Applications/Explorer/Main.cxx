@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Explores a volume by touch, without a device: the project's main job from the command line.
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Live/LiveRun.h"
+#include "Applications/Explorer/Live/TouchScene.h"
+#include "Applications/Explorer/Options.h"
+#include "Applications/Explorer/Report/ForceChart.h"
+#include "Applications/Explorer/Report/TraceFiles.h"
+#include "Applications/Explorer/Report/TraceSummary.h"
+#include "Applications/Explorer/Scene/ExplorerScene.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <exception>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+enum ExitCode
+{
+  DONE = 0,
+  FAILED = 1,
+  BAD_INPUT = 2,
+  NO_DISPLAY = 3
+};
+
+/// VTK's X11 windows crash without a display; this asks first.
+bool HasDisplay()
+{
+  vtkNew<vtkRenderWindow> window;
+  const bool needsX = std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow";
+  std::string display;
+  return !needsX || (vtksys::SystemTools::GetEnv("DISPLAY", display) && !display.empty());
+}
+
+/// Whether a window opens and draws. VTK crashes if not, for example on an X server without GLX.
+int CheckDisplay()
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  if (!HasDisplay())
+  {
+    return NO_DISPLAY;
+  }
+  window->Render();
+  return window->SupportsOpenGL() ? DONE : NO_DISPLAY;
+}
+
+std::string Caption(const Explore::Exploration& exploration)
+{
+  const int* size = exploration.Input.Image->GetDimensions();
+  std::ostringstream text;
+  text << exploration.Input.Name << ", " << size[0] << " x " << size[1] << " x " << size[2]
+       << " voxels\nTrail of the proxy, coloured by the force on the hand\nMethod: "
+       << exploration.Method << "\nMaterials: " << exploration.Materials;
+  return text.str();
+}
+
+Explore::SceneOptions MakeLook(
+  const Explore::Exploration& exploration, const Explore::Options& options)
+{
+  Explore::SceneOptions look;
+  look.Width = options.Width;
+  look.Height = options.Width * 7 / 9;
+  look.Mapper = options.Mapper;
+  look.Caption = Caption(exploration);
+  look.Anatomical = exploration.Values.Kind != Explore::VolumeKind::Other;
+  return look;
+}
+
+void OpenWindow(const Explore::Exploration& exploration, const Explore::Options& options)
+{
+  Explore::SceneOptions look = MakeLook(exploration, options);
+  look.OffScreen = false;
+  look.Interactive = true;
+  look.Caption.clear(); // its place is the head-up display's
+  Explore::RunTouchWindow(exploration, look, options.Device, options.Setup, options.Stereo);
+}
+
+void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
+{
+  const Explore::SceneOptions look = MakeLook(exploration, options);
+  Explore::ExplorerScene scene;
+  Explore::BuildScene(scene, exploration, look);
+  Explore::WritePicture(scene.Window, options.Folder + "/explore.png");
+  std::cout << "explore.png (" << scene.MapperName << ")\n";
+
+  Explore::ChartOptions paper;
+  paper.Width = options.Width;
+  paper.Height = options.Width * 3 / 5;
+  paper.Title = "Force on the hand: " + exploration.Input.Name + ", " + exploration.Method;
+  Explore::ForceChart chart;
+  Explore::BuildForceChart(chart, exploration.Trace, exploration.Tip.Phases, paper);
+  Explore::WritePicture(chart.Window, options.Folder + "/force.png");
+  std::cout << "force.png\n";
+}
+
+int Run(const Explore::Options& options)
+{
+  std::cout << "Reading " << options.VolumePath << std::endl;
+  Explore::Exploration exploration =
+    Explore::ExploreVolume(Explore::LoadVolume(options.VolumePath), options.How);
+  const std::string summary = Explore::Summarise(exploration);
+  std::cout << "\n" << summary << std::endl;
+
+  if (!options.Pictures && !options.Live && HasDisplay())
+  {
+    OpenWindow(exploration, options);
+    return DONE;
+  }
+  Explore::MakeFolder(options.Folder);
+  bool isReproduced = true;
+  if (options.Live)
+  {
+    const Explore::LiveRun live = Explore::RunLive(exploration, options.Folder + "/live.vtp");
+    std::cout << live.Report << std::endl;
+    isReproduced = live.IsReproduced;
+    // The pictures show what was felt live.
+    exploration.Trace = live.Trace;
+  }
+  Explore::WriteText(summary, options.Folder + "/summary.txt");
+  Explore::WriteTrace(exploration.Trace, options.Folder + "/trace.vtp");
+  Explore::WriteTable(exploration.Trace, options.Folder + "/trace.csv");
+  std::cout << "Written to " << vtksys::SystemTools::CollapseFullPath(options.Folder)
+            << ":\nsummary.txt\ntrace.vtp\ntrace.csv" << std::endl;
+  if (!HasDisplay())
+  {
+    std::cerr << "There is no X display for the pictures.\n"
+                 "  Cure: run the program as 'xvfb-run -a volumehaptics-explore ...'.\n";
+    return NO_DISPLAY;
+  }
+  WritePictures(exploration, options);
+  return isReproduced ? DONE : FAILED;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Explore::Options options = Explore::ParseOptions(argc, argv);
+    if (options.Help)
+    {
+      std::cout << Explore::HelpText();
+      return DONE;
+    }
+    if (options.CheckDisplay)
+    {
+      return CheckDisplay();
+    }
+    return Run(options);
+  }
+  catch (const Explore::InputError& error)
+  {
+    std::cerr << error.what() << std::endl;
+    return BAD_INPUT;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "volumehaptics-explore: " << error.what() << std::endl;
+    return FAILED;
+  }
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_SurfaceMap_h
+#define Explore_SurfaceMap_h
+
+#include "Applications/Explorer/Analysis/VolumeAnalysis.h"
+#include "Applications/Explorer/View/ViewFrame.h"
+
+#include "vtkImageData.h"
+
+#include <vector>
+
+namespace Explore
+{
+class ValueProbe;
+
+/// Two surfaces as distances from the centre, over the directions around the camera: the outer one
+/// (skin) and, beneath it, the next rise to dense values (skull). Found by rays that come from
+/// outside, cleaned of outliers and smoothed, so that a path on them is one that a hand can follow.
+class SurfaceMap
+{
+public:
+  static constexpr double RIGHT_LIMIT = 64.0; // degrees to either side of the camera
+  static constexpr double UP_LIMIT = 60.0;    // degrees above and below it
+
+  SurfaceMap(vtkImageData* image, const Analysis& analysis, const ViewFrame& view);
+
+  /// Distances from the centre in world units, smooth in both angles (degrees).
+  double Outer(double right, double up) const;
+  double Deep(double right, double up) const;
+
+  /// How well a surface is known there: 1 when every ray around it found both surfaces inside the
+  /// volume, 0 when none did.
+  double Quality(double right, double up) const;
+
+  /// Whether any ray met the body at all.
+  bool IsEmpty() const { return this->Hits == 0; }
+
+private:
+  struct Ray
+  {
+    double Outer = -1.0;
+    double Deep = -1.0;
+    bool Clean = false; // entered from the outside, not through a cut face of the volume
+    bool Solid = false; // the deep structure is thick enough to press on
+  };
+
+  Ray Cast(vtkImageData* image, const Analysis& analysis, const vtkVector3d& direction) const;
+  bool IsSolid(const ValueProbe& probe, double threshold, double distance, int steps,
+    const vtkVector3d& direction) const;
+  double Interpolate(const std::vector<double>& map, double right, double up) const;
+
+  vtkVector3d Centre;
+  double Start = 0.0; // of the rays, and their step, world units
+  double Step = 1.0;
+  int Hits = 0;
+  std::vector<double> OuterMap, DeepMap, QualityMap;
+};
+} // namespace Explore
+
+#endif

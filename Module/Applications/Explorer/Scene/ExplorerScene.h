@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ExplorerScene_h
+#define Explore_ExplorerScene_h
+
+#include "Applications/Explorer/Exploration/Exploration.h"
+
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+
+#include <string>
+
+namespace Explore
+{
+enum class MapperChoice
+{
+  Auto, // the GPU's if the window and the volume allow it, else the CPU's
+  GPU,
+  CPU
+};
+
+struct SceneOptions
+{
+  int Width = 900;
+  int Height = 700;
+  MapperChoice Mapper = MapperChoice::Auto;
+  std::string Caption;
+  bool Anatomical = true; // letters of the marker: patient's sides instead of axes
+  bool OffScreen = true;
+  bool Interactive = false; // coarser while something moves, and without the trail
+};
+
+/// A window that shows the volume, the proxy's trail coloured by force, the colours' meaning and
+/// which way is up.
+struct ExplorerScene
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer; // volume and trail
+  vtkNew<vtkRenderer> Overlay;  // the hidden parts of the trail, through the same camera
+  vtkNew<vtkRenderer> Marker;   // the small cube in the corner
+  vtkNew<vtkVolumeProperty> Look;
+  std::string MapperName;
+};
+
+/// Fills the scene.
+void BuildScene(ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Scene/VolumeLook.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+using Explore::Analysis;
+
+struct Stop
+{
+  double Value;
+  double Opacity; // of 4 mm of it
+  double Colour[3];
+};
+
+template <std::size_t N>
+void Apply(const Stop (&stops)[N], vtkVolumeProperty* property)
+{
+  vtkNew<vtkColorTransferFunction> colour;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (const Stop& stop : stops)
+  {
+    colour->AddRGBPoint(stop.Value, stop.Colour[0], stop.Colour[1], stop.Colour[2]);
+    opacity->AddPoint(stop.Value, stop.Opacity);
+  }
+  property->SetColor(colour);
+  property->SetScalarOpacity(opacity);
+}
+
+void LookLikeCT(vtkVolumeProperty* property)
+{
+  const Stop stops[] = {
+    { -1024, 0.00, { 0.85, 0.60, 0.47 } },
+    { -600, 0.00, { 0.85, 0.60, 0.47 } },
+    { -400, 0.35, { 0.93, 0.69, 0.56 } },
+    { -100, 0.35, { 0.93, 0.69, 0.56 } },
+    { 0, 0.16, { 0.86, 0.52, 0.44 } },
+    { 130, 0.14, { 0.90, 0.66, 0.56 } },
+    { 260, 0.50, { 0.95, 0.90, 0.80 } },
+    { 500, 0.98, { 0.98, 0.95, 0.88 } },
+    { 3000, 1.00, { 1.00, 1.00, 0.98 } },
+  };
+  Apply(stops, property);
+}
+
+void LookByThresholds(const Analysis& analysis, vtkVolumeProperty* property)
+{
+  const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
+  const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
+  const Stop stops[] = {
+    { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, { 0.70, 0.48, 0.40 } },
+    { outer - edge, 0.00, { 0.70, 0.48, 0.40 } },
+    { outer + edge, 0.30, { 0.86, 0.62, 0.51 } },
+    { deep, 0.30, { 0.88, 0.66, 0.56 } },
+    { deep + edge, 0.55, { 0.92, 0.76, 0.67 } },
+    { std::max(analysis.High, deep + 2.0 * edge), 0.80, { 0.98, 0.90, 0.82 } },
+  };
+  Apply(stops, property);
+}
+} // namespace
+
+namespace Explore
+{
+void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)
+{
+  if (analysis.Kind == VolumeKind::CT)
+  {
+    LookLikeCT(property);
+  }
+  else
+  {
+    LookByThresholds(analysis, property);
+  }
+  property->SetScalarOpacityUnitDistance(0.004 / analysis.MetersPerWorldUnit);
+  property->SetInterpolationTypeToLinear();
+  property->ShadeOn();
+  property->SetAmbient(0.2);
+  property->SetDiffuse(0.85);
+  property->SetSpecular(0.2);
+  property->SetSpecularPower(18.0);
+}
+} // namespace Explore

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeLook_h
+#define Explore_VolumeLook_h
+
+#include "Applications/Explorer/Analysis/VolumeAnalysis.h"
+
+class vtkVolumeProperty;
+
+namespace Explore
+{
+/// Colours and opacities: the outer tissue like glass, what is dense inside it opaque and shaded,
+/// so that a trail is seen on the outer surface as well as under it. The glass is equally clear at
+/// every scale.
+void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property);
+} // namespace Explore
+
+#endif

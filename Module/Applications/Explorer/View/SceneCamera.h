@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_SceneCamera_h
+#define Explore_SceneCamera_h
+
+#include "Applications/Explorer/View/ViewFrame.h"
+
+class vtkRenderer;
+
+namespace Explore
+{
+/// Looks along the view frame at its centre, upright, from `distance`.
+void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
+
+/// The same at the middle of the box, from where all of it is just seen in a picture of this aspect
+/// (width / height).
+void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Volume/HeaderText.h"
+
+#include <vtksys/FStream.hxx>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace
+{
+// The fields of both formats are near the top; what follows may be voxels.
+constexpr int LONGEST_HEADER = 200;
+
+std::string Trim(const std::string& text)
+{
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  const std::size_t end = text.find_last_not_of(" \t\r");
+  return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
+}
+} // namespace
+
+namespace Explore
+{
+HeaderText::HeaderText(const std::string& path, char separator)
+{
+  vtksys::ifstream file(path.c_str(), std::ios::in | std::ios::binary);
+  std::string line;
+  for (int count = 0; count < LONGEST_HEADER && std::getline(file, line); ++count)
+  {
+    const std::size_t middle = line.find(separator);
+    const std::string key = Trim(line.substr(0, middle));
+    if (key.empty())
+    {
+      break; // a blank line ends a NRRD header
+    }
+    if (middle != std::string::npos)
+    {
+      this->Fields.emplace(key, Trim(line.substr(middle + 1)));
+    }
+    if (key == "ElementDataFile")
+    {
+      break;
+    }
+  }
+}
+
+std::string HeaderText::Value(const std::vector<std::string>& keys) const
+{
+  for (const std::string& key : keys)
+  {
+    const auto field = this->Fields.find(key);
+    if (field != this->Fields.end())
+    {
+      return field->second;
+    }
+  }
+  return {};
+}
+
+std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) const
+{
+  std::string text = this->Value(keys);
+  for (char& letter : text)
+  {
+    letter = letter == '(' || letter == ')' || letter == ',' ? ' ' : letter;
+  }
+  std::vector<double> numbers;
+  std::istringstream words(text);
+  std::string word;
+  while (words >> word)
+  {
+    char* end = nullptr;
+    const double number = std::strtod(word.c_str(), &end);
+    if (end != word.c_str())
+    {
+      numbers.push_back(number);
+    }
+  }
+  return numbers;
+}
+} // namespace Explore

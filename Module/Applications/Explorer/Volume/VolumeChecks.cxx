@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Volume/VolumeChecks.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Volume/VolumeLoader.h"
+
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkDataArray.h"
+#include "vtkImageExtractComponents.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+using Explore::InputError;
+using Explore::Volume;
+
+// The smallest edge on which a kernel of the default radius, 2 voxels, has room on both sides.
+constexpr int MINIMUM_SIZE = 5;
+
+std::string SizeText(const int size[3])
+{
+  std::ostringstream text;
+  text << size[0] << " x " << size[1] << " x " << size[2];
+  return text.str();
+}
+
+void CheckGeometry(const std::string& path, vtkImageData* image)
+{
+  const int* size = image->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (size[axis] < 1)
+    {
+      throw InputError(path, "holds no voxels", "export the volume again");
+    }
+    if (size[axis] == 1)
+    {
+      throw InputError(path, "is a single slice (" + SizeText(size) + " voxels), not a volume",
+        "export the whole series as one three-dimensional image");
+    }
+    if (size[axis] < MINIMUM_SIZE)
+    {
+      throw InputError(path,
+        "is too thin to be touched (" + SizeText(size) + " voxels; at least 5 each way)",
+        "export more slices");
+    }
+    const double spacing = image->GetSpacing()[axis];
+    if (!std::isfinite(spacing) || spacing == 0.0 || !std::isfinite(image->GetOrigin()[axis]))
+    {
+      throw InputError(path, "has a spacing or an origin that is not a finite, non-zero number",
+        "correct the spacing in the file's header");
+    }
+  }
+  const double determinant = image->GetDirectionMatrix()->Determinant();
+  if (!std::isfinite(determinant) || std::abs(determinant) < 1e-6)
+  {
+    throw InputError(path, "has a singular direction matrix", "correct it in the file's header");
+  }
+}
+
+/// Makes point scalars out of what is there.
+void FindScalars(const std::string& path, Volume& volume)
+{
+  vtkImageData* image = volume.Image;
+  vtkPointData* points = image->GetPointData();
+  if (!points->GetScalars() && image->GetCellData()->GetNumberOfArrays() > 0 &&
+    points->GetNumberOfArrays() == 0)
+  {
+    vtkNew<vtkCellDataToPointData> toPoints;
+    toPoints->SetInputData(image);
+    toPoints->Update();
+    vtkNew<vtkImageData> converted;
+    converted->ShallowCopy(toPoints->GetOutput());
+    volume.Image = converted;
+    volume.Notes.emplace_back("cell values averaged to the points");
+    points = converted->GetPointData();
+  }
+  for (int i = 0; i < points->GetNumberOfArrays() && !points->GetScalars(); ++i)
+  {
+    if (points->GetArray(i) && points->GetArray(i)->GetName())
+    {
+      points->SetActiveScalars(points->GetArray(i)->GetName());
+      volume.Notes.push_back(std::string("no active scalars: point array '") +
+        points->GetArray(i)->GetName() + "' used");
+    }
+  }
+  if (!points->GetScalars())
+  {
+    throw InputError(path, "has no scalars: there is nothing to feel",
+      "write the file with a point-data array of numbers");
+  }
+}
+
+void UseFirstComponent(Volume& volume)
+{
+  const int components = volume.Image->GetNumberOfScalarComponents();
+  if (components == 1)
+  {
+    return;
+  }
+  vtkNew<vtkImageExtractComponents> extract;
+  extract->SetInputData(volume.Image);
+  extract->SetComponents(0);
+  extract->Update();
+  vtkNew<vtkImageData> single;
+  single->ShallowCopy(extract->GetOutput());
+  single->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
+  volume.Image = single;
+  volume.Notes.push_back(
+    std::to_string(components) + " components a voxel: component 0 used, the others ignored");
+}
+
+void CheckRange(const std::string& path, vtkImageData* image)
+{
+  double range[2];
+  image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  if (!(range[0] < range[1]))
+  {
+    std::ostringstream fault;
+    fault << "is uniform (every finite voxel is " << range[0] << "): there is nothing to feel";
+    throw InputError(path, range[0] > range[1] ? "holds no finite voxel" : fault.str(),
+      "check the export, in particular its rescale slope and window");
+  }
+}
+} // namespace
+
+namespace Explore
+{
+void CheckVolume(const std::string& path, Volume& volume)
+{
+  CheckGeometry(path, volume.Image);
+  FindScalars(path, volume);
+  UseFirstComponent(volume);
+  CheckRange(path, volume.Image);
+}
+} // namespace Explore

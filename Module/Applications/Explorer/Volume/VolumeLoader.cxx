@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Volume/VolumeLoader.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Volume/DicomFolder.h"
+#include "Applications/Explorer/Volume/VolumeChecks.h"
+#include "Applications/Explorer/Volume/VolumeOrientation.h"
+
+#include "vtkMetaImageReader.h"
+#include "vtkNIFTIImageHeader.h"
+#include "vtkNIFTIImageReader.h"
+#include "vtkNew.h"
+#include "vtkNrrdReader.h"
+#include "vtkXMLImageDataReader.h"
+
+#include <vtksys/SystemTools.hxx>
+
+namespace
+{
+using Explore::InputError;
+using Explore::Volume;
+
+constexpr const char* KNOWN = ".vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices";
+
+bool EndsWith(const std::string& text, const std::string& ending)
+{
+  return text.size() >= ending.size() &&
+    text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// Runs a reader and turns all of its complaints into one message.
+template <typename Reader>
+vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const char* format)
+{
+  const std::string cure =
+    std::string("export it again as ") + format + ", and check that the copy is complete";
+  reader->SetFileName(path.c_str());
+  Explore::MessageCapture capture;
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw InputError(path, std::string("is not a ") + format + " file, whatever its name says",
+      "check what the file really is; " + cure);
+  }
+  reader->Update();
+  if (capture.HasErrors() || reader->GetErrorCode() != 0)
+  {
+    const std::string detail = capture.FirstError();
+    throw InputError(path,
+      std::string("cannot be read as ") + format + (detail.empty() ? "" : " (" + detail + ")"),
+      cure);
+  }
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(reader->GetOutput());
+  return image;
+}
+
+Volume ReadVti(const std::string& path)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {} };
+}
+
+Volume ReadMetaImage(const std::string& path)
+{
+  vtkNew<vtkMetaImageReader> reader;
+  Volume volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {} };
+  Explore::ApplyMetaImageOrientation(path, volume.Image);
+  return volume;
+}
+
+Volume ReadNrrd(const std::string& path)
+{
+  vtkNew<vtkNrrdReader> reader;
+  Volume volume{ Run(reader.Get(), path, "NRRD"), {}, "NRRD", {} };
+  const std::string note = Explore::ApplyNrrdOrientation(path, volume.Image);
+  if (!note.empty())
+  {
+    volume.Notes.push_back(note);
+  }
+  return volume;
+}
+
+Volume ReadNifti(const std::string& path)
+{
+  vtkNew<vtkNIFTIImageReader> reader;
+  Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {} };
+  vtkMatrix4x4* matrix = reader->GetSFormMatrix();
+  const char* form = "sform";
+  if (!matrix)
+  {
+    matrix = reader->GetQFormMatrix();
+    form = "qform";
+  }
+  Explore::ApplyNiftiOrientation(matrix, volume.Image);
+  volume.Notes.push_back(matrix ? std::string("orientation from the NIfTI ") + form +
+        ", turned from right-anterior-superior to left-posterior-superior"
+                                : "no NIfTI orientation: index axes taken as right, anterior, "
+                                  "superior");
+  const int units = reader->GetNIFTIHeader()->GetXYZTUnits() & 7;
+  if (units == 1 || units == 3)
+  {
+    Explore::ScaleLengths(volume.Image, units == 1 ? 1000.0 : 0.001);
+    volume.Notes.push_back(std::string("lengths turned from ") +
+      (units == 1 ? "metres" : "micrometres") + " into millimetres");
+  }
+  return volume;
+}
+
+Volume ReadFile(const std::string& path)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  if (EndsWith(lower, ".vti"))
+  {
+    return ReadVti(path);
+  }
+  if (EndsWith(lower, ".mhd") || EndsWith(lower, ".mha"))
+  {
+    return ReadMetaImage(path);
+  }
+  if (EndsWith(lower, ".nii") || EndsWith(lower, ".nii.gz"))
+  {
+    return ReadNifti(path);
+  }
+  if (EndsWith(lower, ".nrrd"))
+  {
+    return ReadNrrd(path);
+  }
+  if (EndsWith(lower, ".dcm") || EndsWith(lower, ".ima"))
+  {
+    throw InputError(path, "is one DICOM slice, not a volume",
+      "name the folder that holds all slices of the series");
+  }
+  throw InputError(path, "has an ending that is not known here",
+    std::string("convert it to one of the known: ") + KNOWN);
+}
+} // namespace
+
+namespace Explore
+{
+Volume LoadVolume(const std::string& path)
+{
+  if (!vtksys::SystemTools::PathExists(path))
+  {
+    throw InputError(path, "there is no such file or folder",
+      std::string("check the spelling; what can be read is ") + KNOWN);
+  }
+  Volume volume;
+  if (vtksys::SystemTools::FileIsDirectory(path))
+  {
+    volume = ReadDicomFolder(path);
+  }
+  else
+  {
+    if (!vtksys::SystemTools::TestFileAccess(path, vtksys::TEST_FILE_READ))
+    {
+      throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
+    }
+    if (vtksys::SystemTools::FileLength(path) == 0)
+    {
+      throw InputError(path, "is empty (0 bytes)", "copy or download it again");
+    }
+    volume = ReadFile(path);
+  }
+  std::string folder = path;
+  vtksys::SystemTools::ConvertToUnixSlashes(folder);
+  volume.Name = vtksys::SystemTools::GetFilenameName(folder);
+  CheckVolume(path, volume);
+  volume.Image = AlignToAxes(volume.Image);
+  return volume;
+}
+} // namespace Explore

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Volume/VolumeOrientation.h"
+
+#include "Applications/Explorer/Volume/HeaderText.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+/// Mirrors world x and y: right-anterior-superior <-> left-posterior-superior.
+void TurnAboutZ(double axes[9], double origin[3])
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    origin[axis] = -origin[axis];
+    for (int c = 0; c < 3; ++c)
+    {
+      axes[3 * axis + c] = -axes[3 * axis + c];
+    }
+  }
+}
+
+/// For every world axis the index axis that runs along it best, each used once.
+std::array<int, 3> BestPermutation(const double axes[9])
+{
+  std::array<int, 3> order{ 0, 1, 2 }, best = order;
+  double bestSum = -1.0;
+  do
+  {
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum += std::abs(axes[3 * axis + order[axis]]);
+    }
+    // The margin keeps the first, natural order on ties.
+    if (sum > bestSum + 1e-9)
+    {
+      bestSum = sum;
+      best = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+} // namespace
+
+namespace Explore
+{
+void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
+{
+  double unit[9];
+  for (int c = 0; c < 3; ++c)
+  {
+    double column[3] = { axes[c], axes[3 + c], axes[6 + c] };
+    vtkMath::Normalize(column);
+    for (int row = 0; row < 3; ++row)
+    {
+      unit[3 * row + c] = column[row];
+    }
+  }
+  if (std::abs(vtkMatrix3x3::Determinant(unit)) < 1e-6)
+  {
+    return; // a header with nonsense in it: better the plain axes than none
+  }
+  image->SetDirectionMatrix(unit);
+  image->SetOrigin(origin);
+}
+
+void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image)
+{
+  const HeaderText header(path, '=');
+  std::vector<double> matrix = header.Numbers({ "TransformMatrix", "Orientation", "Rotation" });
+  if (matrix.size() != 9)
+  {
+    return;
+  }
+  const double axes[9] = { matrix[0], matrix[3], matrix[6], matrix[1], matrix[4], matrix[7],
+    matrix[2], matrix[5], matrix[8] };
+  SetFrame(image, axes, image->GetOrigin());
+}
+
+std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
+{
+  const HeaderText header(path, ':');
+  const std::string space = header.Value({ "space" });
+  std::vector<double> directions = header.Numbers({ "space directions" });
+  if (directions.size() != 9)
+  {
+    return {};
+  }
+  double axes[9];
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      axes[3 * row + c] = directions[3 * c + row];
+    }
+  }
+  double origin[3];
+  image->GetOrigin(origin);
+  const bool leftAnterior = space == "left-anterior-superior" || space == "LAS";
+  if ((leftAnterior || space == "3D-left-handed") && header.Value({ "encoding" }) == "raw")
+  {
+    // For these spaces VTK's reader turns the rows of raw files round, and of no others.
+    const double rows = image->GetDimensions()[1] - 1;
+    for (int row = 0; row < 3; ++row)
+    {
+      origin[row] += rows * directions[3 + row];
+      axes[3 * row + 1] = -axes[3 * row + 1];
+    }
+  }
+  std::string note;
+  if (space == "right-anterior-superior" || space == "RAS")
+  {
+    TurnAboutZ(axes, origin);
+    note = "orientation turned from " + space + " to left-posterior-superior";
+  }
+  else if (leftAnterior)
+  {
+    origin[1] = -origin[1];
+    for (int c = 0; c < 3; ++c)
+    {
+      axes[3 + c] = -axes[3 + c];
+    }
+    note = "orientation turned from " + space + " to left-posterior-superior";
+  }
+  SetFrame(image, axes, origin);
+  return note;
+}
+
+void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image)
+{
+  double axes[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  double origin[3] = { 0, 0, 0 };
+  if (form)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      origin[row] = form->GetElement(row, 3);
+      for (int c = 0; c < 3; ++c)
+      {
+        axes[3 * row + c] = form->GetElement(row, c);
+      }
+    }
+  }
+  TurnAboutZ(axes, origin);
+  SetFrame(image, axes, origin);
+}
+
+void ScaleLengths(vtkImageData* image, double factor)
+{
+  const double* spacing = image->GetSpacing();
+  const double* origin = image->GetOrigin();
+  image->SetSpacing(factor * spacing[0], factor * spacing[1], factor * spacing[2]);
+  image->SetOrigin(factor * origin[0], factor * origin[1], factor * origin[2]);
+}
+
+vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image)
+{
+  double axes[9];
+  const double* stored = image->GetDirectionMatrix()->GetData();
+  double spacing[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    spacing[c] = std::abs(image->GetSpacing()[c]);
+    for (int row = 0; row < 3; ++row)
+    {
+      axes[3 * row + c] = image->GetSpacing()[c] < 0.0 ? -stored[3 * row + c] : stored[3 * row + c];
+    }
+  }
+  const std::array<int, 3> from = BestPermutation(axes);
+  int first[3], step[3], size[3];
+  const int* extent = image->GetExtent();
+  bool asIs = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int source = from[axis];
+    const bool backward = axes[3 * axis + source] < 0.0;
+    first[source] = backward ? extent[2 * source + 1] : extent[2 * source];
+    step[source] = backward ? -1 : 1;
+    size[axis] = extent[2 * source + 1] - extent[2 * source] + 1;
+    asIs = asIs && source == axis && !backward && image->GetSpacing()[axis] > 0.0;
+  }
+  if (asIs)
+  {
+    return image;
+  }
+
+  vtkNew<vtkImageData> aligned;
+  aligned->SetDimensions(size);
+  aligned->SetSpacing(spacing[from[0]], spacing[from[1]], spacing[from[2]]);
+  double direction[9], origin[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      direction[3 * row + c] = step[from[c]] * axes[3 * row + from[c]];
+    }
+  }
+  image->TransformIndexToPhysicalPoint(first, origin);
+  aligned->SetDirectionMatrix(direction);
+  aligned->SetOrigin(origin);
+
+  vtkDataArray* source = image->GetPointData()->GetScalars();
+  auto target = vtk::TakeSmartPointer(source->NewInstance());
+  target->SetName(source->GetName());
+  target->SetNumberOfComponents(source->GetNumberOfComponents());
+  target->SetNumberOfTuples(source->GetNumberOfTuples());
+  vtkIdType out = 0;
+  int index[3];
+  for (int k = 0; k < size[2]; ++k)
+  {
+    index[from[2]] = first[from[2]] + k * step[from[2]];
+    for (int j = 0; j < size[1]; ++j)
+    {
+      index[from[1]] = first[from[1]] + j * step[from[1]];
+      for (int i = 0; i < size[0]; ++i)
+      {
+        index[from[0]] = first[from[0]] + i * step[from[0]];
+        target->SetTuple(out++, image->ComputePointId(index), source);
+      }
+    }
+  }
+  aligned->GetPointData()->SetScalars(target);
+  return aligned;
+}
+} // namespace Explore
