@@ -51,7 +51,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkSmartPointer<vtkHapticDevice> Device;
   std::vector<Tissue> Tissues;
   HapticForceHistory History;
-  HapticForceChart Chart;
+  HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Drawn; // when the picture was made
   vtkNew<vtkTextActor> Text;
@@ -280,13 +280,13 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now - d.Drawn >= std::chrono::milliseconds(50);
   const double span = GetShownSpan(this->TimeSpan);
-  const bool isStale =
-    isDue && d.Chart.Show(d.History.Plot(span), span, this->GetForceRange(), this->GetPlotTitle());
+  const bool isStale = isDue &&
+    d.Chart.Show(d.History.Plot(span), { -span, 0.0, this->GetForceRange() }, this->GetPlotTitle());
   if (isStale)
   {
     d.Drawn = now;
   }
-  return drawn + d.Picture.Render(viewport, d.Chart.GetActor(), d.Chart.GetExtent(), isStale);
+  return drawn + d.Picture.Render(viewport, d.Chart.GetActor(), d.Chart.GetCorner(), isStale);
 }
 
 //------------------------------------------------------------------------------

@@ -40,7 +40,7 @@ set(Explore_SOURCES
   Path/PolarGrid.cxx
   Path/SurfaceMap.cxx
   Path/TipPathPlanner.cxx
-  Report/ForceChart.cxx
+  Report/ForcePicture.cxx
   Report/TraceFiles.cxx
   Report/TraceSummary.cxx
   Scene/CoarseFrames.cxx

@@ -5,7 +5,7 @@
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/Options.h"
-#include "Applications/Explorer/Report/ForceChart.h"
+#include "Applications/Explorer/Report/ForcePicture.h"
 #include "Applications/Explorer/Report/TraceFiles.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Scene/ExplorerScene.h"
@@ -87,12 +87,12 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   Explore::WritePicture(scene.Window, options.Folder + "/explore.png");
   std::cout << "explore.png (" << scene.MapperName << ")\n";
 
-  Explore::ChartOptions paper;
+  Explore::ForcePictureOptions paper;
   paper.Width = options.Width;
   paper.Height = options.Width * 3 / 5;
   paper.Title = "Force on the hand: " + exploration.Input.Name + ", " + exploration.Method;
-  Explore::ForceChart chart;
-  Explore::BuildForceChart(chart, exploration.Trace, exploration.Tip.Phases, paper);
+  Explore::ForcePicture chart;
+  Explore::BuildForcePicture(chart, exploration.Trace, exploration.Tip.Phases, paper);
   Explore::WritePicture(chart.Window, options.Folder + "/force.png");
   std::cout << "force.png\n";
 }

@@ -11,42 +11,64 @@
 #include "vtkChartXY.h"
 #include "vtkContextActor.h"
 #include "vtkContextScene.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPen.h"
 #include "vtkPlot.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-struct Curve
+constexpr int LeftTop = 3; // vtkChartXY's number of a plot on the left and the top axis
+
+struct Colour
 {
-  const char* Label;
-  unsigned char Color[3];
-  float Width;
+  unsigned char Red, Green, Blue;
 };
-// In the order in which they are drawn: the whole force behind the others.
-const Curve Curves[] = { { "normal", { 80, 165, 255 }, 1.8f },
-  { "friction", { 255, 160, 60 }, 1.8f }, { "drag", { 70, 215, 150 }, 1.8f },
-  { "whole", { 165, 170, 178 }, 3.5f } };
-const int DrawingOrder[] = { 3, 0, 1, 2 };
 
-constexpr double LightText[3] = { 0.90, 0.92, 0.95 };
+/** How the chart looks on its ground. */
+struct Look
+{
+  double Text[3];
+  Colour Axis;
+  Colour Grid;
+  Colour Curves[HapticForceTable::Curves];
+  const char* WholeLabel; ///< short on a panel, since its legend has little room
+  float WholeWidth;
+  bool HasUprightGrid;
+};
+// The whole force in grey; blue, orange and green remain apart for the colour-blind.
+const Look PanelLook = { { 0.90, 0.92, 0.95 }, { 170, 176, 186 }, { 70, 76, 86 },
+  { { 80, 165, 255 }, { 255, 160, 60 }, { 70, 215, 150 }, { 165, 170, 178 } }, "whole", 3.5f,
+  false };
+const Look PageLook = { { 0.12, 0.13, 0.15 }, { 90, 95, 105 }, { 228, 231, 236 },
+  { { 0, 92, 175 }, { 222, 110, 0 }, { 0, 140, 95 }, { 165, 170, 178 } }, "whole force", 4.5f,
+  true };
 
-void SetAxis(vtkAxis* axis, const char* title)
+const Look& GetLook(HapticForceChart::Ground ground)
+{
+  return ground == HapticForceChart::Ground::Panel ? PanelLook : PageLook;
+}
+
+const char* const PartLabels[] = { "normal", "friction", "drag" };
+constexpr int Whole = 3;
+const int DrawingOrder[] = { Whole, 0, 1, 2 }; // the whole force behind the others
+
+void SetAxis(vtkAxis* axis, const char* title, const Look& look)
 {
   axis->SetTitle(title);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetNotation(vtkAxis::STANDARD_NOTATION);
-  SetChartText(axis->GetTitleProperties(), 11, LightText);
-  SetChartText(axis->GetLabelProperties(), 10, LightText);
-  axis->GetPen()->SetColor(170, 176, 186);
-  axis->GetGridPen()->SetColor(70, 76, 86);
+  axis->GetPen()->SetColor(look.Axis.Red, look.Axis.Green, look.Axis.Blue);
+  axis->GetGridPen()->SetColor(look.Grid.Red, look.Grid.Green, look.Grid.Blue);
 }
 
 /**
@@ -99,30 +121,37 @@ void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable*
 
 } // namespace
 
-HapticForceChart::HapticForceChart() = default;
+HapticForceChart::HapticForceChart(Ground ground)
+  : On(ground)
+{
+}
+
 HapticForceChart::~HapticForceChart() = default;
 
 void HapticForceChart::Build()
 {
-  // Not the chart's own background, which VTK 9.1 draws in the wrong place.
-  this->Panel->SetAutoComputeDimensions(false);
-  this->Panel->GetBrush()->SetColor(15, 18, 24, 150);
-  this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, 150);
-  this->Panel->GetPen()->SetOpacity(0);
-  this->Actor->GetScene()->AddItem(this->Panel);
+  const Look& look = GetLook(this->On);
+  vtkChartLegend* const legend = this->Chart->GetLegend();
+  if (this->On == Ground::Panel)
+  {
+    // Not the chart's own background, which VTK 9.1 draws in the wrong place.
+    this->Panel->SetAutoComputeDimensions(false);
+    this->Panel->GetBrush()->SetColor(15, 18, 24, 150);
+    this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, 150);
+    this->Panel->GetPen()->SetOpacity(0);
+    this->Actor->GetScene()->AddItem(this->Panel);
+    legend->GetBrush()->SetOpacity(0);
+  }
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Chart->SetAutoSize(false);
   this->Chart->SetShowLegend(true);
-  SetChartText(this->Chart->GetTitleProperties(), 12, LightText);
-  SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)");
-  SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)");
-  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(false);
-  vtkChartLegend* const legend = this->Chart->GetLegend();
-  SetChartText(legend->GetLabelProperties(), 10, LightText);
+  SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)", look);
+  SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)", look);
+  SetAxis(this->Chart->GetAxis(vtkAxis::TOP), "", look);
+  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(look.HasUprightGrid);
   legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
   legend->SetVerticalAlignment(vtkChartLegend::TOP);
   legend->GetPen()->SetOpacity(0);
-  legend->GetBrush()->SetOpacity(0);
   for (const int c : DrawingOrder)
   {
     vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
@@ -133,10 +162,25 @@ void HapticForceChart::Build()
     this->Lines[c]->AddColumn(time);
     this->Lines[c]->AddColumn(force);
     line->SetInputData(this->Lines[c], 0, 1);
-    line->SetLabel(Curves[c].Label);
-    line->SetColor(Curves[c].Color[0], Curves[c].Color[1], Curves[c].Color[2], 255);
-    line->SetWidth(Curves[c].Width);
+    line->SetLabel(c == Whole ? look.WholeLabel : PartLabels[c]);
+    line->SetColor(look.Curves[c].Red, look.Curves[c].Green, look.Curves[c].Blue, 255);
+    line->SetWidth(c == Whole ? look.WholeWidth : 1.8f);
   }
+}
+
+void HapticForceChart::SetLetters(int size)
+{
+  // Titles and legends have more room on a page.
+  const bool isPage = this->On == Ground::Page;
+  const double(&colour)[3] = GetLook(this->On).Text;
+  SetChartText(this->Chart->GetTitleProperties(), size + (isPage ? 3 : 1), colour);
+  for (const int axis : { vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::TOP })
+  {
+    SetChartText(this->Chart->GetAxis(axis)->GetTitleProperties(), size, colour);
+    SetChartText(this->Chart->GetAxis(axis)->GetLabelProperties(),
+      size - (axis == vtkAxis::TOP ? 2 : 1), colour);
+  }
+  SetChartText(this->Chart->GetLegend()->GetLabelProperties(), size - (isPage ? 0 : 1), colour);
 }
 
 void HapticForceChart::Fit(int width, int height)
@@ -147,45 +191,55 @@ void HapticForceChart::Fit(int width, int height)
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;
+  if (this->On == Ground::Page)
+  {
+    this->SetLetters(std::max(9, height / 36));
+    this->Chart->SetSize(
+      vtkRectf(0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height)));
+    this->Height = height;
+    std::copy(this->Viewport, this->Viewport + 2, this->Corner);
+    return;
+  }
   constexpr float margin = 10.0f;
   const auto across = static_cast<float>(std::min(width - 20, 620));
   const auto up = static_cast<float>(std::clamp(height * 3 / 10, 130, 220));
+  this->SetLetters(11);
   this->Panel->SetDimensions(margin, margin, across, up);
   this->Chart->SetSize(vtkRectf(margin, margin, across - 10.0f, up - 6.0f));
   this->Height = up;
-  this->Extent[0] = static_cast<int>(margin + across);
-  this->Extent[1] = static_cast<int>(margin + up);
+  this->Corner[0] = static_cast<int>(margin + across);
+  this->Corner[1] = static_cast<int>(margin + up);
 }
 
-bool HapticForceChart::Show(vtkTable* table, double span, double force, const std::string& title)
+bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::string& title)
 {
-  if (table == this->Shown && table->GetMTime() == this->ShownTime && force == this->ShownForce &&
-    span == this->ShownSpan && title == this->ShownTitle)
+  const auto numbers = [](const Extent& e) { return std::make_tuple(e.From, e.To, e.Force); };
+  if (table == this->Shown && table->GetMTime() == this->ShownTime &&
+    numbers(extent) == numbers(this->ShownExtent) && title == this->ShownTitle)
   {
     return false;
   }
-  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetRange(-span, 0.0);
-  this->Chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, force);
+  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetRange(extent.From, extent.To);
+  this->Chart->GetAxis(vtkAxis::TOP)->SetRange(extent.From, extent.To);
+  this->Chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, extent.Force);
   this->Shown = table;
   this->ShownTime = table->GetMTime();
-  this->ShownForce = force;
-  this->ShownSpan = span;
+  this->ShownExtent = extent;
   if (title != this->ShownTitle)
   {
     this->ShownTitle = title;
     this->Chart->SetTitle(title);
     this->Chart->RecalculateBounds();
   }
-  const double pixel = force / this->Height; // N
-  for (int i = 0; i < HapticForceHistory::Curves; ++i)
+  const double pixel = extent.Force / this->Height; // N
+  for (const int c : DrawingOrder)
   {
-    const int c = DrawingOrder[i];
     Simplify(vtkFloatArray::SafeDownCast(table->GetColumn(0)),
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);
     if (this->Lines[c]->GetNumberOfRows() < 2)
     {
       // VTK complains of lines with fewer points, and draws no axes without lines.
-      for (const double t : { -span, 0.0 })
+      for (const double t : { extent.From, extent.To })
       {
         vtkFloatArray::SafeDownCast(this->Lines[c]->GetColumn(0))
           ->InsertNextValue(static_cast<float>(t));
@@ -194,6 +248,48 @@ bool HapticForceChart::Show(vtkTable* table, double span, double force, const st
     }
   }
   return true;
+}
+
+void HapticForceChart::ShowPhases(const std::vector<Phase>& phases)
+{
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> names;
+  for (const Phase& phase : phases)
+  {
+    positions->InsertNextValue(0.5 * (phase.From + phase.To));
+    std::string name = phase.Name;
+    std::replace(name.begin(), name.end(), ' ', '\n');
+    names->InsertNextValue(name);
+    if (&phase == phases.data())
+    {
+      continue;
+    }
+    vtkNew<vtkTable> ends;
+    vtkNew<vtkFloatArray> time;
+    vtkNew<vtkFloatArray> force;
+    time->SetName("Time");
+    force->SetName("Force");
+    for (const double end : { 0.0, this->ShownExtent.Force })
+    {
+      time->InsertNextValue(static_cast<float>(phase.From));
+      force->InsertNextValue(static_cast<float>(end));
+    }
+    ends->AddColumn(time);
+    ends->AddColumn(force);
+    vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
+    this->Chart->SetPlotCorner(line, LeftTop); // a chart shows an axis only if a plot belongs to it
+    line->SetInputData(ends, 0, 1);
+    line->SetLegendVisibility(false);
+    line->SetSelectable(false);
+    line->GetPen()->SetLineType(vtkPen::DASH_LINE);
+    line->SetColor(170, 176, 186, 255);
+    line->SetWidth(1.0f);
+  }
+  vtkAxis* const axis = this->Chart->GetAxis(vtkAxis::TOP);
+  axis->SetVisible(!phases.empty());
+  axis->SetGridVisible(false);
+  axis->SetTicksVisible(false);
+  axis->SetCustomTickPositions(positions, names);
 }
 
 } // namespace VolumeHaptics

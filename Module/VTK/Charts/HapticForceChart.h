@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The plot of the head-up display: forces against time on a dark panel.
+ * Forces against time: the last seconds over a scene, or a whole trace on a page.
  */
 #ifndef HapticForceChart_h
 #define HapticForceChart_h
 
-#include "VTK/Charts/HapticForceHistory.h"
+#include "VTK/Charts/HapticForceTable.h"
 
 #include "vtkNew.h"
 #include "vtkType.h"
 
 #include <string>
+#include <vector>
 
 class vtkBlockItem;
 class vtkChartXY;
@@ -25,35 +26,61 @@ namespace VolumeHaptics
 class HapticForceChart
 {
 public:
-  HapticForceChart();
+  enum class Ground
+  {
+    Panel, ///< dark, in the lower left corner of a viewport, with small letters
+    Page   ///< white, all of a viewport, with letters that grow with it
+  };
+
+  /** The ends of the axes. */
+  struct Extent
+  {
+    double From = 0.0; ///< s
+    double To = 0.0;
+    double Force = 0.0; ///< N, from 0 on
+  };
+
+  /** A stretch of time (s), and what was done in it. */
+  struct Phase
+  {
+    std::string Name;
+    double From;
+    double To;
+  };
+
+  explicit HapticForceChart(Ground ground);
   ~HapticForceChart();
 
   /** Once; needs something to draw charts with. */
   void Build();
-  /** Into the lower left corner of a viewport of this size (pixels). */
+  /** Into a viewport of this size (pixels). */
   void Fit(int width, int height);
   /** The corner of the viewport that it takes up (pixels). */
-  const int* GetExtent() const { return this->Extent; }
+  const int* GetCorner() const { return this->Corner; }
   /**
-   * The table of a HapticForceHistory, from -span (s) to 0 and from 0 to a force (N). After Fit.
-   * Above it a title, where there is one. Returns whether the chart changes.
+   * Draws a HapticForceTable, and above it a title, if there is one. After Fit. Returns whether the
+   * chart changes.
    */
-  bool Show(vtkTable* table, double span, double force, const std::string& title);
+  bool Show(vtkTable* table, const Extent& extent, const std::string& title);
+  /** Names the phases above the chart and draws lines between them. Once, after Show. */
+  void ShowPhases(const std::vector<Phase>& phases);
 
   vtkContextActor* GetActor() { return this->Actor; }
 
 private:
+  void SetLetters(int size);
+
+  const Ground On;
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
   vtkNew<vtkContextActor> Actor;
-  vtkNew<vtkTable> Lines[HapticForceHistory::Curves]; ///< as few points as look the same
-  int Viewport[2] = { 0, 0 };                         ///< pixels, as the next two
-  int Extent[2] = { 0, 0 };
+  vtkNew<vtkTable> Lines[HapticForceTable::Curves]; ///< as few points as look the same
+  int Viewport[2] = { 0, 0 };                       ///< pixels, as the next two
+  int Corner[2] = { 0, 0 };
   double Height = 1.0;
-  vtkTable* Shown = nullptr; ///< what the lines were made of
+  vtkTable* Shown = nullptr; ///< the source of the lines
   vtkMTimeType ShownTime = 0;
-  double ShownForce = 0.0;
-  double ShownSpan = 0.0;
+  Extent ShownExtent;
   std::string ShownTitle;
 };
 

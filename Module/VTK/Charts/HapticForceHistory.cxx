@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Charts/HapticForceHistory.h"
 
-#include "VTK/Charts/HapticHistogram.h"
-
 #include "vtkFloatArray.h"
 #include "vtkTable.h"
 
@@ -15,13 +13,11 @@ namespace VolumeHaptics
 
 HapticForceHistory::HapticForceHistory()
 {
-  static const char* const names[] = { "Time", "Normal", "Friction", "Drag", "Whole" };
-  for (int c = 0; c <= Curves; ++c)
+  for (int c = 0; c < Curves; ++c)
   {
-    this->Columns[c]->SetName(names[c]);
-    this->Columns[c]->Allocate(2 * (Intervals + 2));
-    this->Table->AddColumn(this->Columns[c]);
+    this->Table.GetForce(c)->Allocate(2 * (Intervals + 2));
   }
+  this->Table.GetTime()->Allocate(2 * (Intervals + 2));
 }
 
 HapticForceHistory::~HapticForceHistory() = default;
@@ -35,7 +31,7 @@ void HapticForceHistory::Add(const State& state, double span)
   this->States.push_back(state);
   for (double& force : this->States.back().Forces)
   {
-    force = std::isfinite(force) ? std::clamp(force, -FarthestShown, FarthestShown) : 0.0;
+    force = HapticForceTable::MakeDrawable(force);
   }
   while (this->States.front().Time < state.Time - span)
   {
@@ -54,13 +50,10 @@ vtkTable* HapticForceHistory::Plot(double span)
 {
   if (this->IsPlotted)
   {
-    return this->Table;
+    return this->Table.Get();
   }
   this->IsPlotted = true;
-  for (auto& column : this->Columns)
-  {
-    column->SetNumberOfValues(0);
-  }
+  this->Table.Clear();
   const double end = this->States.empty() ? 0.0 : this->States.back().Time;
   const double width = span / Intervals;
   // Intervals are counted from time 0, not from now: a peak then stays in its interval.
@@ -86,17 +79,17 @@ vtkTable* HapticForceHistory::Plot(double span)
     const double times[2] = { from->Time, (to - 1)->Time };
     for (int i = 0; i < 2; ++i)
     {
-      this->Columns[0]->InsertNextValue(static_cast<float>(times[i] - end));
+      this->Table.GetTime()->InsertNextValue(static_cast<float>(times[i] - end));
       for (int c = 0; c < Curves; ++c)
       {
         const bool isLow = (i == 1) == isFalling[c];
-        this->Columns[1 + c]->InsertNextValue(static_cast<float>(isLow ? low[c] : high[c]));
+        this->Table.GetForce(c)->InsertNextValue(static_cast<float>(isLow ? low[c] : high[c]));
       }
     }
     from = to;
   }
-  this->Table->Modified();
-  return this->Table;
+  this->Table.Get()->Modified();
+  return this->Table.Get();
 }
 
 double HapticForceHistory::GetRange() const

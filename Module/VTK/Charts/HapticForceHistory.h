@@ -7,13 +7,10 @@
 #ifndef HapticForceHistory_h
 #define HapticForceHistory_h
 
-#include "vtkNew.h"
+#include "VTK/Charts/HapticForceTable.h"
 
 #include <array>
 #include <deque>
-
-class vtkFloatArray;
-class vtkTable;
 
 namespace VolumeHaptics
 {
@@ -21,7 +18,7 @@ namespace VolumeHaptics
 class HapticForceHistory
 {
 public:
-  static constexpr int Curves = 4; ///< normal, friction, drag, whole
+  static constexpr int Curves = HapticForceTable::Curves;
   /** Intervals that the time span is divided into; each gives two points a curve. */
   static constexpr int Intervals = 240;
 
@@ -50,8 +47,7 @@ public:
 
 private:
   std::deque<State> States;
-  vtkNew<vtkTable> Table;
-  vtkNew<vtkFloatArray> Columns[1 + Curves];
+  HapticForceTable Table;
   bool IsPlotted = false;
 };
 

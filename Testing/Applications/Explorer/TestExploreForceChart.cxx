@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plot of the force: three components and the whole, units on the axes, what the hand did on
 // top.
-#include "Applications/Explorer/Report/ForceChart.h"
+#include "Applications/Explorer/Report/ForcePicture.h"
 #include "HeadExploration.h"
 
 #include "vtkRegressionTestImage.h"
@@ -10,11 +10,11 @@
 int TestExploreForceChart(int argc, char* argv[])
 {
   const Explore::Exploration exploration = ExploreHead(argc, argv);
-  Explore::ChartOptions options;
+  Explore::ForcePictureOptions options;
   options.Width = 500;
   options.Height = 300;
-  Explore::ForceChart chart;
-  Explore::BuildForceChart(chart, exploration.Trace, exploration.Tip.Phases, options);
+  Explore::ForcePicture chart;
+  Explore::BuildForcePicture(chart, exploration.Trace, exploration.Tip.Phases, options);
   chart.Window->Render();
   return vtkRegressionTestImage(chart.Window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,21 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Explore_ForceChart_h
-#define Explore_ForceChart_h
+#ifndef Explore_ForcePicture_h
+#define Explore_ForcePicture_h
 
 #include "Applications/Explorer/Path/TipPathPlanner.h"
+#include "VTK/Charts/HapticForceChart.h"
+#include "VTK/Charts/HapticForceTable.h"
 
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <string>
 #include <vector>
 
+class vtkPolyData;
+
 namespace Explore
 {
-struct ChartOptions
+struct ForcePictureOptions
 {
   int Width = 1000;
   int Height = 600;
@@ -23,15 +26,17 @@ struct ChartOptions
 };
 
 /// A window with the parts of the force against time, and along the top what the hand was doing.
-struct ForceChart
+struct ForcePicture
 {
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
+  VolumeHaptics::HapticForceTable Forces;
+  VolumeHaptics::HapticForceChart Chart{ VolumeHaptics::HapticForceChart::Ground::Page };
 };
 
-/// Fills the chart from the output of vtkVolumeHapticsFilter.
-void BuildForceChart(ForceChart& chart, vtkPolyData* trace, const std::vector<Phase>& phases,
-  const ChartOptions& options);
+/// Fills the picture from the output of vtkVolumeHapticsFilter.
+void BuildForcePicture(ForcePicture& picture, vtkPolyData* trace, const std::vector<Phase>& phases,
+  const ForcePictureOptions& options);
 } // namespace Explore
 
 #endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Charts/HapticForceTable.h"
+
+#include "VTK/Charts/HapticHistogram.h"
+
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+
+HapticForceTable::HapticForceTable()
+{
+  static const char* const names[] = { "Time", "Normal", "Friction", "Drag", "Whole" };
+  for (int c = 0; c <= Curves; ++c)
+  {
+    this->Columns[c]->SetName(names[c]);
+    this->Table->AddColumn(this->Columns[c]);
+  }
+}
+
+HapticForceTable::~HapticForceTable() = default;
+
+void HapticForceTable::Clear()
+{
+  for (auto& column : this->Columns)
+  {
+    column->SetNumberOfValues(0);
+  }
+}
+
+void HapticForceTable::Read(vtkPolyData* trace)
+{
+  this->Clear();
+  vtkPointData* const arrays = trace->GetPointData();
+  const auto insert = [&](vtkFloatArray* column, const char* name, auto&& value)
+  {
+    vtkDataArray* const array = arrays->GetArray(name);
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      column->InsertNextValue(static_cast<float>(value(array, i)));
+    }
+  };
+  insert(this->GetTime(), "Time",
+    [](vtkDataArray* array, vtkIdType i) { return array->GetComponent(i, 0); });
+  static const char* const parts[] = { "NormalForce", "FrictionForce", "DragForce" };
+  for (int c = 0; c < 3; ++c)
+  {
+    insert(this->GetForce(c), parts[c],
+      [](vtkDataArray* array, vtkIdType i) { return MakeDrawable(array->GetComponent(i, 0)); });
+  }
+  insert(this->GetForce(3), "Force",
+    [](vtkDataArray* array, vtkIdType i)
+    { return MakeDrawable(vtkMath::Norm(array->GetTuple3(i))); });
+  this->Table->Modified();
+}
+
+double HapticForceTable::MakeDrawable(double force)
+{
+  return std::isfinite(force) ? std::clamp(force, -FarthestShown, FarthestShown) : 0.0;
+}
+
+} // namespace VolumeHaptics
