@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticCalibration.h"
 
+#include "VTK/Session/HapticDeviceSettings.h"
+
 #include "vtkLandmarkTransform.h"
 #include "vtkLine.h"
 #include "vtkMath.h"
@@ -185,7 +187,7 @@ void vtkHapticCalibration::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DevicePoints: " << this->GetNumberOfPoints() << "\n";
   os << indent << "WorldPoints: " << this->GetNumberOfPoints() << "\n";
-  os << indent << "FixedScale: " << this->FixedScale << "\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::CalibrationSettings);
   os << indent << "Residual: " << this->Residual << "\n";
   os << indent << "LargestResidual: " << this->LargestResidual << "\n";
   os << indent << "DeviceToWorld:\n";

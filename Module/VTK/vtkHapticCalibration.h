@@ -53,7 +53,7 @@ public:
   ///@{
   /**
    * World units per metre of the device, 0 or more. 0 (default): found from the points. Fix it
-   * where the display's size is known: a rigid motion remains to be found.
+   * if the display's size is known: a rigid motion remains to be found.
    */
   vtkSetClampMacro(FixedScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FixedScale, double);

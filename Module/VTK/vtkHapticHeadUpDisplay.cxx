@@ -6,6 +6,7 @@
 #include "VTK/Charts/HapticForceChart.h"
 #include "VTK/Charts/HapticForceHistory.h"
 #include "VTK/Charts/HapticOverlayPicture.h"
+#include "VTK/Scene/HapticSceneSettings.h"
 
 #include "vtkContextActor.h"
 #include "vtkContextDevice2D.h"
@@ -303,9 +304,7 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Device: " << this->GetDevice() << "\n";
-  os << indent << "TimeSpan: " << this->TimeSpan << " s\n";
-  os << indent << "PlotVisibility: " << this->PlotVisibility << "\n";
-  os << indent << "TextVisibility: " << this->TextVisibility << "\n";
+  PrintSettings(os, indent, this, DisplaySettings);
   os << indent << "Notice: " << this->Notice << "\n";
   os << indent << "States: " << this->GetNumberOfStates() << "\n";
   os << indent << "Tissues: " << this->Internals->Tissues.size() << "\n";

@@ -59,9 +59,14 @@ public:
   ///@}
 
   ///@{
+  /** Whether the plot is shown. Default on. */
   vtkSetMacro(PlotVisibility, vtkTypeBool);
   vtkGetMacro(PlotVisibility, vtkTypeBool);
   vtkBooleanMacro(PlotVisibility, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Whether the text is shown. Default on. */
   vtkSetMacro(TextVisibility, vtkTypeBool);
   vtkGetMacro(TextVisibility, vtkTypeBool);
   vtkBooleanMacro(TextVisibility, vtkTypeBool);

@@ -3,6 +3,7 @@
 #include "vtkHapticRegionFilter.h"
 
 #include "VTK/Baking/HapticNoise.h"
+#include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Trace/HapticFiles.h"
 
 #include "vtkDataArray.h"
@@ -262,9 +263,7 @@ int vtkHapticRegionFilter::RequestData(
 void vtkHapticRegionFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Region: (" << this->Region[0] << ", " << this->Region[1] << ", "
-     << this->Region[2] << ", " << this->Region[3] << ", " << this->Region[4] << ", "
-     << this->Region[5] << ")\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::RegionFilterVectors);
   os << indent << "Noise:";
   for (const double noise : this->Noise)
   {

@@ -8,6 +8,7 @@
 #include "Core/Regions/Residency.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "VTK/Baking/HapticFunctions.h"
+#include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/WholeFacts.h"
 
 #include "vtkHapticProperty.h"
@@ -199,24 +200,7 @@ bool vtkHapticRegionPlanner::Plan(
 void vtkHapticRegionPlanner::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const int* const e = this->WholeExtent;
-  os << indent << "WholeExtent: (" << e[0] << ", " << e[1] << ", " << e[2] << ", " << e[3] << ", "
-     << e[4] << ", " << e[5] << ")\n";
-  os << indent << "Origin: (" << this->Origin[0] << ", " << this->Origin[1] << ", "
-     << this->Origin[2] << ")\n";
-  os << indent << "Spacing: (" << this->Spacing[0] << ", " << this->Spacing[1] << ", "
-     << this->Spacing[2] << ")\n";
-  os << indent << "Direction:";
-  for (const double d : this->Direction)
-  {
-    os << " " << d;
-  }
-  os << "\n";
-  os << indent << "MaximumSpeed: " << this->MaximumSpeed << " m/s\n";
-  os << indent << "MetersPerWorldUnit: " << this->MetersPerWorldUnit << "\n";
-  os << indent << "SpringLength: " << this->SpringLength << "\n";
-  os << indent << "Reach: " << this->Reach << "\n";
-  os << indent << "Band: " << this->Band << "\n";
-  os << indent << "MaximumVoxels: " << this->MaximumVoxels << "\n";
+  PrintSettings(os, indent, this, PlannerVectors);
+  PrintSettings(os, indent, this, PlannerSettings);
   os << indent << "Latency: " << this->Latency << " s\n";
 }

@@ -48,16 +48,25 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The whole volume: its extent (default (0, -1, 0, -1, 0, -1): none), and origin, spacing (world
-   * units) and direction (nine numbers, row by row) as those of vtkImageData.
-   */
+  /** The extent of the whole volume. Default (0, -1, 0, -1, 0, -1): none. */
   vtkSetVector6Macro(WholeExtent, int);
   vtkGetVector6Macro(WholeExtent, int);
+  ///@}
+
+  ///@{
+  /** The origin of the whole volume, as that of vtkImageData. Default (0, 0, 0). */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /** The spacing of the whole volume (world units). Default (1, 1, 1). */
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
+  ///@}
+
+  ///@{
+  /** The direction of the whole volume: nine numbers, row by row. Default: the identity. */
   void SetDirection(const double direction[9]) VTK_SIZEHINT(9);
   vtkGetVectorMacro(Direction, double, 9);
   ///@}
@@ -78,25 +87,31 @@ public:
   void UseSettingsOf(vtkVolumeHapticsFilter* filter);
 
   ///@{
-  /** v_max (m/s), 0 or more. Default 0.5. */
+  /** v_max (m/s), 0 to 10. Default 0.5. */
   vtkSetClampMacro(MaximumSpeed, double, 0.0, 10.0);
   vtkGetMacro(MaximumSpeed, double);
   ///@}
 
   ///@{
-  /** Metres a world unit is. Default 0.001. */
+  /** Metres a world unit is, 1e-12 to 1e12. Default 0.001. */
   vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
   vtkGetMacro(MetersPerWorldUnit, double);
   ///@}
 
   ///@{
-  /**
-   * T_N/k, r and b (world units), 0 or more. Defaults 4, 8 and 4. See UseSettingsOf.
-   */
+  /** T_N/k (world units), 0 to 1e12. Default 4. See UseSettingsOf. */
   vtkSetClampMacro(SpringLength, double, 0.0, 1e12);
   vtkGetMacro(SpringLength, double);
+  ///@}
+
+  ///@{
+  /** r (world units), 0 to 1e12. Default 8. See UseSettingsOf. */
   vtkSetClampMacro(Reach, double, 0.0, 1e12);
   vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /** b (world units), 0 to 1e12. Default 4. See UseSettingsOf. */
   vtkSetClampMacro(Band, double, 0.0, 1e12);
   vtkGetMacro(Band, double);
   ///@}

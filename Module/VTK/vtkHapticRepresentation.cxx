@@ -3,6 +3,7 @@
 #include "vtkHapticRepresentation.h"
 
 #include "VTK/Charts/HapticDrawing.h"
+#include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/SceneMarker.h"
 #include "vtkHapticStateSource.h"
 #include "vtkVolumeHapticsCompat.h"
@@ -279,16 +280,8 @@ void vtkHapticRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Device: " << this->GetDevice() << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "ForceScale: " << this->ForceScale << " N per world unit\n";
+  PrintSettings(os, indent, this, RepresentationSettings);
   os << indent << "WorldUnitName: " << this->WorldUnitName << "\n";
   os << indent << "Trail: " << this->GetTrail() << "\n";
   os << indent << "TrailArrayName: " << this->TrailArrayName << "\n";
-  os << indent << "SpringVisibility: " << this->SpringVisibility << "\n";
-  os << indent << "ForceVisibility: " << this->ForceVisibility << "\n";
-  os << indent << "NormalForceVisibility: " << this->NormalForceVisibility << "\n";
-  os << indent << "FrictionForceVisibility: " << this->FrictionForceVisibility << "\n";
-  os << indent << "MarkerVisibility: " << this->MarkerVisibility << "\n";
-  os << indent << "ScaleTextVisibility: " << this->ScaleTextVisibility << "\n";
-  os << indent << "HiddenVisibility: " << this->HiddenVisibility << "\n";
 }

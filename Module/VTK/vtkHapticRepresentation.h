@@ -67,22 +67,46 @@ public:
   ///@}
 
   ///@{
-  /**
-   * What is shown. Default: spring, the three arrows, the text and what is hidden are; the markers
-   * at x_s (yellow) and x_v (turquoise), where the materials are read, are not.
-   */
+  /** Whether the spring between proxy and tip is shown. Default on. */
   vtkSetMacro(SpringVisibility, bool);
   vtkGetMacro(SpringVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Whether the arrow of the whole force is shown. Default on. */
   vtkSetMacro(ForceVisibility, bool);
   vtkGetMacro(ForceVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Whether the arrow of the normal force is shown. Default on. */
   vtkSetMacro(NormalForceVisibility, bool);
   vtkGetMacro(NormalForceVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Whether the arrow of the friction force is shown. Default on. */
   vtkSetMacro(FrictionForceVisibility, bool);
   vtkGetMacro(FrictionForceVisibility, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether markers are shown at x_s (yellow) and x_v (turquoise), where the materials are read.
+   * Default off.
+   */
   vtkSetMacro(MarkerVisibility, bool);
   vtkGetMacro(MarkerVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Whether a text says how long a newton is. Default on. */
   vtkSetMacro(ScaleTextVisibility, bool);
   vtkGetMacro(ScaleTextVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Whether what lies behind a surface or inside the volume shows through. Default on. */
   vtkSetMacro(HiddenVisibility, bool);
   vtkGetMacro(HiddenVisibility, bool);
   ///@}

@@ -3,6 +3,7 @@
 #include "vtkInteractorStyleHaptic.h"
 
 #include "VTK/Scene/HapticInteraction.h"
+#include "VTK/Scene/HapticSceneSettings.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkObjectFactory.h"
@@ -362,10 +363,6 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeadUpDisplay: " << scene.Display.GetPointer() << "\n";
   os << indent << "FunctionEditor: " << scene.Editor.GetPointer() << "\n";
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
-  os << indent << "DepthStep: " << this->DepthStep << "\n";
-  os << indent << "DisplayRate: " << this->DisplayRate << " Hz\n";
-  os << indent << "WorkspaceFollowsCamera: " << (this->WorkspaceFollowsCamera ? "On" : "Off")
-     << "\n";
-  os << indent << "WorkspaceScale: " << this->WorkspaceScale << "\n";
+  PrintSettings(os, indent, this, StyleSettings);
   os << indent << "Clutch: " << (this->GetClutch() ? "On" : "Off") << "\n";
 }

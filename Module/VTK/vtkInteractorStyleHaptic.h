@@ -133,16 +133,23 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The workspace of a real device: whether it follows the camera (default on), world units per
-   * metre (default 0: as the filter's MetersPerWorldUnit says), back to the focal point, and
-   * clutched.
-   */
+  /** Whether the workspace of a real device follows the camera. Default on. */
   vtkSetMacro(WorkspaceFollowsCamera, bool);
   vtkGetMacro(WorkspaceFollowsCamera, bool);
   vtkBooleanMacro(WorkspaceFollowsCamera, bool);
+  ///@}
+
+  ///@{
+  /**
+   * World units per metre of a real device's workspace, 0 or more. Default 0: as the filter's
+   * MetersPerWorldUnit says.
+   */
   vtkSetClampMacro(WorkspaceScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(WorkspaceScale, double);
+  ///@}
+
+  ///@{
+  /** Bring the workspace of a real device back to the focal point, and clutch it. */
   void RecenterWorkspace();
   void SetClutch(bool on);
   virtual bool GetClutch();

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The settings of vtkHapticDevice, vtkHapticHardware and vtkHapticStateSource, one row each: see
- * HapticSetting.h.
+ * The settings of vtkHapticDevice, vtkHapticHardware, vtkHapticCalibration and
+ * vtkHapticStateSource, one row each: see HapticSetting.h.
  */
 #ifndef HapticDeviceSettings_h
 #define HapticDeviceSettings_h
 
 #include "VTK/Baking/HapticSetting.h"
 
+#include "vtkHapticCalibration.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticStateSource.h"
 
@@ -22,6 +23,7 @@ namespace VolumeHaptics
 using DeviceSetting = HapticSetting<vtkHapticDevice>;
 using HardwareSetting = HapticSetting<vtkHapticHardware>;
 using HardwareVector = HapticVectorSetting<vtkHapticHardware>;
+using CalibrationSetting = HapticSetting<vtkHapticCalibration>;
 using StateSourceSetting = HapticSetting<vtkHapticStateSource>;
 
 namespace DeviceSettingRows
@@ -59,6 +61,15 @@ inline constexpr HardwareVector NewtonsPerFullScale =
 inline constexpr HardwareVector Vectors[] = { NewtonsPerFullScale };
 } // namespace HardwareSettingRows
 
+namespace CalibrationSettingRows
+{
+using Owner = vtkHapticCalibration;
+
+inline constexpr CalibrationSetting All[] = { HapticNumberMacro(FixedScale, 0.0, VTK_DOUBLE_MAX,
+  0.0, "", NotBaked,
+  "World units per metre of the device, 0 or more. 0 (default): found from the points.") };
+} // namespace CalibrationSettingRows
+
 namespace StateSourceSettingRows
 {
 using Owner = vtkHapticStateSource;
@@ -75,6 +86,7 @@ inline constexpr StateSourceSetting All[] = {
 inline constexpr const auto& DeviceSettings = DeviceSettingRows::All;
 inline constexpr const auto& HardwareSettings = HardwareSettingRows::All;
 inline constexpr const auto& HardwareVectors = HardwareSettingRows::Vectors;
+inline constexpr const auto& CalibrationSettings = CalibrationSettingRows::All;
 inline constexpr const auto& StateSourceSettings = StateSourceSettingRows::All;
 
 /** The nearest value that a setting may have; the minimum, which is the safe one, for NaN. */

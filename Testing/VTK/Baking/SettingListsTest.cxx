@@ -5,6 +5,8 @@
  * The public headers, ParaView's XML and the core say the same as the lists of settings.
  */
 
+#include "Rigs/SettingChecks.h"
+#include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Trace/HapticPathSettings.h"
@@ -18,19 +20,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
 
+using namespace settingtest;
 using namespace VolumeHaptics;
 
 namespace
 {
-const std::string Root = VolumeHaptics_SOURCE_DIR;
-
 /// A slider goes from one end of a range to the other: of no use for ranges that are larger.
 constexpr double LongestSlider = 1000.0;
 
@@ -44,47 +43,6 @@ std::string Words(const std::string& text)
     words += (words.empty() ? "" : " ") + word;
   }
   return words;
-}
-
-/// The letters of a text, alike for "Local surface", LOCAL_SURFACE and LocalSurface.
-std::string Letters(const std::string& text)
-{
-  std::string letters;
-  for (const char c : text)
-  {
-    if (!std::isspace(static_cast<unsigned char>(c)) && c != '_' && c != '-')
-    {
-      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-  }
-  return letters;
-}
-
-bool BeginsWith(const std::string& text, const std::string& beginning)
-{
-  return text.compare(0, beginning.size(), beginning) == 0;
-}
-
-/// The comment before the setter of a setting.
-std::string HeaderComment(const std::string& header, const std::string& name)
-{
-  std::ifstream file(Root + "/Module/VTK/" + header + ".h");
-  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  std::size_t setter = std::string::npos;
-  for (const std::string& start : { "vtkSetMacro(" + name + ",", "vtkSetClampMacro(" + name + ",",
-         "vtkSetVector3Macro(" + name + ",", "void Set" + name + "(" })
-  {
-    setter = std::min(setter, text.find(start));
-  }
-  const std::size_t end = setter == std::string::npos ? setter : text.rfind("*/", setter);
-  const std::size_t start = end == std::string::npos ? end : text.rfind("/**", end);
-  if (start == std::string::npos)
-  {
-    return {};
-  }
-  std::string comment = text.substr(start + 3, end - start - 3);
-  std::replace(comment.begin(), comment.end(), '*', ' ');
-  return comment;
 }
 
 /// The filter or the device as ParaView has it: the first proxy of a file.
@@ -128,44 +86,6 @@ public:
 private:
   vtkSmartPointer<vtkXMLDataElement> Tree;
 };
-
-template <typename Owner>
-void ExpectHeaderBehaves(Owner* object, const HapticSetting<Owner>& setting)
-{
-  EXPECT_EQ(setting.Get(object), setting.Default);
-  for (const double bound : { setting.Minimum, setting.Maximum })
-  {
-    setting.Set(object, bound);
-    EXPECT_EQ(setting.Get(object), bound);
-  }
-  if (setting.Kind != SettingKind::Flag && setting.Maximum < LargestInteger)
-  {
-    setting.Set(object, 2.0 * setting.Maximum + 1.0);
-    EXPECT_EQ(setting.Get(object), setting.Maximum);
-  }
-  if (setting.Kind != SettingKind::Flag && setting.Minimum > -LargestNumber)
-  {
-    setting.Set(object, setting.Minimum - 1.0);
-    EXPECT_EQ(setting.Get(object), setting.Minimum);
-  }
-}
-
-template <typename Owner>
-void ExpectHeaderBehaves(Owner* object, const HapticVectorSetting<Owner>& setting)
-{
-  const SettingVector none{};
-  EXPECT_EQ(setting.Get(object), setting.Default);
-  for (const double bound : { setting.Minimum, setting.Maximum })
-  {
-    SettingVector wanted = none;
-    for (int i = 0; i < setting.Size; ++i)
-    {
-      wanted[i] = i % 2 ? bound : 1.0;
-    }
-    setting.Set(object, wanted);
-    EXPECT_EQ(setting.Get(object), wanted);
-  }
-}
 
 void ExpectRange(vtkXMLDataElement* property, const SettingFacts& setting)
 {
@@ -241,41 +161,21 @@ void ExpectVector(vtkXMLDataElement* property, const HapticVectorSetting<Owner>&
 
 TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
 {
-  for (const FilterSetting& setting : FilterSettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkNew<vtkVolumeHapticsFilter> filter;
-    ExpectHeaderBehaves<vtkVolumeHapticsAlgorithm>(filter, setting);
-  }
-  for (const PropertySetting& setting : PropertySettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkNew<vtkHapticProperty> property;
-    ExpectHeaderBehaves<vtkHapticProperty>(property, setting);
-  }
-  for (const DeviceSetting& setting : DeviceSettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkNew<vtkHapticDevice> device;
-    ExpectHeaderBehaves<vtkHapticDevice>(device, setting);
-  }
-  for (const HardwareSetting& setting : HardwareSettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkNew<vtkHapticDevice> device;
-    ExpectHeaderBehaves<vtkHapticHardware>(device, setting);
-  }
-  for (const StateSourceSetting& setting : StateSourceSettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkNew<vtkHapticStateSource> source;
-    ExpectHeaderBehaves<vtkHapticStateSource>(source, setting);
-  }
+  ExpectHeadersBehave<vtkVolumeHapticsFilter>(FilterSettings);
+  ExpectHeadersBehave<vtkHapticProperty>(PropertySettings);
+  ExpectHeadersBehave<vtkHapticDevice>(DeviceSettings);
+  ExpectHeadersBehave<vtkHapticDevice>(HardwareSettings);
+  ExpectHeadersBehave<vtkHapticDevice>(HardwareVectors);
+  ExpectHeadersBehave<vtkHapticCalibration>(CalibrationSettings);
+  ExpectHeadersBehave<vtkHapticStateSource>(StateSourceSettings);
+  ExpectHeadersBehave<vtkHapticRegionPlanner>(PlannerSettings);
+  ExpectHeadersBehave<vtkHapticRegionPlanner>(PlannerVectors);
+  ExpectHeadersBehave<vtkHapticRegionFilter>(RegionFilterVectors);
+  ExpectHeadersBehave<vtkHapticPathSource>(PathVectors);
   for (const HardwareVector& setting : HardwareVectors)
   {
     SCOPED_TRACE(setting.Name);
     vtkNew<vtkHapticDevice> device;
-    ExpectHeaderBehaves<vtkHapticHardware>(device, setting);
     SettingVector large{};
     std::fill_n(large.begin(), setting.Size, 2.0 * setting.Maximum);
     setting.Set(device, large);
@@ -287,75 +187,39 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
     vtkNew<vtkHapticPathSource> source;
     EXPECT_EQ(setting.Get(source), setting.Default) << setting.Name;
   }
-  for (const PathVector& setting : PathVectors)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkNew<vtkHapticPathSource> source;
-    ExpectHeaderBehaves<vtkHapticPathSource>(source, setting);
-  }
 }
 
 TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
 {
-  const auto names = [](const auto&... lists)
-  {
-    std::vector<std::string> all;
-    const auto append = [&all](const auto& settings)
-    {
-      for (const auto& setting : settings)
-      {
-        all.emplace_back(setting.Name);
-      }
-    };
-    (append(lists), ...);
-    return all;
-  };
-  std::vector<std::string> path = names(PathSettings, PathVectors);
-  path.emplace_back("FileName"); // which is text
-  for (const auto& [header, rows] :
-    { std::pair{ "vtkVolumeHapticsAlgorithm", names(FilterSettings) },
-      std::pair{ "vtkHapticProperty", names(PropertySettings) },
-      std::pair{ "vtkHapticStateSource", names(StateSourceSettings) },
-      std::pair{ "vtkHapticPathSource", path } })
-  {
-    std::ifstream file(Root + "/Module/VTK/" + header + ".h");
-    std::vector<std::string> found;
-    for (std::string line; std::getline(file, line);)
-    {
-      const std::size_t start = line.find("  vtkSet");
-      const std::size_t open = line.find("Macro(");
-      if (start == 0 && open != std::string::npos)
-      {
-        found.push_back(line.substr(open + 6, line.find(',') - open - 6));
-      }
-    }
-    std::vector<std::string> sorted = rows;
-    std::sort(sorted.begin(), sorted.end());
-    std::sort(found.begin(), found.end());
-    EXPECT_EQ(found, sorted) << header;
-  }
+  ExpectRows("vtkVolumeHapticsAlgorithm", Names(FilterSettings));
+  ExpectRows("vtkHapticProperty", Names(PropertySettings));
+  ExpectRows("vtkHapticHardware", Names(HardwareSettings));
+  ExpectRows("vtkHapticCalibration", Names(CalibrationSettings));
+  ExpectRows("vtkHapticStateSource", Names(StateSourceSettings));
+  ExpectRows("vtkHapticRegionFilter", Names(RegionFilterVectors));
+  std::vector<std::string> planner = Names(PlannerSettings, PlannerVectors);
+  planner.erase(std::find(planner.begin(), planner.end(), "Direction")); // without macro
+  ExpectRows("vtkHapticRegionPlanner", planner);
+  std::vector<std::string> path = Names(PathSettings, PathVectors);
+  path.emplace_back("FileName"); // a text
+  ExpectRows("vtkHapticPathSource", path);
 }
 
 TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
 {
-  const auto expect = [](const std::string& header, const auto& settings)
-  {
-    for (const auto& setting : settings)
-    {
-      const std::string comment = HeaderComment(header, setting.Name);
-      EXPECT_TRUE(BeginsWith(Letters(comment), Letters(setting.Documentation)))
-        << setting.Name << ":" << comment;
-    }
-  };
-  expect("vtkVolumeHapticsAlgorithm", FilterSettings);
-  expect("vtkHapticProperty", PropertySettings);
-  expect("vtkHapticProperty", PropertyFunctions);
-  expect("vtkHapticDevice", DeviceSettings);
-  expect("vtkHapticHardware", HardwareSettings);
-  expect("vtkHapticHardware", HardwareVectors);
-  expect("vtkHapticStateSource", StateSourceSettings);
-  expect("vtkHapticPathSource", PathSettings);
-  expect("vtkHapticPathSource", PathVectors);
+  ExpectComments("vtkVolumeHapticsAlgorithm", FilterSettings);
+  ExpectComments("vtkHapticProperty", PropertySettings);
+  ExpectComments("vtkHapticProperty", PropertyFunctions);
+  ExpectComments("vtkHapticDevice", DeviceSettings);
+  ExpectComments("vtkHapticHardware", HardwareSettings);
+  ExpectComments("vtkHapticHardware", HardwareVectors);
+  ExpectComments("vtkHapticStateSource", StateSourceSettings);
+  ExpectComments("vtkHapticPathSource", PathSettings);
+  ExpectComments("vtkHapticPathSource", PathVectors);
+  ExpectComments("vtkHapticCalibration", CalibrationSettings);
+  ExpectComments("vtkHapticRegionPlanner", PlannerSettings);
+  ExpectComments("vtkHapticRegionPlanner", PlannerVectors);
+  ExpectComments("vtkHapticRegionFilter", RegionFilterVectors);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)
@@ -422,6 +286,21 @@ TEST(SettingLists, ParaViewHasTheSameDevice)
     ExpectVector(property, setting);
     EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), setting.Documentation);
   }
+}
+
+TEST(SettingLists, ParaViewHasTheSameMaximumOfVoxels)
+{
+  const auto row = std::find_if(std::begin(PlannerSettings), std::end(PlannerSettings),
+    [](const PlannerSetting& setting) { return setting.Name == std::string("MaximumVoxels"); });
+  ASSERT_NE(row, std::end(PlannerSettings));
+  const ParaViewProxy paraview("HapticDevice.xml");
+  vtkXMLDataElement* const property = paraview.Find("MaximumRegionVoxels");
+  ASSERT_NE(property, nullptr);
+  EXPECT_EQ(ParaViewProxy::Number(property, "default_values"), row->Default);
+  vtkXMLDataElement* const range = property->FindNestedElementWithName("IntRangeDomain");
+  ASSERT_NE(range, nullptr);
+  EXPECT_EQ(ParaViewProxy::Number(range, "min"), row->Minimum);
+  EXPECT_EQ(ParaViewProxy::Number(range, "max"), row->Maximum);
 }
 
 TEST(SettingLists, ParaViewHasTheSamePath)

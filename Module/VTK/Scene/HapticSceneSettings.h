@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay and vtkInteractorStyleHaptic, one
+ * row each: see HapticSetting.h.
+ */
+#ifndef HapticSceneSettings_h
+#define HapticSceneSettings_h
+
+#include "VTK/Baking/HapticSetting.h"
+
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticRepresentation.h"
+#include "vtkInteractorStyleHaptic.h"
+
+namespace VolumeHaptics
+{
+
+using RepresentationSetting = HapticSetting<vtkHapticRepresentation>;
+using DisplaySetting = HapticSetting<vtkHapticHeadUpDisplay>;
+using StyleSetting = HapticSetting<vtkInteractorStyleHaptic>;
+
+namespace RepresentationSettingRows
+{
+using Owner = vtkHapticRepresentation;
+
+inline constexpr RepresentationSetting All[] = {
+  HapticNumberMacro(Radius, 1e-9, VTK_DOUBLE_MAX, 1.5, "", NotBaked,
+    "Radius of the proxy, world units. Default 1.5; the rest is in proportion."),
+  HapticNumberMacro(ForceScale, 1e-9, VTK_DOUBLE_MAX, 0.1, "N per world unit", NotBaked,
+    "Newtons per world unit of the arrows. Default 0.1: 1 N is 10 world units long."),
+  HapticFlagMacro(SpringVisibility, true, NotBaked,
+    "Whether the spring between proxy and tip is shown. Default on."),
+  HapticFlagMacro(
+    ForceVisibility, true, NotBaked, "Whether the arrow of the whole force is shown. Default on."),
+  HapticFlagMacro(NormalForceVisibility, true, NotBaked,
+    "Whether the arrow of the normal force is shown. Default on."),
+  HapticFlagMacro(FrictionForceVisibility, true, NotBaked,
+    "Whether the arrow of the friction force is shown. Default on."),
+  HapticFlagMacro(MarkerVisibility, false, NotBaked,
+    "Whether markers are shown at x_s (yellow) and x_v (turquoise), where the materials are read. "
+    "Default off."),
+  HapticFlagMacro(
+    ScaleTextVisibility, true, NotBaked, "Whether a text says how long a newton is. Default on."),
+  HapticFlagMacro(HiddenVisibility, true, NotBaked,
+    "Whether what lies behind a surface or inside the volume shows through. Default on."),
+};
+} // namespace RepresentationSettingRows
+
+namespace DisplaySettingRows
+{
+using Owner = vtkHapticHeadUpDisplay;
+
+inline constexpr DisplaySetting All[] = {
+  HapticNumberMacro(TimeSpan, 0.5, 60.0, 5.0, "s", NotBaked,
+    "How far back the plot goes (s), 0.5 to 60. Default 5."),
+  HapticFlagMacro(PlotVisibility, true, NotBaked, "Whether the plot is shown. Default on."),
+  HapticFlagMacro(TextVisibility, true, NotBaked, "Whether the text is shown. Default on."),
+};
+} // namespace DisplaySettingRows
+
+namespace StyleSettingRows
+{
+using Owner = vtkInteractorStyleHaptic;
+
+inline constexpr StyleSetting All[] = {
+  HapticNumberMacro(DepthStep, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
+    "How far a step of the wheel moves the tip (world units, 0 or more). Default 0: the smallest "
+    "spacing of the image."),
+  HapticNumberMacro(DisplayRate, 1.0, 240.0, 60.0, "Hz", NotBaked,
+    "Updates per second, 1 to 240. Default 60. Takes effect with the next interactor."),
+  HapticFlagMacro(WorkspaceFollowsCamera, true, NotBaked,
+    "Whether the workspace of a real device follows the camera. Default on."),
+  HapticNumberMacro(WorkspaceScale, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
+    "World units per metre of a real device's workspace, 0 or more. Default 0: as the filter's "
+    "MetersPerWorldUnit says."),
+};
+} // namespace StyleSettingRows
+
+inline constexpr const auto& RepresentationSettings = RepresentationSettingRows::All;
+inline constexpr const auto& DisplaySettings = DisplaySettingRows::All;
+inline constexpr const auto& StyleSettings = StyleSettingRows::All;
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The public headers of the scene say the same as the lists of settings.
+ */
+
+#include "Rigs/SettingChecks.h"
+#include "VTK/Scene/HapticSceneSettings.h"
+
+using namespace settingtest;
+using namespace VolumeHaptics;
+
+TEST(SceneSettings, HeadersHaveTheDefaultsAndKeepTheRanges)
+{
+  ExpectHeadersBehave<vtkHapticRepresentation>(RepresentationSettings);
+  ExpectHeadersBehave<vtkHapticHeadUpDisplay>(DisplaySettings);
+  ExpectHeadersBehave<vtkInteractorStyleHaptic>(StyleSettings);
+}
+
+TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
+{
+  std::vector<std::string> representation = Names(RepresentationSettings);
+  representation.insert(representation.end(), { "WorldUnitName", "TrailArrayName" }); // texts
+  ExpectRows("vtkHapticRepresentation", representation);
+  std::vector<std::string> display = Names(DisplaySettings);
+  display.emplace_back("Notice"); // a text
+  ExpectRows("vtkHapticHeadUpDisplay", display);
+  ExpectRows("vtkInteractorStyleHaptic", Names(StyleSettings));
+}
+
+TEST(SceneSettings, CommentsOfTheHeadersBeginWithTheDocumentation)
+{
+  ExpectComments("vtkHapticRepresentation", RepresentationSettings);
+  ExpectComments("vtkHapticHeadUpDisplay", DisplaySettings);
+  ExpectComments("vtkInteractorStyleHaptic", StyleSettings);
+}
