@@ -29,6 +29,8 @@ public:
   virtual int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) = 0;
   /** -EAGAIN where there is nothing yet: asked again after every Out and every Ready. */
   virtual int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) = 0;
+  /** The host has closed it, if the carrier can tell. */
+  virtual void Released() {}
 
   /** The carrier's: the model calls it where In has something by itself. */
   std::function<void()> Ready = [] {};

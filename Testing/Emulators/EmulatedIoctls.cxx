@@ -58,7 +58,11 @@ void EmulatedUsb::Plug::OnVanished(UMockdevIoctlBase*, UMockdevIoctlClient* clie
 {
   Plug& self = *static_cast<Plug*>(plug);
   const std::lock_guard<std::mutex> lock(self.Mutex);
-  self.Owner = self.Owner == client ? nullptr : self.Owner;
+  if (self.Owner == client)
+  {
+    self.Owner = nullptr;
+    self.Model.Released();
+  }
   for (std::list<Urb>* const urbs : { &self.Waiting, &self.Ended })
   {
     urbs->remove_if(
@@ -101,6 +105,7 @@ int EmulatedUsb::Plug::Answer(
         return -EINVAL;
       }
       this->Owner = nullptr;
+      this->Model.Released();
       return 0;
     case USBDEVFS_GETDRIVER:
     {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 namespace emulated
 {
@@ -63,6 +64,12 @@ int FalconModel::Control(const std::uint8_t setup[8], std::uint8_t*, int)
   {
     this->Baud = value;
     this->Waiting.clear();
+    if (value == 0x4138 && !this->Attempts.empty())
+    {
+      this->Fault = this->Attempts.front();
+      this->FaultyPackets = 1 << 30;
+      this->Attempts.pop_front();
+    }
     if (value == 0x15)
     {
       this->IsShaken = false;
@@ -144,11 +151,38 @@ int FalconModel::In(std::uint8_t endpoint, std::uint8_t* bytes, int size)
 void FalconModel::Greet(const std::string& bytes)
 {
   this->Waiting += bytes;
-  if (this->Waiting == "\x0A\x43\x0D" && !this->Takes(FalconFault::NoGreeting))
+  if (this->Waiting == "\x0A\x43\x0D" && this->Fault != FalconFault::StuckLoader &&
+    !this->Takes(FalconFault::NoGreeting))
   {
-    this->Send("\x0A\x44\x2C\x0D");
+    const std::string answer("\0\x0A\x44\x2C\x0D", 5);
+    this->Send(this->Takes(FalconFault::LeadingZero) ? answer : answer.substr(1));
   }
   this->Waiting.clear();
+}
+
+void FalconModel::Released()
+{
+  const Lock lock(this->Mutex);
+  this->Takes(FalconFault::StuckLoader);
+}
+
+void FalconModel::Send(const std::string& bytes)
+{
+  (this->Clock ? this->Pending : this->Replies).push_back(bytes);
+}
+
+void FalconModel::Deliver()
+{
+  {
+    const Lock lock(this->Mutex);
+    if (this->Pending.empty())
+    {
+      return;
+    }
+    this->Replies.push_back(this->Pending.front());
+    this->Pending.pop_front();
+  }
+  this->Ready();
 }
 
 void FalconModel::Load(const std::string& bytes)
@@ -203,6 +237,11 @@ void FalconModel::TakePacket()
   }
   this->Lights = payload(13);
   ++this->Packets;
+  this->InStep = this->Pending.empty() && this->Replies.empty() ? this->InStep + 1 : 0;
+  if (!this->Late.empty())
+  {
+    this->Send(std::exchange(this->Late, {}));
+  }
   this->Force = FalconMotorForce(this->Grip.Place, this->Commands);
   this->Grip.Step(this->Force);
   const Numbers counts = FalconEncoderCounts(this->Grip.Place);
@@ -220,7 +259,12 @@ void FalconModel::TakePacket()
   {
     report.assign(PacketSize, '\xA5');
   }
-  if (this->Packets % 8 == 0)
+  if (this->Takes(FalconFault::LateAnswer))
+  {
+    this->Late = report;
+    return;
+  }
+  if (this->Packets % 8 == 0 && !this->Clock)
   {
     this->Send(""); // the converter has nothing yet
   }

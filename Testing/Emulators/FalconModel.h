@@ -12,14 +12,26 @@
  * packet while that is on. No source says what a packet without it does to a zero that was found.
  * That it is forgotten, until the mode is on again and the grip has been at both ends anew, is the
  * conservative reading: a driver that leaves the bit out fails here, whatever a real device does.
+ *
+ * Loader and answers, as libnifalcon (commit f7c727a) copes with them:
+ * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp takes the greeting's answer with a leading 0x00
+ *   as well as without one, and greets up to 100 times.
+ * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load, and between two tries it
+ *   "completely" closes the device and opens it again: a loader may be stuck until then, or one load
+ *   may fail by a wrong echo or none.
+ * - isFirmwareLoaded() in src/core/FalconFirmware.cpp: "Sometimes we need to kick out another write to
+ *   get a proper return". Such an answer is late: it comes after the next packet was sent, and the
+ *   next packet's own answer follows behind it.
  */
 #ifndef FalconModel_h
 #define FalconModel_h
 
 #include "DeviceModels.h"
 #include "FalconMechanics.h"
+#include "ModelClock.h"
 
 #include <deque>
+#include <memory>
 #include <mutex>
 
 namespace emulated
@@ -32,17 +44,20 @@ enum class FalconFault
   ShortPacket, ///< the answer breaks off
   Garbage,     ///< the answer is no packet
   Silence,     ///< no answer
+  LateAnswer,  ///< the answer waits for the next packet
   StallOut,
   StallIn,
-  BadCable,   ///< transfers out fail with EPROTO
-  StuckOut,   ///< transfers out do not end
-  Nowhere,    ///< counts that no position has
-  Jump,       ///< counts that are 25 mm away
-  LostZero,   ///< an encoder is not homed any more
-  NoGreeting, ///< the loader does not answer
-  WrongEcho,  ///< a byte of the image comes back changed
-  NoEcho,     ///< a block of the image does not come back
-  DeadImage   ///< the image is taken, and does not run
+  BadCable,    ///< transfers out fail with EPROTO
+  StuckOut,    ///< transfers out do not end
+  Nowhere,     ///< counts that no position has
+  Jump,        ///< counts that are 25 mm away
+  LostZero,    ///< an encoder is not homed any more
+  NoGreeting,  ///< the loader does not answer
+  LeadingZero, ///< a 0x00 comes before the answer to a greeting
+  StuckLoader, ///< nothing is answered before the device is closed and opened again, a count each
+  WrongEcho,   ///< a byte of the image comes back changed
+  NoEcho,      ///< a block of the image does not come back
+  DeadImage    ///< the image is taken, and does not run
 };
 
 class FalconModel : public UsbModel
@@ -57,10 +72,17 @@ public:
   int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) override;
   int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
   int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
+  void Released() override;
 
   ///@{
-  /** Any thread. A fault lasts for so many packets. */
+  /** Any thread. A fault lasts for so many packets, greetings or blocks. */
   void Break(FalconFault fault, int packets = 1 << 30);
+  /** Whether answers take their time, and come one by one, or follow their packets at once. */
+  void SetTimed(bool timed);
+  /** The packets in a row that came when no answer was on its way to the host any more. */
+  long GetInStep() const;
+  /** What the loader does in its next attempts, one a line of the dialogue: None succeeds. */
+  void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
   void SetHeld(bool held); ///< in a vice, which follows the aim
@@ -86,7 +108,8 @@ public:
 private:
   int GetMode() const; ///< 0 greets, 1 loads, 2 runs, -1 none
   bool Takes(FalconFault fault);
-  void Send(const std::string& bytes) { this->Replies.push_back(bytes); }
+  void Send(const std::string& bytes);
+  void Deliver();
   void Greet(const std::string& bytes);
   void Load(const std::string& bytes);
   void TakeByte(std::uint8_t byte);
@@ -114,7 +137,12 @@ private:
   std::vector<std::uint8_t> Image;
   std::size_t ImageSize = 1;
   std::deque<std::string> Replies; ///< a transfer each
+  std::deque<std::string> Pending; ///< those that are on their way to the host
+  std::string Late;                ///< an answer that waits for the next packet
+  long InStep = 0;
+  std::deque<FalconFault> Attempts; ///< of loading
   std::vector<std::string> Transcript;
+  std::unique_ptr<ModelClock> Clock; ///< last: its thread ends first
 };
 
 } // namespace emulated

@@ -16,6 +16,37 @@ void FalconModel::Break(FalconFault fault, int packets)
   this->FaultyPackets = packets;
 }
 
+void FalconModel::SetTimed(bool timed)
+{
+  // umockdev takes about as long for a round as the device: at its pace no answer would be late.
+  constexpr int slowness = 2;
+  const auto step = [this, tick = 0]() mutable
+  {
+    if (++tick % slowness == 0)
+    {
+      this->Deliver();
+    }
+  };
+  auto clock = timed ? std::make_unique<ModelClock>(step) : nullptr;
+  {
+    const Lock lock(this->Mutex);
+    std::swap(this->Clock, clock);
+  }
+  // The other one ends here, outside of the lock that its thread may wait for.
+}
+
+long FalconModel::GetInStep() const
+{
+  const Lock lock(this->Mutex);
+  return this->InStep;
+}
+
+void FalconModel::BreakAttempts(const std::vector<FalconFault>& faults)
+{
+  const Lock lock(this->Mutex);
+  this->Attempts.assign(faults.begin(), faults.end());
+}
+
 void FalconModel::SetButtons(int bits)
 {
   const Lock lock(this->Mutex);
@@ -104,6 +135,8 @@ void FalconModel::SwitchOff()
   this->Commands = {};
   this->Image.clear();
   this->Replies.clear();
+  this->Pending.clear();
+  this->Late.clear();
 }
 
 std::vector<std::string> FalconModel::TakeTranscript()

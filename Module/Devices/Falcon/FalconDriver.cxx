@@ -111,7 +111,7 @@ FalconDriver::End FalconDriver::Load(HardwareExchange& exchange)
     case FalconLoading::Failed:
       break;
   }
-  const std::string text = "Loading the firmware failed: " + trouble +
+  const std::string text = "Loading the firmware " + trouble +
     ". Check that the file is this device's image, switch the device off and on, and Home() to try "
     "again.";
   exchange.SetCondition(DeviceStage::Lost, text.c_str());

@@ -129,6 +129,7 @@ void FalconLoader::Enter(Stage stage) noexcept
   this->NextRequest = 0;
   this->Matched = 0;
   this->Reading = false;
+  this->ZeroTaken = false;
 }
 
 void FalconLoader::Fail(FalconLoaderFault fault) noexcept
@@ -205,6 +206,12 @@ void FalconLoader::Receive(const std::uint8_t* bytes, std::size_t size) noexcept
   if (!this->Reading || size == 0)
   {
     return;
+  }
+  // The line that was just pulled up may look like a byte to the converter.
+  if (this->Now == Stage::Greet && this->Matched == 0 && !this->ZeroTaken && *bytes == 0)
+  {
+    this->ZeroTaken = true;
+    return this->Receive(bytes + 1, size - 1);
   }
   const FtdiPayload answer = this->GetAnswer();
   const std::size_t due = answer.Size - this->Matched;

@@ -119,6 +119,7 @@ private:
   std::size_t Confirmed = 0;
   int Greetings = 0;
   bool Reading = false;
+  bool ZeroTaken = false; ///< the one that may come before the answer to a greeting
   Stage Now = Stage::Prepare;
   FalconLoaderFault Fault = FalconLoaderFault::None;
 };

@@ -53,19 +53,16 @@ void FalconRounds::Wait() noexcept
 {
   this->Reported = false;
   this->Missed = false;
-  const std::int64_t end =
-    this->IsPending() ? this->LimitFrom + AnswerTime : this->SentAt + IdleTime;
+  const std::int64_t end = this->IsPending() ? this->Turns.GetDeadline() : this->SentAt + IdleTime;
   this->Woken = this->Events.Wait(this->IsDue() ? 0 : end - ServoClock::Now()) || this->Woken;
   if (this->Reported)
   {
     this->DroppedBefore = this->Stream.GetDropped();
   }
-  else if (this->IsPending() && ServoClock::Now() - this->LimitFrom >= AnswerTime)
+  else if (this->Turns.CheckMissed(ServoClock::Now(), this->Flight->Out.IsFlying()))
   {
     this->Missed = true;
-    this->Awaiting = false;
     this->Flight->Out.Cancel();
-    this->LimitFrom = ServoClock::Now();
   }
   this->Trouble = this->TroubleSoFar;
   this->TroubleSoFar = UsbOutcome::Done;
@@ -77,7 +74,12 @@ const char* FalconRounds::GetGarbage() const noexcept
                                                           : nullptr;
 }
 
-bool FalconRounds::IsDue() const noexcept
+bool FalconRounds::IsPending() noexcept
+{
+  return !this->Turns.MaySend(ServoClock::Now()) || this->Flight->Out.IsFlying();
+}
+
+bool FalconRounds::IsDue() noexcept
 {
   return !this->IsPending() && (this->Woken || ServoClock::Now() - this->SentAt >= IdleTime);
 }
@@ -95,8 +97,11 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   const FalconPacket packet = FalconRunPacket(order);
   std::copy(packet.begin(), packet.end(), this->Flight->Out.GetBytes());
   this->Woken = false;
-  this->SentAt = this->LimitFrom = ServoClock::Now();
-  this->Awaiting = this->Submit(this->Flight->Out, packet.size());
+  this->SentAt = ServoClock::Now();
+  if (this->Submit(this->Flight->Out, packet.size()))
+  {
+    this->Turns.Sent(this->SentAt);
+  }
   // Not before zero is on its way: a device that is ill may take seconds to answer.
   if (this->InStalled)
   {
@@ -137,16 +142,17 @@ void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noex
   if (outcome > UsbOutcome::Cancelled)
   {
     // There is no answer to wait for: zero goes out at once.
-    this->Awaiting = false;
+    this->Turns.Abandon();
   }
   if (isOut || outcome != UsbOutcome::Done)
   {
     return;
   }
-  if (this->Stream.Take(transfer.GetBytes(), transfer.GetSize(), this->Report) > 0)
+  const int reports = this->Stream.Take(transfer.GetBytes(), transfer.GetSize(), this->Report);
+  if (reports > 0)
   {
     this->Reported = true;
-    this->Awaiting = false;
+    this->Turns.Answered(ServoClock::Now(), reports);
   }
   this->Submit(transfer, UsbTransfer::Capacity);
 }
@@ -164,7 +170,7 @@ void FalconRounds::WaitWhile(F&& holds, std::int64_t time) noexcept
 void FalconRounds::Finish() noexcept
 {
   const auto isPending = [this] { return this->IsPending(); };
-  this->WaitWhile(isPending, AnswerTime);
+  this->WaitWhile(isPending, FalconTurns::AnswerTime);
   this->Flight->Out.Cancel();
   const auto isOutFlying = [this] { return this->Flight->Out.IsFlying(); };
   this->WaitWhile(isOutFlying, LastPacketTime);

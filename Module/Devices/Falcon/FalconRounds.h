@@ -4,8 +4,8 @@
  * @file
  * Run packets there and back with a Novint Falcon, at the servo's pace.
  *
- * A packet leaves as soon as the servo gives a force, but never before the last one was answered or
- * its time is over; without a force one leaves every 2 ms, so that homing goes on and zero is
+ * A packet leaves as soon as the servo gives a force, but only when it is the host's turn
+ * (FalconTurns.h); without a force one leaves every 2 ms, so that homing goes on and zero is
  * renewed. Receiving transfers are posted all the time. Everything is made before the first round.
  */
 #ifndef FalconRounds_h
@@ -13,6 +13,7 @@
 
 #include "Devices/Common/HardwareExchange.h"
 #include "Devices/Falcon/FalconStream.h"
+#include "Devices/Falcon/FalconTurns.h"
 #include "Devices/Transport/Usb/UsbEvents.h"
 #include "Devices/Transport/Usb/UsbTransfer.h"
 
@@ -22,8 +23,7 @@ namespace VolumeHaptics
 class FalconRounds final : public UsbTransferOwner
 {
 public:
-  /** How long (ns) an answer may take, and how long the device is left alone at most. */
-  static constexpr std::int64_t AnswerTime = 10000000;
+  /** How long (ns) the device is left alone at most. */
   static constexpr std::int64_t IdleTime = 2000000;
 
   /** Both outlive this. */
@@ -49,7 +49,7 @@ public:
   ///@}
 
   /** Whether to send now. */
-  bool IsDue() const noexcept;
+  bool IsDue() noexcept;
   void Send(const FalconOrder& order) noexcept;
 
 private:
@@ -67,7 +67,7 @@ private:
   bool Submit(UsbTransfer& transfer, std::size_t size) noexcept;
   void PostReceivers() noexcept;
   void Note(UsbOutcome outcome) noexcept;
-  bool IsPending() const noexcept { return this->Awaiting || this->Flight->Out.IsFlying(); }
+  bool IsPending() noexcept;
   template <typename F>
   void WaitWhile(F&& holds, std::int64_t time) noexcept;
   void Finish() noexcept;
@@ -78,9 +78,8 @@ private:
   FalconStream Stream;
   FalconReport Report;
   std::uint32_t DroppedBefore = 0; ///< when the last report came
+  FalconTurns Turns;
   std::int64_t SentAt = 0;
-  std::int64_t LimitFrom = 0; ///< what AnswerTime counts from
-  bool Awaiting = false;
   bool Woken = false;
   bool Reported = false;
   bool Missed = false;

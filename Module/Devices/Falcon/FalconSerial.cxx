@@ -17,16 +17,25 @@ namespace
 // ms
 constexpr unsigned int RequestTime = 500;
 constexpr unsigned int ReportTime = 50;
-constexpr unsigned int GreetingTime = 50; // at 9600 baud, and with a latency of 16 ms
+constexpr unsigned int GreetingTime = 30; // at 9600 baud, and with a latency of 16 ms
 constexpr unsigned int AnswerTime = 500;
 // Packets that a firmware may need to begin with: 2 s.
 constexpr int PacketsAfterLoading = 40;
 constexpr std::int64_t NanosecondsPerMillisecond = 1000000;
 
-void TellProgress(HardwareExchange& exchange, int percent)
+/** The trouble is why the try before failed. */
+void TellProgress(HardwareExchange& exchange, int attempt, const std::string& trouble, int percent)
 {
-  char text[80];
-  std::snprintf(text, sizeof(text), "Loading the firmware: %d %%", percent);
+  char text[160];
+  if (attempt == 1)
+  {
+    std::snprintf(text, sizeof(text), "Loading the firmware: %d %%", percent);
+  }
+  else
+  {
+    std::snprintf(text, sizeof(text), "Loading the firmware, try %d of %d since %s: %d %%", attempt,
+      FalconLoadingTries, trouble.c_str(), percent);
+  }
   exchange.SetCondition(DeviceStage::Firmware, text);
 }
 
@@ -63,7 +72,62 @@ bool IsOver(const FalconLoader& loader) noexcept
   return what == FalconLoaderStep::Kind::Finished || what == FalconLoaderStep::Kind::Failed;
 }
 
+/** Loaded says that the whole image came back, not that it runs. */
+FalconLoading TryToLoad(FalconSerial& serial, const std::vector<std::uint8_t>& image, int attempt,
+  HardwareExchange& exchange, std::string& trouble)
+{
+  FalconLoader loader(image.data(), image.size());
+  int told = -1;
+  while (!IsOver(loader))
+  {
+    if (exchange.MustStop() || exchange.HasSlept())
+    {
+      return FalconLoading::Stopped;
+    }
+    const auto percent = static_cast<int>(100 * loader.GetConfirmed() / image.size());
+    if (percent != told)
+    {
+      told = percent;
+      TellProgress(exchange, attempt, trouble, percent);
+    }
+    if (!Follow(serial, loader))
+    {
+      return FalconLoading::Gone;
+    }
+  }
+  if (loader.GetFault() != FalconLoaderFault::None)
+  {
+    trouble = FalconLoaderFaultText(loader.GetFault());
+    return FalconLoading::Failed;
+  }
+  return FalconLoading::Loaded;
+}
+
+FalconLoading WaitUntilItRuns(
+  FalconSerial& serial, HardwareExchange& exchange, std::string& trouble)
+{
+  for (int i = 0; i < PacketsAfterLoading && !exchange.MustStop(); ++i)
+  {
+    if (serial.Runs(1))
+    {
+      return FalconLoading::Loaded;
+    }
+    if (serial.GetError() == LIBUSB_ERROR_NO_DEVICE)
+    {
+      return FalconLoading::Gone;
+    }
+  }
+  trouble = "failed: the firmware was loaded, but does not answer";
+  return exchange.MustStop() ? FalconLoading::Stopped : FalconLoading::Failed;
+}
+
 } // namespace
+
+bool FalconSerial::Reopen() noexcept
+{
+  this->Error = this->Usb.Reopen();
+  return this->Error >= 0;
+}
 
 bool FalconSerial::Request(const FtdiRequest& request) noexcept
 {
@@ -151,43 +215,26 @@ bool FalconSerial::Runs(int packets) noexcept
 FalconLoading LoadFalcon(FalconSerial& serial, const std::vector<std::uint8_t>& image,
   HardwareExchange& exchange, std::string& trouble)
 {
-  FalconLoader loader(image.data(), image.size());
-  int told = -1;
-  while (!IsOver(loader))
+  FalconLoading loading = FalconLoading::Failed;
+  for (int attempt = 1; attempt <= FalconLoadingTries && loading == FalconLoading::Failed;
+       ++attempt)
   {
-    if (exchange.MustStop() || exchange.HasSlept())
+    const bool isFresh = attempt == 1 && serial.IsOpen();
+    if (!isFresh && !serial.Reopen())
     {
-      return FalconLoading::Stopped;
+      trouble = "failed: the device can't be opened again";
+      return serial.GetError() == LIBUSB_ERROR_NO_DEVICE ? FalconLoading::Gone
+                                                         : FalconLoading::Failed;
     }
-    const auto percent = static_cast<int>(100 * loader.GetConfirmed() / image.size());
-    if (percent != told)
-    {
-      told = percent;
-      TellProgress(exchange, percent);
-    }
-    if (!Follow(serial, loader))
-    {
-      return FalconLoading::Gone;
-    }
+    loading = TryToLoad(serial, image, attempt, exchange, trouble);
   }
-  if (loader.GetFault() != FalconLoaderFault::None)
+  if (loading == FalconLoading::Loaded)
   {
-    trouble = FalconLoaderFaultText(loader.GetFault());
-    return FalconLoading::Failed;
+    return WaitUntilItRuns(serial, exchange, trouble);
   }
-  for (int i = 0; i < PacketsAfterLoading && !exchange.MustStop(); ++i)
-  {
-    if (serial.Runs(1))
-    {
-      return FalconLoading::Loaded;
-    }
-    if (serial.GetError() == LIBUSB_ERROR_NO_DEVICE)
-    {
-      return FalconLoading::Gone;
-    }
-  }
-  trouble = "the firmware was loaded, but does not answer";
-  return exchange.MustStop() ? FalconLoading::Stopped : FalconLoading::Failed;
+  trouble =
+    "failed " + std::to_string(FalconLoadingTries) + " times, the last time because " + trouble;
+  return loading;
 }
 
 } // namespace VolumeHaptics

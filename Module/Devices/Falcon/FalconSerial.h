@@ -29,6 +29,10 @@ public:
   {
   }
 
+  /** Closes the device and opens it again. False, with GetError. */
+  bool Reopen() noexcept;
+  bool IsOpen() const noexcept { return this->Usb.IsOpen(); }
+
   ///@{
   /** False where it did not go through; GetError says why. */
   bool Request(const FtdiRequest& request) noexcept;
@@ -61,9 +65,13 @@ enum class FalconLoading : std::uint8_t
   Gone
 };
 
+/** How often loading is tried. The loader is known to be flaky: libnifalcon, too, tries ten times. */
+constexpr int FalconLoadingTries = 10;
+
 /**
  * Loads the firmware, on the device's thread: takes seconds, tells the exchange how far it is, and
- * waits for the firmware to run. Where it fails, the text is what is wrong.
+ * waits for the firmware to run. After a failure the device is closed, opened and loaded again. If
+ * the last try fails, the text says why it did.
  */
 FalconLoading LoadFalcon(FalconSerial& serial, const std::vector<std::uint8_t>& image,
   HardwareExchange& exchange, std::string& trouble);

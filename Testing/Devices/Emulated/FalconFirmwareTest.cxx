@@ -30,7 +30,7 @@ protected:
     EXPECT_TRUE(Has(this->Error, "--firmware")) << this->Error;
     EXPECT_FALSE(this->Usb.IsClaimed()) << "it lets go of the device";
   }
-  /** What is in the way of an image that is read. */
+  /** What is in the way of an image that is read, at every try. */
   void Break(FalconFault fault, const std::string& why)
   {
     const TemporaryFile file(MakeImage(2000));
@@ -116,11 +116,6 @@ TEST_F(FalconFirmware, WrongEcho)
 TEST_F(FalconFirmware, NoEcho)
 {
   this->Break(FalconFault::NoEcho, "did not come back");
-}
-
-TEST_F(FalconFirmware, NoLoader)
-{
-  this->Break(FalconFault::NoGreeting, "does not answer");
 }
 
 TEST_F(FalconFirmware, DoesNotRun)

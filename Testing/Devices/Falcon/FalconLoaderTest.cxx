@@ -63,6 +63,32 @@ TEST_F(FalconLoads, AnswersInPieces)
   this->ExpectWrite(this->Block(62, 62));
 }
 
+TEST_F(FalconLoads, AZeroMayComeBeforeTheGreeting)
+{
+  this->Prepare();
+  this->ExpectWrite(Greeting);
+  this->Receive(std::string(1, '\0') + GreetingAnswer);
+  this->SpeedUp();
+  this->Loader = { this->Image.data(), this->Image.size() };
+  this->Prepare();
+  this->ExpectWrite(Greeting);
+  this->Receive(std::string(1, '\0'));
+  this->ExpectDue(4);
+  this->Receive(GreetingAnswer);
+  this->SpeedUp();
+  // One, and nowhere else.
+  this->Loader = { this->Image.data(), this->Image.size() };
+  this->Prepare();
+  this->ExpectWrite(Greeting);
+  this->Receive(std::string(2, '\0') + GreetingAnswer);
+  this->ExpectRequest(0, 1);
+  this->Greet();
+  this->SpeedUp();
+  this->ExpectWrite("\x41");
+  this->Receive(std::string(1, '\0') + "\x41");
+  this->ExpectFault(FalconLoaderFault::WrongHandshake);
+}
+
 TEST_F(FalconLoads, AWholeNumberOfBlocks)
 {
   this->Loader = { this->Image.data(), 62 };

@@ -28,29 +28,40 @@ bool UsbInterface::Open(const UsbProduct& product, int number, std::string& erro
         std::to_string(devices.size()) + " are plugged in, counted from 0.";
     return false;
   }
-  libusb_device* const device = devices[place].get();
-  int result = libusb_open(device, &this->Handle);
+  this->Device.reset(libusb_ref_device(devices[place].get()));
+  const int result = this->Claim();
+  if (result != LIBUSB_SUCCESS)
+  {
+    error = "The " + UsbNameOf(this->Device.get(), product) +
+      " can't be opened: " + UsbTroubleText(result, product);
+  }
+  return result == LIBUSB_SUCCESS;
+}
+
+int UsbInterface::Reopen() noexcept
+{
+  this->Release();
+  return this->Claim();
+}
+
+int UsbInterface::Claim() noexcept
+{
+  int result = libusb_open(this->Device.get(), &this->Handle);
   if (result == LIBUSB_SUCCESS)
   {
-    // Where the system has no such thing there is no driver in the way either.
+    // If the system has no such thing there is no driver in the way either.
     libusb_set_auto_detach_kernel_driver(this->Handle, 1);
     result = libusb_claim_interface(this->Handle, 0);
   }
-  if (result != LIBUSB_SUCCESS)
+  if (result != LIBUSB_SUCCESS && this->Handle != nullptr)
   {
-    error =
-      "The " + UsbNameOf(device, product) + " can't be opened: " + UsbTroubleText(result, product);
-    if (this->Handle != nullptr)
-    {
-      libusb_close(this->Handle);
-      this->Handle = nullptr;
-    }
-    return false;
+    libusb_close(this->Handle);
+    this->Handle = nullptr;
   }
-  return true;
+  return result;
 }
 
-void UsbInterface::Close() noexcept
+void UsbInterface::Release() noexcept
 {
   if (this->Handle != nullptr)
   {
@@ -58,6 +69,12 @@ void UsbInterface::Close() noexcept
     libusb_close(this->Handle);
     this->Handle = nullptr;
   }
+}
+
+void UsbInterface::Close() noexcept
+{
+  this->Release();
+  this->Device.reset();
   this->Context.reset();
 }
 

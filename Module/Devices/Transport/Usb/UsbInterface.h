@@ -27,6 +27,11 @@ public:
    * and claims interface 0. False, with the reason and the cure.
    */
   bool Open(const UsbProduct& product, int number, std::string& error);
+  /**
+   * Closes the device and opens the very same one again: 0, or a libusb error below zero, after
+   * which it is not open and may be tried again.
+   */
+  int Reopen() noexcept;
   void Close() noexcept;
   bool IsOpen() const noexcept { return this->Handle != nullptr; }
 
@@ -47,7 +52,11 @@ public:
   libusb_device_handle* GetHandle() const noexcept { return this->Handle; }
 
 private:
+  int Claim() noexcept;
+  void Release() noexcept;
+
   UsbContext Context;
+  UsbDevice Device;
   libusb_device_handle* Handle = nullptr;
 };
 
