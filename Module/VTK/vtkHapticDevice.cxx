@@ -4,7 +4,7 @@
 
 #include "VTK/Baking/HapticMethods.h"
 #include "VTK/Session/DeviceRecorder.h"
-#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Session/DeviceSession.h"
 #include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Session/ModelSource.h"
 #include "VTK/Session/VirtualTip.h"
@@ -36,9 +36,9 @@ const char* const CureForNoGuard = ". Close files or end threads of this program
 struct vtkHapticDevice::vtkInternals
 {
   explicit vtkInternals(vtkHapticDevice* self)
-    : Models(self, Holder)
-    , Recorder(self, Holder)
-    , Tip(Holder)
+    : Models(self, Session)
+    , Recorder(self, Session)
+    , Tip(Session)
   {
   }
 
@@ -48,11 +48,11 @@ struct vtkHapticDevice::vtkInternals
     limits.MaximumForce = self->GetMaximumForce();
     limits.MaximumForceRate = self->GetMaximumForceRate();
     limits.AttentionTime = self->GetAttentionTime();
-    limits.MaximumSpeed = this->Holder.GetLimits().MaximumSpeed;
+    limits.MaximumSpeed = this->Session.GetLimits().MaximumSpeed;
     return limits;
   }
 
-  HapticDeviceHolder Holder;
+  DeviceSession Session;
   ModelSource Models;
   DeviceRecorder Recorder;
   VirtualTip Tip;
@@ -79,9 +79,9 @@ bool vtkHapticDevice::Open(const char* id)
 {
   const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
   std::string error;
-  auto& holder = this->Internals->Holder;
+  auto& session = this->Internals->Session;
   this->Close();
-  if (!holder.Open(id ? id : "", this->MakeOptions(), error))
+  if (!session.Open(id ? id : "", this->MakeOptions(), error))
   {
     vtkErrorMacro(<< Printable(error));
     return false;
@@ -93,7 +93,7 @@ bool vtkHapticDevice::Open(const char* id)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::TakeLimits()
 {
-  const double most = this->Internals->Holder.GetLimits().MaximumForce;
+  const double most = this->Internals->Session.GetLimits().MaximumForce;
   this->MaximumForce = this->WantedForce < 0.0 ? 0.5 * most : std::min(this->WantedForce, most);
   this->Modified();
 }
@@ -118,9 +118,9 @@ void vtkHapticDevice::Close()
 void vtkHapticDevice::Shut()
 {
   this->Halt();
-  if (this->Internals->Holder.IsOpen())
+  if (this->Internals->Session.IsOpen())
   {
-    this->Internals->Holder.Close();
+    this->Internals->Session.Close();
     this->Modified();
   }
 }
@@ -128,13 +128,13 @@ void vtkHapticDevice::Shut()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::IsOpen()
 {
-  return this->Internals->Holder.IsOpen();
+  return this->Internals->Session.IsOpen();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHapticDevice::GetDeviceId()
 {
-  return this->Internals->Holder.GetId();
+  return this->Internals->Session.GetId();
 }
 
 //------------------------------------------------------------------------------
@@ -156,8 +156,8 @@ vtkVolumeHapticsFilter* vtkHapticDevice::GetVolumeHaptics()
 std::string vtkHapticDevice::GetMethodText()
 {
   auto& d = *this->Internals;
-  const HapticSession* const session = d.Holder.GetSession();
-  const HapticModel* const model = session ? session->GetLatestModel() : nullptr;
+  const TickCollector* const ticks = d.Session.GetTicks();
+  const HapticModel* const model = ticks ? ticks->GetLatestModel() : nullptr;
   if (!model)
   {
     vtkVolumeHapticsFilter* const filter = d.Models.GetFilter();
@@ -187,22 +187,22 @@ bool vtkHapticDevice::Publish()
 {
   const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
   auto& d = *this->Internals;
-  d.Holder.Attend();
+  d.Session.Attend();
   std::shared_ptr<const HapticModel> model;
-  const double rate = d.Holder.GetSession() ? d.Holder.GetRate() : this->ServoRate;
+  const double rate = d.Session.IsRunning() ? d.Session.GetRate() : this->ServoRate;
   if (!d.Models.Make(rate, model))
   {
     return false;
   }
-  if (HapticSession* session = d.Holder.GetSession())
+  if (TickCollector* const ticks = d.Session.GetTicks())
   {
-    if (session->IsRecording() && model && !model->Resident.IsWhole())
+    if (ticks->IsRecording() && model && !model->Resident.IsWhole())
     {
       vtkErrorMacro("A recording is under way, and recordings can't be of a region of a larger "
                     "volume: no single image could replay them. StopRecording() first.");
       return false;
     }
-    session->Publish(std::move(model));
+    ticks->Publish(std::move(model));
   }
   return true;
 }
@@ -218,27 +218,27 @@ bool vtkHapticDevice::Start()
 {
   auto& d = *this->Internals;
   const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  if (d.Holder.GetSession())
+  if (d.Session.IsRunning())
   {
     return true;
   }
-  const int opening = d.Holder.GetOpening();
+  const int opening = d.Session.GetOpening();
   std::shared_ptr<const HapticModel> model;
-  if (d.Holder.IsOpen() && !d.Models.Make(this->ServoRate, model))
+  if (d.Session.IsOpen() && !d.Models.Make(this->ServoRate, model))
   {
     return false;
   }
   // Observers of the progress may have started it, closed it or opened another one.
-  if (d.Holder.GetSession())
+  if (d.Session.IsRunning())
   {
     return true;
   }
-  if (!d.Holder.IsOpen())
+  if (!d.Session.IsOpen())
   {
     vtkErrorMacro("No device is open. Open one first, for example with Open(\"virtual\").");
     return false;
   }
-  if (d.Holder.GetOpening() != opening)
+  if (d.Session.GetOpening() != opening)
   {
     vtkErrorMacro("The device was closed or replaced while it was being started: Start() again.");
     return false;
@@ -246,7 +246,7 @@ bool vtkHapticDevice::Start()
   const Affine3 placement = model ? model->DeviceToWorld : d.Models.GetPlacement();
   try
   {
-    d.Holder.Start(this->ServoRate, d.MakeLimits(this), std::move(model), placement);
+    d.Session.Start(this->ServoRate, d.MakeLimits(this), std::move(model), placement);
   }
   catch (const std::bad_alloc&)
   {
@@ -275,33 +275,33 @@ void vtkHapticDevice::Stop()
 void vtkHapticDevice::Halt()
 {
   // At once: writing a recording takes its time.
-  this->Internals->Holder.Arm(false);
+  this->Internals->Session.Arm(false);
   this->AnnounceDisarmed();
   if (this->Internals->Recorder.IsUnderWay())
   {
     this->Internals->Recorder.Stop(false); // there is no force any more, and perhaps no owner
   }
-  this->Internals->Holder.Stop();
+  this->Internals->Session.Stop();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::IsRunning()
 {
-  return this->Internals->Holder.GetSession() != nullptr;
+  return this->Internals->Session.IsRunning();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Arm()
 {
-  auto& holder = this->Internals->Holder;
-  if (!holder.IsReady())
+  auto& session = this->Internals->Session;
+  if (!session.IsReady())
   {
-    vtkErrorMacro(<< "It can't be armed yet. " << holder.GetStatusText());
+    vtkErrorMacro(<< "It can't be armed yet. " << session.GetStatus().MakeText());
     return;
   }
   try
   {
-    holder.Arm(true);
+    session.Arm(true);
   }
   catch (const std::exception& error)
   {
@@ -329,14 +329,14 @@ void vtkHapticDevice::AnnounceDisarmed()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Disarm()
 {
-  this->Internals->Holder.Arm(false);
+  this->Internals->Session.Arm(false);
   this->AnnounceDisarmed();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::FadeOut()
 {
-  this->Internals->Holder.FadeOut();
+  this->Internals->Session.FadeOut();
   this->AnnounceDisarmed();
 }
 
@@ -349,10 +349,10 @@ void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
   constexpr double margin = 8.0;
   const double limit =
     this->AttentionTime > 0.0 ? std::min(shortest, this->AttentionTime / margin) : shortest;
-  auto& holder = this->Internals->Holder;
-  holder.Attend();
+  auto& session = this->Internals->Session;
+  session.Attend();
   const bool isLong = !(expectedSeconds < limit);
-  const bool begins = holder.BeginWork(what && *what ? what : "the program works", isLong);
+  const bool begins = session.BeginWork(what && *what ? what : "the program works", isLong);
   if (begins && this->HasObserver(vtkCommand::StartEvent))
   {
     const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
@@ -363,13 +363,13 @@ void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::EndLongWork()
 {
-  auto& holder = this->Internals->Holder;
-  if (!holder.HasWork())
+  auto& session = this->Internals->Session;
+  if (!session.HasWork())
   {
     vtkErrorMacro("No long work is under way: BeginLongWork() first.");
     return;
   }
-  if (holder.EndWork() && this->HasObserver(vtkCommand::EndEvent))
+  if (session.EndWork() && this->HasObserver(vtkCommand::EndEvent))
   {
     const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
     this->InvokeEvent(vtkCommand::EndEvent);
@@ -379,40 +379,40 @@ void vtkHapticDevice::EndLongWork()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Home()
 {
-  this->Internals->Holder.Home();
+  this->Internals->Session.Home();
   this->AnnounceDisarmed();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetLights(int lights)
 {
-  this->Internals->Holder.SetLights(lights);
+  this->Internals->Session.SetLights(lights);
 }
 
 //------------------------------------------------------------------------------
 int vtkHapticDevice::GetStatus()
 {
-  return this->Internals->Holder.GetStatus();
+  return this->Internals->Session.GetStatus().FindType();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHapticDevice::GetStatusText()
 {
-  return this->Internals->Holder.GetStatusText();
+  return this->Internals->Session.GetStatus().MakeText();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::UpdateState()
 {
   this->Internals->Recorder.TellTrouble();
-  return this->Internals->Holder.Update(this->Internals->Models.GetPlacement());
+  return this->Internals->Session.Update(this->Internals->Models.GetPlacement());
 }
 
 //------------------------------------------------------------------------------
-#define vtkHapticDeviceStateMacro(type, name, value)         \
-  type vtkHapticDevice::Get##name()                          \
-  {                                                          \
-    return static_cast<type>(this->Internals->Holder.value); \
+#define vtkHapticDeviceStateMacro(type, name, value)          \
+  type vtkHapticDevice::Get##name()                           \
+  {                                                           \
+    return static_cast<type>(this->Internals->Session.value); \
   }
 
 vtkHapticDeviceStateMacro(double*, TipPosition, Tip);
@@ -437,7 +437,7 @@ vtkHapticDeviceStateMacro(double, Time, GetState().Time);
 void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
 {
   auto& d = *this->Internals;
-  d.Holder.DrainStates(d.Models.GetPlacement(), states, reader);
+  d.Session.DrainStates(d.Models.GetPlacement(), states, reader);
 }
 
 //------------------------------------------------------------------------------
@@ -465,10 +465,10 @@ void vtkHapticDevice::RemoveReader(int reader)
 void vtkHapticDevice::SendLimits()
 {
   auto& d = *this->Internals;
-  if (HapticSession* session = d.Holder.GetSession())
+  if (ServoLoop* const loop = d.Session.GetLoop())
   {
-    session->GetLoop().Attend();
-    session->GetLoop().SetLimits(d.MakeLimits(this));
+    loop->Attend();
+    loop->SetLimits(d.MakeLimits(this));
   }
   this->Modified();
 }
@@ -487,8 +487,8 @@ void vtkHapticDevice::SetServoRate(double rate)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumForce(double force)
 {
-  auto& holder = this->Internals->Holder;
-  const double most = holder.IsOpen() ? holder.GetLimits().MaximumForce : VTK_DOUBLE_MAX;
+  auto& session = this->Internals->Session;
+  const double most = session.IsOpen() ? session.GetLimits().MaximumForce : VTK_DOUBLE_MAX;
   this->WantedForce = Clamp(DeviceSettingRows::MaximumForce, force);
   const double clamped = std::min(this->WantedForce, most);
   if (clamped != this->MaximumForce)
@@ -604,11 +604,11 @@ bool vtkHapticDevice::RecoverRecording(const char* part, const char* file)
 }
 
 //------------------------------------------------------------------------------
-#define vtkHapticDeviceStatisticMacro(type, name, parameters, value)     \
-  type vtkHapticDevice::Get##name parameters                             \
-  {                                                                      \
-    HapticSession* const session = this->Internals->Holder.GetSession(); \
-    return session ? static_cast<type>(session->GetLoop().value) : 0;    \
+#define vtkHapticDeviceStatisticMacro(type, name, parameters, value) \
+  type vtkHapticDevice::Get##name parameters                         \
+  {                                                                  \
+    ServoLoop* const loop = this->Internals->Session.GetLoop();      \
+    return loop ? static_cast<type>(loop->value) : 0;                \
   }
 
 vtkHapticDeviceStatisticMacro(double, TickRate, (), GetTickRate());
@@ -623,9 +623,9 @@ vtkHapticDeviceStatisticMacro(vtkIdType, UnfinishedTicks, (), GetUnfinishedTicks
 //------------------------------------------------------------------------------
 void vtkHapticDevice::ResetStatistics()
 {
-  if (HapticSession* session = this->Internals->Holder.GetSession())
+  if (ServoLoop* const loop = this->Internals->Session.GetLoop())
   {
-    session->GetLoop().ResetStatistics();
+    loop->ResetStatistics();
   }
 }
 
@@ -634,7 +634,7 @@ void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   auto& d = *this->Internals;
-  const std::string& id = d.Holder.GetId();
+  const std::string& id = d.Session.GetId();
   os << indent << "Device: " << (id.empty() ? "(none)" : id.c_str()) << "\n";
   os << indent << "Status: " << this->GetStatusText() << "\n";
   os << indent << "VolumeHaptics: " << d.Models.GetFilter() << "\n";

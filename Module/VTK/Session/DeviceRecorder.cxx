@@ -37,25 +37,25 @@ double EstimateWriting(const std::string& file, double ticks)
 
 } // namespace
 
-/** The session that can be recorded into a file of that name; null after an error. */
-HapticSession* DeviceRecorder::FindRecordable(const std::string& name) const
+/** The ticks that can be recorded into a file of that name; null after an error. */
+TickCollector* DeviceRecorder::FindRecordable(const std::string& name) const
 {
-  HapticSession* const session = this->Holder.GetSession();
+  TickCollector* const ticks = this->Session.GetTicks();
   const char* error = nullptr;
-  if (!session)
+  if (!ticks)
   {
     error = "There is nothing to record: Start() the servo first.";
   }
-  else if (session->IsRecording())
+  else if (ticks->IsRecording())
   {
     error = "A recording is under way: StopRecording() it first.";
   }
-  else if (!session->GetLatestModel())
+  else if (!ticks->GetLatestModel())
   {
     error = "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
             "of what is felt.";
   }
-  else if (!session->GetLatestModel()->Resident.IsWhole())
+  else if (!ticks->GetLatestModel()->Resident.IsWhole())
   {
     error = "A region of a larger volume can't be recorded: the forces depend on when each region "
             "arrived, so that no single image could replay them. Connect the whole "
@@ -81,7 +81,7 @@ HapticSession* DeviceRecorder::FindRecordable(const std::string& name) const
     vtkErrorWithObjectMacro(this->Device, "The recording " << reason);
     return nullptr;
   }
-  return session;
+  return ticks;
 }
 
 bool DeviceRecorder::Start(const std::string& name, vtkVolumeHapticsFilter* filter)
@@ -107,20 +107,20 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
     return false;
   }
   RecordingAbout about;
-  about.DeviceId = this->Holder.GetId();
+  about.DeviceId = this->Session.GetId();
   if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = felt)
   {
     std::ostringstream settings;
     filter->PrintSettings(settings, vtkIndent());
-    settings << "ServoRate of the device: " << this->Holder.GetRate() << " Hz\n";
+    settings << "ServoRate of the device: " << this->Session.GetRate() << " Hz\n";
     about.Settings = settings.str();
     const LongWork work(
       this->Device, "the volume is hashed", HapticBaker(filter).EstimateHashTime());
     about.VolumeHash = filter->HashScalars();
   }
   // Observers of the long work may have stopped the servo, or begun a recording.
-  HapticSession* const session = this->FindRecordable(name);
-  if (!session)
+  TickCollector* const ticks = this->FindRecordable(name);
+  if (!ticks)
   {
     return false;
   }
@@ -132,7 +132,7 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
     vtkErrorWithObjectMacro(this->Device, << error);
     return false;
   }
-  session->StartRecording(std::move(recording));
+  ticks->StartRecording(std::move(recording));
   this->File = name;
   this->IsTroubleTold = false;
   if (!warning.empty())
@@ -144,8 +144,8 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
 
 bool DeviceRecorder::Stop(bool isAnnounced)
 {
-  HapticSession* const session = this->Holder.GetSession();
-  std::unique_ptr<HapticRecording> recording = session ? session->StopRecording() : nullptr;
+  TickCollector* const ticks = this->Session.GetTicks();
+  std::unique_ptr<HapticRecording> recording = ticks ? ticks->StopRecording() : nullptr;
   if (!recording)
   {
     vtkErrorWithObjectMacro(this->Device, "No recording is under way: StartRecording() first.");
@@ -197,18 +197,18 @@ bool DeviceRecorder::Recover(const std::string& from, const std::string& to)
 
 bool DeviceRecorder::IsUnderWay() const
 {
-  const HapticSession* const session = this->Holder.GetSession();
-  return session && session->IsRecording() && session->IsOurs();
+  const TickCollector* const ticks = this->Session.GetTicks();
+  return ticks && ticks->IsRecording() && this->Session.IsOurs();
 }
 
 void DeviceRecorder::TellTrouble()
 {
-  const HapticSession* const session = this->Holder.GetSession();
-  if (!session || !session->IsRecording() || this->IsTroubleTold)
+  const TickCollector* const ticks = this->Session.GetTicks();
+  if (!ticks || !ticks->IsRecording() || this->IsTroubleTold)
   {
     return;
   }
-  const std::string trouble = session->GetRecordingTrouble();
+  const std::string trouble = ticks->GetRecordingTrouble();
   if (!trouble.empty())
   {
     this->IsTroubleTold = true;

@@ -7,7 +7,7 @@
 #ifndef DeviceRecorder_h
 #define DeviceRecorder_h
 
-#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Session/DeviceSession.h"
 
 #include <string>
 
@@ -21,9 +21,9 @@ namespace VolumeHaptics
 class DeviceRecorder
 {
 public:
-  DeviceRecorder(vtkHapticDevice* device, HapticDeviceHolder& holder)
+  DeviceRecorder(vtkHapticDevice* device, DeviceSession& session)
     : Device(device)
-    , Holder(holder)
+    , Session(session)
   {
   }
 
@@ -47,10 +47,10 @@ public:
 
 private:
   bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
-  HapticSession* FindRecordable(const std::string& file) const;
+  TickCollector* FindRecordable(const std::string& file) const;
 
   vtkHapticDevice* const Device;
-  HapticDeviceHolder& Holder;
+  DeviceSession& Session;
   std::string File;
   bool IsTroubleTold = false;
 };

@@ -3,7 +3,7 @@
 #include "VTK/Session/HapticSignals.h"
 
 #include "Core/Servo/PerProcess.h"
-#include "VTK/Session/HapticSession.h"
+#include "VTK/Session/ServoThreads.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -29,7 +29,7 @@ namespace
 {
 
 /**
- * For how long (ms) a process that ends waits for its devices at most. Sessions whose loops hang
+ * For how long (ms) a process that ends waits for its devices at most. Servos whose loops hang
  * take 40; the rest is for a machine so busy that the watcher does not get to run.
  */
 constexpr int LongestWait = 2000;
@@ -37,7 +37,7 @@ constexpr int LongestWait = 2000;
 struct Guarded
 {
   std::mutex Mutex;
-  std::vector<HapticSession*> Sessions;
+  std::vector<ServoThreads*> Servos;
 };
 
 PerProcess<Guarded> GuardedOfProcess;
@@ -102,7 +102,7 @@ void QuenchAll() noexcept
     const std::unique_lock<std::mutex> lock(guarded.Mutex, std::try_to_lock);
     if (lock)
     {
-      HapticSession::Quench(guarded.Sessions);
+      ServoThreads::Quench(guarded.Servos);
       return;
     }
     // The thread that has the lock may be the one that ends the process.
@@ -367,7 +367,7 @@ std::terminate_handler BeforeTerminate = nullptr;
 
 } // namespace
 
-void GuardSession(HapticSession* session)
+void GuardServo(ServoThreads* servo)
 {
   static const bool hooked = []
   {
@@ -382,28 +382,28 @@ void GuardSession(HapticSession* session)
   [[maybe_unused]] const SignalsBlocked blocked{};
   Guarded& guarded = GuardedOfProcess.Get();
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
-  auto& sessions = guarded.Sessions;
+  auto& servos = guarded.Servos;
   if (!IsOwner())
   {
     // A forked child has neither its parent's devices nor the thread that watches over them.
     StartWatching();
     Owner = ServoClock::GetProcess();
   }
-  if (std::find(sessions.begin(), sessions.end(), session) == sessions.end())
+  if (std::find(servos.begin(), servos.end(), servo) == servos.end())
   {
-    sessions.push_back(session);
+    servos.push_back(servo);
   }
   Install();
 }
 
-void ReleaseSession(HapticSession* session)
+void ReleaseServo(ServoThreads* servo)
 {
   [[maybe_unused]] const SignalsBlocked blocked{};
   Guarded& guarded = GuardedOfProcess.Get();
   const std::lock_guard<std::mutex> lock(guarded.Mutex);
-  auto& sessions = guarded.Sessions;
-  sessions.erase(std::remove(sessions.begin(), sessions.end(), session), sessions.end());
-  if (sessions.empty() && IsOwner())
+  auto& servos = guarded.Servos;
+  servos.erase(std::remove(servos.begin(), servos.end(), servo), servos.end());
+  if (servos.empty() && IsOwner())
   {
     Uninstall();
   }

@@ -4,9 +4,9 @@
  * @file
  * Zero force when the process ends or stops.
  *
- * While a session is guarded, every signal that would end or stop the process meets a handler of
+ * While a servo is guarded, every signal that would end or stop the process meets a handler of
  * ours first (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which a pipe
- * wakes, quenches every session. SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) are sent
+ * wakes, quenches every servo. SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) are sent
  * again by that thread, for what handled them before. At a crash (SIGSEGV, SIGABRT and the like),
  * the thread that it hit waits for the quenching, which takes milliseconds (2 s at most, if the
  * device's driver hangs or the machine is very busy), and then meets what was there before: another
@@ -23,16 +23,16 @@
 namespace VolumeHaptics
 {
 
-class HapticSession;
+class ServoThreads;
 
 /**
- * From the owner's thread, when a session starts and each time it is armed, since a signal that the
- * process outlives takes the guard away. A session must be released before it is destroyed. Throws
+ * From the owner's thread, when a servo starts and each time it is armed, since a signal that the
+ * process outlives takes the guard away. A servo must be released before it is destroyed. Throws
  * std::system_error or std::bad_alloc when the process may have no more files, threads or memory: a
- * session that is not guarded yet is not then, and must not be armed.
+ * servo that is not guarded yet is not then, and must not be armed.
  */
-void GuardSession(HapticSession* session);
-void ReleaseSession(HapticSession* session);
+void GuardServo(ServoThreads* servo);
+void ReleaseServo(ServoThreads* servo);
 
 } // namespace VolumeHaptics
 

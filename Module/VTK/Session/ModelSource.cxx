@@ -15,9 +15,9 @@
 namespace VolumeHaptics
 {
 
-ModelSource::ModelSource(vtkHapticDevice* device, const HapticDeviceHolder& holder)
+ModelSource::ModelSource(vtkHapticDevice* device, const DeviceSession& session)
   : Device(device)
-  , Holder(holder)
+  , Session(session)
 {
 }
 
@@ -52,7 +52,7 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
   {
     const LongWork work(this->Device, "the surface is meshed",
       this->Device->IsRunning() ? HapticBaker(filter).EstimateTime() : 0.0);
-    const ForceCaps caps = CapsOf(this->Holder.GetLimits(), 1.0 / rate);
+    const ForceCaps caps = CapsOf(this->Session.GetLimits(), 1.0 / rate);
     model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
     this->MadeTime = FindChangeTime(filter);
   }
@@ -66,10 +66,10 @@ bool ModelSource::IsUpToDate() const
 
 Affine3 ModelSource::GetPlacement() const
 {
-  const HapticSession* const session = this->Holder.GetSession();
-  if (session && session->GetLatestModel())
+  const TickCollector* const ticks = this->Session.GetTicks();
+  if (ticks && ticks->GetLatestModel())
   {
-    return session->GetLatestModel()->DeviceToWorld;
+    return ticks->GetLatestModel()->DeviceToWorld;
   }
   Affine3 map;
   std::string error;

@@ -7,7 +7,7 @@
 #ifndef ModelSource_h
 #define ModelSource_h
 
-#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Session/DeviceSession.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
@@ -24,7 +24,7 @@ namespace VolumeHaptics
 class ModelSource
 {
 public:
-  ModelSource(vtkHapticDevice* device, const HapticDeviceHolder& holder);
+  ModelSource(vtkHapticDevice* device, const DeviceSession& session);
   ~ModelSource();
 
   ///@{
@@ -49,7 +49,7 @@ public:
 
 private:
   vtkHapticDevice* const Device;
-  const HapticDeviceHolder& Holder;
+  const DeviceSession& Session;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   vtkMTimeType MadeTime = 0; ///< change time of the filter and its input when Make was called

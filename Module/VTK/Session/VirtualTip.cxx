@@ -11,9 +11,10 @@ namespace VolumeHaptics
 
 std::string VirtualTip::Check(const Vector3& world) const
 {
-  return !this->Holder.GetVirtual() ? "There is no virtual device to lead: Open(\"virtual\") first."
-    : !IsFinite(world)              ? "The virtual tip must be finite; it stays where it was."
-                                    : "";
+  return !this->Session.GetVirtual()
+    ? "There is no virtual device to lead: Open(\"virtual\") first."
+    : !IsFinite(world) ? "The virtual tip must be finite; it stays where it was."
+                       : "";
 }
 
 std::string VirtualTip::Lead(const Vector3& world, const Affine3& deviceToWorld)
@@ -21,7 +22,7 @@ std::string VirtualTip::Lead(const Vector3& world, const Affine3& deviceToWorld)
   std::string error = this->Check(world);
   if (error.empty())
   {
-    this->Holder.GetVirtual()->Lead(Inverse(deviceToWorld)(world));
+    this->Session.GetVirtual()->Lead(Inverse(deviceToWorld)(world));
   }
   return error;
 }
@@ -31,14 +32,14 @@ std::string VirtualTip::Place(const Vector3& world, const Affine3& deviceToWorld
   std::string error = this->Check(world);
   if (error.empty())
   {
-    this->Holder.GetVirtual()->Place(Inverse(deviceToWorld)(world));
+    this->Session.GetVirtual()->Place(Inverse(deviceToWorld)(world));
   }
   return error;
 }
 
 void VirtualTip::SetButtons(int buttons)
 {
-  if (VirtualDevice* device = this->Holder.GetVirtual())
+  if (VirtualDevice* device = this->Session.GetVirtual())
   {
     device->SetButtons(static_cast<std::uint32_t>(buttons));
   }
@@ -47,8 +48,8 @@ void VirtualTip::SetButtons(int buttons)
 std::string VirtualTip::SetDynamics(
   double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay)
 {
-  VirtualDevice* const device = this->Holder.GetVirtual();
-  if (!device || this->Holder.GetSession())
+  VirtualDevice* const device = this->Session.GetVirtual();
+  if (!device || this->Session.IsRunning())
   {
     return "Dynamics are set between Open(\"virtual\") and Start().";
   }
@@ -65,9 +66,9 @@ std::string VirtualTip::SetDynamics(
 std::string VirtualTip::SetLimits(
   double maximumForce, double maximumStiffness, double maximumDamping, double friction)
 {
-  VirtualDevice* const device = this->Holder.GetVirtual();
+  VirtualDevice* const device = this->Session.GetVirtual();
   const double sum = maximumForce + maximumStiffness + maximumDamping + friction;
-  if (!device || this->Holder.GetSession() || !std::isfinite(sum) || !(maximumForce > 0.0))
+  if (!device || this->Session.IsRunning() || !std::isfinite(sum) || !(maximumForce > 0.0))
   {
     return "Limits are finite, with a force above 0, and are set between Open(\"virtual\") and "
            "Start().";

@@ -8,7 +8,7 @@
 #define VirtualTip_h
 
 #include "Core/Math/Vector3.h"
-#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Session/DeviceSession.h"
 
 #include <string>
 
@@ -22,8 +22,8 @@ namespace VolumeHaptics
 class VirtualTip
 {
 public:
-  explicit VirtualTip(HapticDeviceHolder& holder)
-    : Holder(holder)
+  explicit VirtualTip(DeviceSession& session)
+    : Session(session)
   {
   }
 
@@ -41,7 +41,7 @@ public:
 private:
   std::string Check(const Vector3& world) const;
 
-  HapticDeviceHolder& Holder;
+  DeviceSession& Session;
 };
 
 } // namespace VolumeHaptics

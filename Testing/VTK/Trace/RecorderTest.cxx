@@ -7,7 +7,7 @@
 
 #include "RecorderRig.h"
 
-#include "VTK/Session/HapticSession.h"
+#include "VTK/Session/TickCollector.h"
 #include "VTK/Trace/HapticFiles.h"
 
 using namespace recordertest;
@@ -56,7 +56,7 @@ TEST_F(Recorder, TakesBoundedMemoryAndAtMost300BytesATick)
 
 TEST_F(Recorder, KeepsForReadersATenthOfAState)
 {
-  EXPECT_LE(sizeof(StateRow) * HapticSession::MostStates, 20e6);
+  EXPECT_LE(sizeof(StateRow) * TickCollector::MostStates, 20e6);
   EXPECT_LE(sizeof(RecordingRow) * HapticRecording::MostWaiting, 6e6);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of HapticDeviceHolder that says where the device stands.
-#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Session/DeviceStatus.h"
+
 #include "VTK/Trace/HapticFiles.h"
 
 #include "vtkHapticDevice.h"
@@ -81,13 +81,13 @@ const char* DescribePrivilege(ServoLoop::Privilege privilege)
 
 } // namespace
 
-int HapticDeviceHolder::GetStatus() const
+int DeviceStatus::FindType() const
 {
-  if (!this->Backend)
+  if (!this->IsOpen)
   {
     return vtkHapticDevice::CLOSED;
   }
-  switch (this->Backend->GetCondition().Stage)
+  switch (this->Condition.Stage)
   {
     case DeviceStage::Firmware:
       return vtkHapticDevice::FIRMWARE;
@@ -98,93 +98,84 @@ int HapticDeviceHolder::GetStatus() const
     case DeviceStage::Ready:
       break;
   }
-  if (!this->Session)
-  {
-    return this->IsArmOrdered() ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
-  }
-  if (this->State.GetFault() != GateReason::None)
+  if (this->State && this->State->GetFault() != GateReason::None)
   {
     return vtkHapticDevice::FAULT;
   }
-  if (!this->State.IsArmed())
+  if (!this->State || !this->State->IsArmed())
   {
-    return this->IsArmOrdered() ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
+    return this->IsArmOrdered ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
-  return this->State.Stale || this->FindLongWork() ? vtkHapticDevice::ARMED
-                                                   : vtkHapticDevice::ACTIVE;
+  return this->State->Stale || !this->LongWork.empty() ? vtkHapticDevice::ARMED
+                                                       : vtkHapticDevice::ACTIVE;
 }
 
-std::string HapticDeviceHolder::Describe(const DeviceCondition& condition) const
+std::string DeviceStatus::MakeText() const
 {
-  const char* const begin = condition.Stage == DeviceStage::Firmware ? "Firmware of "
-    : condition.Stage == DeviceStage::Homing                         ? "Homing of "
-                                                                     : "Force cut off, lost: ";
-  return begin + this->Id + ": " + condition.Text.data();
-}
-
-std::string HapticDeviceHolder::GetStatusText() const
-{
-  const std::string trouble = this->Session ? this->Session->GetRecordingTrouble() : std::string();
+  const std::string& trouble = this->RecordingTrouble;
   return Printable(this->DescribeDevice() + (trouble.empty() ? "" : " " + trouble));
 }
 
-std::string HapticDeviceHolder::DescribeDevice() const
+std::string DeviceStatus::DescribeDevice() const
 {
-  if (this->Backend)
+  if (!this->IsOpen)
   {
-    const DeviceCondition condition = this->Backend->GetCondition();
-    if (condition.Stage != DeviceStage::Ready)
-    {
-      return this->Describe(condition);
-    }
+    return "Closed. Open() a device.";
   }
-  switch (this->GetStatus())
+  if (this->Condition.Stage != DeviceStage::Ready)
   {
-    case vtkHapticDevice::CLOSED:
-      return "Closed. Open() a device.";
-    case vtkHapticDevice::FAULT:
-      return Explain(this->State.GetFault());
-    default:
-      break;
+    return this->DescribeCondition();
   }
-  if (!this->Session)
+  if (!this->State)
   {
     return "Ready: " + this->Id + ". Start() the servo.";
   }
-  std::string text;
-  if (this->State.Device == DeviceState::Lost)
+  if (this->State->GetFault() != GateReason::None)
   {
-    text = "Lost: " + this->Id + " is gone. Plug it in, Open() and Start() it.";
+    return Explain(this->State->GetFault());
   }
-  else if (this->State.Device == DeviceState::Finished)
+  std::string text = this->DescribeState();
+  if (this->State->Awaiting)
   {
-    text = "Finished: " + this->Id + " has come to its end.";
-  }
-  else if (const Work* work = this->FindLongWork();
-           work && this->IsArmOrdered() && this->State.IsArmed())
-  {
-    text = "Force is off while " + work->What + ", and comes back by itself.";
-  }
-  else if (this->State.IsArmed() && this->State.Stale)
-  {
-    text = "Armed, but " + this->Id + " gives no fresh positions: no force.";
-  }
-  else
-  {
-    text = this->State.IsArmed() ? "Active: " + this->Id + "."
-                                 : "Running: " + this->Id + ". Arm() lets force through.";
-  }
-  if (this->State.Awaiting)
-  {
-    text += this->State.Residency > 0.0
+    text += this->State->Residency > 0.0
       ? " The data around the tip are awaited: the force fades."
       : " The data around the tip are awaited: no force until then.";
   }
-  ServoLoop& loop = this->Session->GetLoop();
-  text += DescribeShare(this->State) + std::string(" Real-time priority ") +
-    DescribePrivilege(loop.GetRealTimePriority()) + ", locking of the servo's own memory " +
-    DescribePrivilege(loop.GetLockedMemory()) + ".";
+  text += DescribeShare(*this->State) + std::string(" Real-time priority ") +
+    DescribePrivilege(this->RealTimePriority) + ", locking of the servo's own memory " +
+    DescribePrivilege(this->LockedMemory) + ".";
   return text;
+}
+
+std::string DeviceStatus::DescribeCondition() const
+{
+  const DeviceStage stage = this->Condition.Stage;
+  const char* const begin = stage == DeviceStage::Firmware ? "Firmware of "
+    : stage == DeviceStage::Homing                         ? "Homing of "
+                                                           : "Force cut off, lost: ";
+  return begin + this->Id + ": " + this->Condition.Text.data();
+}
+
+std::string DeviceStatus::DescribeState() const
+{
+  if (this->State->Device == DeviceState::Lost)
+  {
+    return "Lost: " + this->Id + " is gone. Plug it in, Open() and Start() it.";
+  }
+  if (this->State->Device == DeviceState::Finished)
+  {
+    return "Finished: " + this->Id + " has come to its end.";
+  }
+  if (!this->State->IsArmed())
+  {
+    return "Running: " + this->Id + ". Arm() lets force through.";
+  }
+  if (!this->LongWork.empty() && this->IsArmOrdered)
+  {
+    return "Force is off while " + this->LongWork + ", and comes back by itself.";
+  }
+  return this->State->Stale ? "Armed, but " + this->Id + " gives no fresh positions: no force."
+                            : "Active: " + this->Id + ".";
 }
 
 } // namespace VolumeHaptics

@@ -2,25 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The parts behind vtkHapticDevice: the open back end, its session, and the latest state.
+ * The parts behind vtkHapticDevice: the open back end, its running servo, and the latest state.
  */
-#ifndef HapticDeviceHolder_h
-#define HapticDeviceHolder_h
+#ifndef DeviceSession_h
+#define DeviceSession_h
 
 #include "Devices/Common/DeviceKind.h"
 #include "Devices/Virtual/VirtualDevice.h"
-#include "VTK/Session/HapticSession.h"
+#include "VTK/Session/DeviceStatus.h"
+#include "VTK/Session/ServoThreads.h"
 #include "VTK/Trace/HapticTraceFiles.h"
+
+#include <memory>
+#include <string>
+#include <vector>
 
 class vtkTable;
 
 namespace VolumeHaptics
 {
 
-class HapticDeviceHolder
+class DeviceSession
 {
 public:
-  ~HapticDeviceHolder() { this->Close(); }
+  ~DeviceSession() { this->Close(); }
 
   bool Open(const std::string& id, const DeviceOptions& options, std::string& error);
   void Close();
@@ -32,17 +37,23 @@ public:
   {
     return this->Backend ? this->Backend->GetLimits() : DeviceLimits{};
   }
-  /** The back end, where it is the virtual one. */
+  /** The back end if it is the virtual one; else null. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
 
-  /** Starts a session; the placement tells where a replay of world positions is. */
+  /** Starts the servo; the placement tells where a replay of world positions is. */
   void Start(double rate, const SafetyLimits& limits, std::shared_ptr<const HapticModel> model,
     const Affine3& deviceToWorld);
   void Stop();
-  /** Null where the servo does not run. */
-  HapticSession* GetSession() const { return this->Session.get(); }
+  bool IsRunning() const { return this->Servo != nullptr; }
+  /** False in a process that was forked from the one whose servo it is. */
+  bool IsOurs() const { return !this->Servo || this->Servo->IsOurs(); }
+  ///@{
+  /** Null if the servo does not run. */
+  ServoLoop* GetLoop() const { return this->Servo ? &this->Servo->GetLoop() : nullptr; }
+  TickCollector* GetTicks() const { return this->Servo ? &this->Servo->GetTicks() : nullptr; }
+  ///@}
 
-  /** Ticks per second of the session that runs. */
+  /** Ticks per second of the servo that runs. */
   double GetRate() const { return this->Rate; }
 
   /** The owner is there: see vtkHapticDevice::SetAttentionTime. */
@@ -52,7 +63,7 @@ public:
   ///@{
   /**
    * Work of the owner's, long or not: see vtkHapticDevice::BeginLongWork. True if the force goes
-   * off with it, and if it may come back. Works nest and outlive a session.
+   * off with it, and if it may come back. Works nest and outlive the servo.
    */
   bool BeginWork(const std::string& what, bool isLong);
   bool EndWork();
@@ -72,7 +83,7 @@ public:
     }
   }
 
-  /** Takes the latest state; the placement is used where there is no model. */
+  /** Takes the latest state; the placement is used if there is no model. */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
 
@@ -81,9 +92,8 @@ public:
    */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
 
-  /** As vtkHapticDevice::StatusType. */
-  int GetStatus() const;
-  std::string GetStatusText() const;
+  /** As of the last Update. It refers to this object. */
+  DeviceStatus GetStatus() const;
 
   ///@{
   /** Of the latest state, in the world. */
@@ -108,10 +118,8 @@ private:
   /** Whether the last order was to arm, be it seen by the servo or not. */
   bool IsArmOrdered() const
   {
-    return this->Session ? this->Session->GetLoop().IsArmOrdered() : this->ArmsAtStart;
+    return this->Servo ? this->Servo->GetLoop().IsArmOrdered() : this->ArmsAtStart;
   }
-  std::string Describe(const DeviceCondition& condition) const;
-  std::string DescribeDevice() const;
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;
@@ -119,9 +127,9 @@ private:
   VirtualDevice* Virtual = nullptr;
   bool IsReplay = false;
   RecordedTips Replay;
-  std::unique_ptr<HapticSession> Session;
+  std::unique_ptr<ServoThreads> Servo;
   ServoSnapshot State;
-  bool ArmsAtStart = false; ///< ordered before there was a session
+  bool ArmsAtStart = false; ///< ordered before the servo ran
   double Rate = 0.0;
   std::vector<Work> Works;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Session/HapticDeviceHolder.h"
+#include "VTK/Session/DeviceSession.h"
 
 #include "Devices/Common/DeviceRegistry.h"
 #include "Devices/Replay/ReplayDevice.h"
@@ -26,8 +26,7 @@ void Copy(const Vector3& from, double to[3])
 
 } // namespace
 
-bool HapticDeviceHolder::Open(
-  const std::string& id, const DeviceOptions& options, std::string& error)
+bool DeviceSession::Open(const std::string& id, const DeviceOptions& options, std::string& error)
 {
   this->Close();
   if (id == "virtual")
@@ -59,7 +58,7 @@ bool HapticDeviceHolder::Open(
   return true;
 }
 
-void HapticDeviceHolder::Close()
+void DeviceSession::Close()
 {
   this->Stop();
   if (this->Backend)
@@ -76,12 +75,12 @@ void HapticDeviceHolder::Close()
   this->Id.clear();
 }
 
-void HapticDeviceHolder::Start(double rate, const SafetyLimits& limits,
+void DeviceSession::Start(double rate, const SafetyLimits& limits,
   std::shared_ptr<const HapticModel> model, const Affine3& deviceToWorld)
 {
   if (this->IsReplay)
   {
-    // A replay starts over, and where its tips are in the world, at the device's place of now.
+    // A replay starts over. If its tips are in the world, it is placed as the device is now.
     std::vector<Vector3> tips = this->Replay.Tips;
     if (!this->Replay.InDeviceSpace)
     {
@@ -92,27 +91,27 @@ void HapticDeviceHolder::Start(double rate, const SafetyLimits& limits,
   }
   this->State = {};
   this->Rate = rate;
-  auto session = std::make_unique<HapticSession>(*this->Backend, rate, limits, std::move(model));
-  GuardSession(session.get());
-  this->Session = std::move(session);
+  auto servo = std::make_unique<ServoThreads>(*this->Backend, rate, limits, std::move(model));
+  GuardServo(servo.get());
+  this->Servo = std::move(servo);
   if (this->FindLongWork())
   {
-    this->Session->GetLoop().Hold();
+    this->Servo->GetLoop().Hold();
   }
   if (std::exchange(this->ArmsAtStart, false))
   {
-    this->Session->GetLoop().Arm();
+    this->Servo->GetLoop().Arm();
   }
 }
 
-void HapticDeviceHolder::Stop()
+void DeviceSession::Stop()
 {
-  if (this->Session)
+  if (this->Servo)
   {
     // A process that ends meanwhile still ends the force.
-    this->Session->End();
-    ReleaseSession(this->Session.get());
-    this->Session.reset();
+    this->Servo->End();
+    ReleaseServo(this->Servo.get());
+    this->Servo.reset();
     this->State.Gate = GateState::Disarmed;
     this->State.Reason = GateReason::Ordered;
     this->State.Share = 0.0;
@@ -121,68 +120,68 @@ void HapticDeviceHolder::Stop()
   }
 }
 
-void HapticDeviceHolder::Attend()
+void DeviceSession::Attend()
 {
-  if (this->Session)
+  if (this->Servo)
   {
-    this->Session->GetLoop().Attend();
+    this->Servo->GetLoop().Attend();
   }
 }
 
-void HapticDeviceHolder::Arm(bool on)
+void DeviceSession::Arm(bool on)
 {
-  if (!this->Session)
+  if (!this->Servo)
   {
     this->ArmsAtStart = on;
     return;
   }
   if (on)
   {
-    GuardSession(this->Session.get());
+    GuardServo(this->Servo.get());
   }
-  on ? this->Session->GetLoop().Arm() : this->Session->GetLoop().Disarm();
+  on ? this->Servo->GetLoop().Arm() : this->Servo->GetLoop().Disarm();
 }
 
-void HapticDeviceHolder::FadeOut()
+void DeviceSession::FadeOut()
 {
   this->ArmsAtStart = false;
-  if (this->Session)
+  if (this->Servo)
   {
-    this->Session->GetLoop().FadeOut();
+    this->Servo->GetLoop().FadeOut();
   }
 }
 
-const HapticDeviceHolder::Work* HapticDeviceHolder::FindLongWork() const
+const DeviceSession::Work* DeviceSession::FindLongWork() const
 {
   const auto found = std::find_if(
     this->Works.begin(), this->Works.end(), [](const Work& work) { return work.IsLong; });
   return found == this->Works.end() ? nullptr : &*found;
 }
 
-bool HapticDeviceHolder::BeginWork(const std::string& what, bool isLong)
+bool DeviceSession::BeginWork(const std::string& what, bool isLong)
 {
   const bool isFirst = isLong && !this->FindLongWork();
   this->Works.push_back({ what, isLong });
-  if (isFirst && this->Session)
+  if (isFirst && this->Servo)
   {
-    this->Session->Hold();
+    this->Servo->Hold();
   }
   return isFirst;
 }
 
-bool HapticDeviceHolder::EndWork()
+bool DeviceSession::EndWork()
 {
   const bool wasLong = this->FindLongWork() != nullptr;
   this->Works.pop_back();
   const bool isLast = wasLong && !this->FindLongWork();
-  if (isLast && this->Session)
+  if (isLast && this->Servo)
   {
-    this->Session->GetLoop().Release();
+    this->Servo->GetLoop().Release();
   }
   return isLast;
 }
 
-void HapticDeviceHolder::Home()
+void DeviceSession::Home()
 {
   if (this->Backend)
   {
@@ -191,21 +190,21 @@ void HapticDeviceHolder::Home()
   }
 }
 
-bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
+bool DeviceSession::Update(const Affine3& deviceToWorld)
 {
-  if (!this->Session)
+  if (!this->Servo)
   {
     return false;
   }
   this->Attend();
-  ServoLoop& loop = this->Session->GetLoop();
+  ServoLoop& loop = this->Servo->GetLoop();
   loop.Collect();
   if (!loop.ReadState())
   {
     return false;
   }
   this->State = loop.GetState();
-  const HapticModel* const model = this->Session->FindModel(this->State.Generation);
+  const HapticModel* const model = this->Servo->GetTicks().FindModel(this->State.Generation);
   const Affine3 toWorld = model ? model->DeviceToWorld : deviceToWorld;
   const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
   const TickRecord& record = this->State.Record;
@@ -215,7 +214,7 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
   Copy(rotation * this->State.Command, this->Force);
   Copy(rotation * record.Force, this->ComputedForce);
   Copy(rotation * record.Normal, this->Normal);
-  // Fig. 4: on both sides of where the proxy was when the tick began.
+  // Fig. 4: on both sides of the proxy as the tick began.
   const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;
   const Vector3 reach = (model ? model->KernelLength : 0.0) * record.Normal;
   Copy(toWorld(start + reach), this->SurfacePosition);
@@ -223,24 +222,48 @@ bool HapticDeviceHolder::Update(const Affine3& deviceToWorld)
   return true;
 }
 
-void HapticDeviceHolder::DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader)
+void DeviceSession::DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader)
 {
   if (!table)
   {
-    this->Session ? this->Session->StopTaking(reader) : void();
+    this->Servo ? this->Servo->GetTicks().StopTaking(reader) : void();
     return;
   }
   StateTable rows;
   this->Attend();
-  if (this->Session)
+  if (this->Servo)
   {
-    for (const StateRow& state : this->Session->TakeStates(reader))
+    for (const StateRow& state : this->Servo->GetTicks().TakeStates(reader))
     {
-      const HapticModel* const model = this->Session->FindModel(state.Generation);
+      const HapticModel* const model = this->Servo->GetTicks().FindModel(state.Generation);
       rows.Append(state, model ? model->DeviceToWorld : deviceToWorld);
     }
   }
   rows.WriteTo(table);
+}
+
+DeviceStatus DeviceSession::GetStatus() const
+{
+  DeviceStatus status;
+  status.IsOpen = this->IsOpen();
+  status.Id = this->Id;
+  if (this->Backend)
+  {
+    status.Condition = this->Backend->GetCondition();
+  }
+  status.IsArmOrdered = this->IsArmOrdered();
+  if (const Work* const work = this->FindLongWork())
+  {
+    status.LongWork = work->What;
+  }
+  if (this->Servo)
+  {
+    status.State = &this->State;
+    status.RealTimePriority = this->Servo->GetLoop().GetRealTimePriority();
+    status.LockedMemory = this->Servo->GetLoop().GetLockedMemory();
+    status.RecordingTrouble = this->Servo->GetTicks().GetRecordingTrouble();
+  }
+  return status;
 }
 
 } // namespace VolumeHaptics

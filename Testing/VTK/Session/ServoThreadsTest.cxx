@@ -5,8 +5,8 @@
  * A loop that hangs in its device is cut off from outside.
  */
 
+#include "VTK/Session/ServoThreads.h"
 #include "Rigs/Eventually.h"
-#include "VTK/Session/HapticSession.h"
 
 #include <gtest/gtest.h>
 
@@ -56,10 +56,10 @@ public:
 
 } // namespace
 
-TEST(HapticSession, QuenchesALoopThatIsSilentAndGoesOnAfterIt)
+TEST(ServoThreads, QuenchesALoopThatIsSilentAndGoesOnAfterIt)
 {
   HangingDevice device;
-  HapticSession session(device, 1000.0, SafetyLimits{}, nullptr);
+  ServoThreads servo(device, 1000.0, SafetyLimits{}, nullptr);
   ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 20; }));
   device.Hangs.store(true);
   const int before = device.Quenches.load();
@@ -69,34 +69,34 @@ TEST(HapticSession, QuenchesALoopThatIsSilentAndGoesOnAfterIt)
   EXPECT_TRUE(Eventually([&] { return device.Reads.load() > reads + 20; }));
 }
 
-TEST(HapticSession, QuenchOfAHangingLoopReturns)
+TEST(ServoThreads, QuenchOfAHangingLoopReturns)
 {
   HangingDevice device;
-  HapticSession session(device, 1000.0, SafetyLimits{}, nullptr);
+  ServoThreads servo(device, 1000.0, SafetyLimits{}, nullptr);
   ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 20; }));
-  session.GetLoop().Arm();
+  servo.GetLoop().Arm();
   device.Hangs.store(true);
-  HapticSession::Quench({ &session });
+  ServoThreads::Quench({ &servo });
   EXPECT_GE(device.Quenches.load(), 2) << "before and after the wait for the loop";
   device.Hangs.store(false);
   EXPECT_TRUE(Eventually(
-    [&] { return session.GetLoop().ReadState() && !session.GetLoop().GetState().IsArmed(); }));
+    [&] { return servo.GetLoop().ReadState() && !servo.GetLoop().GetState().IsArmed(); }));
 }
 
-TEST(HapticSession, QuenchTellsAllBeforeItWaitsForOne)
+TEST(ServoThreads, QuenchTellsAllBeforeItWaitsForOne)
 {
   HangingDevice devices[3];
-  std::vector<std::unique_ptr<HapticSession>> sessions;
-  std::vector<HapticSession*> all;
+  std::vector<std::unique_ptr<ServoThreads>> servos;
+  std::vector<ServoThreads*> all;
   for (HangingDevice& device : devices)
   {
     device.Hangs.store(&device != &devices[2]); // the last is well
-    sessions.push_back(std::make_unique<HapticSession>(device, 1000.0, SafetyLimits{}, nullptr));
-    all.push_back(sessions.back().get());
+    servos.push_back(std::make_unique<ServoThreads>(device, 1000.0, SafetyLimits{}, nullptr));
+    all.push_back(servos.back().get());
   }
   ASSERT_TRUE(Eventually([&] { return devices[2].Reads.load() > 20; }));
   Quenched.clear();
-  HapticSession::Quench(all);
+  ServoThreads::Quench(all);
   ASSERT_GE(Quenched.size(), 6U) << "each before and after the wait";
   for (int i = 0; i < 3; ++i)
   {

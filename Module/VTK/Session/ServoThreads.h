@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A running servo: the loop on a thread of its own, and two threads beside it.
+ *
+ * The fitter thread computes local surfaces. The keeper thread does what must neither be done in
+ * the loop nor wait for the GUI: it collects the ticks of a recording or for a display, and
+ * quenches the device if the loop does not answer.
+ */
+#ifndef ServoThreads_h
+#define ServoThreads_h
+
+#include "Core/Servo/ServoClock.h"
+#include "Core/Servo/ServoLoop.h"
+#include "VTK/Session/TickCollector.h"
+
+#include "vtkMultiThreader.h"
+#include "vtkNew.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class ServoThreads
+{
+public:
+  /** Starts the threads. The back end must be open and outlive them. */
+  ServoThreads(DeviceBackend& backend, double rate, const SafetyLimits& limits,
+    std::shared_ptr<const HapticModel> model);
+  /** Stops the loop, with zero force sent, and joins the threads. */
+  ~ServoThreads();
+  ServoThreads(const ServoThreads&) = delete;
+  ServoThreads& operator=(const ServoThreads&) = delete;
+
+  ServoLoop& GetLoop() { return this->Loop; }
+  TickCollector& GetTicks() { return this->Ticks; }
+  /** False in a process that was forked from the one whose threads these are. */
+  bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
+
+  /**
+   * Lets the force fade (ServoLoop::Hold) and waits until it is gone, a quarter of a second at
+   * most.
+   */
+  void Hold() noexcept;
+  /**
+   * From any thread: no force on the devices of all these once this returns, until they are armed
+   * again. Each is told before any is waited for, so that a loop that hangs delays none of the
+   * others; 40 ms at most, all together.
+   */
+  static void Quench(const std::vector<ServoThreads*>& servos) noexcept;
+  /** Stops the loop, with zero force sent, and joins the threads, as the destructor does. */
+  void End();
+
+private:
+  static VTK_THREAD_RETURN_TYPE RunLoop(void* info);
+  static VTK_THREAD_RETURN_TYPE RunFitter(void* info);
+  static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
+  void Keep();
+  /**
+   * After Quench was begun: whether the device has got it, and no tick is under way that may still
+   * write a force.
+   */
+  bool IsQuenched() noexcept;
+
+  DeviceBackend& Backend;
+  ServoLoop Loop;
+  TickCollector Ticks{ Loop };
+  vtkNew<vtkMultiThreader> Threader;
+  const std::int64_t Process = ServoClock::GetProcess(); // whose threads they are
+  int LoopThread = -1;
+  int FitterThread = -1;
+  int KeeperThread = -1;
+  std::atomic<bool> KeeperStop{ false };
+  std::atomic<bool> HasEnded{ false };
+  ///@{
+  /**
+   * Of Quench, which one thread at a time may call: the tick that sees it, and whether that has
+   * come.
+   */
+  std::uint64_t QuenchedTick = 0;
+  bool HasSeenQuench = false;
+  ///@}
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/TickCollector.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+void TickCollector::Drain()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  ServoSnapshot snapshot;
+  while (this->Loop.Drain(snapshot))
+  {
+    if (this->Recording)
+    {
+      this->Recording->Append(snapshot);
+    }
+    if (!this->Readers.empty())
+    {
+      if (this->States.size() == MostStates)
+      {
+        this->States.pop_front();
+        ++this->Forgotten;
+      }
+      this->States.emplace_back(snapshot);
+    }
+  }
+  if (this->Recording)
+  {
+    this->Recording->SetMissed(this->Loop.GetLostRecords() - this->LostBefore);
+  }
+}
+
+void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  const std::uint64_t generation = this->Loop.Publish(model);
+  if (this->Recording)
+  {
+    this->Recording->AddModel(generation, model);
+  }
+  this->Models[generation] = std::move(model);
+  // Models must not pile up if states are not asked for.
+  for (auto& [id, reader] : this->Readers)
+  {
+    if (reader.Next < this->Forgotten && !this->States.empty())
+    {
+      const std::uint64_t first = this->States.front().Generation;
+      reader.TakenGeneration = std::max(reader.TakenGeneration, first);
+      reader.FirstUntaken = std::max(reader.FirstUntaken, first);
+    }
+  }
+  this->Forget(this->Loop.GetWrittenGeneration());
+}
+
+void TickCollector::Forget(std::uint64_t generation)
+{
+  std::uint64_t first = generation;
+  for (const auto& [id, reader] : this->Readers)
+  {
+    first = std::min(first, reader.FirstUntaken);
+  }
+  this->Models.erase(this->Models.begin(), this->Models.lower_bound(first));
+}
+
+void TickCollector::ForgetStates()
+{
+  std::uint64_t least = this->Forgotten + this->States.size();
+  for (const auto& [id, reader] : this->Readers)
+  {
+    least = std::min(least, reader.Next);
+  }
+  for (; this->Forgotten < least; ++this->Forgotten)
+  {
+    this->States.pop_front();
+  }
+}
+
+std::vector<StateRow> TickCollector::TakeStates(int id)
+{
+  if (this->Readers.count(id) == 0)
+  {
+    const std::uint64_t generation = this->Loop.GetWrittenGeneration();
+    this->Drain(); // what is of other readers alone
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Readers[id] = { this->Forgotten + this->States.size(), generation, generation };
+    this->Loop.SetRecording(true);
+  }
+  this->Drain();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  Reader& reader = this->Readers[id];
+  const std::uint64_t first = std::max(reader.Next, this->Forgotten) - this->Forgotten;
+  std::vector<StateRow> states(
+    this->States.begin() + static_cast<std::ptrdiff_t>(first), this->States.end());
+  reader.Next = this->Forgotten + this->States.size();
+  reader.FirstUntaken = reader.TakenGeneration;
+  if (!states.empty())
+  {
+    reader.TakenGeneration = states.back().Generation;
+  }
+  this->ForgetStates();
+  return states;
+}
+
+void TickCollector::StopTaking(int id)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Readers.erase(id);
+  this->ForgetStates();
+  this->Loop.SetRecording(this->Recording || !this->Readers.empty());
+}
+
+const HapticModel* TickCollector::FindModel(std::uint64_t generation)
+{
+  // States come in order: what is older than this one is not asked for again.
+  this->Forget(generation);
+  const auto found = this->Models.find(generation);
+  return found == this->Models.end() ? nullptr : found->second.get();
+}
+
+void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->LostBefore = this->Loop.GetLostRecords();
+  for (const auto& [generation, model] : this->Models)
+  {
+    recording->AddModel(generation, model);
+  }
+  this->Recording = std::move(recording);
+  this->Loop.SetRecording(true);
+}
+
+std::unique_ptr<HapticRecording> TickCollector::StopRecording()
+{
+  this->Loop.SetRecording(!this->Readers.empty());
+  // The tick that the loop is in belongs to it, too.
+  const std::uint64_t last = this->Loop.GetTickCount();
+  for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  this->Drain();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::move(this->Recording);
+}
+
+} // namespace VolumeHaptics
