@@ -3,6 +3,7 @@
 #include "vtkHapticDevice.h"
 
 #include "VTK/Baking/HapticMethods.h"
+#include "VTK/Session/DeviceOrders.h"
 #include "VTK/Session/DeviceRecorder.h"
 #include "VTK/Session/DeviceSession.h"
 #include "VTK/Session/HapticDeviceSettings.h"
@@ -10,54 +11,33 @@
 #include "VTK/Session/VirtualTip.h"
 #include "VTK/Trace/HapticFiles.h"
 
-#include "vtkCommand.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
-#include <exception>
-#include <new>
-#include <set>
-#include <system_error>
 
 vtkStandardNewMacro(vtkHapticDevice);
 
 using namespace VolumeHaptics;
-
-namespace
-{
-const char* const CureForNoGuard = ". Close files or end threads of this program, or raise its "
-                                   "limits (ulimit -n, ulimit -u), and try again.";
-}
 
 //------------------------------------------------------------------------------
 struct vtkHapticDevice::vtkInternals
 {
   explicit vtkInternals(vtkHapticDevice* self)
     : Models(self, Session)
+    , Orders(self, Session, Models)
     , Recorder(self, Session)
     , Tip(Session)
   {
   }
 
-  SafetyLimits MakeLimits(vtkHapticDevice* self) const
-  {
-    SafetyLimits limits;
-    limits.MaximumForce = self->GetMaximumForce();
-    limits.MaximumForceRate = self->GetMaximumForceRate();
-    limits.AttentionTime = self->GetAttentionTime();
-    limits.MaximumSpeed = this->Session.GetLimits().MaximumSpeed;
-    return limits;
-  }
-
   DeviceSession Session;
   ModelSource Models;
+  DeviceOrders Orders;
   DeviceRecorder Recorder;
   VirtualTip Tip;
-  std::set<int> Readers;     // of AddReader
-  bool IsAnnouncing = false; // while observers are told that it was disarmed
 };
 
 //------------------------------------------------------------------------------
@@ -185,26 +165,7 @@ vtkMatrix4x4* vtkHapticDevice::GetDeviceToWorld()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::Publish()
 {
-  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  auto& d = *this->Internals;
-  d.Session.Attend();
-  std::shared_ptr<const HapticModel> model;
-  const double rate = d.Session.IsRunning() ? d.Session.GetRate() : this->ServoRate;
-  if (!d.Models.Make(rate, model))
-  {
-    return false;
-  }
-  if (TickCollector* const ticks = d.Session.GetTicks())
-  {
-    if (ticks->IsRecording() && model && !model->Resident.IsWhole())
-    {
-      vtkErrorMacro("A recording is under way, and recordings can't be of a region of a larger "
-                    "volume: no single image could replay them. StopRecording() first.");
-      return false;
-    }
-    ticks->Publish(std::move(model));
-  }
-  return true;
+  return this->Internals->Orders.Publish();
 }
 
 //------------------------------------------------------------------------------
@@ -216,52 +177,7 @@ bool vtkHapticDevice::IsPublished()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::Start()
 {
-  auto& d = *this->Internals;
-  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  if (d.Session.IsRunning())
-  {
-    return true;
-  }
-  const int opening = d.Session.GetOpening();
-  std::shared_ptr<const HapticModel> model;
-  if (d.Session.IsOpen() && !d.Models.Make(this->ServoRate, model))
-  {
-    return false;
-  }
-  // Observers of the progress may have started it, closed it or opened another one.
-  if (d.Session.IsRunning())
-  {
-    return true;
-  }
-  if (!d.Session.IsOpen())
-  {
-    vtkErrorMacro("No device is open. Open one first, for example with Open(\"virtual\").");
-    return false;
-  }
-  if (d.Session.GetOpening() != opening)
-  {
-    vtkErrorMacro("The device was closed or replaced while it was being started: Start() again.");
-    return false;
-  }
-  const Affine3 placement = model ? model->DeviceToWorld : d.Models.GetPlacement();
-  try
-  {
-    d.Session.Start(this->ServoRate, d.MakeLimits(this), std::move(model), placement);
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro(
-      "There is not enough memory to start the servo. Close other programs that need memory.");
-    return false;
-  }
-  catch (const std::system_error& error)
-  {
-    vtkErrorMacro(
-      << "The servo does not start, since a crash of this program would leave the force on: "
-      << error.what() << CureForNoGuard);
-    return false;
-  }
-  return true;
+  return this->Internals->Orders.Start();
 }
 
 //------------------------------------------------------------------------------
@@ -274,14 +190,13 @@ void vtkHapticDevice::Stop()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Halt()
 {
-  // At once: writing a recording takes its time.
-  this->Internals->Session.Arm(false);
-  this->AnnounceDisarmed();
-  if (this->Internals->Recorder.IsUnderWay())
+  auto& d = *this->Internals;
+  d.Orders.Disarm(); // at once: writing a recording takes its time
+  if (d.Recorder.IsUnderWay())
   {
-    this->Internals->Recorder.Stop(false); // there is no force any more, and perhaps no owner
+    d.Recorder.Stop(false); // there is no force any more, and perhaps no owner
   }
-  this->Internals->Session.Stop();
+  d.Session.Stop();
 }
 
 //------------------------------------------------------------------------------
@@ -293,94 +208,37 @@ bool vtkHapticDevice::IsRunning()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Arm()
 {
-  auto& session = this->Internals->Session;
-  if (!session.IsReady())
-  {
-    vtkErrorMacro(<< "It can't be armed yet. " << session.GetStatus().MakeText());
-    return;
-  }
-  try
-  {
-    session.Arm(true);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(
-      << "The device is not armed, since a crash of this program would leave the force on: "
-      << error.what() << CureForNoGuard);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::AnnounceDisarmed()
-{
-  auto& d = *this->Internals;
-  // Observers that disarm it, as Stop, Close, Open and Home do, would else be called for ever.
-  if (d.IsAnnouncing || !this->HasObserver(vtkCommand::DisableEvent))
-  {
-    return;
-  }
-  const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  d.IsAnnouncing = true;
-  this->InvokeEvent(vtkCommand::DisableEvent);
-  d.IsAnnouncing = false;
+  this->Internals->Orders.Arm();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Disarm()
 {
-  this->Internals->Session.Arm(false);
-  this->AnnounceDisarmed();
+  this->Internals->Orders.Disarm();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::FadeOut()
 {
-  this->Internals->Session.FadeOut();
-  this->AnnounceDisarmed();
+  this->Internals->Orders.FadeOut();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
 {
-  // Work that is as short as a slow frame needs no notice. The margin allows for a machine that is
-  // eight times slower than expected.
-  constexpr double shortest = 0.25;
-  constexpr double margin = 8.0;
-  const double limit =
-    this->AttentionTime > 0.0 ? std::min(shortest, this->AttentionTime / margin) : shortest;
-  auto& session = this->Internals->Session;
-  session.Attend();
-  const bool isLong = !(expectedSeconds < limit);
-  const bool begins = session.BeginWork(what && *what ? what : "the program works", isLong);
-  if (begins && this->HasObserver(vtkCommand::StartEvent))
-  {
-    const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-    this->InvokeEvent(vtkCommand::StartEvent);
-  }
+  this->Internals->Orders.BeginLongWork(what, expectedSeconds);
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::EndLongWork()
 {
-  auto& session = this->Internals->Session;
-  if (!session.HasWork())
-  {
-    vtkErrorMacro("No long work is under way: BeginLongWork() first.");
-    return;
-  }
-  if (session.EndWork() && this->HasObserver(vtkCommand::EndEvent))
-  {
-    const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-    this->InvokeEvent(vtkCommand::EndEvent);
-  }
+  this->Internals->Orders.EndLongWork();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Home()
 {
-  this->Internals->Session.Home();
-  this->AnnounceDisarmed();
+  this->Internals->Orders.Home();
 }
 
 //------------------------------------------------------------------------------
@@ -443,33 +301,19 @@ void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
 //------------------------------------------------------------------------------
 int vtkHapticDevice::AddReader()
 {
-  auto& readers = this->Internals->Readers;
-  int reader = 0;
-  while (!readers.insert(reader).second)
-  {
-    --reader;
-  }
-  return reader;
+  return this->Internals->Session.AddReader();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::RemoveReader(int reader)
 {
-  if (this->Internals->Readers.erase(reader) != 0)
-  {
-    this->DrainStates(nullptr, reader);
-  }
+  this->Internals->Session.RemoveReader(reader);
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SendLimits()
 {
-  auto& d = *this->Internals;
-  if (ServoLoop* const loop = d.Session.GetLoop())
-  {
-    loop->Attend();
-    loop->SetLimits(d.MakeLimits(this));
-  }
+  this->Internals->Orders.SendLimits();
   this->Modified();
 }
 

@@ -397,7 +397,6 @@ private:
   void TakeLimits();
   void Shut();
   void Halt();
-  void AnnounceDisarmed();
   void TellError(const std::string& error);
 
   struct vtkInternals;

@@ -3,6 +3,7 @@
 #include "vtkHapticSetup.h"
 
 #include "VTK/Setup/HapticSetupSettings.h"
+#include "VTK/Trace/FileReplacement.h"
 #include "VTK/Trace/HapticFiles.h"
 
 #include "vtkCamera.h"

@@ -242,6 +242,24 @@ void DeviceSession::DrainStates(const Affine3& deviceToWorld, vtkTable* table, i
   rows.WriteTo(table);
 }
 
+int DeviceSession::AddReader()
+{
+  int reader = 0;
+  while (!this->Readers.insert(reader).second)
+  {
+    --reader;
+  }
+  return reader;
+}
+
+void DeviceSession::RemoveReader(int reader)
+{
+  if (this->Readers.erase(reader) != 0 && this->Servo)
+  {
+    this->Servo->GetTicks().StopTaking(reader);
+  }
+}
+
 DeviceStatus DeviceSession::GetStatus() const
 {
   DeviceStatus status;

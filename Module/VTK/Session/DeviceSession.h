@@ -14,6 +14,7 @@
 #include "VTK/Trace/HapticTraceFiles.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,11 @@ public:
    * Every state since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates.
    */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
+  ///@{
+  /** Reserves a number for DrainStates, and gives it back: see vtkHapticDevice::AddReader. */
+  int AddReader();
+  void RemoveReader(int reader);
+  ///@}
 
   /** As of the last Update. It refers to this object. */
   DeviceStatus GetStatus() const;
@@ -132,6 +138,7 @@ private:
   bool ArmsAtStart = false; ///< ordered before the servo ran
   double Rate = 0.0;
   std::vector<Work> Works;
+  std::set<int> Readers; ///< of AddReader
 };
 
 } // namespace VolumeHaptics

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticRecordingFile.h"
 
+#include "VTK/Trace/FileReplacement.h"
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticTraceFiles.h"
 #include "VTK/Trace/JournalReader.h"

@@ -4,7 +4,7 @@
 
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "VTK/Trace/BlockCompressor.h"
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Trace/FileReplacement.h"
 #include "VTK/Trace/HapticRecordingFile.h"
 #include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/JournalReader.h"

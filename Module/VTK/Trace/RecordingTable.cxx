@@ -3,6 +3,7 @@
 #include "VTK/Trace/RecordingTable.h"
 
 #include "Core/Solvers/ServoStateNumbers.h"
+#include "VTK/Trace/FileReplacement.h"
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticRecordingFile.h"
 #include "VTK/Trace/HapticTipPath.h"

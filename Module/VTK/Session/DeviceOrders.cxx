@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/DeviceOrders.h"
+
+#include "vtkCommand.h"
+#include "vtkHapticDevice.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+const char* const CureForNoGuard = ". Close files or end threads of this program, or raise its "
+                                   "limits (ulimit -n, ulimit -u), and try again.";
+
+} // namespace
+
+SafetyLimits DeviceOrders::MakeLimits() const
+{
+  SafetyLimits limits;
+  limits.MaximumForce = this->Device->GetMaximumForce();
+  limits.MaximumForceRate = this->Device->GetMaximumForceRate();
+  limits.AttentionTime = this->Device->GetAttentionTime();
+  limits.MaximumSpeed = this->Session.GetLimits().MaximumSpeed;
+  return limits;
+}
+
+void DeviceOrders::SendLimits()
+{
+  if (ServoLoop* const loop = this->Session.GetLoop())
+  {
+    loop->Attend();
+    loop->SetLimits(this->MakeLimits());
+  }
+}
+
+bool DeviceOrders::Start()
+{
+  const vtkSmartPointer<vtkHapticDevice> device(this->Device);
+  if (this->Session.IsRunning())
+  {
+    return true;
+  }
+  const int opening = this->Session.GetOpening();
+  const double rate = device->GetServoRate();
+  std::shared_ptr<const HapticModel> model;
+  if (this->Session.IsOpen() && !this->Models.Make(rate, model))
+  {
+    return false;
+  }
+  // Observers of the progress may have started it, closed it or opened another one.
+  if (this->Session.IsRunning())
+  {
+    return true;
+  }
+  if (!this->Session.IsOpen())
+  {
+    vtkErrorWithObjectMacro(
+      device, "No device is open. Open one first, for example with Open(\"virtual\").");
+    return false;
+  }
+  if (this->Session.GetOpening() != opening)
+  {
+    vtkErrorWithObjectMacro(
+      device, "The device was closed or replaced while it was being started: Start() again.");
+    return false;
+  }
+  const Affine3 placement = model ? model->DeviceToWorld : this->Models.GetPlacement();
+  try
+  {
+    this->Session.Start(device->GetServoRate(), this->MakeLimits(), std::move(model), placement);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorWithObjectMacro(device,
+      "There is not enough memory to start the servo. Close other programs that need memory.");
+    return false;
+  }
+  catch (const std::system_error& error)
+  {
+    vtkErrorWithObjectMacro(device,
+      << "The servo does not start, since a crash of this program would leave the force on: "
+      << error.what() << CureForNoGuard);
+    return false;
+  }
+  return true;
+}
+
+bool DeviceOrders::Publish()
+{
+  const vtkSmartPointer<vtkHapticDevice> device(this->Device);
+  this->Session.Attend();
+  std::shared_ptr<const HapticModel> model;
+  const double rate = this->Session.IsRunning() ? this->Session.GetRate() : device->GetServoRate();
+  if (!this->Models.Make(rate, model))
+  {
+    return false;
+  }
+  if (TickCollector* const ticks = this->Session.GetTicks())
+  {
+    if (ticks->IsRecording() && model && !model->Resident.IsWhole())
+    {
+      vtkErrorWithObjectMacro(device,
+        "A recording is under way, and recordings can't be of a region of a larger "
+        "volume: no single image could replay them. StopRecording() first.");
+      return false;
+    }
+    ticks->Publish(std::move(model));
+  }
+  return true;
+}
+
+void DeviceOrders::Arm()
+{
+  if (!this->Session.IsReady())
+  {
+    vtkErrorWithObjectMacro(
+      this->Device, << "It can't be armed yet. " << this->Session.GetStatus().MakeText());
+    return;
+  }
+  try
+  {
+    this->Session.Arm(true);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(this->Device,
+      << "The device is not armed, since a crash of this program would leave the force on: "
+      << error.what() << CureForNoGuard);
+  }
+}
+
+void DeviceOrders::AnnounceDisarmed()
+{
+  // Observers that disarm it, as Stop, Close, Open and Home do, would else be called for ever.
+  if (this->IsAnnouncing || !this->Device->HasObserver(vtkCommand::DisableEvent))
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkHapticDevice> device(this->Device);
+  this->IsAnnouncing = true;
+  device->InvokeEvent(vtkCommand::DisableEvent);
+  this->IsAnnouncing = false;
+}
+
+void DeviceOrders::Disarm()
+{
+  this->Session.Arm(false);
+  this->AnnounceDisarmed();
+}
+
+void DeviceOrders::FadeOut()
+{
+  this->Session.FadeOut();
+  this->AnnounceDisarmed();
+}
+
+void DeviceOrders::Home()
+{
+  this->Session.Home();
+  this->AnnounceDisarmed();
+}
+
+void DeviceOrders::BeginLongWork(const char* what, double expectedSeconds)
+{
+  // Work that is as short as a slow frame needs no notice. The margin allows for a machine that is
+  // eight times slower than expected.
+  constexpr double shortest = 0.25;
+  constexpr double margin = 8.0;
+  const double attention = this->Device->GetAttentionTime();
+  const double limit = attention > 0.0 ? std::min(shortest, attention / margin) : shortest;
+  this->Session.Attend();
+  const bool isLong = !(expectedSeconds < limit);
+  const bool begins = this->Session.BeginWork(what && *what ? what : "the program works", isLong);
+  if (begins && this->Device->HasObserver(vtkCommand::StartEvent))
+  {
+    const vtkSmartPointer<vtkHapticDevice> device(this->Device);
+    device->InvokeEvent(vtkCommand::StartEvent);
+  }
+}
+
+void DeviceOrders::EndLongWork()
+{
+  if (!this->Session.HasWork())
+  {
+    vtkErrorWithObjectMacro(this->Device, "No long work is under way: BeginLongWork() first.");
+    return;
+  }
+  if (this->Session.EndWork() && this->Device->HasObserver(vtkCommand::EndEvent))
+  {
+    const vtkSmartPointer<vtkHapticDevice> device(this->Device);
+    device->InvokeEvent(vtkCommand::EndEvent);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Carries out what the owner of a vtkHapticDevice orders.
+ */
+#ifndef DeviceOrders_h
+#define DeviceOrders_h
+
+#include "VTK/Session/DeviceSession.h"
+#include "VTK/Session/ModelSource.h"
+
+class vtkHapticDevice;
+
+namespace VolumeHaptics
+{
+
+/**
+ * See the functions of vtkHapticDevice. Errors are those of the device, and its observers are told:
+ * they may stop it, close it, or let go of its last reference.
+ */
+class DeviceOrders
+{
+public:
+  DeviceOrders(vtkHapticDevice* device, DeviceSession& session, ModelSource& models)
+    : Device(device)
+    , Session(session)
+    , Models(models)
+  {
+  }
+
+  bool Start();
+  bool Publish();
+  /** Hands the servo that runs the limits of the device. */
+  void SendLimits();
+
+  void Arm();
+  void Disarm();
+  void FadeOut();
+  void Home();
+
+  void BeginLongWork(const char* what, double expectedSeconds);
+  void EndLongWork();
+
+private:
+  SafetyLimits MakeLimits() const;
+  void AnnounceDisarmed();
+
+  vtkHapticDevice* const Device;
+  DeviceSession& Session;
+  ModelSource& Models;
+  bool IsAnnouncing = false; ///< while observers are told that it was disarmed
+};
+
+} // namespace VolumeHaptics
+
+#endif
