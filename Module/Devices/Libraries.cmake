@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The libraries that devices are reached through: VolumeHaptics_DEVICE_LIBRARIES. Each is used where it is found.
+# The libraries through which devices are reached: VolumeHaptics_DEVICE_LIBRARIES. Each is used if it is found.
 find_package(Threads REQUIRED)
 find_package(PkgConfig QUIET)
 if (PKG_CONFIG_FOUND)
@@ -14,7 +14,7 @@ if (PKG_CONFIG_FOUND)
 endif ()
 
 set(VolumeHaptics_DEVICE_LIBRARIES)
-# Makes the option VolumeHaptics_USE_NAME, on where the library is there; an error where it was asked for and is not.
+# Makes the option VolumeHaptics_USE_NAME, on if the library is found; an error if it is asked for and not found.
 macro (volume_haptics_use name found devices package)
   if (${found})
     option(VolumeHaptics_USE_${name} "Talk to ${devices}" ON)

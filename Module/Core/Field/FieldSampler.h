@@ -49,7 +49,7 @@ struct ValuePair
   double Behind;
 };
 
-// Positions are passed as numbers, which travel in registers.
+// Positions are passed as numbers, which the compiler keeps in registers.
 using ValueFunction = double (*)(const FieldView&, double x, double y, double z) noexcept;
 using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
@@ -89,7 +89,7 @@ public:
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
   }
 
-  /** V at index + offset and at index - offset, for less than the cost of both. */
+  /** V at index + offset and at index - offset, which is faster than two calls of Value. */
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
     const ValuePair pair =

@@ -12,9 +12,9 @@
  *
  * All of them are evaluated at the continuous position and reproduce a linear field exactly.
  *
- * The Gaussian has the scale s = 0.53 Radius voxels and is cut at c = Radius + 1 voxels, where
- * w(t) = exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero: no tap enters or leaves with a step.
- * The factor makes up for the cut: at the default radius of 2 white noise of one unit gives a
+ * The Gaussian has the scale s = 0.53 Radius voxels and is cut at c = Radius + 1 voxels. There w(t)
+ * = exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero: no tap enters or leaves with a step. The
+ * factor 0.53 compensates for the cut: at the default radius of 2 white noise of one unit gives a
  * gradient with a standard deviation of 0.106 units per voxel, as an uncut Gaussian of scale Radius
  * / 2 does. With m the mean of the tap offsets t_i under w, the weights along an axis are
  *   smoothing   w_i / sum w,

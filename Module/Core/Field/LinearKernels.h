@@ -28,7 +28,7 @@ VOLUME_HAPTICS_INLINE double Floor(double position)
 #endif
 }
 
-/** The sample at or before a position along an axis, and how far behind it the position is. */
+/** The sample at or before a position along an axis, and the distance from it to the position. */
 struct Axis
 {
   std::int64_t Cell;

@@ -119,7 +119,7 @@ double NoiseGain(const GradientKernel& kernel)
     }
     else
     {
-      // At the middle of an interval of the table, where its polynomials are read at 1/2.
+      // At the middle of an interval of the table, at which its polynomials are read at 1/2.
       const int count = 2 * kernel.Taps;
       const double* const c =
         &kernel.Table[static_cast<std::size_t>(p) * GradientKernel::Coefficients * count];

@@ -163,8 +163,9 @@ VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axi
 }
 
 /**
- * The sum over a copy of the taps: at the border, where taps beyond it replicate it; between other
- * components; and around samples that are not numbers, which count only if they have a weight.
+ * The sum over a copy of the taps: at the border, beyond which taps replicate the last sample;
+ * between other components; and around samples that are not numbers, which count only if they have
+ * a weight.
  */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE double SumCopy(
@@ -196,7 +197,7 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
 }
 
 /**
- * Fetches all rows at once: they are more than the processor looks ahead in the sum.
+ * Fetches all rows at once: they are more than the processor prefetches by itself in the sum.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void PrefetchRows(

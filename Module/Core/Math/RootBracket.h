@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The search for the root of a falling function, such as the point where a motion has to end.
+ * The search for the root of a falling function, such as the end point of a motion.
  */
 #ifndef RootBracket_h
 #define RootBracket_h

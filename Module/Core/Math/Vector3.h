@@ -62,7 +62,7 @@ inline double Norm(const Vector3& a) noexcept
 {
   return std::sqrt(Dot(a, a));
 }
-/** Nothing passes a limit that is not positive, NaN included. */
+/** A limit that is not positive, or is NaN, lets nothing pass. */
 inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
 {
   if (!(most > 0.0))
@@ -73,7 +73,7 @@ inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
   return norm > most ? (most / norm) * v : v;
 }
 ///@{
-/** Of each component. */
+/** The smaller one of each component. */
 inline Vector3 Least(const Vector3& a, const Vector3& b) noexcept
 {
   return { std::fmin(a.X, b.X), std::fmin(a.Y, b.Y), std::fmin(a.Z, b.Z) };
@@ -128,7 +128,7 @@ constexpr Matrix3 Inverse(const Matrix3& m) noexcept
     s * Cross(m.Row[1], m.Row[2]), s * Cross(m.Row[2], m.Row[0]), s * Cross(m.Row[0], m.Row[1]));
 }
 
-/** The length of the longest column: of an index step, in the space that a matrix leads to. */
+/** The length of the longest column: of an index step, in the space to which a matrix maps. */
 inline double LargestColumn(const Matrix3& m) noexcept
 {
   const Matrix3 columns = Transpose(m);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The settings of a model: how a volume is touched.
+ * The settings of a model: method, solver and limits.
  */
 #ifndef HapticSettings_h
 #define HapticSettings_h

@@ -26,8 +26,9 @@ public:
   using Indices = std::array<std::int32_t, 3>;
 
   /**
-   * Triangles as indices into points (world units). `normals` are unit normals of the points, for
-   * shading, or empty. Triangles without an area or with a corner that is not finite are left out.
+   * Triangles are given by indices into points (world units). `normals` are unit normals of the
+   * points, for shading, or empty. Triangles without an area, or with a corner that is not finite,
+   * are left out.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals);
@@ -106,7 +107,7 @@ public:
   }
 
 private:
-  /** Rounded outward. */
+  /** Coordinates are rounded outward. */
   struct Box
   {
     float Low[3];

@@ -26,7 +26,7 @@ class HapticModel;
 struct ServoState;
 
 /**
- * Spare voxels: for the taps of a kernel beyond its radius, for motions aside from the line between
+ * Spare voxels: for the taps of a kernel beyond its radius, for motions off the line between
  * tip and proxy, and one more.
  */
 constexpr double ResidencySpare = 3.0;

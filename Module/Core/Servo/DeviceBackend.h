@@ -4,7 +4,7 @@
  * @file
  * The narrow interface between the servo and a haptic device.
  *
- * A back end knows nothing of volumes, solvers or VTK: it says where the tip is and takes a force.
+ * A back end knows nothing of volumes, solvers or VTK: it reports the tip and takes a force.
  * Positions and forces are in the device's space: metres, newtons, a right-handed frame of the
  * device's own. Vendor libraries are added by deriving from this class.
  */
@@ -25,11 +25,12 @@ namespace VolumeHaptics
 struct DeviceLimits
 {
   double MaximumForce = 0.0;     ///< N
-  double MaximumStiffness = 0.0; ///< N/m; 0 where the device does not limit it
-  double MaximumDamping = 0.0;   ///< N s/m; 0 where the device does not limit it
-  double MaximumSpeed = 0.0;     ///< m/s, above which the hand has lost the stylus; 0 for no limit
-  double Damping = 0.0;          ///< N s/m, the device's own friction b; 0 where it is not known
-  double WorkspaceRadius = 0.0;  ///< m
+  double MaximumStiffness = 0.0; ///< N/m; 0 if the device does not limit it
+  double MaximumDamping = 0.0;   ///< N s/m; 0 if the device does not limit it
+  /// m/s; a faster tip means that the hand has lost the stylus; 0: no limit
+  double MaximumSpeed = 0.0;
+  double Damping = 0.0;         ///< N s/m, the device's own friction b; 0 if it is not known
+  double WorkspaceRadius = 0.0; ///< m
 };
 
 /**
@@ -48,15 +49,15 @@ struct DeviceSample
   Vector3 Tip;               ///< m
   std::uint32_t Buttons = 0; ///< bit 0 is the main one
   bool Fresh = false;        ///< measured since the last Read
-  bool Begins = false;       ///< the stylus is taken up here; where it was before means nothing
+  bool Begins = false;       ///< the stylus is taken up here; earlier positions mean nothing
   Vector3 Turn; ///< rad/s: how fast the hand asks the view to turn; zero for most devices
 };
 
 enum class DeviceState : std::uint8_t
 {
-  Running,  ///< reads and writes go through
-  NotReady, ///< not homed or not loaded yet: no position, and arming has no effect
-  Finished, ///< there is nothing more to come, such as at the end of a replay
+  Running,  ///< reads and writes succeed
+  NotReady, ///< not homed or not loaded yet: there is no position, and arming has no effect
+  Finished, ///< nothing more will come, for example at the end of a replay
   Lost      ///< unplugged or broken; the back end has to be opened again
 };
 
@@ -69,12 +70,12 @@ enum class DeviceStage : std::uint8_t
   Lost ///< unplugged or broken
 };
 
-/** Where a device stands, for people. */
+/** The condition of a device, with a text for the user. */
 struct DeviceCondition
 {
   DeviceStage Stage = DeviceStage::Ready;
   std::array<char, 320>
-    Text{}; ///< what is asked of the hand, or what is wrong and the cure; may be empty
+    Text{}; ///< the request to the hand, or the fault and the cure; may be empty
 };
 
 class DeviceBackend
@@ -87,9 +88,9 @@ public:
 
   ///@{
   /**
-   * Outside the servo loop. Open returns false, with the reason and the cure, where the device
-   * can't be had; Close sends zero force first. A device that has to be homed opens at once, and
-   * is NotReady until it is.
+   * Outside the servo loop. Open returns false, with the reason and the cure, if the device can't
+   * be opened; Close sends zero force first. A device that has to be homed opens at once, and is
+   * NotReady until it is homed.
    */
   virtual bool Open(std::string& error) = 0;
   virtual void Close() = 0;
@@ -97,9 +98,11 @@ public:
   virtual DeviceLimits GetLimits() const = 0;
   /** At any time, from the owner's thread. */
   virtual DeviceCondition GetCondition() { return {}; }
-  /** Look for the zero of the encoders again, as after they lost it: NotReady until then. */
+  /**
+   * Looks for the zero of the encoders again, for example after they lost it: NotReady until then.
+   */
   virtual void Home() noexcept {}
-  /** Bits of what the device can light up; below zero (the default) it shows its own condition. */
+  /** Bits of the device's lights; below zero (the default) the device shows its own condition. */
   virtual void SetLights(int) noexcept {}
   ///@}
 
@@ -113,11 +116,11 @@ public:
   ///@}
 
   /**
-   * From any thread, when the servo thread does not answer: no force from now on until Write is
+   * From any thread, if the servo thread does not answer: no force from now on until Write is
    * called again.
    */
   virtual void Quench() noexcept = 0;
-  /** From any thread, after Quench: whether the device has been told. */
+  /** From any thread, after Quench: whether the device has got the order. */
   virtual bool IsAtRest() const noexcept { return true; }
 };
 

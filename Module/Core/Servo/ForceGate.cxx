@@ -61,7 +61,7 @@ void ForceGate::SetHeld(bool held) noexcept
   const bool isHeld = held || (this->Held && !this->Rests);
   if (this->Held && !isHeld)
   {
-    // The hand went on while it felt nothing: a spring from where it was would push it back.
+    // The hand moved on while it felt nothing: a spring from the old proxy would push it back.
     this->Restarts = true;
     this->Ramp = 0.0;
   }
@@ -73,8 +73,8 @@ void ForceGate::NoteSilence() noexcept
 {
   if (this->IsOpen() && !this->Held)
   {
-    // An owner that comes back meanwhile does not stop the fade: the hand has to be told before it
-    // is held again.
+    // An owner that returns during the fade does not stop it: the hand has to learn of the fault
+    // before it is held again.
     this->Ending = End::Fault;
     this->Settle();
   }
@@ -144,16 +144,16 @@ void ForceGate::EndFade() noexcept
 void ForceGate::NoteCommand(bool flows) noexcept
 {
   this->Flows = flows;
-  // A command may follow its share late, by the limit of its growth: a fade ends with the command.
+  // The slew limit may delay a command behind its share: a fade ends with the command.
   if (!flows && this->Ending != End::None && this->Opening == 0.0)
   {
     this->EndFade();
   }
-  // It is not known where the hand went meanwhile. Not while force is left: it would end in a step.
+  // The hand moved unseen. Not while there is force: that would end in a step.
   this->Restarts = this->Restarts || (!flows && (this->Retreated || this->Retreats));
   this->Retreated = this->Retreats;
   this->Rests = this->Held && !flows;
-  // If it is armed during a hold, the force must not begin with the rest of a fade.
+  // If the device is armed during a hold, the force must not begin with the rest of a fade.
   this->Opening = this->Rests ? 0.0 : this->Opening;
   this->Settle();
 }

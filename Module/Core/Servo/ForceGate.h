@@ -4,9 +4,9 @@
  * @file
  * The one state machine that decides whether force may flow.
  *
- * Orders of the owner and everything that the servo loop finds go in as events; a state, a share
- * of the force from 0 to 1 and one reason come out. SafetyStage.h multiplies the force by the
- * share, limits its growth, and cuts it in the states in which nothing may flow.
+ * Orders of the owner and the servo loop's findings are events. The result is a state, a share of
+ * the force from 0 to 1, and one reason. SafetyStage.h multiplies the force by the share, limits
+ * its growth, and cuts it in the states in which nothing may flow.
  *
  * States
  * ------
@@ -20,9 +20,9 @@
  *   Armed       the whole force flows, as far as the data are there
  *
  * The last five are *open*. A hold may begin in any state and outlives all orders, and samples may
- * be missing during a fade; so the gate remembers each cause, and its open state is the first of
- * the list whose cause is there. That is why Holding and Retreating are states: the force ends in
- * another way than in Fading and comes back by itself.
+ * be missing during a fade. So the gate remembers each cause, and its open state is the first in
+ * the list whose cause exists. Holding and Retreating are states of their own because the force
+ * ends differently than in Fading, and comes back by itself.
  *
  * Events
  * ------
@@ -46,14 +46,14 @@
  *
  *   (a) Ends a fade and a retreat; the ramp begins at 0.
  *   (b) The proxy begins at the tip: TakeRestart.
- *   (c) Changes nothing while force flows, unless the force fades or other orders came with it.
+ *   (c) Changes nothing while force flows, unless it fades, or other orders came at the same time.
  *   (d) The fault stays the reason.
  *   (e) The share of the data falls to 0 and rises again, as in Fading: see GetOpening.
  *   (f) Remembered for Arm.
  *   (g) A hold that has not come to its end goes on until no force flows. Then the ramp begins at
  *       0.
- *   (h) The ramp begins at 0. The cause of Retreating is there if samples are still missing or
- *       force flows, and else gone.
+ *   (h) The ramp begins at 0. The cause of Retreating exists as long as samples are missing or
+ *       force flows.
  *   (i) Moves the opening towards the share of the data that are there, by 1 in FadeTime.
  *   (j) As (b), if the reason is a fault.
  *
@@ -93,12 +93,12 @@ enum class GateReason : std::uint8_t
   NotFinite,  ///< a fault: a force or a tip that is not a finite number
   OverSpeed,  ///< a fault: a tip that is faster than SafetyLimits::MaximumSpeed
   DeviceLost, ///< a fault
-  Unattended, ///< a fault, once the fade is over: SafetyLimits::AttentionTime
+  Unattended, ///< a fault after the fade: the owner was silent for SafetyLimits::AttentionTime
   Ordered,    ///< not armed yet, disarmed, or fading out after FadeOut
   NotReady,   ///< the device was not ready; Arm is needed when it is
   LongWork,   ///< held by the owner
-  NoSamples,  ///< none within SafetyLimits::WatchdogTime
-  NoData,     ///< the samples of the volume around the tip are not all there (Residency.h)
+  NoSamples,  ///< no sample came within SafetyLimits::WatchdogTime
+  NoData,     ///< some samples of the volume around the tip are missing (Residency.h)
   Rising      ///< after Arm, a hold, a gap or missing data
 };
 
@@ -106,7 +106,7 @@ constexpr bool IsFault(GateReason reason) noexcept
 {
   return reason >= GateReason::NotFinite && reason <= GateReason::Unattended;
 }
-/** The fault that has to be cleared by Arm; None if there is none. */
+/** The fault that needs Arm; None if there is none. */
 constexpr GateReason FindFault(GateState state, GateReason reason) noexcept
 {
   const bool isShut = state == GateState::Disarmed || state == GateState::Fault;
@@ -121,9 +121,9 @@ public:
 
   ///@{
   /**
-   * Orders, before a tick. Arm is true unless it changes nothing: what was felt before then means
-   * nothing any more. `isSole` is false if other orders came at the same time, of which one may
-   * have been Disarm.
+   * Orders, before a tick. Arm returns true unless it changes nothing: what was felt before then no
+   * longer matters. `isSole` is false if other orders came at the same time, one of which may have
+   * been Disarm.
    */
   bool Arm(bool isSole = true) noexcept;
   void Disarm() noexcept;
@@ -137,14 +137,14 @@ public:
   void NoteNotReady() noexcept;
   ///@}
 
-  /** The share of the data that are there for this tick of a period (s): 1, or the residency. */
+  /** The share of the data for this tick of a period (s): 1, or the residency. */
   void NoteData(double residency, double period) noexcept;
 
   ///@{
   /**
-   * For SafetyStage, in this order: a fault; samples that were missing, and may still be; then one
-   * of Pass, which returns the share and lets the ramp rise by a step, NoteRetreat and Cut; and
-   * last whether force flows to the device.
+   * Called by SafetyStage, in this order: a fault; a gap, that is, missing samples; then one of
+   * Pass (which returns the share and raises the ramp by a step), NoteRetreat and Cut; and last
+   * whether force flows to the device.
    */
   void NoteFault(GateReason fault) noexcept;
   void NoteGap(bool isStale, bool flows) noexcept;
@@ -165,20 +165,20 @@ public:
   double GetShare() const noexcept { return this->Share; }
   /** The share that fades, holds and missing data leave, without the ramp: 0 to 1. */
   double GetOpening() const noexcept { return this->Opening; }
-  /** Whether an order moves the opening to 0, data or not. */
+  /** Whether an order moves the opening to 0, whatever the data. */
   bool IsClosing() const noexcept { return this->Held || this->Ending != End::None; }
   /**
-   * Whether the last force goes down to zero by itself, or stays there, since samples are missing.
+   * Whether the last force falls to zero by itself, or has done so, because samples are missing.
    */
   bool IsRetreating() const noexcept { return this->Retreats; }
-  /** Whether it is held and no force flows. */
+  /** Whether the gate is held and no force flows. */
   bool IsAtRest() const noexcept { return this->Rests; }
 
-  /** True once after an event by which the proxy has to begin at the tip. */
+  /** True once after an event after which the proxy has to begin at the tip. */
   bool TakeRestart() noexcept;
 
 private:
-  /** How a fade ends. */
+  /** The end of a fade. */
   enum class End : std::uint8_t
   {
     None,
@@ -191,15 +191,15 @@ private:
   void Settle() noexcept;
 
   GateState State = GateState::Disarmed;
-  GateReason Cause = GateReason::Ordered; ///< of Disarmed and Fault
+  GateReason Cause = GateReason::Ordered; ///< the reason in Disarmed and Fault
   End Ending = End::None;
   bool Held = false;
   bool Rests = false;
   bool Retreats = false;
-  bool Retreated = false; ///< Retreats, when the last tick ended
-  bool Flows = false;     ///< force, with the last command
+  bool Retreated = false; ///< Retreats at the end of the last tick
+  bool Flows = false;     ///< the last command had force
   bool Restarts = false;
-  double Data = 1.0; ///< the share of them that are there
+  double Data = 1.0; ///< the share of the data
   double Opening = 1.0;
   double Ramp = 0.0;
   double Share = 0.0;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Paid / Work is never taken for less by (2): from zero the force could not come back. */
+/** The smallest Paid / Work that (2) uses: from zero the force could not come back. */
 constexpr double LeastPaid = 1.0 / 64.0;
 
 } // namespace
@@ -58,7 +58,7 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
     }
     if (!(this->Work > 0.0))
     {
-      // The hand has got back all that it could put in: what else comes is the wanted force's own.
+      // The hand has got back all that it could put in: any further work is the wanted force's own.
       this->Work = 0.0;
       this->Unpaid = 0.0;
     }
@@ -75,8 +75,8 @@ double GrowthLimit::FindMostShare() const noexcept
   const double paid = this->Work - this->Unpaid;
   const double taken = std::max(paid, LeastPaid * this->Work);
   const double share = 2.0 * taken / (this->Work + taken);
-  // A tick is a finite step along the curve, and the next one may take back as much as this one: no
-  // more than is left.
+  // A tick is a finite step along the curve, and the next one may take back as much as this one:
+  // give no more than the account still has.
   const bool isTooMuch = this->Return > 0.0 && share * this->Return > paid;
   return isTooMuch ? std::max(0.0, paid) / this->Return : share;
 }

@@ -11,13 +11,12 @@
  *
  *   |F| <= max(0, F'.w) + rate * period.                                                       (1)
  *
- * The new direction takes effect at once, and only the part of F' along it counts as being there
- * already: a force that is reversed starts from zero, one that turns by a few degrees a tick is not
- * held back.
+ * The new direction takes effect at once, and only the part of F' along it counts as present: a
+ * force that is reversed starts from zero, one that turns by a few degrees a tick is not held back.
  *
- * (1) alone still makes a stiff wall active: on the way in, where W rises faster than the rate, the
- * hand works against less than W, and on the way out it gets all of W back. So the limit keeps an
- * account of the contact, which begins where W is zero or turns by a right angle:
+ * (1) alone still makes a stiff wall active. On the way in W rises faster than the rate, so the
+ * hand works against less than W; on the way out it gets all of W back. So the limit keeps an
+ * account of the contact, which begins when W is zero or turns by a right angle:
  *
  *   Work = the work of the hand against W,   Paid = its work against F,   dPaid = s dWork,
  *
@@ -25,29 +24,29 @@
  *
  *   s <= p(Paid / Work),   p(r) = 2 r / (1 + r).                                               (2)
  *
- * Where s = p(r), dr / d(ln Work) = p(r) - r = r (1 - r) / (1 + r), on the way in and out alike: on
- * the way out r runs back along the curve, and with Work reaches 0 but never falls below it. So
- * Paid stays positive: the hand never gets back more than it put in, whatever the wanted force is a
- * function of, up to the finite step of a tick: the share is also no more than takes all of Paid
- * where the next tick takes back as much of Work as this one. On the way in r rises to 1: pressing
- * on brings back what the limit took, and a still hand feels no change. For a spring, where Work =
- * k x^2 / 2, the stiffness of F is
+ * If s = p(r), then dr / d(ln Work) = p(r) - r = r (1 - r) / (1 + r), on the way in and out alike.
+ * On the way out r runs back along the same curve, and reaches 0 together with Work. So Paid never
+ * becomes negative: the hand never gets back more than it put in, for any wanted force. A tick is a
+ * finite step, so s is limited once more: if the next tick takes back as much of Work as this one
+ * did, Paid must suffice for it. On the way in r rises to 1: pressing on brings back the force that
+ * the limit took, and a still hand feels no change. For a spring, with Work = k x^2 / 2, the
+ * stiffness of F is
  *
  *   k (p + 2 (p - r) dp/dr) <= k,
  *
- * which is why p is this function: the sampled loop is as stable with the limit as without. As long
- * as (1) has not held anything back, Paid = Work, s = 1, and F = W to the bit.
+ * which is why p is this function: the sampled loop is as stable with the limit as without. Until
+ * (1) holds something back, Paid = Work, s = 1, and F = W to the bit.
  *
- * A device may report slower than the servo ticks: then the tip stands for some ticks and leaps,
- * while the hand moved all the time, and s with it. For dPaid the least s since the tip last moved
- * counts where the hand has worked, and the largest where it gets work back, so that no share is
- * paid for that was not there.
+ * A device may report more slowly than the servo ticks. The tip then stands still for some ticks
+ * and leaps, although the hand moved all the time, and s has changed meanwhile. So dPaid takes the
+ * least s since the last leap if the hand did work, and the largest if it got work back: the
+ * account never counts more than the hand really put in.
  *
  * Work that friction, drag and yielding tissue have used up does not come back, and must not hide
- * what is owed to a spring that the tip meets later in the same contact. A source that knows how
- * much energy can come back says so, and Work and Paid are scaled down to that. One that knows its
- * drag says so, too, and the account is that of the rest: drag takes energy at any share. Of forces
- * that tell neither, drag counts as work that can come back.
+ * the debt to a spring that the tip meets later in the same contact. So a source that knows how
+ * much energy can come back gives it as `recoverable`, and Work and Paid are scaled down to it. A
+ * source that knows its drag gives it, too, and the account leaves it out: drag takes energy at any
+ * share. If a source gives neither, its drag counts as work that can come back.
  */
 #ifndef GrowthLimit_h
 #define GrowthLimit_h
@@ -61,21 +60,21 @@ class GrowthLimit
 {
 public:
   /**
-   * For a force that was cut, or a tip whose motion is unknown: the next force grows from zero, in
-   * a new contact.
+   * Call it after a force was cut, or if the motion of the tip is unknown: the next force grows
+   * from zero, in a new contact.
    */
   void Reset() noexcept;
 
   /**
-   * The force to send for a wanted one (N) with the tip at a place (m), at most `growth` (N) above
-   * the last one. `recoverable` (J) is the most that the hand can get back from the wanted force;
-   * negative if that is not known. `drag` (N) is the part of the wanted force that only takes
-   * energy.
+   * Returns the force to send for a wanted one (N) with the tip at a position (m), at most `growth`
+   * (N) above the last one. `recoverable` (J) is the most that the hand can get back from the
+   * wanted force; negative if that is not known. `drag` (N) is the part of the wanted force that
+   * only takes energy.
    */
   Vector3 Apply(const Vector3& wanted, const Vector3& tip, double growth, double recoverable,
     const Vector3& drag = {}) noexcept;
 
-  /** Sends this instead of what Apply returned; in a new contact. */
+  /** Replaces the force that Apply returned, in a new contact. */
   void Override(const Vector3& force) noexcept;
 
   /** The last force sent (N). */
@@ -86,15 +85,15 @@ private:
   void BeginContact() noexcept;
   double FindMostShare() const noexcept;
 
-  Vector3 Source; ///< N, what was wanted without drag
+  Vector3 Source; ///< N, the wanted force without drag
   Vector3 Sent;
   Vector3 Tip;
   bool HasTip = false;
-  double LeastShare = 1.0; ///< of s, since the tip last moved
-  double MostShare = 1.0;
-  double Work = 0.0;   ///< J
-  double Unpaid = 0.0; ///< J, Work - Paid: exactly 0 while nothing was held back
-  double Return = 0.0; ///< J, what the hand got back of Work when the tip last moved
+  double LeastShare = 1.0; ///< smallest s since the tip last moved
+  double MostShare = 1.0;  ///< largest s since then
+  double Work = 0.0;       ///< J
+  double Unpaid = 0.0;     ///< J, Work - Paid: exactly 0 until something is held back
+  double Return = 0.0;     ///< J, the part of Work that the hand got back when the tip last moved
 };
 
 } // namespace VolumeHaptics

@@ -36,7 +36,7 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
     }
   }
   this->Models.LetGo();
-  // New models and stop requests are seen soon, however slow the loop is.
+  // New models and stop requests are seen soon, even if the loop is slow.
   return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
 }
 
@@ -64,7 +64,8 @@ void LocalSurfaceFitter::Send(const HapticModel& model, const LocalState& local)
 {
   if (model.Baked->Settings.Method == HapticMethod::LocalSurface)
   {
-    // In every tick, until there is a result: the fitter may have taken one for another model.
+    // In every tick until there is a result: the fitter may have taken an earlier request for
+    // another model.
     this->Requests.Write({ local.Request, local.Number });
   }
 }

@@ -27,13 +27,13 @@ public:
   }
 
   ///@{
-  /** The slow thread. */
+  /** Runs the slow loop, on the slow thread. */
   void Run() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
   ///@}
 
   ///@{
-  /** The servo's side. */
+  /** Called by the servo. */
   LocalSurfaceResult FindResult(const HapticModel& model, const LocalState& local) noexcept;
   void Send(const HapticModel& model, const LocalState& local) noexcept;
   ///@}
@@ -58,7 +58,7 @@ private:
   TripleBuffer<Request> Requests;
   TripleBuffer<Result> Results;
   std::atomic<bool> StopRequested{ false };
-  std::int64_t Looked = 0; ///< the slow thread's: when the last fit was due
+  std::int64_t Looked = 0; ///< used by the slow thread: when the last fit was due
 };
 
 } // namespace VolumeHaptics

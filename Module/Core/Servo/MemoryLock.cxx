@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How many locks each page of a process has. */
+/** Counts the locks on each page of a process. */
 class PageCounts
 {
 public:
@@ -33,7 +33,7 @@ public:
   bool Add(std::uintptr_t first, std::uintptr_t last) noexcept
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    std::uintptr_t end = first; // of the counted ones
+    std::uintptr_t end = first; // end of the counted pages
     try
     {
       for (; end <= last; ++end)
@@ -74,7 +74,7 @@ private:
 
   void Release(std::uintptr_t first, std::uintptr_t last) noexcept
   {
-    std::uintptr_t begin = first; // of those in a row that no lock has any more
+    std::uintptr_t begin = first; // begin of a row of pages without locks
     for (std::uintptr_t page = first; page <= last; ++page)
     {
       const auto found = this->Counts.find(page);
@@ -108,7 +108,7 @@ PerProcess<PageCounts> CountsOfProcess;
 
 MemoryLock::~MemoryLock()
 {
-  // A forked child inherits no locks.
+  // A forked child does not inherit locks.
   if (this->Process == ServoClock::GetProcess())
   {
     for (const Pages& pages : this->Locked)
@@ -130,7 +130,7 @@ bool MemoryLock::Add(const void* begin, std::size_t size) noexcept
   if (this->Process != process)
   {
     this->Process = process;
-    this->Locked.clear(); // the parent's
+    this->Locked.clear(); // the locks belong to the parent
   }
   try
   {
@@ -161,7 +161,7 @@ bool MemoryLock::AddStack(std::size_t size) noexcept
   std::size_t whole = 0;
   pthread_attr_getstack(&attributes, &lowest, &whole);
   pthread_attr_destroy(&attributes);
-  // Downwards from here, as on every processor that Linux has for desktops.
+  // Stacks grow downwards on every processor of Linux desktops.
   const char* const here = static_cast<const char*>(__builtin_frame_address(0));
   const auto left = static_cast<std::size_t>(here - static_cast<const char*>(lowest));
   const std::size_t locked = std::min(size, left);

@@ -4,11 +4,11 @@
  * @file
  * Keeps ranges of memory from being paged out while the servo uses them.
  *
- * Only what is named is locked, such as the loop's own memory, and neither program code nor what
- * back ends use: mlockall would read every mapped file of the process from the disk, a volume of
- * gigabytes included. Pages that several locks share stay until the last of them is gone (munlock
- * alone does not count). A forked child has no locks but its own. An application that locks its own
- * memory with mlockall loses that for pages that it shares with these locks.
+ * Only named ranges are locked, such as the loop's own memory. Program code and the memory of back
+ * ends are not: mlockall would read every mapped file of the process from the disk, including a
+ * volume of gigabytes. Pages that several locks share stay until the last lock is released (munlock
+ * alone does not count). A forked child only has locks of its own. An application that locks its
+ * memory with mlockall loses that lock on pages that it shares with these.
  *
  * Not in the servo loop: locking may wait for memory.
  */
@@ -32,13 +32,13 @@ public:
   MemoryLock& operator=(const MemoryLock&) = delete;
 
   /**
-   * Brings a range into memory and keeps it there. False, and nothing locked of it, where that is
-   * refused.
+   * Brings a range into memory and keeps it there. If that is refused, returns false and locks
+   * nothing of it.
    */
   bool Add(const void* begin, std::size_t size) noexcept;
   /**
-   * The same for the next `size` bytes of the calling thread's stack: before the thread ends,
-   * unlock them.
+   * The same for the next `size` bytes of the calling thread's stack. Unlock them before the thread
+   * ends.
    */
   bool AddStack(std::size_t size) noexcept;
 
@@ -49,7 +49,7 @@ private:
     std::uintptr_t Last = 0;
   };
   std::vector<Pages> Locked;
-  std::int64_t Process = 0; // whose locks they are
+  std::int64_t Process = 0; // the process that made the locks
 };
 
 } // namespace VolumeHaptics

@@ -41,8 +41,8 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
 void ModelExchange::Collect()
 {
   const std::uint64_t inUse = this->GetAcknowledged();
-  // After Next was written: who holds an older model by now is seen here, and who does not yet sees
-  // Next.
+  // After Next was written: a fitter that already holds an older model is seen here, and one that
+  // does not yet hold a model will see Next.
   const PublishedModel* const held = this->Held.load();
   const auto isFree = [&](const std::unique_ptr<const PublishedModel>& kept)
   { return kept->Generation < inUse && kept.get() != held; };

@@ -5,8 +5,8 @@
  * Models from the thread that publishes them to the servo and to the fitter of local surfaces.
  *
  * A model is published by swapping a pointer. The servo acknowledges the generation that it uses
- * from then on; the fitter says which one it holds. Only the publishing thread frees, what neither
- * uses.
+ * from then on; the fitter notes the model that it holds. Only the publishing thread frees models,
+ * once neither of them uses them.
  */
 #ifndef ModelExchange_h
 #define ModelExchange_h
@@ -39,9 +39,9 @@ public:
   ModelExchange& operator=(const ModelExchange&) = delete;
 
   ///@{
-  /** The publishing thread's side. */
+  /** Called by the publishing thread. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
-  /** Frees the models that nobody uses. */
+  /** Frees the models that neither the servo nor the fitter uses. */
   void Collect();
   /** From any thread: whether the tables of a model could not be kept in memory. */
   bool IsLockRefused() const noexcept { return this->LockRefused.load(std::memory_order_relaxed); }
@@ -53,7 +53,7 @@ public:
   ///@}
 
   ///@{
-  /** The servo's side: the latest model, which stays until a later one is acknowledged. */
+  /** Called by the servo: the latest model, which stays until a later one is acknowledged. */
   const PublishedModel* GetLatest() const noexcept
   {
     return this->Next.load(std::memory_order_acquire);
@@ -65,7 +65,7 @@ public:
   ///@}
 
   ///@{
-  /** The fitter's side: the latest model, which stays until it lets go. */
+  /** Called by the fitter: the latest model, which stays until it lets go. */
   const HapticModel* Hold() noexcept;
   void LetGo() noexcept { this->Held.store(nullptr); }
   ///@}
@@ -75,8 +75,8 @@ private:
   std::atomic<std::uint64_t> Acknowledged{ 0 };
   std::atomic<const PublishedModel*> Held{ nullptr };
   std::atomic<bool> LockRefused{ false };
-  std::vector<std::unique_ptr<const PublishedModel>> Kept; // the publisher's, oldest first
-  std::uint64_t Generation = 0;                            // the publisher's
+  std::vector<std::unique_ptr<const PublishedModel>> Kept; // used by the publisher, oldest first
+  std::uint64_t Generation = 0;                            // used by the publisher
 };
 
 } // namespace VolumeHaptics

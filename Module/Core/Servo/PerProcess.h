@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One object for each process, for what is shared by its threads under a mutex.
+ * One object for each process, for data that its threads share under a mutex.
  *
- * A forked child has a copy of every object of its parent, and of a mutex perhaps one that is
- * locked by a thread that the child does not have. It gets a fresh object instead of the copy,
- * which stays untouched.
+ * A forked child has copies of its parent's objects; the copy of a mutex may be locked by a thread
+ * that does not exist in the child. So the child gets a fresh object, and the copy stays untouched.
  */
 #ifndef PerProcess_h
 #define PerProcess_h

@@ -38,7 +38,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   }
   if (opening == 0.0 || !state.Enabled)
   {
-    // A disabled state is to begin from the tip, without force.
+    // A disabled state has to begin from the tip, without force.
     this->Force = this->Lag = Vector3{};
     record = TickRecord{};
   }

@@ -18,32 +18,32 @@ struct ServoState;
 struct TickRecord;
 
 /**
- * The ticks of a servo that may be on a region, and the gate's opening (ForceGate.h) that goes with
- * the data.
+ * The ticks of a servo that may work on a region. They set the gate's opening (ForceGate.h) by the
+ * residency.
  *
- * The opening follows the residency by 1 in ForceGate::FadeTime at most, up and down. A tick whose
- * data are missing is not computed: the last force goes along with the tip and fades; once it is
- * gone the proxy is on the tip, and stays there. When the data have come, the force begins anew
- * from there, at zero. For models of whole volumes all this is Tick() with an opening of 1.
+ * The opening follows the residency by 1 in ForceGate::FadeTime at most, up and down. If the data
+ * of a tick are missing, the tick is not computed: the last force moves along with the tip and
+ * fades. Then the proxy stays on the tip. When the data have come, a new force begins from there,
+ * at zero. For models of whole volumes all this is Tick() with an opening of 1.
  */
 class ResidentServo
 {
 public:
   /**
-   * One tick of a period (s). Computes the whole force, of which the gate's share is felt. The
-   * record has to be that of the tick before.
+   * One tick of a period (s). Computes the whole force, of which the gate's share is felt. `record`
+   * has to be that of the tick before.
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
     TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate) noexcept;
   /** A tick of a period (s) without a model. */
   void Rest(double period, ForceGate& gate) noexcept;
 
-  /** Whether the last tick's force was less since data were missing. */
+  /** Whether missing data reduced the last tick's force. */
   bool IsAwaiting() const noexcept { return this->Awaits; }
 
 private:
   bool Awaits = false;
-  bool IsOut = false; ///< the force of before has to end before a new one begins
+  bool IsOut = false; ///< the old force has to end before a new one begins
   Vector3 Force;      ///< while IsOut: the last one
   Vector3 Lag;        ///< while IsOut: proxy minus tip
 };

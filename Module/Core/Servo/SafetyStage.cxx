@@ -14,9 +14,9 @@ namespace
 constexpr double RetreatTime = 0.02;
 
 /**
- * The energy (J) that the spring of an input gives back while it relaxes, if it is felt with no
- * more than `most` (N) of its pull. The pull goes by the stretch: the force may be clamped already.
- * Negative if the stiffness is not known.
+ * The energy (J) that the spring of an input gives back while it relaxes, if at most `most` (N) of
+ * its pull is felt. The pull follows from the stretch: the force may be clamped already. Negative
+ * if the stiffness is not known.
  */
 double FindRecoverable(const SafetyInput& input, double most) noexcept
 {
@@ -42,13 +42,13 @@ bool SafetyStage::IsForceLeft() const noexcept
 Vector3 SafetyStage::Retreat(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
-  // A force without fresh samples must be gone in time, however slowly forces may grow.
+  // A force without fresh samples must end in time, even if forces may only grow slowly.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   const Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
   Vector3 next = last - ClampNorm(last, rate * input.Period);
   if (input.Fresh)
   {
-    // It is known again where the hand is: it gets no push that is not wanted there.
+    // The position of the hand is known again: it gets no push that is not wanted there.
     const double norm = Norm(last);
     next = ClampNorm(next, norm > 0.0 ? gate.GetOpening() * Dot(input.Force, last) / norm : 0.0);
   }
@@ -59,7 +59,7 @@ Vector3 SafetyStage::Retreat(
 
 double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
 {
-  // A wake-up on time after a late one comes early: the device has moved for a whole period.
+  // After a late wake-up the next one comes early, but the device has moved for a whole period.
   const double time = std::max(this->SampleAge, input.Period);
   const double speed = this->HasTip && time > 0.0 ? Norm(input.Tip - this->LastTip) / time : 0.0;
   this->LastTip = input.Tip;
@@ -74,7 +74,7 @@ bool SafetyStage::FollowSamples(
   const bool finite = IsFinite(input.Force) && IsFinite(input.Tip);
   double speed = 0.0;
   this->Stale = this->SampleAge > limits.WatchdogTime;
-  // A gap counts even if a fresh sample ends it: nothing watched the hand meanwhile.
+  // A gap counts even if a fresh sample ends it: the hand was not watched meanwhile.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {
@@ -108,7 +108,7 @@ Vector3 SafetyStage::FindCommand(
   }
   if (input.Elapsed > limits.WatchdogTime)
   {
-    // The loop itself stood still: what was felt before is not what is there now.
+    // The loop itself stood still: earlier forces say nothing about the present one.
     this->Growth.Reset();
   }
   if (gap)

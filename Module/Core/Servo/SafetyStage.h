@@ -9,13 +9,12 @@
  * 2. A tip that is faster than the limit gives zero and a fault.
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
  * 4. The share that the gate lets through is taken (ForceGate.h).
- * 5. The growth of the force is limited (the slew limit, GrowthLimit.h). A force that falls does so
- *    at once.
+ * 5. The growth of the force is limited (the slew limit, GrowthLimit.h). A force may fall at once.
  * Stiffness and damping are capped in the computation of the force: see HapticSettings::Caps. Joint
  * commands are scaled down together, by the back end: SaturateTogether.
  *
- * The share is applied before the slew limit, so that nothing that leaves grows faster than it
- * allows. A fault and disarming cut the force at once.
+ * The share is applied before the slew limit, so that no force that is sent grows faster than this
+ * limit allows. A fault and disarming cut the force at once.
  *
  * Without fresh samples for WatchdogTime the force retreats: the last force falls to zero at
  * MaximumForceRate, or faster, so that it is gone after 20 ms. A retreat goes on to zero even if
@@ -35,24 +34,25 @@ namespace VolumeHaptics
 
 struct SafetyLimits
 {
-  double MaximumForce = 0.0;       ///< N; nothing leaves at 0
+  double MaximumForce = 0.0;       ///< N; 0 lets nothing through
   double MaximumForceRate = 500.0; ///< N/s, of growth
   double MaximumSpeed = 0.0;       ///< m/s; 0 does not limit
   double RampTime = 0.5;           ///< s
   double WatchdogTime = 0.03;      ///< s
   /**
-   * How long (s) the owner may be silent before the loop lets go (ServoLoop::Attend); 0: for ever.
+   * How long (s) the owner may be silent before the force fades out (ServoLoop::Attend); 0: for
+   * ever.
    */
   double AttentionTime = 0.0;
 };
 
-/** A tick, as far as the stage needs to know it. */
+/** The input of the stage in a tick. */
 struct SafetyInput
 {
   Vector3 Force;          ///< N, as computed
-  double Stiffness = 0.0; ///< N/m, of the spring that the force is the pull of; 0 if there is none
-  double Stretch = 0.0;   ///< m, of that spring, whose pull may have been clamped already
-  Vector3 Drag;           ///< N, the part of the force that only takes energy, if that is known
+  double Stiffness = 0.0; ///< N/m, of the spring that pulls with the force; 0 if there is none
+  double Stretch = 0.0;   ///< m, of that spring; its pull may have been clamped already
+  Vector3 Drag;           ///< N, the part of the force that only takes energy, if known
   Vector3 Tip;            ///< m
   double Period = 1e-3;   ///< s, nominal, for the slew limit and the ramp
   double Elapsed = 0.0;   ///< s since the last tick, measured
@@ -63,10 +63,13 @@ struct SafetyInput
 class SafetyStage
 {
 public:
-  /** The force to send. Tells the gate what it finds, and takes the gate's share of the force. */
+  /** The force to send. Tells the gate its findings, and takes the gate's share of the force. */
   Vector3 Apply(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
 
-  /** After ForceGate::Arm: forces grow from zero, and no motion of the tip up to now counts. */
+  /**
+   * Call it after ForceGate::Arm: forces grow from zero, and earlier motion of the tip does not
+   * count.
+   */
   void Reset() noexcept;
 
   /** Whether the last samples are older than the watchdog allows. */

@@ -49,7 +49,7 @@ void BlockSignals() noexcept
 {
   sigset_t others;
   sigfillset(&others);
-  // Where a crash of the thread itself is blocked, no handler can end the force before the process
+  // If the thread blocks a crash signal of its own, no handler can end the force before the process
   // ends.
   for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP })
   {
@@ -60,7 +60,7 @@ void BlockSignals() noexcept
 
 bool RaisePriority() noexcept
 {
-  // Below 50, where the kernel's own interrupt threads run.
+  // Below 50, the priority of the kernel's own interrupt threads.
   sched_param parameters{};
   parameters.sched_priority = 40;
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
@@ -94,7 +94,7 @@ bool RaisePriority() noexcept
 
 std::int64_t GetProcess() noexcept
 {
-  return 0; // nothing is forked
+  return 0; // this system does not fork
 }
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The clock of the servo loop, the privileges that keep it on time, and the process that it is in.
+ * The clock of the servo loop, the privileges that keep it on time, and the number of its process.
  */
 #ifndef ServoClock_h
 #define ServoClock_h
@@ -20,18 +20,17 @@ constexpr std::int64_t Millisecond = 1000000; ///< ns
 
 /** Monotonic time in ns. */
 std::int64_t Now() noexcept;
-/** Sleeps until a time of Now(); returns at once where that has passed. */
+/** Sleeps until a time of Now(); returns at once if that has passed. */
 void SleepUntil(std::int64_t time) noexcept;
 /**
- * Leaves the process's signals to other threads than the calling one, but for those of its own
- * crash.
+ * Leaves the process's signals to other threads, except those of a crash of the calling thread.
  */
 void BlockSignals() noexcept;
 /** Asks for a real-time scheduling class (SCHED_FIFO, below 50) for the calling thread. */
 bool RaisePriority() noexcept;
 /**
- * The number of this process. A forked child has copies of all objects, but none of the threads,
- * which are not to be waited for, and the devices are the parent's.
+ * The number of this process. A forked child has copies of all objects but none of the threads, so
+ * it must not wait for them; and the devices belong to the parent.
  */
 std::int64_t GetProcess() noexcept;
 

@@ -11,9 +11,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** 16 s at 1 kHz, should the recorder be kept from draining; every start has to clear it. */
+/** 16 s at 1 kHz, in case the recorder is delayed; every start has to clear it. */
 constexpr std::size_t TraceCapacity = 1 << 14;
-/** More than any method needs of the stack (bytes); the rest of it is not locked. */
+/** More stack (bytes) than any method needs; the rest of the stack is not locked. */
 constexpr std::size_t StackSize = 1 << 18;
 /** The rate is averaged over at least this long (ns). */
 constexpr std::int64_t RateWindow = 100000000;
@@ -33,7 +33,7 @@ void ServoLoop::AskForRealTime(MemoryLock& lock) noexcept
 {
   const auto answer = [](bool granted)
   { return granted ? Privilege::Granted : Privilege::Refused; };
-  // The largest last: a user's limit often allows the others.
+  // The largest last: a user's limit often allows only the others.
   const bool own = lock.Add(this, sizeof(*this));
   const bool stack = lock.AddStack(StackSize);
   const bool trace = lock.Add(this->Trace.GetMemory(), this->Trace.GetMemorySize());
@@ -64,12 +64,12 @@ void ServoLoop::FollowModel() noexcept
 
 void ServoLoop::FollowCommands() noexcept
 {
-  // First: the orders that came before a release are then seen with it.
+  // First: orders that came before a release are then seen together with it.
   this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
   const std::uint64_t command = this->ArmCommand.load(std::memory_order_acquire);
   if (command != this->ArmCommandSeen)
   {
-    // Several orders at once may have a Disarm among them, of which the last one says nothing.
+    // Several orders at once may include a Disarm that the last one hides.
     const bool isSole = (command >> 2) - (this->ArmCommandSeen >> 2) == 1;
     this->ArmCommandSeen = command;
     switch (OrderOf(command))
@@ -135,7 +135,7 @@ DeviceSample ServoLoop::ReadDevice(double period) noexcept
   s.Turn = sample.Turn;
   if (s.Device == DeviceState::NotReady)
   {
-    // Arming has to see that the device can be felt: it does not begin by itself.
+    // The user has to arm with the device ready: force never begins by itself.
     this->Gate.NoteNotReady();
   }
   return sample;
@@ -146,11 +146,11 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
   // Begins at the tip, without force, on these four causes. Tick() does so after a tip that is not
   // finite, ResidentServo after missing data.
   const bool isVolumeNew = std::exchange(this->IsVolumeNew, false);
-  // The loop stood still, and the hand did not.
+  // The loop stood still, but the hand did not.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;
-  // The stylus is taken up here: not on the way from a tip at which no hand has been.
+  // Taken up here, so the proxy must not come from a tip that no hand has held.
   const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
-  // The hand went on while the gate let nothing through: see the table of ForceGate.h.
+  // The hand moved on while the gate let nothing through: see the table of ForceGate.h.
   const bool isGateNew = this->Gate.TakeRestart();
   if (isVolumeNew || stood || isTakenUp || isGateNew)
   {
@@ -205,7 +205,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   s.Command = this->Safety.Apply(input, this->Limits.Read(), this->Gate);
   this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
-  // Not before the device has got it.
+  // Only after the device has got it.
   this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
   if (this->WriteLost)
   {

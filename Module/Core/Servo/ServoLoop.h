@@ -4,11 +4,11 @@
  * @file
  * The servo loop: one tick after the other at a fixed rate, on a thread of its own.
  *
- * Nothing that goes in or out makes the loop wait:
+ * The loop never waits for its inputs and outputs:
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
- * - commands (arm, disarm, fade out, stop), limits and when the owner was last heard of are single
+ * - commands (arm, disarm, fade out, stop), limits and the time of the owner's last call are single
  *   atomics.
  *
  * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter
@@ -39,9 +39,9 @@ namespace VolumeHaptics
 /** Everything about one tick, for displays and recordings. */
 struct ServoSnapshot
 {
-  TickRecord Record;            ///< as the tick computed it, before the safety stage
-  ServoState Before;            ///< the state that the tick started from; not enabled: f = 0
-  Vector3 Command;              ///< N, that went to the device
+  TickRecord Record;            ///< computed by the tick, before the safety stage
+  ServoState Before;            ///< the state before the tick; if not enabled, f = 0
+  Vector3 Command;              ///< N, sent to the device
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
@@ -50,8 +50,8 @@ struct ServoSnapshot
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< why Share is not 1
   bool Stale = false;                      ///< the tip is older than the watchdog allows
-  bool Awaiting = false;                   ///< force was held back since data were missing
-  double Share = 0.0;                      ///< of Record.Force, that the gate let through
+  bool Awaiting = false;                   ///< missing data held force back
+  double Share = 0.0;                      ///< the share of Record.Force that the gate let through
   double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
   DeviceState Device = DeviceState::Running;
 
@@ -71,7 +71,8 @@ public:
   /** The worker: returns after RequestStop, with zero force sent. */
   void Run() noexcept;
   /**
-   * The slow worker, without which LOCAL_SURFACE finds no surface: returns after RequestStop, too.
+   * The slow worker, without which LOCAL_SURFACE finds no surface. It also returns after
+   * RequestStop.
    */
   void RunFitter() noexcept { this->Fitter.Run(); }
   void RequestStop() noexcept
@@ -90,13 +91,13 @@ public:
   /** The generation that the loop has seen. */
   std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
-  /** No state that is yet to be read or drained is of an older generation. */
+  /** The generation such that no state that is yet to be read or drained is older. */
   std::uint64_t GetWrittenGeneration() const noexcept
   {
     return this->WrittenGeneration.load(std::memory_order_acquire);
   }
 
-  /** Force may flow, after a ramp; forgets a fault. Changes nothing if force flows already. */
+  /** Force may flow, after a ramp; clears a fault. Changes nothing if force flows already. */
   void Arm() noexcept
   {
     this->Attend();
@@ -104,7 +105,7 @@ public:
   }
   /** No force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
-  /** Whether the last order of these was Arm, be it seen by the loop or not. */
+  /** Whether the last of these orders was Arm, even if the loop has not seen it yet. */
   bool IsArmOrdered() const noexcept
   {
     return OrderOf(this->ArmCommand.load(std::memory_order_relaxed)) == ArmOrder::Arm;
@@ -117,10 +118,10 @@ public:
 
   ///@{
   /**
-   * While held, no force leaves, whatever else is ordered. It goes to zero as with FadeOut, but the
-   * loop stays armed, and AttentionTime does not count. After Release, and the end of the fade, it
-   * rises as after Arm, with the proxy on the tip, if the loop is armed by then and has no fault.
-   * To be called by the owner.
+   * While held, no force is sent, whatever other orders say. It falls to zero as with FadeOut, but
+   * the loop stays armed, and AttentionTime does not count. After Release and the end of the fade,
+   * if the loop is armed and has no fault, the force rises as after Arm, with the proxy on the tip.
+   * Called by the owner.
    */
   void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
   void Release() noexcept
@@ -128,14 +129,14 @@ public:
     this->Attend();
     this->HoldWanted.store(false, std::memory_order_release);
   }
-  /** Whether it is held and has sent zero. */
+  /** Whether the loop is held and has sent zero. */
   bool IsAtRest() const noexcept { return this->AtRest.load(std::memory_order_acquire); }
   ///@}
 
   /**
-   * The owner is there. If SafetyLimits::AttentionTime is set and neither this nor Arm is called
-   * for that long while armed, the force fades out as with FadeOut, and the fault Unattended holds
-   * until Arm.
+   * The owner is present. If SafetyLimits::AttentionTime is set, the loop is armed, and neither
+   * this nor Arm is called for that long, the force fades out as with FadeOut. The fault Unattended
+   * then holds until Arm.
    */
   void Attend() noexcept;
 
@@ -155,7 +156,7 @@ public:
   }
 
   ///@{
-  /** Time keeping since the last ResetStatistics. */
+  /** Timing since the last ResetStatistics. */
   const TimeHistogram& GetTickCost() const noexcept { return this->TickCost; }
   const TimeHistogram& GetWakeLatency() const noexcept { return this->WakeLatency; }
   /** Ticks in which the solver spent its budget (PreciseSolver.h). */
@@ -163,7 +164,7 @@ public:
   {
     return this->UnfinishedTicks.load(std::memory_order_relaxed);
   }
-  /** Ticks whose force was held back since data were not there (Residency.h). */
+  /** Ticks whose force was held back because data were missing (Residency.h). */
   std::uint64_t GetAbsentTicks() const noexcept
   {
     return this->AbsentTicks.load(std::memory_order_relaxed);
@@ -185,9 +186,9 @@ public:
   Privilege GetRealTimePriority() const noexcept { return this->RealTimePriority.load(); }
   /**
    * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the
-   * loop's stack, and the tables of the models. Never locked are the samples of a volume and
-   * meshes, which may be larger than the memory, the program's code, and what a back end and its
-   * driver use.
+   * loop's stack, and the tables of the models. Never locked are the samples of volumes and meshes,
+   * which may be larger than the memory; the program's code; and the memory of a back end and its
+   * driver.
    */
   Privilege GetLockedMemory() const noexcept
   {
@@ -253,12 +254,12 @@ private:
   TripleBuffer<ServoSnapshot> Latest;
   TraceRing<ServoSnapshot> Trace;
 
-  // The servo's own.
+  // Used by the servo only.
   const PublishedModel* Current = nullptr;
   ServoState State;
-  bool IsVolumeNew = false; ///< none was touched before, or none is now
+  bool IsVolumeNew = false; ///< no volume was touched in the last tick, or none is now
   ResidentServo Servo;
-  bool HasSample = false; ///< a fresh one, ever
+  bool HasSample = false; ///< a fresh sample has come since the start
   ForceGate Gate;
   SafetyStage Safety;
   ServoSnapshot Snapshot;

@@ -82,7 +82,7 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   if (isRegion && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // Another part of the same volume: the felt force does not change.
+    // Another region of the same volume: the felt force does not change.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
@@ -105,7 +105,7 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
     state.Proxy = to.Baked->Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
     StartLocalSurface(to.DeviceToWorld(outside), to.DeviceToWorld(state.PreviousTip), state.Local);
   }
-  // In another volume the level means nothing.
+  // The level means nothing in another volume.
   state.Precise.IsHeld = state.Precise.IsHeld && from.Baked->Number == to.Baked->Number;
 }
 

@@ -35,9 +35,9 @@ Vector3 FindDrag(
   const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;
 
 /**
- * Takes the state from one placement of the device to another. The proxy rests on the volume: when
- * the volume moves under the hand, it goes along. From one region of a volume to another the state
- * stays as it is.
+ * Takes the state from one placement of the device to another. The proxy rests on the volume: if
+ * the volume moves under the hand, the proxy moves along. From one region of a volume to another
+ * the state stays as it is.
  */
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept;
 

@@ -4,8 +4,7 @@
  * @file
  * Durations, counted in fixed buckets: written by one thread, read by any, without waiting.
  *
- * Eight buckets an octave, from 1 ns to more than an hour: a percentile is within 1/8 of the
- * duration that it stands for.
+ * There are eight buckets per octave, from 1 ns to more than an hour: a percentile is exact to 1/8.
  */
 #ifndef TimeHistogram_h
 #define TimeHistogram_h
@@ -20,7 +19,7 @@ namespace VolumeHaptics
 class TimeHistogram
 {
 public:
-  /** The one writer's side. */
+  /** Called by the one writer. */
   void Add(std::int64_t nanoseconds) noexcept
   {
     std::atomic<std::uint64_t>& bucket = this->Count[Bucket(nanoseconds)];
@@ -28,14 +27,14 @@ public:
   }
 
   /**
-   * The duration in ns below which a share (0 to 1) of the durations lie: the upper edge of the
-   * bucket in which it falls. 0 where nothing was counted.
+   * The duration in ns below which a share (0 to 1) of the durations lie: the upper edge of its
+   * bucket. 0 if nothing was counted.
    */
   double GetPercentile(double share) const noexcept;
 
   std::uint64_t GetTotal() const noexcept;
 
-  /** The writer's side, too. */
+  /** Called by the writer as well. */
   void Reset() noexcept;
 
 private:

@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /** The producer's side. False, and one more lost value, where the ring is full. */
+  /** Called by the producer. If the ring is full, returns false and counts a lost value. */
   bool Push(const T& value) noexcept
   {
     const std::uint64_t head = this->Head.load(std::memory_order_relaxed);
@@ -48,7 +48,7 @@ public:
     return true;
   }
 
-  /** The consumer's side. */
+  /** Called by the consumer. */
   bool Pop(T& value) noexcept
   {
     const std::uint64_t tail = this->Tail.load(std::memory_order_relaxed);

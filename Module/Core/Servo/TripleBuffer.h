@@ -6,7 +6,7 @@
  *
  * Three slots: one that the writer fills, one that the reader reads, and a spare in between that
  * holds the latest complete value. Each side swaps its own slot with the spare in one atomic
- * exchange, so that neither ever touches the slot that the other is in.
+ * exchange, so that neither ever touches the other's slot.
  */
 #ifndef TripleBuffer_h
 #define TripleBuffer_h
@@ -28,7 +28,7 @@ public:
   TripleBuffer(const TripleBuffer&) = delete;
   TripleBuffer& operator=(const TripleBuffer&) = delete;
 
-  /** The writer's side. */
+  /** Called by the writer. */
   void Write(const T& value) noexcept
   {
     this->Slot[this->Writing].Value = value;
@@ -37,7 +37,7 @@ public:
     this->Writing = spare & Index;
   }
 
-  /** The reader's side: whether a value came since the last call. The value stays readable. */
+  /** Called by the reader: whether a value came since the last call. The value stays readable. */
   bool Update() noexcept
   {
     if (!(this->Spare.load(std::memory_order_relaxed) & Fresh))
@@ -49,7 +49,7 @@ public:
     return true;
   }
 
-  /** The reader's side: the value that the last Update found. */
+  /** Called by the reader: the value that the last Update found. */
   const T& Read() const noexcept { return this->Slot[this->Reading].Value; }
 
 private:

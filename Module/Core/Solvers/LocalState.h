@@ -25,7 +25,7 @@ struct LocalSurface
 struct LocalSurfaceRequest
 {
   Vector3 Position; ///< of the proxy
-  Vector3 Ahead;    ///< how far the tip may have moved when the result is replaced
+  Vector3 Ahead;    ///< the farthest motion of the tip until the result is replaced
   Vector3 Normal;   ///< of the surface that is known there, into the structure; 0 if there is none
 };
 
@@ -37,7 +37,7 @@ struct LocalState
   bool IsHeld = false;      ///< whether the surface holds the proxy, and Position is valid
   Vector3 Tip;              ///< after the last tick
   Vector3 Fading;           ///< added to Position - Tip to give the felt lag; fades to 0
-  double Fall = 0.0;        ///< by how much Fading gets shorter in a tick
+  double Fall = 0.0;        ///< decrease of the length of Fading in a tick
   std::uint32_t Age = 0;    ///< ticks since the request
   std::uint32_t Number = 0; ///< of the request
   LocalSurfaceRequest Request;

@@ -13,7 +13,7 @@
  * All solvers share this law. They differ in the points at which they read the material, and how
  * often.
  *
- * Everything is inlined: the law is a small part of a tick that has to stay small.
+ * Everything is inlined: the law is a small part of a tick, and a tick has to be short.
  */
 #ifndef MaterialLaw_h
 #define MaterialLaw_h
@@ -34,7 +34,7 @@ struct Surface
   double Fade = 0.0;  ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
 };
 
-/** A lag, split into its part along the normal and its tangential part. */
+/** A lag as the sum of its part along the normal and its tangential part. */
 struct SplitLag
 {
   double Push;
@@ -50,10 +50,10 @@ struct Balance
   double NormalExcess;  ///< left along the normal
   double TangentExcess; ///< left across it
   double Pull;          ///< the tangential force
-  double Excess;        ///< of both, before the drag
+  double Excess;        ///< of both parts, before the drag
   double ExcessSquare;
-  bool IsThrough; ///< more normal force than the surface takes
-  bool Slides;    ///< more tangential force than friction takes
+  bool IsThrough; ///< the normal force is more than the surface takes
+  bool Slides;    ///< the tangential force is more than friction takes
 };
 
 namespace Law
@@ -159,7 +159,7 @@ inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noex
   return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
 }
 
-/** Whether the material is felt at all; if not, the proxy goes with the tip. */
+/** Whether the material is felt at all; if not, the proxy moves with the tip. */
 inline bool IsFelt(const MaterialPoint& point) noexcept
 {
   return point.Stiffness > HapticModel::MinimumStiffness;

@@ -33,8 +33,8 @@ struct PreciseState
   PassiveSpring Spring;
   /** By how much the first step of a tick is lengthened; learned from the last ticks (1: not). */
   double StepPrediction = 1.0;
-  PrecisePoint Here; ///< the material where the proxy was when it was last sampled
-  /** The distance (voxels), at most, of the proxy from there. */
+  PrecisePoint Here; ///< the last sampled material point
+  /** An upper bound of the proxy's distance (voxels) from Here. */
   double CachedSampleDistance = Unknown;
 };
 

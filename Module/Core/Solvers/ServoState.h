@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state that a tick of the servo hands to the next one.
+ * The state that a tick of the servo passes to the next one.
  *
  * Everything is in device space (metres, newtons) except LocalState.
  */
@@ -19,7 +19,7 @@ namespace VolumeHaptics
 /** No hand is farther away (m); squares of smaller distances do not overflow. */
 constexpr double FarthestTip = 1e9;
 
-/** The state that the next tick goes on from. */
+/** The state from which the next tick goes on. */
 struct ServoState
 {
   Vector3 Proxy;

@@ -19,7 +19,7 @@ constexpr int ServoStateSize = 64;
 /** A state for a file: every number of it, in the order of the structs. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
-/** False for numbers that no tick leaves, which a file may have. */
+/** False for numbers that no tick produces, but a file may contain. */
 bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept;
 
 } // namespace VolumeHaptics

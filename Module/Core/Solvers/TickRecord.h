@@ -30,7 +30,8 @@ struct TickRecord : MaterialPoint
   Vector3 Force;              ///< N, on the hand
   double NormalForce = 0.0;   ///< N, magnitude before the drag step
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
-  double DragForce = 0.0;     ///< N, stiffness times the distance that the drag step went back
+  /// N, stiffness times the distance by which the drag step moved the proxy back
+  double DragForce = 0.0;
   ContactState Contact = ContactState::Free;
   bool IsUnfinished = false; ///< PRECISE spent its budget: the force is that of an earlier tip
   bool IsRenewed = false;    ///< LOCAL_SURFACE got a surface from the slow loop

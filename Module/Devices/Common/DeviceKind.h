@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A kind of device: how those that are plugged in are listed, and how one is made of its id.
+ * A kind of device: it lists the devices that are plugged in, and makes a back end from an id.
  *
  * This is the seam for vendors' libraries: derive a back end from DeviceBackend, and hand a
  * DeviceKind to vtkHapticDevice::AddDeviceKind. Ids begin with the kind's name, such as "falcon" or
@@ -20,25 +20,27 @@
 namespace VolumeHaptics
 {
 
-/** Settings of the user before a device is opened; each kind takes what concerns it. */
+/**
+ * Settings that the user makes before a device is opened; each kind takes those that concern it.
+ */
 struct DeviceOptions
 {
   std::string FirmwareFile;  ///< an image to load into a device that has none
-  double HomingTime = 120.0; ///< s, that each step of homing may take
+  double HomingTime = 120.0; ///< s, the longest time for each step of homing
   std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 }; ///< N, of a stick's x and y
 };
 
 /** A device that is plugged in. */
 struct DeviceListing
 {
-  std::string Id;    ///< what opens it
+  std::string Id;    ///< opens the device
   std::string Name;  ///< for people: maker, product, and where it is plugged in
-  std::string State; ///< "available", "in use", or what is in the way and the cure
+  std::string State; ///< "available", "in use", or the obstacle and its cure
 };
 
 struct DeviceKind
 {
-  std::string Name; ///< of letters; no other kind's
+  std::string Name; ///< letters only; no two kinds have the same
   std::function<std::vector<DeviceListing>()> List;
   /** A back end for an id of this kind, not open yet. Null, with the reason and the cure. */
   std::function<std::unique_ptr<DeviceBackend>(

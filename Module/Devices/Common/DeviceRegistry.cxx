@@ -16,7 +16,7 @@ namespace
 
 std::mutex Mutex;
 
-/** Under the mutex. */
+/** Call it under the mutex. */
 std::vector<DeviceKind>& Kinds()
 {
   static std::vector<DeviceKind> kinds = GetBuiltInKinds();

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * All kinds of devices that this process knows: those that were built in, and those that were
- * added.
+ * All kinds of devices that this process knows: the built-in ones and the added ones.
  */
 #ifndef DeviceRegistry_h
 #define DeviceRegistry_h
@@ -14,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * False, with the reason, where the name is taken or no name, or the kind can't list or make. Any
- * thread.
+ * False, with the reason, if the name is taken or is no name, or if the kind can't list or make
+ * devices. Any thread.
  */
 bool AddDeviceKind(const DeviceKind& kind, std::string& error);
 
@@ -28,13 +27,13 @@ std::unique_ptr<DeviceBackend> MakeDevice(
 
 ///@{
 /**
- * For kinds: the number N of an id KIND:N, 0 of KIND alone; below zero, with an error, for another
- * id.
+ * For kinds: the number N of an id KIND:N, and 0 for KIND alone. Below zero, with an error, for any
+ * other id.
  */
 int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
 /**
- * What to do about a device that this user may not open: the udev rule, to the letter. The
- * subsystem is "usb" or "hidraw".
+ * The cure if this user may not open a device: the text of the udev rule. The subsystem is "usb" or
+ * "hidraw".
  */
 std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product);
 ///@}

@@ -20,7 +20,7 @@ HardwareDevice::~HardwareDevice()
   this->Close();
   if (this->IsAbandoned)
   {
-    static_cast<void>(this->Driver.release()); // what it would end is the parent's connection
+    static_cast<void>(this->Driver.release()); // its destructor would end the parent's connection
   }
 }
 
@@ -62,7 +62,7 @@ void HardwareDevice::Run()
   }
   catch (const std::exception& e)
   {
-    // Such as no memory: the device's own watchdog is what is left.
+    // For example if memory runs out: only the device's own watchdog is left.
     this->Exchange.SetCondition(DeviceStage::Lost, e.what());
   }
 }
@@ -71,7 +71,7 @@ void HardwareDevice::Close()
 {
   if (this->Thread.joinable() && this->Process != ServoClock::GetProcess())
   {
-    // Neither joined nor detached: it is not here.
+    // Neither joined nor detached: the thread does not exist in this process.
     static_cast<void>(new std::thread(std::move(this->Thread)));
     this->IsAbandoned = true;
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device that is talked to on a thread of its own.
+ * A device with a thread of its own that talks to it.
  */
 #ifndef HardwareDevice_h
 #define HardwareDevice_h
@@ -27,15 +27,15 @@ public:
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
 
-  /** Finds and claims the device, for itself alone. False, with the reason and the cure. */
+  /** Finds the device and claims it for this process alone. False, with the reason and the cure. */
   virtual bool Connect(std::string& error) = 0;
   /**
-   * The device's thread, until the exchange must stop: homes, sends forces, tells positions. Every
-   * wait has a time limit. After a loss it keeps quiet until it is stopped, or homes where that is
-   * requested and the device is there. Sends zero force at its end, where it can.
+   * Runs on the device's thread until the exchange must stop: homes, sends forces, tells positions.
+   * Every wait has a time limit. After a loss it keeps quiet until it is stopped; if homing is
+   * requested and the device is there, it homes. At its end it sends zero force, if it can.
    */
   virtual void Serve(HardwareExchange& exchange) = 0;
-  /** After Serve: lets go of the device. */
+  /** Releases the device. Called after Serve. */
   virtual void Disconnect() noexcept = 0;
 };
 
@@ -67,7 +67,7 @@ private:
   std::unique_ptr<HardwareDriver> Driver;
   HardwareExchange Exchange;
   std::thread Thread;
-  std::int64_t Process = 0; // whose thread it is
+  std::int64_t Process = 0; // the process that the thread belongs to
   bool IsAbandoned = false; // in a forked child
 };
 

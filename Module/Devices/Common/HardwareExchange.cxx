@@ -45,7 +45,7 @@ void HardwareExchange::WakeUp() noexcept
 {
 #if defined(__linux__)
   const std::uint64_t one = 1;
-  // It only fails where it is readable already.
+  // Fails only if it is readable already.
   [[maybe_unused]] const auto size = write(this->Wake, &one, sizeof(one));
 #endif
 }
@@ -125,7 +125,7 @@ void HardwareExchange::RequestHome() noexcept
 
 DeviceCondition HardwareExchange::GetCondition() noexcept
 {
-  // Before the condition: the device's thread takes the request back after it has told its own.
+  // Before the condition: the device's thread takes the request after it has set its own condition.
   const bool willHome = this->HomeRequested.load(std::memory_order_acquire);
   this->Conditions.Update();
   DeviceCondition condition = this->Conditions.Read();
@@ -148,12 +148,11 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
-    // Before the stage: it may have been ready before, too, when the servo looks.
+    // Before the stage: the device may also have been ready before, when the servo looks.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
-  // After the stage: who arms a device that is said to be ready must not find that the servo thinks
-  // otherwise.
+  // After the stage: a caller who reads "ready" and arms must not find that the servo disagrees.
   this->Conditions.Write(condition);
 }
 
@@ -161,13 +160,13 @@ bool HardwareExchange::HasSlept() noexcept
 {
   const std::int64_t slept = this->Asleep();
   const bool has = slept - this->SleptBefore > ShortestSleep;
-  // A thread that is held up between the two clocks sees too little, which is no sleep when it sees
-  // all again.
+  // If this thread is held up between the two clocks, it sees too little sleep, and would count the
+  // rest as a new one.
   this->SleptBefore = std::max(this->SleptBefore, slept);
   if (has)
   {
     this->SetCondition(DeviceStage::Lost,
-      "the computer was asleep, and nobody knows where the hand went. Home() and Arm() again.");
+      "the computer was asleep, and the hand may have moved. Home() and Arm() again.");
   }
   return has;
 }
@@ -185,7 +184,7 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
   this->TimesReadySeen = times;
   if (hasMissed)
   {
-    // It was homed between two ticks.
+    // The device was homed between two ticks.
     this->IsUnderWay = false;
     return DeviceState::NotReady;
   }
@@ -195,7 +194,7 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
     // Buttons stay pressed and turns go on in ticks between two samples.
     sample = this->Samples.Read();
     sample.Fresh = isNew;
-    // The hand was elsewhere before, by a zero that may have been another one.
+    // The zero may have changed, so the positions from before mean nothing.
     sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
     this->IsUnderWay = true;
   }
@@ -227,7 +226,7 @@ Vector3 HardwareExchange::GetForce() noexcept
     WatchdogTime;
   const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;
   const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
-  // A force from before it was homed was meant for another place.
+  // A force from before homing was computed for another position.
   const bool flows = IsFinite(force) && Norm(force) > 0.0 &&
     latest.TimesReady == this->TimesReady.load(std::memory_order_acquire) &&
     !this->Quenched.load(std::memory_order_acquire) &&

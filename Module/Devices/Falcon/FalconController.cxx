@@ -90,7 +90,7 @@ void FalconController::TellState() noexcept
 
 bool FalconController::IsPossible(const Vector3& position, double elapsed) const noexcept
 {
-  // Twice the speed at which the servo cuts the force: here the device itself is in doubt.
+  // Twice the speed at which the servo cuts the force: beyond it the device itself is in doubt.
   const double far = Tolerance + 2.0 * MaximumSpeed * std::max(elapsed, ShortestTime);
   return Norm(position - this->Pose.Position) <= std::min(far, LongestStep);
 }
@@ -120,7 +120,7 @@ void FalconController::FollowHoming(const FalconReport& report) noexcept
   DeviceSample sample;
   sample.Tip = pose.Position - FalconMiddle;
   sample.Buttons = FalconButtonsOf(report.Buttons);
-  // Before the device is said to be ready, so that no older sample is taken for this one.
+  // Before the stage becomes Ready, so that no older sample is taken for this one.
   this->Exchange.Tell(sample);
 }
 

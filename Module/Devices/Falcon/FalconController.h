@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a session with a Novint Falcon decides, without a transport: what the next packet says, and
- * when the device can't be trusted any more.
+ * The decisions of a session with a Novint Falcon, without a transport: the contents of the next
+ * packet, and whether the device can still be trusted.
  *
  * The device's space is right-handed, in metres, seen by the hand: x to the right, y up, z out of
- * the device towards the hand. Its origin is in the middle of the workspace, which is (0, 0, 0.125)
- * in the frame of FalconKinematics.h; forces are the same in both. Which way the axes point on a
- * real device is not verified.
+ * the device towards the hand. Its origin is the middle of the workspace, which is (0, 0, 0.125) in
+ * the frame of FalconKinematics.h; forces are the same in both. The directions of the axes are not
+ * verified on a real device.
  */
 #ifndef FalconController_h
 #define FalconController_h
@@ -26,11 +26,11 @@ DeviceLimits FalconLimits() noexcept;
 constexpr Vector3 FalconMiddle = { 0.0, 0.0, 0.125 };
 
 /**
- * DeviceSample::Buttons of FalconReport::Buttons: bit 0 the centre, bit 1 plus, 2 minus, 3 forward.
+ * DeviceSample::Buttons for FalconReport::Buttons: bit 0 is the centre, 1 plus, 2 minus, 3 forward.
  */
 std::uint32_t FalconButtonsOf(std::uint8_t buttons) noexcept;
 
-/** DeviceBackend::SetLights as colours of a packet: bit 0 is green, bit 1 blue, bit 2 red. */
+/** The colours in a packet for DeviceBackend::SetLights: bit 0 is green, bit 1 blue, bit 2 red. */
 constexpr std::uint8_t FalconColours(int lights) noexcept
 {
   return static_cast<std::uint8_t>((lights & 7) << 1);
@@ -39,32 +39,32 @@ constexpr std::uint8_t FalconColours(int lights) noexcept
 class FalconController
 {
 public:
-  /** How far (m) the grip may be from the last report, however long that was ago. */
+  /** The largest distance (m) of the grip from the last report, however old that is. */
   static constexpr double LongestStep = 0.02;
-  /** How many packets in a row may stay without an answer. */
+  /** The largest number of packets in a row without an answer. */
   static constexpr int MostMissed = 10;
 
-  /** Begins with homing, each of whose steps may take that long (s). */
+  /** Begins with homing; `homingTime` (s) limits each of its steps. */
   FalconController(HardwareExchange& exchange, double homingTime) noexcept;
 
-  /** A report, the latest one, and the time (s) since the last call of this or of Miss. */
+  /** Takes the latest report, and the time (s) since the last call of this or of Miss. */
   void Take(const FalconReport& report, double elapsed) noexcept;
-  /** A packet was not answered in time; why, as far as it is known, or nullptr. */
+  /** Notes that a packet was not answered in time. `why` may be nullptr. */
   void Miss(double elapsed, const char* why) noexcept;
 
-  /** Zero commands until Restart, whatever comes; with what is wrong and the cure. */
+  /** From now on all commands are zero, until Restart. `text` says what is wrong, and the cure. */
   void Lose(const char* text) noexcept;
-  /** The same, where the exchange has been told why. */
+  /** The same, if the exchange has been told why. */
   void Stop() noexcept { this->IsStopped = true; }
   bool IsLost() const noexcept { return this->IsStopped; }
 
-  /** After HardwareExchange::TakeHomeRequest. */
+  /** Call it after HardwareExchange::TakeHomeRequest. */
   void Restart() noexcept;
 
   /**
-   * The packet to send now. Motors get the servo's force while the device is ready, else zero.
-   * Colours are those of homing, then green, blue while there is force, red when lost; or those of
-   * SetLights, except while homing, when they guide the hand.
+   * The packet to send now. Motors get the servo's force while the device is ready, else zero. The
+   * colours are those of homing; then green, blue while there is force, red after a loss. SetLights
+   * replaces them except while homing, when they guide the hand.
    */
   FalconOrder GetOrder() noexcept;
 
@@ -75,7 +75,7 @@ private:
 
   HardwareExchange& Exchange;
   FalconHoming Homing;
-  FalconHomingState Told = FalconHomingState::Ready; ///< the condition says so
+  FalconHomingState Told = FalconHomingState::Ready; ///< the last state that the condition told
   FalconPose Pose;
   double SincePose = 0.0; ///< s
   int Missed = 0;         ///< in a row

@@ -15,7 +15,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Packets, 50 ms each, after which a device that says nothing has no firmware. */
+/** Packets, 50 ms each. If none is answered, the device has no firmware. */
 constexpr int ProbePackets = 5;
 constexpr std::int64_t QuietTime = 20000000; // ns
 
@@ -83,7 +83,7 @@ void FalconDriver::Serve(HardwareExchange& exchange)
     {
       exchange.SetCondition(DeviceStage::Lost, GoneText);
     }
-    // A device that is gone does not come back by homing.
+    // A device that is unplugged does not come back by homing.
     while (!exchange.MustStop() && (end == End::Gone || !exchange.TakeHomeRequest()))
     {
       if (end == End::Gone)

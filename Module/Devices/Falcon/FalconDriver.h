@@ -19,18 +19,18 @@ constexpr UsbProduct FalconProduct = { 0x0403, 0xcb48, "Novint Falcon" };
 class FalconDriver final : public HardwareDriver
 {
 public:
-  /** The device of a number in FindUsbDevices. */
+  /** `number` is the device's number in FindUsbDevices. */
   FalconDriver(int number, DeviceOptions options);
 
   std::string GetName() const override { return this->Name; }
   DeviceLimits GetLimits() const override;
-  /** Where the firmware does not run it has to be there to be loaded: Serve does that. */
+  /** If the firmware does not run, the image has to exist; Serve loads it. */
   bool Connect(std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override { this->Usb.Close(); }
 
 private:
-  /** How a part of a session ended. */
+  /** The end of a part of a session. */
   enum class End
   {
     Done,
@@ -44,7 +44,7 @@ private:
   const DeviceOptions Options;
   std::string Name;
   UsbInterface Usb;
-  std::vector<std::uint8_t> Firmware; ///< empty where it runs
+  std::vector<std::uint8_t> Firmware; ///< empty if it runs already
 };
 
 } // namespace VolumeHaptics

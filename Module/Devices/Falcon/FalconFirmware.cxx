@@ -22,7 +22,7 @@ std::string SizeText(std::uintmax_t size)
     std::to_string(FalconSmallestFirmware) + " to " + std::to_string(FalconLargestFirmware);
 }
 
-/** Empty where all is well. */
+/** Empty if the image was read. */
 std::string Read(const std::string& file, std::vector<std::uint8_t>& image)
 {
   std::error_code trouble;

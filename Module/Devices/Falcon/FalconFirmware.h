@@ -17,15 +17,16 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * How large (bytes) an image may be. What is beyond is another file: the device holds some 30 KiB.
+ * The smallest and the largest image (bytes); the device holds some 30 KiB.
  */
 constexpr std::size_t FalconSmallestFirmware = 1024;
 constexpr std::size_t FalconLargestFirmware = 128 * 1024;
 ///@}
 
 /**
- * Reads an image. False, with the file, what is wrong with it and the cure, where there is none,
- * where it can't be read, and where its size can't be that of an image. An empty name is no file.
+ * Reads an image. False, with the file, the fault and the cure, if there is no such file, if it
+ * can't be read, or if its size can't be that of an image. An empty name means that there is no
+ * file.
  */
 bool ReadFalconFirmware(
   const std::string& file, std::vector<std::uint8_t>& image, std::string& error);

@@ -17,7 +17,7 @@ constexpr double AngleAtZero = 35.0 * Degree;
 constexpr double AnglePerCount = 0.0364347 * Degree;
 constexpr double CommandPerTorque = -1e4; // 1/(N m)
 
-// m; the names are those of the literature on delta robots.
+// m; named as in the literature on delta robots.
 constexpr double A = 0.060;
 constexpr double B = 0.1025;
 constexpr double C = 0.01443;
@@ -28,10 +28,11 @@ constexpr double S = -0.02309;
 
 constexpr Vector3 Start = { 0.0, 0.0, 0.11 };
 constexpr double Converged = 1e-12; // m, of a step
-// Of the determinant of the legs' unit normals: near zero a count moves the grip by any distance.
+// The smallest determinant of the legs' unit normals: near zero a count moves the grip by any
+// distance.
 constexpr double Singular = 0.02;
-// m^2/rad, of half of g by the angle. At zero a leg is stretched and moves the grip no more; this
-// is a fraction of a count from there.
+// m^2/rad, the derivative of half of g by the angle. At zero a leg is stretched and no longer moves
+// the grip; this limit is a fraction of a count away.
 constexpr double Stretched = -1e-6;
 
 struct Azimuth
@@ -70,7 +71,7 @@ bool SeeFromLeg(const Azimuth& azimuth, const Vector3& p, Leg& leg) noexcept
   return true;
 }
 
-/** Half of g, and of its derivatives by position and angle. */
+/** Half of g and its derivatives by position and angle. */
 struct Closure
 {
   double Value;
@@ -121,7 +122,7 @@ bool Close(const Vector3& p, const Vector3& angles, Closures& all) noexcept
   return true;
 }
 
-/** Whether the grip is on the side of the singularities where the device is assembled. */
+/** Whether the grip is on the side of the singularities on which the device is assembled. */
 bool IsRegular(const Matrix3& byPosition) noexcept
 {
   const double volume = Norm(byPosition.Row[0]) * Norm(byPosition.Row[1]) * Norm(byPosition.Row[2]);
@@ -210,7 +211,7 @@ bool FalconInverse(const Vector3& position, Vector3& angles) noexcept
     {
       return false;
     }
-    // atan(t) of the quotient's parts, so that a vanishing l2 is no division by zero.
+    // By the quotient's two parts, so that a vanishing l2 is no division by zero.
     const double over = -l1 - std::sqrt(square);
     found[i] = 2.0 * std::atan2(std::copysign(1.0, l2) * over, 2.0 * std::fabs(l2));
   }

@@ -4,9 +4,9 @@
  * @file
  * The dialogue that loads the Novint Falcon's firmware, as a state machine without a transport.
  *
- * The firmware is not part of this project and must not be: the user says where the image is. A
- * device that already runs needs no loading, so probe it first: send FalconRunRequests and a run
- * packet, and see whether a report comes back.
+ * The firmware is not part of this project and must not be: the user names a file. A device that
+ * already runs it needs no loading, so probe first: send FalconRunRequests and a run packet, and
+ * see whether a report comes back.
  *
  * Not verified on hardware.
  */
@@ -23,7 +23,7 @@ namespace VolumeHaptics
 constexpr std::uint16_t FalconGreetingBaud = 0x4138; ///< 9600 baud
 constexpr std::uint16_t FalconLoadingBaud = 0x0015;  ///< about 140 000 baud
 constexpr std::uint16_t FalconRunBaud = 0x0002;
-constexpr std::size_t FalconBlockSize = 62; ///< of the image: what fits beside the status bytes
+constexpr std::size_t FalconBlockSize = 62; ///< of the image: the room beside the status bytes
 constexpr int FalconMostGreetings = 100;
 
 /** The steps before run packets go back and forth. */
@@ -36,7 +36,7 @@ enum class FalconLoaderFault : std::uint8_t
   NoImage,        ///< there is nothing to load
   Refused,        ///< a request or a write did not go through
   NoGreeting,     ///< FalconMostGreetings without an answer to the last one
-  WrongGreeting,  ///< the same, and the last answer was another one
+  WrongGreeting,  ///< the last greeting had another answer
   NoHandshake,    ///< no answer at the loading rate
   WrongHandshake, ///< another answer
   NoEcho,         ///< a block of the image did not come back in time
@@ -61,13 +61,13 @@ struct FalconLoaderStep
   FtdiRequest Request = {};
   const std::uint8_t* Bytes = nullptr;
   std::size_t Size = 0;
-  bool MayStayOpen = false; ///< a Read whose message is repeated: be quick to say TimeOut
+  bool MayStayOpen = false; ///< true for a Read whose message is repeated: call TimeOut early
 };
 
 class FalconLoader
 {
 public:
-  /** The image has to stay where it is. */
+  /** The image has to stay in memory. */
   FalconLoader(const std::uint8_t* image, std::size_t size) noexcept;
 
   FalconLoaderStep GetStep() const noexcept;
@@ -76,13 +76,13 @@ public:
   /** The result of the step; ignored if the step has no such result. */
   void Done() noexcept;
   void Refuse() noexcept;
-  /** Bytes without the converter's status: any part of what is due. */
+  /** Bytes without the converter's status bytes; they may be any part of the answer. */
   void Receive(const std::uint8_t* bytes, std::size_t size) noexcept;
   void TimeOut() noexcept;
   ///@}
 
   FalconLoaderFault GetFault() const noexcept { return this->Fault; }
-  /** How many bytes of the image came back as they were sent. */
+  /** How many bytes of the image came back unchanged. */
   std::size_t GetConfirmed() const noexcept { return this->Confirmed; }
 
 private:
@@ -115,7 +115,7 @@ private:
   FtdiPayload Image;
   std::size_t NextRequest = 0;
   std::size_t Offset = 0;  ///< of the block in the image
-  std::size_t Matched = 0; ///< bytes of the answer
+  std::size_t Matched = 0; ///< bytes of the answer so far
   std::size_t Confirmed = 0;
   int Greetings = 0;
   bool Reading = false;

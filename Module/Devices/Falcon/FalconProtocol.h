@@ -5,10 +5,10 @@
  * The Novint Falcon's run packets: 16 bytes to the device, 16 back, about a thousand times a
  * second.
  *
- * Byte 0 is '<', byte 15 is '>'; between them every byte is 0x41 and a payload. Bytes 1 to 12 are
- * three 16-bit numbers of four nibbles each, the low nibble first: motor commands out, encoder
- * counts in. Byte 13 carries bits. Byte 14 carries nothing that is known: 'A' is sent, and anything
- * is taken.
+ * Byte 0 is '<' and byte 15 is '>'. Each byte between them is 0x41 plus a payload. Bytes 1 to 12
+ * are three 16-bit numbers of four nibbles each, the low nibble first: motor commands to the
+ * device, encoder counts back. Byte 13 carries bits. Byte 14 carries nothing that is known: 'A' is
+ * sent, and any value is accepted.
  *
  * Pure functions for the servo loop: no allocation, no exception. Not verified on hardware.
  */
@@ -29,7 +29,7 @@ using FalconPacket = std::array<std::uint8_t, FalconPacketSize>;
 
 ///@{
 /**
- * The bits of what is sent. Sources disagree on the colours, and no device was at hand to settle
+ * The bits that are sent. Sources disagree on the colours, and no device was available to settle
  * it.
  */
 constexpr std::uint8_t FalconHome =
@@ -47,7 +47,7 @@ constexpr std::uint8_t FalconCenter = 0x04;
 constexpr std::uint8_t FalconMinus = 0x08;
 ///@}
 
-/** FalconReport::Homed where every encoder is. */
+/** FalconReport::Homed if every encoder is. */
 constexpr std::uint8_t FalconAllHomed = 0x07;
 
 /** A packet to the device. */
@@ -60,12 +60,12 @@ struct FalconOrder
 /** The device's answer. */
 struct FalconReport
 {
-  FalconCounts Encoders{};  ///< counts; without meaning before they are homed
+  FalconCounts Encoders{};  ///< counts; meaningless before the encoders are homed
   std::uint8_t Buttons = 0; ///< FalconPlus ... FalconMinus
-  std::uint8_t Homed = 0;   ///< a bit an encoder
+  std::uint8_t Homed = 0;   ///< a bit for each encoder
 };
 
-/** The fault in bytes that should be a packet. */
+/** The fault in bytes that should form a packet. */
 enum class FalconFlaw : std::uint8_t
 {
   None,
@@ -79,7 +79,7 @@ enum class FalconFlaw : std::uint8_t
 /** In words, for a status. */
 const char* FalconFlawText(FalconFlaw flaw) noexcept;
 
-/** The fault in a byte (0 to 255) at a place (0 to 15) of a packet. */
+/** The fault in a byte (0 to 255) at an index (0 to 15) in a packet. */
 FalconFlaw FalconCheck(std::size_t place, std::uint8_t byte) noexcept;
 
 ///@{
@@ -89,16 +89,16 @@ FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
 
 /**
- * An order as it goes to a running device: always with FalconHome, which libnifalcon, too, sets in
- * every packet as long as its homing mode is on (formatInput() in
- * src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h gives the bits of homed
- * encoders as "(If homing mode on)": no source says what they mean after a packet without
+ * An order as it goes to a running device: always with FalconHome. libnifalcon also sets that bit
+ * in every packet while its homing mode is on (formatInput() in
+ * src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h describes the bits of
+ * homed encoders with "(If homing mode on)": no source says what they mean after a packet without
  * FalconHome.
  */
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 
 ///@{
-/** The first flaw; the result stays as it was where there is one. */
+/** The first fault; if there is one, the result stays unchanged. */
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconReport& report) noexcept;
 FalconFlaw FalconDecode(const std::uint8_t* bytes, std::size_t size, FalconOrder& order) noexcept;
 ///@}

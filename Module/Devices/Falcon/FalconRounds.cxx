@@ -44,7 +44,7 @@ FalconRounds::~FalconRounds()
   this->Finish();
   if (this->Flight->AreFlying())
   {
-    // The system has not given them back: closing the device takes them away, not before.
+    // The system still holds them: closing the device takes them away, not before.
     static_cast<void>(this->Flight.release());
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Run packets there and back with a Novint Falcon, at the servo's pace.
+ * The exchange of run packets with a Novint Falcon, at the servo's pace.
  *
  * A packet leaves as soon as the servo gives a force, but only when it is the host's turn
  * (FalconTurns.h); without a force one leaves every 2 ms, so that homing goes on and zero is
@@ -29,8 +29,8 @@ public:
   /** Both outlive this. */
   FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
   /**
-   * Sends zero commands where the device is there, and waits for that, within a fraction of a
-   * second.
+   * If the device is there, sends zero commands and waits until they are sent, for a fraction of a
+   * second at most.
    */
   ~FalconRounds();
 
@@ -44,7 +44,10 @@ public:
   /** A packet was not answered in time; GetGarbage says why, or is nullptr. */
   bool HasMissed() const noexcept { return this->Missed; }
   const char* GetGarbage() const noexcept;
-  /** The worst that became of a transfer in it, or when one was submitted since the last one. */
+  /**
+   * The worst result of a transfer during the last Wait, or of submitting one since the Wait
+   * before.
+   */
   UsbOutcome GetTrouble() const noexcept { return this->Trouble; }
   ///@}
 

@@ -19,7 +19,7 @@ constexpr unsigned int RequestTime = 500;
 constexpr unsigned int ReportTime = 50;
 constexpr unsigned int GreetingTime = 30; // at 9600 baud, and with a latency of 16 ms
 constexpr unsigned int AnswerTime = 500;
-// Packets that a firmware may need to begin with: 2 s.
+// Packets that a newly loaded firmware may need before it answers: 2 s.
 constexpr int PacketsAfterLoading = 40;
 constexpr std::int64_t NanosecondsPerMillisecond = 1000000;
 
@@ -39,7 +39,7 @@ void TellProgress(HardwareExchange& exchange, int attempt, const std::string& tr
   exchange.SetCondition(DeviceStage::Firmware, text);
 }
 
-/** One step of the loader's; false where the device is gone. */
+/** One step of the loader; false if the device is gone. */
 bool Follow(FalconSerial& serial, FalconLoader& loader)
 {
   const FalconLoaderStep step = loader.GetStep();
@@ -193,7 +193,7 @@ bool FalconSerial::Runs(int packets) noexcept
     std::array<std::uint8_t, FtdiPacketSize + FtdiStatusSize> transfer{};
     std::array<std::uint8_t, FtdiPacketSize> bytes;
     FalconReport report;
-    // Whatever it sends instead of a report, its time is limited.
+    // Limits the time even if it sends something else than a report.
     const std::int64_t end = ServoClock::Now() + ReportTime * NanosecondsPerMillisecond;
     for (int size = 1; size > 0 && ServoClock::Now() < end;)
     {

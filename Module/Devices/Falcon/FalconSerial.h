@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One request, one answer at a time with a Novint Falcon: before its run packets flow.
+ * Single requests to a Novint Falcon and their answers, before its run packets flow.
  */
 #ifndef FalconSerial_h
 #define FalconSerial_h
@@ -34,21 +34,21 @@ public:
   bool IsOpen() const noexcept { return this->Usb.IsOpen(); }
 
   ///@{
-  /** False where it did not go through; GetError says why. */
+  /** False if the transfer failed; GetError says why. */
   bool Request(const FtdiRequest& request) noexcept;
   bool Write(const std::uint8_t* bytes, std::size_t size) noexcept;
   ///@}
   /**
-   * The first bytes that come within a time (ms), without the converter's status. Their number, 0
-   * for none; below zero where the transfer did not go through.
+   * Reads the first bytes that come within a time (ms), without the converter's status bytes.
+   * Returns their number, 0 for none, below zero if the transfer failed.
    */
   int Read(std::array<std::uint8_t, FtdiPacketSize>& bytes, unsigned int time) noexcept;
   /** The last error of libusb. */
   int GetError() const noexcept { return this->Error; }
 
   /**
-   * Whether the firmware runs: sends FalconRunRequests and packets of zero, at most so many, 50 ms
-   * each. False at once where a transfer does not go through.
+   * Whether the firmware runs: sends FalconRunRequests and up to `packets` packets of zero, 50 ms
+   * each. Returns false at once if a transfer fails.
    */
   bool Runs(int packets) noexcept;
 
@@ -60,18 +60,18 @@ private:
 enum class FalconLoading : std::uint8_t
 {
   Loaded,
-  Stopped, ///< the exchange must stop, or is told already
+  Stopped, ///< the exchange must stop, or has been told the reason
   Failed,
   Gone
 };
 
-/** How often loading is tried. The loader is known to be flaky: libnifalcon, too, tries ten times. */
+/** The number of tries: the loader is known to be flaky, and libnifalcon also tries ten times. */
 constexpr int FalconLoadingTries = 10;
 
 /**
- * Loads the firmware, on the device's thread: takes seconds, tells the exchange how far it is, and
- * waits for the firmware to run. After a failure the device is closed, opened and loaded again. If
- * the last try fails, the text says why it did.
+ * Loads the firmware, on the device's thread. This takes seconds: it tells the exchange its
+ * progress and waits for the firmware to run. After a failure it closes the device, opens it and
+ * loads again. If the last try fails, the text says why.
  */
 FalconLoading LoadFalcon(FalconSerial& serial, const std::vector<std::uint8_t>& image,
   HardwareExchange& exchange, std::string& trouble);

@@ -13,27 +13,27 @@ namespace VolumeHaptics
 {
 
 /**
- * Puts packets together that are split across transfers, and finds the next one behind bytes that
- * belong to none. A byte that can't be at its place drops the bytes before the next '<', among
- * those that wait, too: a packet that was cut off never takes the following one with it.
+ * Assembles packets that are split across transfers, and finds the next packet behind bytes that
+ * belong to none. A byte that can't be at its index drops all bytes before the next '<', also among
+ * those that wait: a packet that was cut off never spoils the following one.
  *
- * A fixed 16 bytes; the work is proportional to what arrives.
+ * Needs a fixed 16 bytes; the work is proportional to the bytes that arrive.
  */
 class FalconStream
 {
 public:
   /**
-   * A bulk IN transfer with the converter's status bytes. Returns how many reports were completed;
-   * the last of them is the report, which stays as it was where there is none.
+   * Takes a bulk IN transfer with the converter's status bytes. Returns how many reports were
+   * completed; `report` becomes the last of them, and is unchanged if there is none.
    */
   int Take(const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept;
 
-  /** Forgets what waits, as after a purge, and the counts. */
+  /** Forgets the waiting bytes, as after a purge, and the counts. */
   void Restart() noexcept { *this = {}; }
 
-  /** How many bytes were dropped since the start; it stops at the largest number. */
+  /** How many bytes were dropped since the start; saturates. */
   std::uint32_t GetDropped() const noexcept { return this->Dropped; }
-  /** Why the last ones were. */
+  /** Why the last ones were dropped. */
   FalconFlaw GetFlaw() const noexcept { return this->Flaw; }
 
 private:

@@ -14,7 +14,7 @@ constexpr HidUsage Steering = MakeHidUsage(0x02, 0xC8);
 constexpr HidUsage NoButton = MakeHidUsage(0x09, 0);
 constexpr HidUsage LastButton = MakeHidUsage(0x09, 32);
 
-// Relative axes are a mouse's.
+// A mouse has relative axes.
 const HidField* FindAxis(const HidReportDescriptor& descriptor, HidUsage usage)
 {
   for (const HidField& field : descriptor.GetFields())

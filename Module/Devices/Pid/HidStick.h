@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where a stick or a wheel is, and which of its buttons are held: its input reports, by usage.
+ * The position of a stick or a wheel and its pressed buttons, found in its input reports by usage.
  */
 #ifndef HidStick_h
 #define HidStick_h
@@ -25,23 +25,23 @@ public:
 
   /**
    * Finds X or the steering wheel, Y if there is one, and the buttons that have a bit each. False,
-   * with what is missing, where there is no axis.
+   * with what is missing, if there is no axis.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
   bool HasSecondAxis() const noexcept { return this->Axes.size() > 1; }
 
   /**
-   * Takes a packet in, the report id in front where the device uses ids. Why it is refused, as a
-   * text that lasts, and the state as it was; else nullptr. Reports about other things change
-   * nothing. For the servo loop: no allocation.
+   * Reads a packet, with the report id in front if the device uses ids. Returns nullptr, or the
+   * reason for refusing the packet, as a text that lasts; the state is then unchanged. Reports
+   * about other things change nothing. For the servo loop: no allocation.
    */
   const char* Decode(const std::uint8_t* bytes, std::size_t size, State& state) const noexcept;
 
 private:
   std::vector<HidField> Axes;
   std::vector<HidField> Buttons;
-  std::array<std::size_t, 256> Sizes{}; ///< of the input reports' payloads, by id
+  std::array<std::size_t, 256> Sizes{}; ///< payloads of the input reports, by id
   bool HasIds = false;
 };
 

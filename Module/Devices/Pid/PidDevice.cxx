@@ -45,7 +45,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   constexpr HidReportKind output = HidReportKind::Output;
   constexpr HidReportKind feature = HidReportKind::Feature;
 
-  // The report's usage may be left out around the control's own.
+  // The report's usage may be missing around the control's own.
   if (!mapper.Turn(PidUsage::DeviceControlReport, output, "Device Control", this->ControlShape))
   {
     need(PidUsage::DeviceControl, output, "Device Control", this->ControlShape);
@@ -76,7 +76,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   {
     mapper.Find(AxisUsages[axis], this->AxisEnable[axis], PidMapper::Of(PidUsage::AxesEnable));
   }
-  // One angle, or one of more that are numbered.
+  // There is one angle, or several that are numbered.
   const bool isNumbered =
     mapper.Find(MakeHidUsage(OrdinalPage, 1), this->Direction, PidMapper::Of(PidUsage::Direction));
   if (!isNumbered)
@@ -175,7 +175,7 @@ HidReport PidDevice::CreateConstant() const noexcept
   return report;
 }
 
-// All other fields stay 0: no trigger button, no delay, no sample period of its own.
+// All other fields stay 0: no trigger button, no delay, no sample period.
 HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) const noexcept
 {
   HidReport report = PidDevice::Begin(this->Effect);
@@ -184,7 +184,7 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::Put(report, this->Duration,
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
-  // By the direction if there is one, as Linux does. If the axes' bits are set instead, firmwares
+  // By the direction if there is one, as in Linux. If the axes' bits are set instead, firmwares
   // disagree about the meaning of the direction.
   if (this->DirectionEnable.Known)
   {
@@ -194,8 +194,8 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   {
     PidDevice::Put(report, this->AxisEnable[axis], 1);
   }
-  // Polar, clockwise from the north; the field's range is the whole circle, whatever its unit, as
-  // for Linux.
+  // Polar, clockwise from the north; as in Linux, the field's range is the whole circle, whatever
+  // its unit.
   const double circle = axis == 0 ? 0.25 : 0.5;
   const HidField& field = this->Direction.Field;
   PidDevice::Put(report, this->Direction,

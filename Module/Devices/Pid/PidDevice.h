@@ -3,12 +3,12 @@
 /**
  * @file
  * The reports of a force-feedback stick or wheel, after the USB PID 1.0 specification (usage page
- * 0x0F): where a device's reports have their fields, and how these are filled.
+ * 0x0F): the places of the fields in a device's reports, and the values for them.
  *
  * Report ids, sizes and ranges differ from device to device: PidMapper finds everything by its
- * usage. PID knows no newtons: magnitudes are parts of a full scale that the user states. The
- * sequence of the reports is in PidDialogue.h. All functions that the servo calls are noexcept and
- * do not allocate.
+ * usage. PID knows no newtons: magnitudes are parts of a full scale that the user states. The order
+ * of the reports is in PidDialogue.h. All functions that the servo calls are noexcept and do not
+ * allocate.
  */
 #ifndef PidDevice_h
 #define PidDevice_h
@@ -22,19 +22,19 @@
 namespace VolumeHaptics
 {
 
-/** How forces become magnitudes. */
+/** Settings for turning forces into magnitudes. */
 struct PidSettings
 {
-  /// N at full magnitude, for x and y. Only the user knows it. Below zero it turns the sign; 0: no
-  /// force.
+  /// N at full magnitude, for x and y. Only the user knows it. A value below zero reverses the
+  /// force; 0 means no force.
   std::array<double, 2> NewtonsPerFullScale{ 1.0, 1.0 };
-  /// s, 0.05 to 0.1: how long a force acts when the host sends nothing more.
+  /// s, 0.05 to 0.1: how long a force acts after the host's last report.
   double Duration = 0.1;
 };
 
 enum class BlockLoadStatus : std::uint8_t
 {
-  Waiting, ///< nothing known yet, or not understood
+  Waiting, ///< unknown yet, or not understood
   Success,
   Full,
   Error
@@ -60,18 +60,17 @@ public:
   void UseOneAxis() noexcept { this->Axes = 1; }
 
   ///@{
-  /** Reports to send. The device numbers its effects' blocks from 1 on; axes are 0 and 1. */
+  /** Reports to send. The device numbers the blocks of its effects from 1; axes are 0 and 1. */
   HidReport Control(PidUsage command) const noexcept;
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction says from
-   * which side the force comes, here as in DirectInput and in Linux' hid-pidff.c: a positive
-   * magnitude pushes an axis towards its negative end. So does OpenFFBoard
-   * (EffectsCalculator.cpp, commit 160af910). Compared with its own springs,
-   * ArduinoJoystickWithFFBLibrary pushes the other way (YukMingLaw's Joystick.cpp, commit
-   * ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such devices need a NewtonsPerFullScale
-   * below zero.
+   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction is the side from
+   * which the force comes, here as in DirectInput and in Linux' hid-pidff.c: a positive magnitude
+   * pushes an axis towards its negative end. OpenFFBoard does the same (EffectsCalculator.cpp,
+   * commit 160af910). ArduinoJoystickWithFFBLibrary pushes the other way than its own springs do
+   * (YukMingLaw's Joystick.cpp, commit ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such
+   * devices need a NewtonsPerFullScale below zero.
    */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
@@ -90,7 +89,7 @@ public:
   ///@}
 
   ///@{
-  /** Read the payloads that came. Zero effects: the device did not say. */
+  /** Read the received payloads. Zero effects: the device did not say. */
   int ReadPool(const std::uint8_t* payload, std::size_t size) const noexcept;
   BlockLoadStatus ReadBlockLoad(
     const std::uint8_t* payload, std::size_t size, std::int64_t& block) const noexcept;
@@ -106,7 +105,7 @@ private:
     std::uint8_t Id = 0;
     std::size_t Size = 0;
   };
-  /** A field, and the value that stands for a usage if the field chooses one. */
+  /** A field, and the value that means a usage if the field is a choice of usages. */
   struct Slot
   {
     bool Known = false;

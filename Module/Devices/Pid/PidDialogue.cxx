@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-// What a device does without its host is not left to a setting: 50 to 100 ms, also for nonsense.
+// How long a device goes on without its host is limited to 50 to 100 ms, whatever the setting.
 PidSettings Bounded(PidSettings settings)
 {
   constexpr double shortest = 0.05;
@@ -160,7 +160,7 @@ bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidRepo
   {
     age += elapsed;
   }
-  // Twice in a duration, so that one report may be late.
+  // Twice within a duration, so that one report may be late.
   const double due = 0.5 * this->Settings.Duration;
   for (int axis = 0; axis < axes; ++axis)
   {

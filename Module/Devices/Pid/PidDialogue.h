@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The dialogue of the host with a force-feedback stick or wheel, without anything that sends it.
+ * The dialogue of the host with a force-feedback stick or wheel, without a transport.
  *
- * PidDialogue makes the device ready: reset twice, enable the actuators, read the pool, full gain;
- * then for each axis create a constant effect, wait for its block, set it with a short duration and
- * no force, and start it. PidStream says what to send from then on. An effect ends by itself after
- * its duration unless it is started again, so that the device goes to zero when the host dies.
+ * PidDialogue makes the device ready: it resets twice, enables the actuators, reads the pool and
+ * sets full gain. Then for each axis it creates a constant effect, waits for its block, sets it
+ * with a short duration and no force, and starts it. From then on PidStream makes the reports. An
+ * effect ends by itself after its duration unless it is started again, so the device's force goes
+ * to zero if the host dies.
  */
 #ifndef PidDialogue_h
 #define PidDialogue_h
@@ -19,7 +20,7 @@ namespace VolumeHaptics
 
 enum class PidStep : std::uint8_t
 {
-  Send,  ///< send the report as it is, then call Sent
+  Send,  ///< send the report unchanged, then call Sent
   Fetch, ///< get a feature report of this id and size, then call Fetched
   Ready, ///< all effects run
   Failed ///< see GetError
@@ -28,9 +29,11 @@ enum class PidStep : std::uint8_t
 class PidDialogue
 {
 public:
-  /** How often the device may say that it has not made an effect yet, with a pause in between. */
+  /**
+   * How often the device may say that it has not made an effect yet; there is a pause between two.
+   */
   static constexpr int MaximumPolls = 60;
-  static constexpr double PollPause = 0.005; ///< s, which the caller waits before asking again
+  static constexpr double PollPause = 0.005; ///< s, the pause before the caller asks again
 
   /** The device has to outlive this. */
   PidDialogue(const PidDevice& device, const PidSettings& settings);
@@ -39,13 +42,13 @@ public:
   PidStep GetStep(HidReport& report) const;
 
   ///@{
-  /** The result of that step. A payload of no bytes says that nothing was to be had. */
+  /** The result of that step. A payload of no bytes means that the device gave none. */
   void Sent(bool went);
   void Fetched(const std::uint8_t* payload, std::size_t size);
   ///@}
 
   const std::string& GetError() const { return this->Error; }
-  /** The block of an axis' effect, once ready. */
+  /** The block of an axis' effect, if ready. */
   std::int64_t GetBlock(int axis) const noexcept { return this->Blocks[axis]; }
 
 private:
@@ -78,17 +81,17 @@ private:
 };
 
 /**
- * The reports of the servo, one after the other: each axis is started anew in time, and gets its
- * magnitude whenever that changes. No allocation, no exception.
+ * The reports of the servo, one after the other: each axis is restarted before its effect ends, and
+ * gets a new magnitude if it has changed. No allocation, no exception.
  */
 class PidStream
 {
 public:
-  /** The device has to outlive this; the dialogue is ready. */
+  /** The device has to outlive this, and the dialogue has to be ready. */
   PidStream(const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue);
 
   /**
-   * Adds the time (s) since the last call and takes the force on the hand (N). False where nothing
+   * Adds the time (s) since the last call and takes the force on the hand (N). False if nothing
    * needs to be sent.
    */
   bool Next(double elapsed, const std::array<double, 2>& force, HidReport& report) noexcept;
@@ -99,7 +102,7 @@ private:
   std::array<std::int64_t, 2> Blocks{};
   std::array<double, 2> Ages{}; ///< s since the last start
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{}; ///< magnitudes sent
-  int Turn = 0; ///< the axis that is asked first
+  int Turn = 0; ///< the axis whose turn is next
 };
 
 } // namespace VolumeHaptics

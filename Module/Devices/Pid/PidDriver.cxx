@@ -16,7 +16,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** That many repeated packets are no chance: the stick reports at its own rate. */
+/** With so many repeated packets in a row, the stick sends reports at a rate of its own. */
 constexpr int RepeatsOfStream = 20;
 
 bool MapBoth(const HidDeviceInfo& info, PidDevice& device, HidStick& stick, std::string& error)
@@ -206,7 +206,7 @@ void PidDriver::Fetch(HidReport& report)
   const int size = this->Port.GetFeature(report.Bytes.data(), report.Size + 1);
   const bool came = size > 1;
   this->Dialogue->Fetched(report.Payload(), came ? static_cast<std::size_t>(size) - 1 : 0);
-  // It may not have made the effect yet.
+  // The device may not have made the effect yet.
   std::this_thread::sleep_for(std::chrono::duration<double>(PidDialogue::PollPause));
 }
 
@@ -263,10 +263,10 @@ void PidDriver::SendForces(HardwareExchange& exchange)
   double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
   this->LastRound = now;
   const Vector3 force = exchange.GetForce();
-  // HID's y axis points towards the hand, and a positive magnitude pushes towards an axis' negative
-  // end.
+  // HID's y axis points towards the hand, and a positive magnitude pushes towards the negative end
+  // of an axis.
   const std::array<double, 2> magnitudes{ -force.X, force.Y };
-  // For each axis its start, where that is due, and its magnitude.
+  // For each axis its start, if that is due, and its magnitude.
   HidReport report;
   for (int i = 0; i < 2 * this->Device.GetNumberOfAxes(); ++i)
   {

@@ -4,19 +4,19 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
- * Only devices of one axis get forces, such as wheels. Published firmwares do not agree about which
- * way an effect pushes the second axis of a stick: OpenFFBoard's of 2021 (commit 021d967) gives y
- * the share of x, that of 2024 goes by another angle for each axis whose bit is set, and pushes y
- * backwards without one. All sticks of two axes are refused, also those that go by directions
- * alone.
+ * Only devices of one axis, such as wheels, get forces. Published firmwares disagree on the
+ * direction in which an effect pushes the second axis of a stick: OpenFFBoard's of 2021 (commit
+ * 021d967) gives y the share of x; that of 2024 takes another angle for each axis whose bit is set,
+ * and pushes y backwards if none is. All sticks of two axes are refused, even those that only use
+ * directions.
  *
  * A stick's axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way;
- * HID's own y axis points towards the hand. Its effects end by themselves within 0.1 s of the last
- * sign of the host. Many sticks are silent while they rest, so that the last place is the present
- * one; a stick that repeats itself is one that is not, and lost where it falls silent.
+ * HID's own y axis points towards the hand. Its effects end by themselves within 0.1 s of the
+ * host's last report. Many sticks send nothing while they rest, so the last position stays valid. A
+ * stick that repeats its reports is not one of these: if it falls silent, it is lost.
  *
- * The kernel's own PID driver speaks to the same device: where a game runs on it, the two disturb
- * each other.
+ * The kernel's own PID driver uses the same device: while a game does so, the two disturb each
+ * other.
  */
 #ifndef PidDriver_h
 #define PidDriver_h
@@ -34,21 +34,21 @@ class PidDriver final : public HidDriver
 {
 public:
   static constexpr double Travel = 0.05; ///< m, of the tip at the end of an axis
-  /** m/s: whole way in 20 ms. Faster is no hand. */
+  /** m/s, the whole way in 20 ms. No hand is faster. */
   static constexpr double FastestStick = 5.0;
 
-  /** Which devices an id means: every one, or those of a vendor and product. */
+  /** The devices that an id means: all, or those of a vendor and product. */
   struct Numbers
   {
     bool Any = true;
     std::uint16_t Vendor = 0;
     std::uint16_t Product = 0;
   };
-  /** False for what is not "pid" or "pid:VVVV:PPPP". */
+  /** False for an id that is neither "pid" nor "pid:VVVV:PPPP". */
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
   /**
-   * Whether its report descriptor has what forces need. The objection says why forces are refused
-   * all the same, and what to do; it is empty if they are not.
+   * Whether its report descriptor has all that forces need. The objection tells why such a device
+   * gets no forces, and the cure; it is empty if it gets them.
    */
   static bool IsPid(const HidDeviceInfo& info, std::string& objection);
 
@@ -78,11 +78,11 @@ private:
 
   std::optional<PidDialogue> Dialogue;
   std::optional<PidStream> Stream; ///< once the dialogue is over
-  HidStick::State State;           ///< axes that have not been heard of are NaN
+  HidStick::State State;           ///< axes that were not reported yet are NaN
   bool IsReady = false;
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;
-  int Repeats = 0; ///< packets that were what the one before was
+  int Repeats = 0; ///< packets that equal the one before
   std::int64_t LastRound = 0;
 };
 

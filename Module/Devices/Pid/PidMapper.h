@@ -36,14 +36,14 @@ public:
 
   ///@{
   /**
-   * A field that holds a number, or a bit or an array's choice that stands for the usage. `within`
-   * is the usage of a collection around it.
+   * Finds a field that holds a number, or a bit or a choice of an array that means the usage.
+   * `within` is the usage of a collection around it.
    */
   bool Find(HidUsage usage, PidDevice::Slot& slot, HidUsage within = 0) const;
   bool Find(PidUsage usage, PidDevice::Slot& slot) const { return this->Find(Of(usage), slot); }
   ///@}
 
-  /** As Find; notes it as missing if it is not there. */
+  /** As Find; if there is no such field, notes it as missing. */
   void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
 
   void NoteMissing(const std::string& what);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The usages of the USB PID 1.0 specification that are used here.
+ * The usages of the USB PID 1.0 specification that this back end uses.
  */
 #ifndef PidUsage_h
 #define PidUsage_h

@@ -26,8 +26,7 @@ bool ReplayDevice::Open(std::string& error)
 
 DeviceLimits ReplayDevice::GetLimits() const
 {
-  // No hand is on it, so that nothing needs to be held back but the force that is shown. A path
-  // that jumps is played as it is.
+  // No hand is on it, so only the shown force is limited. A path that jumps is played unchanged.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;
   return limits;

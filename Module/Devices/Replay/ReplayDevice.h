@@ -17,7 +17,7 @@ namespace VolumeHaptics
 class ReplayDevice : public DeviceBackend
 {
 public:
-  /** The tips (m, this device's space), and what to call it. Finished after the last one. */
+  /** The tips (m, this device's space), and the recording's name. Finished after the last tip. */
   ReplayDevice(std::vector<Vector3> tips, std::string name);
 
   bool Open(std::string& error) override;

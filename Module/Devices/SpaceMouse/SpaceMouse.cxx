@@ -14,7 +14,8 @@ constexpr std::uint16_t Logitech = 0x046D;
 constexpr std::uint16_t Connexion = 0x256F;
 
 // SpaceTraveler, SpacePilot, SpaceNavigator, SpaceExplorer, SpaceNavigator for Notebooks,
-// SpacePilot Pro, SpaceMouse Pro: under Logitech's number, whose products are mostly other ones.
+// SpacePilot Pro, SpaceMouse Pro: under Logitech's number, whose other products are mostly
+// unrelated.
 constexpr std::uint16_t Older[] = { 0xC623, 0xC625, 0xC626, 0xC627, 0xC628, 0xC629, 0xC62B };
 // SpaceMouse Wireless (cable, receiver), Pro Wireless (cable, receiver), Enterprise, Compact, Pro
 // Wireless and Wireless by Bluetooth, the universal receiver.

@@ -11,13 +11,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** s: the tip does not leap where the thread was held up. */
+/** s; a limit, so that the tip does not leap if the thread was held up. */
 constexpr double LongestRound = 0.02;
 constexpr std::uint8_t LightReport = 4;
 constexpr std::uint8_t ButtonReport = 3;
 /**
- * Multi-axis controller and joystick, both of which these devices call themselves; not their
- * keyboards.
+ * The usages that these devices report: multi-axis controller and joystick. Keyboards are not among
+ * them.
  */
 constexpr std::uint16_t DesktopPage = 0x01;
 
@@ -40,7 +40,7 @@ SpaceMouseDriver::SpaceMouseDriver(int number)
 
 bool SpaceMouseDriver::IsSpaceMouse(const HidDeviceInfo& info)
 {
-  // Receivers have an interface for a mouse or a keyboard, too: only the one with report 1 of six
+  // Receivers also have an interface for a mouse or a keyboard: only the one with a report 1 of six
   // axes counts.
   HidReportDescriptor descriptor;
   std::string error;
@@ -157,7 +157,7 @@ void SpaceMouseDriver::Light(bool on) noexcept
   this->IsLit = on;
   if (!this->Port.Write(report, this->LightSize + 1))
   {
-    // A light is not worth losing the device for.
+    // The light is unimportant: without it the device stays usable.
     this->LightSize = 0;
   }
 }

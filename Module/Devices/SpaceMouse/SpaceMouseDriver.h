@@ -4,15 +4,14 @@
  * @file
  * 3Dconnexion's six-axis mice through hidapi.
  *
- * Their cap hardly moves: how hard it is pushed is how fast a virtual tip goes, and how hard it is
- * turned, how fast the view shall turn. No force can be felt. In the tip's frame x is to the right,
- * y up and z towards the hand; the devices' own axes are taken to be x to the right, y towards the
- * hand and z down, with right-handed turns about them, as commonly described but not verified on a
- * device.
+ * Their cap hardly moves: the push is the speed of a virtual tip, and the turn is the speed at
+ * which the view turns. No force can be felt. In the tip's frame x is to the right, y up and z
+ * towards the hand. The devices' own axes are taken to be x to the right, y towards the hand and z
+ * down, with right-handed turns about them, as commonly described but not verified on a device.
  *
- * A cap that is held off its rest repeats itself every few milliseconds (16 or less), and one that
- * is let go says zero once, then nothing. Should that one be lost, the tip stops after half a
- * second without a word.
+ * A cap that is held off its rest repeats its packet every 16 ms or less; a cap that is released
+ * sends zero once, then nothing. If that zero is lost, the tip stops after half a second without a
+ * packet.
  */
 #ifndef SpaceMouseDriver_h
 #define SpaceMouseDriver_h
@@ -28,8 +27,8 @@ class SpaceMouseDriver final : public HidDriver
 public:
   static constexpr double FullSpeed = 0.1; ///< m/s, of the tip at a full push
   static constexpr double FullTurn = 1.0;  ///< rad/s, at a full turn
-  static constexpr double Radius = 0.1;    ///< m: the tip stays in a ball of this size
-  static constexpr double HoldTime = 0.5;  ///< s, for which a push that is not repeated counts
+  static constexpr double Radius = 0.1;    ///< m: the radius of the ball in which the tip stays
+  static constexpr double HoldTime = 0.5;  ///< s, how long a push counts that is not repeated
 
   explicit SpaceMouseDriver(int number);
 
@@ -49,7 +48,7 @@ private:
   void Light(bool on) noexcept;
 
   const int Number;
-  std::size_t LightSize = 0; ///< bytes of the report that switches the light; 0: it has none
+  std::size_t LightSize = 0; ///< bytes of the report that switches the light; 0: no light
   bool IsLit = false;
   SpaceMouse::State State;
   Vector3 Tip;

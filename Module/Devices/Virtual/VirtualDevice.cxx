@@ -49,7 +49,7 @@ void VirtualDevice::Follow(double period) noexcept
   const Vector3 way = this->Target - this->Position;
   const double distance = Norm(way);
   const double most = this->Dynamics.HandSpeed * period;
-  // The target itself, to the bit, where it is within reach.
+  // Exactly the target if it is within reach.
   this->Position = distance <= most ? this->Target : this->Position + (most / distance) * way;
 }
 
@@ -121,7 +121,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
 
 DeviceState VirtualDevice::Write(const Vector3& force) noexcept
 {
-  // The oldest of ForceDelay + 1 forces acts: with no delay the one that is written now.
+  // The oldest of ForceDelay + 1 forces acts; without a delay, the one that is written now.
   const int length = std::clamp(this->Dynamics.ForceDelay, 0, VirtualDynamics::MaximumDelay) + 1;
   this->Queue[this->QueueHead % length] = force;
   this->QueueHead = (this->QueueHead + 1) % length;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device without hardware: its tip is led from outside.
+ * A device without hardware, whose tip the program leads.
  *
- * Without dynamics (Mass 0, the default) the tip goes straight to where it is led, at most at
- * HandSpeed. With a mass it is a device in a hand: m x'' = f + HandStiffness (target - x) - Damping
- * x', integrated exactly enough over each period with the force held, as a sampled-data system
- * does. Measured positions can be rounded to an encoder's quantum and forces delayed by ticks, so
- * that the stability of the closed loop can be studied.
+ * Without dynamics (Mass 0, the default) the tip goes straight to its target, at HandSpeed at most.
+ * With a mass it is a device in a hand: m x'' = f + HandStiffness (target - x) - Damping x',
+ * integrated accurately over each period with the force held, as in a sampled-data system. Measured
+ * positions can be rounded to an encoder's quantum and forces delayed by ticks, to study the
+ * stability of the closed loop.
  */
 #ifndef VirtualDevice_h
 #define VirtualDevice_h
@@ -28,7 +28,7 @@ struct VirtualDynamics
 
   double Mass = 0.0;           ///< kg; 0: no dynamics
   double Damping = 0.0;        ///< N s/m
-  double HandStiffness = 0.0;  ///< N/m, between the tip and where it is led
+  double HandStiffness = 0.0;  ///< N/m, between the tip and its target
   double EncoderQuantum = 0.0; ///< m; 0: not rounded
   int ForceDelay = 0;          ///< ticks, 0 to MaximumDelay
   double HandSpeed = 2.0;      ///< m/s, without dynamics
@@ -46,12 +46,12 @@ public:
   void Quench() noexcept override { this->Quenched.store(true, std::memory_order_release); }
 
   ///@{
-  /** One thread outside the loop: where the hand leads the tip (m), and which buttons it holds. */
+  /** One thread outside the loop: the target of the tip (m), and the pressed buttons. */
   void Lead(const Vector3& target) noexcept;
   /** Takes the stylus up at another position (m), as the first Lead does. */
   void Place(const Vector3& position) noexcept;
   void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
-  /** While the loop does not run. */
+  /** Only while the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
   const VirtualDynamics& GetDynamics() const noexcept { return this->Dynamics; }
   /** The limits of another device. Only while the loop does not run. */
@@ -59,12 +59,12 @@ public:
   ///@}
 
   ///@{
-  /** Troubles of a real device: samples stop coming, or it is unplugged. */
+  /** Failures of a real device: samples stop coming, or it is unplugged. */
   void Freeze(bool frozen) noexcept { this->Frozen.store(frozen); }
   void Unplug() noexcept { this->Unplugged.store(true); }
   ///@}
 
-  /** The force that acts on the hand now; any thread, for one component at a time. */
+  /** The force that acts on the hand now. Any thread, for one component at a time. */
   double GetActingForce(int axis) const noexcept
   {
     return this->Quenched.load(std::memory_order_acquire) ? 0.0 : this->Acting[axis].load();
@@ -80,23 +80,23 @@ private:
   struct Order
   {
     Vector3 Target;
-    std::uint64_t Places = 0; ///< how often the stylus was taken up so far
+    std::uint64_t Places = 0; ///< how often the stylus was taken up
   };
   TripleBuffer<Order> Orders;
-  std::uint64_t Places = 0; ///< of the leading thread
+  std::uint64_t Places = 0; ///< used by the leading thread
   std::atomic<std::uint32_t> Buttons{ 0 };
   std::atomic<bool> Frozen{ false };
   std::atomic<bool> Unplugged{ false };
   std::atomic<bool> Quenched{ false };
   std::array<std::atomic<double>, 3> Acting{};
 
-  // The servo's own.
+  // Used by the servo only.
   Vector3 Position;
   Vector3 Velocity;
   std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
   int QueueHead = 0;
   Vector3 Target;
-  std::uint64_t PlacesDone = 0; ///< 0: nobody has taken it up yet
+  std::uint64_t PlacesDone = 0; ///< 0: it was never taken up
 };
 
 } // namespace VolumeHaptics

@@ -14,16 +14,16 @@ namespace VolumeHaptics
 namespace
 {
 
-/** All that are made of this controller's board have the same numbers. */
+/** All devices with this controller's board have the same numbers. */
 constexpr std::uint16_t TeensyVendor = 0x16C0;
 constexpr std::uint16_t TeensyProduct = 0x0486;
-/** The board's second interface carries its log, under the same name. */
+/** The board's second interface carries its log and has the same name. */
 constexpr std::uint16_t LogPage = 0xFFC9;
 
-/** ns, between currents where no packet comes. */
+/** ns, between currents if no packet comes. */
 constexpr std::int64_t SendPeriod = 2000000;
 /**
- * s, after which nobody has watched the hand: what the kernel kept may not be all that was sent.
+ * s. After a longer pause the hand was not watched: the kernel may not have kept all packets.
  */
 constexpr double LateRound = 0.03;
 
@@ -48,7 +48,7 @@ Vector3 ToArm(const Vector3& device)
 }
 ///@}
 
-/** Whether it has the controller's numbers, and this word in its name, whatever its case. */
+/** Whether it has the controller's numbers, and this word in its name, in upper or lower case. */
 bool IsNamed(const HidDeviceInfo& info, const char* word)
 {
   std::string product = info.Product;
@@ -158,7 +158,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
     hasNews = true;
     this->TakePacket(exchange, bytes, size);
   }
-  // Reports that were not kept are missing after those that were.
+  // After a pause, packets that the kernel did not keep are missing.
   this->HasTip = this->HasTip && !isLate;
   if (!this->IsLost() && this->IsSilent(hasNews))
   {

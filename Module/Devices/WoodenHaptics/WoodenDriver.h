@@ -4,17 +4,16 @@
  * @file
  * WoodenHaptics with the firmware of 14-byte reports, through hidapi.
  *
- * The device sends its encoders at its own rate and gets its currents after each packet, or every 2
- * ms without one; its firmware takes currents back that nobody renews for half a second. It knows
- * where the arm is once it was told so in the rest pose: that is what homing is for. It never says
- * whether it was: when power comes all its counts are 0, and what it reports beside them is its
+ * The device sends its encoders at its own rate. It gets its currents after each packet, or every 2
+ * ms without one; its firmware removes currents that are not renewed for half a second. Homing
+ * tells it that its arm is in the rest pose, from which it then counts. It never reports whether it
+ * was told: after power-up all its counts are 0, and the only other thing it reports is its
  * calibration button. So it is calibrated anew whenever it is opened, and after every fault.
  *
- * A Polhem has the same firmware with another linkage; it is refused.
+ * A Polhem has the same firmware but another linkage, so it is refused.
  *
- * The device's space is that of all devices: x to the right, y up, z towards the hand, which are y,
- * z and x of WoodenHaptics.h with the arm reaching towards whoever holds it. Not verified on a
- * device.
+ * The device's space is that of all devices: x to the right, y up, z towards the hand. These are y,
+ * z and x of WoodenHaptics.h, with the arm reaching towards the user. Not verified on a device.
  */
 #ifndef WoodenDriver_h
 #define WoodenDriver_h
@@ -28,26 +27,26 @@ namespace VolumeHaptics
 class WoodenDriver final : public HidDriver
 {
 public:
-  /** How far (m) the tip comes from one packet to the next, at most: no hand is as fast. */
+  /** The longest way (m) of the tip from one packet to the next: no hand is as fast. */
   static constexpr double FarthestStep = 0.02;
-  /** How far (counts) from the rest pose the encoders may be right after they were set. */
+  /** The largest distance (counts) of the encoders from the rest pose right after they were set. */
   static constexpr int RestTolerance = 40;
-  /** How long (s) the device may take to set its encoders. */
+  /** The longest time (s) for setting the encoders. */
   static constexpr double PresetTime = 1.0;
 
   explicit WoodenDriver(int number);
 
   static bool IsWooden(const HidDeviceInfo& info);
-  /** The sister with another geometry, which this driver does not have. */
+  /** A related device with another geometry, which this driver does not support. */
   static bool IsPolhem(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 5.0, 1000.0, 0.0, 2.5, 0.0, 0.10 }; }
 
 private:
   enum class Phase : std::uint8_t
   {
-    Asking,     ///< for the first packet
-    Waiting,    ///< for the hand to put the arm into its rest pose and to ask for homing
-    Presetting, ///< until the encoders read as they have to
+    Asking,     ///< waits for the first packet
+    Waiting,    ///< waits until the hand has put the arm into its rest pose and asks for homing
+    Presetting, ///< waits until the encoders read the rest pose
     Ready
   };
 
@@ -69,7 +68,7 @@ private:
   std::size_t OutputSize = WoodenHaptics::PacketSize;
 
   Phase Now = Phase::Asking;
-  bool HasTip = false; ///< of the packet before
+  bool HasTip = false; ///< the packet before had a tip
   Vector3 Tip;
   WoodenHaptics::Input Input;
   std::int64_t LastRound = 0;

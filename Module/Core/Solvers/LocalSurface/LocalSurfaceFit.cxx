@@ -14,7 +14,7 @@ constexpr double RayStep = 0.5;
 /** Feet closer together than this (voxels) are the same; and so are the ends of a crossing. */
 constexpr double SameFoot = 1e-3;
 constexpr double SameCrossing = 1e-7;
-/** The step to either side of a foot that tells in which direction V rises (voxels). */
+/** The step to either side of a foot that finds the direction in which V rises (voxels). */
 constexpr double RiseStep = 0.25;
 constexpr int MostFeet = 6;
 constexpr int MostHalvings = 60;
@@ -111,7 +111,7 @@ private:
     return true;
   }
 
-  /** By how much V rises across a position. */
+  /** The increase of V across a position. */
   double Rise(const Vector3& x, const Vector3& normal) const noexcept
   {
     const Vector3 step = (RiseStep * this->Voxel) * normal;

@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** If its slope (1 at its centre) is less than this, a surface can't be followed. */
+/** A surface whose slope (1 at its centre) is less than this can't be followed. */
 constexpr double LeastSlope = 0.1;
 /** Share of the depth below which the proxy has arrived; share of friction that counts as all. */
 constexpr double Arrived = 1e-9;
@@ -21,9 +21,9 @@ constexpr int MostSlips = 16;
 /** A step turns the normal by no more than this (radian), and is no longer than 4 Newton steps. */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
-/** Times the tip's motion by which a lag changes without a jump. */
+/** The largest change of a lag that is no jump, in units of the tip's motion. */
 constexpr double MostFollowing = 2.0;
-/** Share of a period that is a whole one but for rounding. */
+/** The share from which on a period counts as whole, because of rounding. */
 constexpr double AlmostOne = 1.0 - 1e-9;
 
 /** Moves a point back to the surface, along the slope; false if that is not possible. */
@@ -70,7 +70,7 @@ bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
   return true;
 }
 
-/** The point where the tip came through the surface. */
+/** The point at which the tip came through the surface. */
 Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip) noexcept
 {
   const double before = shape.Depth(from);
@@ -78,7 +78,7 @@ Vector3 FindEntry(const Quadric& shape, const Vector3& from, const Vector3& tip)
   return before < 0.0 && now > 0.0 ? from + (before / (before - now)) * (tip - from) : tip;
 }
 
-/** By how much the tangential lag of a proxy on the surface exceeds friction (world units). */
+/** The excess of a surface proxy's tangential lag over friction (world units). */
 double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double friction) noexcept
 {
   const Vector3 slope = shape.Slope(x);
@@ -175,7 +175,7 @@ void Follow(const HapticModel& model, const Vector3& tip, double friction, Local
   const bool isLeft = left > local.Fall;
   local.Fading = isLeft ? (1.0 - local.Fall / left) * local.Fading : Vector3{};
   local.Fall = isLeft ? local.Fall : 0.0;
-  // A hand that leaves before the whole surface has come up must not be pulled in.
+  // A hand that leaves before the surface has come up completely must not be pulled in.
   const double norm = Norm(lag);
   if (norm > 0.0)
   {
@@ -231,8 +231,8 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   local.Request.Normal = {};
   const Quadric& shape = local.Surface.Shape;
   const Vector3 slope = shape.Slope(local.Request.Position);
-  // A proxy near a surface that it has not come through is outside, whatever the value is there:
-  // some of the structure lies behind a plane that is tangent to a hollow.
+  // A proxy near a surface that it has not come through is outside, even if the value there is
+  // inside: some of the structure lies behind a plane that is tangent to a hollow.
   if (local.Surface.IsThere && std::abs(shape.Depth(local.Request.Position)) < near)
   {
     local.Request.Normal = (1.0 / Norm(slope)) * slope;
@@ -245,7 +245,7 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
 
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept
 {
-  // The result of an earlier request is none for this one.
+  // The result of an earlier request does not count for this one.
   const std::uint32_t number = local.Number + 1;
   local = LocalState{};
   local.Number = number;

@@ -20,7 +20,7 @@ Vector3 Advance(const Vector3& start, const SplitLag& lag, TickRecord& record) n
   const double threshold = lag.Push > 0.0 ? record.SurfaceStrength : 0.0;
   if (threshold == 0.0 && record.Viscosity == 0.0)
   {
-    // Nothing holds the proxy, and the law would bring it to the tip but for rounding.
+    // Nothing holds the proxy: the law would move it to the tip, up to rounding.
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);

@@ -12,24 +12,24 @@ namespace
 /** The longest step of tip and proxy (voxels); or this share of the lag, if that is more. */
 constexpr double LongestStep = 0.25;
 constexpr double SpringShare = 0.02;
-/** A motion as short as this (voxels) is not judged at its end. */
+/** The end of a motion as short as this (voxels) is not judged. */
 constexpr double ShortStep = 1e-3;
-/** Nor is a motion up to this long (voxels), if those that follow it are no longer than that. */
+/** Nor that of a motion up to this long (voxels), if the following motions are not longer. */
 constexpr double LongestCreep = 0.03;
 constexpr double LongestRest = 2e-3;
 
 /**
- * The cached sample serves until the proxy has moved this far from it (voxels); every tick counts
- * at least the second length. So a sample from another model, where a recording is played, does not
- * last.
+ * The cached sample is used until the proxy has moved this far from it (voxels). Every tick counts
+ * as at least the second length, so that a sample from another model, with which a recording is
+ * played, does not last.
  */
 constexpr double LongestSampleDistance = 1e-3;
 constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
 
-/** Predictions beyond these are not worth the sample that judges them. */
+/** Predictions beyond these do not save the sample that judges them. */
 constexpr double LeastPrediction = 0.5;
 constexpr double MostPrediction = 1.5;
-/** The share of a tick's prediction that is learned: the rest shows in the next tick. */
+/** The learned share of a tick's prediction: the remainder appears in the next tick. */
 constexpr double LearnedShare = 0.5;
 
 /** Of a quotient: rounding on another machine must not add a step. */
@@ -111,7 +111,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   const Vector3 before = this->State.ReachedTip;
   if (!Law::IsFelt(this->State.Here))
   {
-    // All slack except for the tip's step: a proxy that follows the tip brings no force along.
+    // All slack except for the tip's step: a proxy that follows the tip carries no force along.
     this->State.Spring.Tension = 0.0;
   }
   if (this->State.Spring.Tension < 1.0)
@@ -170,7 +170,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
       { this->Proxy, this->State.Spring, this->State.Level }, motion, share, tip);
     const Vector3 lag = tip - end.Proxy;
     const Vector3 lagBefore = tip - this->Proxy;
-    // Only the return to the level makes the spring longer, and not for long.
+    // Only the return to the level makes the spring longer, and only a few times.
     setbacks += Dot(lag, lag) > Dot(lagBefore, lagBefore) ? 1 : 0;
     lastVoxels = share * voxels;
     lastDisplacement = motion.Displacement;

@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Moves the tip, and the proxy after it. Changes all of the state except its proxy. */
+/** Moves the tip and makes the proxy follow it. Changes all of the state except its proxy. */
 class PreciseFollower
 {
 public:
@@ -26,7 +26,7 @@ public:
   {
   }
 
-  /** Moves the tip straight to a position, and the proxy after it. */
+  /** Moves the tip straight to a position, and makes the proxy follow it. */
   void Follow(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces. */
   void Write(TickRecord& record) const noexcept;
@@ -35,7 +35,9 @@ public:
 private:
   /** Samples the material at the proxy. */
   void LookAround(const Vector3& lag) noexcept;
-  /** Takes a change of the tissue at the proxy since the last tick, which no motion has caused. */
+  /**
+   * Takes over a change of the tissue at the proxy that no motion has caused since the last tick.
+   */
   void Refresh(double lag) noexcept;
   /** Moves the proxy until the law leaves it in place; false if the budget does not suffice. */
   bool Settle(const Vector3& tip) noexcept;
@@ -45,9 +47,9 @@ private:
   void Note(double voxels) noexcept;
   /** Makes a motion longer, if the material still holds the spring. */
   void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept;
-  /** Learns StepPrediction: by how much a tick's displacement exceeds its first motion. */
+  /** Learns StepPrediction from the ratio of a tick's displacement to its first motion. */
   void Learn(const Vector3& firstDisplacement, const Vector3& displacement, bool isJudged) noexcept;
-  /** Makes a motion that is too short to be judged. */
+  /** Makes a motion that is too short for its end to be judged. */
   void Creep(const Motion& motion, const Vector3& tip) noexcept;
 
   PreciseSurroundings Field;

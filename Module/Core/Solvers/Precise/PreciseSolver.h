@@ -4,8 +4,8 @@
  * @file
  * Solver PRECISE: the paper's material law in balance at the proxy's end point.
  *
- * PAPER takes one explicit step with the material at the point where a tick's motion begins;
- * PRECISE makes the law hold at the point where it ends.
+ * PAPER takes one explicit step with the material at the beginning of a tick's motion; PRECISE
+ * makes the law hold at its end.
  *
  * ## Equations
  *

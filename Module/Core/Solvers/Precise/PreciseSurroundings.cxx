@@ -145,15 +145,15 @@ PreciseSurroundings::Remainder PreciseSurroundings::Judge(const Motion& motion,
   const double holds = there.SurfaceStrength * compliance;
   const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
 
-  // The spring that surface and friction leave. Outward there is no surface. The part of the spring
-  // aside from the motion is held just the same.
+  // The spring that surface and friction leave. There is no surface outward. The part of the spring
+  // perpendicular to the motion is held in the same way.
   const bool goesIn = !motion.IsHeld && inward > SmallPart;
   const bool goesOut = !motion.IsHeld && inward < -SmallPart;
   const bool goesAcross = across > SmallPart;
   const double pull = Dot(lag.Tangent, aside);
   const double normal = goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
   const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
-  // Drag holds both parts together if both are left, and each by itself if one went too far.
+  // If both parts are left, drag holds them together; if one went too far, it holds each by itself.
   const bool isWhole = normal >= 0.0 && tangent >= 0.0;
   const double total = std::sqrt(normal * normal + tangent * tangent) - drag;
   const bool saysNormal = goesIn || (goesOut && drag > 0.0);

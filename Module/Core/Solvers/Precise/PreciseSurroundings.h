@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Single motions of solver PRECISE (PreciseSolver.h): the material around a proxy, and the point
- * where a motion ends.
+ * Single motions of solver PRECISE (PreciseSolver.h): the material around a proxy, and the end
+ * point of a motion.
  */
 #ifndef PreciseSurroundings_h
 #define PreciseSurroundings_h
@@ -35,7 +35,7 @@ struct Arrival
 {
   Vector3 Proxy;
   PrecisePoint There;
-  double CachedSampleDistance; ///< voxels, at most, from the point that was sampled
+  double CachedSampleDistance; ///< voxels, an upper bound of the distance from the sampled point
   PassiveSpring Spring;
 };
 
@@ -69,23 +69,24 @@ public:
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
 
   /**
-   * The displacement (m) along the normal from a point to a level, as far as the spring's balance
-   * allows.
+   * The displacement (m) along the normal from a point to a level, limited by the spring's balance.
    */
   double ToLevel(
     const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept;
 
-  /** Makes a share of a motion, or less: no farther than the material there allows. */
+  /** Makes a share of a motion, or less if the material there allows no more. */
   Arrival Arrive(
     const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept;
 
 private:
-  /** The spring (m) that is left along a motion's parts; below 0 if the motion went too far. */
+  /**
+   * The spring (m) that is left along the parts of a motion; negative if the motion went too far.
+   */
   struct Remainder
   {
     double Normal;
     double Tangent;
-    bool IsWhole; ///< both are that of the motion as a whole
+    bool IsWhole; ///< both are those of the motion as a whole
   };
 
   Arrival Try(const Departure& start, const Motion& motion, const Vector3& displacement,

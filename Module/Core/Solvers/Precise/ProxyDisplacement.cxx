@@ -17,7 +17,8 @@ constexpr double MostParts = 64.0;
 constexpr double OnCircle = 0.9;
 
 /**
- * The part of a spring that the surface does not hold, and the circle that friction and drag do.
+ * The part of a spring that the surface does not hold, and the circle within which friction and
+ * drag hold it.
  */
 struct UnheldSpring
 {
@@ -55,13 +56,13 @@ Vector3 FindPart(const PrecisePoint& here, double compliance, const Vector3& lag
   const UnheldSpring before = FindUnheldSpring(here, compliance, lagBefore);
   if (!(before.Length > OnCircle * before.Radius))
   {
-    return plain; // it had no direction yet
+    return plain; // there was no direction yet
   }
   const Vector3 sum = (1.0 / before.Length) * before.Lag + (1.0 / now.Length) * now.Lag;
   const double square = Dot(sum, sum);
   if (square < 1.0)
   {
-    return plain; // more than a right angle has no mean worth taking
+    return plain; // the mean of two directions more than a right angle apart is useless
   }
   const Vector3 direction = (1.0 / std::sqrt(square)) * sum;
   const double along = Dot(now.Lag, direction);

@@ -13,17 +13,19 @@ namespace
 {
 
 /**
- * Shares of the radius: within the first it touches, the second is kept free, the third is rest.
+ * Shares of the radius: the sphere touches within the first, keeps the second free, and is at rest
+ * below the third.
  */
 constexpr double Margin = 3e-3;
 constexpr double Distance = 1e-6;
 constexpr double Still = 1e-5;
 /**
- * In a valley the shadings of its sides may lead to and fro: after ManyPasses this is rest, too.
+ * In a valley the shadings of its sides may lead back and forth: after ManyPasses this counts as
+ * rest, too.
  */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
-/** The smallest share of the radius, however deep a triangle is in it. */
+/** The smallest share of the radius, even if a triangle is deeper in it. */
 constexpr double LeastLeft = 1e-3;
 /** The longest move (radii): its triangles must fit into the budget. */
 constexpr double LongestMove = 64.0;
@@ -117,7 +119,7 @@ private:
     {
       const Vector3 smooth = this->Mesh.GetNormal(i, nearest);
       const double length = std::copysign(Norm(smooth), Dot(smooth, normal));
-      // At a sharp edge the normals are those of another face.
+      // At a sharp edge the interpolated normal is that of another face.
       const bool isSmooth = Dot(smooth, normal) / length > LeastCosine;
       const Vector3 shaded = isSmooth ? (1.0 / length) * smooth : normal;
       this->Shaded.Add({ shaded, Dot(shaded, this->Centre) + missing });
@@ -165,7 +167,7 @@ void StepSurfaceProxy(
     held = goal - subgoal;
     rest = Norm(displacement);
     const double excess = rest - record.Friction * Norm(held);
-    // While the sphere touches; in between, it may fall towards the tip.
+    // While the sphere touches; otherwise it may fall towards the tip.
     const double rate = sphere.IsTouching() && lastExcess > 0.0 ? excess / lastExcess : 0.0;
     const double still = sphere.IsShading() && pass >= ManyPasses ? ShadedStill : Still;
     if (excess <= still * radius)

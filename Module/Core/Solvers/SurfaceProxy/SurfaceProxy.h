@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Polygonal surface haptics, with which the paper compares itself: a sphere that no triangle lets
- * through.
+ * Polygonal surface haptics, with which the paper compares its method: a sphere that passes through
+ * no triangle.
  *
  * After Ruspini, Kolarov and Khatib, "The Haptic Display of Complex Graphical Environments", 1997.
  * The proxy is a sphere of radius HapticSettings::ProxyRadius around x. Every triangle that it
@@ -38,11 +38,11 @@ class HapticModel;
 struct ServoState;
 struct TickRecord;
 
-/** Rounds of subgoal and motion in a tick, at most. */
+/** The largest number of rounds of subgoal and motion in a tick. */
 constexpr int MaximumPasses = 24;
 /**
- * Boxes of the mesh that a tick looks at, at most: half a millisecond. The sphere then stays at the
- * point that it has reached.
+ * The largest number of the mesh's boxes that a tick looks at: half a millisecond. The sphere then
+ * stays at the point that it has reached.
  */
 constexpr int MaximumVisits = 20000;
 /**
@@ -64,7 +64,7 @@ void StepSurfaceProxy(
  */
 Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept;
 
-/** In lengths of the kernel. */
+/** In kernel lengths. */
 constexpr double EntryDepth = 3.0;
 
 } // namespace VolumeHaptics

@@ -4,10 +4,9 @@
  * @file
  * The lock that gives a HID device to one holder alone.
  *
- * Linux lets any number of programs open a hidraw node, and each of them send forces. Here one
- * holder has a device: a lock (flock) on its node keeps out every other holder that asks for the
- * lock, in this process and in others. Software that does not ask, such as a joystick driver of the
- * kernel, is not kept out.
+ * Linux lets any number of programs open a hidraw node, and each of them send forces. This lock
+ * (flock) on the node keeps out every other holder that asks for it, in this process and in others.
+ * Software that does not ask, such as a joystick driver of the kernel, is not kept out.
  */
 #ifndef HidClaim_h
 #define HidClaim_h
@@ -20,8 +19,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Guards hidapi's functions that take no device, since these share one error message, and every
- * HidClaim::Take, since testing whether a device is free claims it for a moment.
+ * Guards hidapi's functions that take no device, because they share one error message, and every
+ * HidClaim::Take, because testing whether a device is free claims it for a moment.
  */
 std::mutex& GetHidMutex();
 

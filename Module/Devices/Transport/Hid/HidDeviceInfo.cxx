@@ -82,7 +82,7 @@ std::vector<HidDeviceInfo> FindHidDevices()
   hid_device_info* const list = hid_enumerate(0, 0);
   for (const hid_device_info* entry = list; entry; entry = entry->next)
   {
-    // A device is listed once for each of its collections.
+    // hidapi lists a device once for each of its collections.
     const auto isSame = [entry](const HidDeviceInfo& info) { return info.Path == entry->path; };
     if (entry->path && std::none_of(devices.begin(), devices.end(), isSame))
     {
@@ -108,7 +108,7 @@ std::vector<HidDeviceInfo> FindHidDevices(bool (*isSome)(const HidDeviceInfo&))
 std::string HidDeviceInfo::GetLabel() const
 {
   std::string label = this->Product.empty() ? "A HID device" : this->Product;
-  // Some makers put themselves into the name of the product.
+  // Some makers' names are part of the product's name.
   if (!this->Maker.empty() && label.compare(0, this->Maker.size(), this->Maker) != 0)
   {
     label = this->Maker + " " + label;
@@ -119,7 +119,7 @@ std::string HidDeviceInfo::GetLabel() const
 bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const
 {
 #if defined(__linux__)
-  // The system's copy, which everyone may read; hidapi hands it out from version 0.14 on only.
+  // The system's copy, which everyone may read; hidapi gives access to it from version 0.14 on.
   const std::string node = this->Path.substr(this->Path.rfind('/') + 1);
   const std::vector<std::uint8_t> bytes = ReadAll(
     "/sys/class/hidraw/" + node + "/device/report_descriptor", HidReportDescriptor::MaximumSize);

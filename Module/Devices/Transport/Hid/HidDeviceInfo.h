@@ -18,14 +18,14 @@ namespace VolumeHaptics
 /** An interface of a HID device that is plugged in, as the system lists it. */
 struct HidDeviceInfo
 {
-  std::string Path; ///< opens the device; on Linux its node
+  std::string Path; ///< the path that opens the device; on Linux its node
   std::string Maker;
   std::string Product; ///< the name that the device reports
   std::uint16_t Vendor = 0;
   std::uint16_t ProductId = 0;
   std::uint16_t UsagePage = 0; ///< of its first collection; 0 if unknown
 
-  /** Maker, product and path, for people. */
+  /** Maker, product and path, as shown to the user. */
   std::string GetLabel() const;
   /** "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;

@@ -43,7 +43,7 @@ bool HidDriver::Connect(std::string& error)
 
 void HidDriver::Serve(HardwareExchange& exchange)
 {
-  /** Also where something throws. */
+  /** Runs also if something throws. */
   struct AtEnd
   {
     HidDriver* Driver;
@@ -102,7 +102,7 @@ void HidDriver::LookWhetherGone(HardwareExchange& exchange) noexcept
     std::this_thread::sleep_for(std::chrono::milliseconds(LostPause));
     return;
   }
-  // Of a device that is pulled out, the system refuses writes a while before it ends reads.
+  // When a device is unplugged, the system refuses writes for a while before it ends reads.
   std::uint8_t bytes[LongestReport];
   if (this->Port.Read(bytes, sizeof(bytes), LostPause) < 0)
   {
@@ -173,7 +173,7 @@ void HidDriver::Retreat() noexcept
 
 void HidDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // The servo hears of it before anything is sent, which may take its time.
+  // Before sending anything, which may take long: the servo is told first.
   this->Tell(exchange, DeviceStage::Lost, text);
   this->Retreat();
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the drivers of HID devices have in common: finding, claiming, the rounds of the thread, and
- * loss.
+ * The base of the drivers of HID devices: it finds and claims a device, runs the rounds of its
+ * thread, and handles loss.
  */
 #ifndef HidDriver_h
 #define HidDriver_h
@@ -21,8 +21,7 @@ public:
   /** How long (s) a device that reports by itself may be silent. */
   static constexpr double SilenceTime = 0.1;
   /**
-   * And how often it was listened to meanwhile, at least: it is not the device that is late where
-   * the host was.
+   * The smallest number of reads during that time: if the host was late, the device is not silent.
    */
   static constexpr int SilentReads = 20;
 
@@ -34,49 +33,49 @@ public:
 protected:
   static constexpr int LongestReport = 256;
 
-  /** The device's name as long as none is open, such as "WoodenHaptics". */
+  /** `label` names the device as long as none is open, such as "WoodenHaptics". */
   explicit HidDriver(std::string label)
     : Label(std::move(label))
   {
   }
 
   ///@{
-  /** The parts that differ from kind to kind. */
+  /** The parts that differ between kinds. */
   /**
-   * The devices to try, in this order, where others hold the first ones. None: the reason and the
-   * cure.
+   * The devices to try, in this order: if the first is in use, the next one is tried. If there are
+   * none: the reason and the cure.
    */
   virtual std::vector<HidDeviceInfo> Choose(std::string& error) const = 0;
-  /** Learns what the device says of itself. False, with the reason and the cure. */
+  /** Reads the device's description of itself. False, with the reason and the cure. */
   virtual bool Prepare(const HidDeviceInfo& info, std::string& error) = 0;
   /**
-   * At the start of the thread and after a loss, anew; and where homing is requested of one that is
-   * well.
+   * Called at the start of the thread and after a loss, then with `isAnew`; and if homing is
+   * requested of a device that works.
    */
   virtual void Begin(HardwareExchange& exchange, bool isAnew) = 0;
-  /** As long as the device is not lost: a millisecond or so. */
+  /** Called over and over while the device is not lost; takes a millisecond or so. */
   virtual void Work(HardwareExchange& exchange) = 0;
-  /** Takes the force away, where there is one. */
+  /** Takes the force away, if there is one. */
   virtual void Rest() noexcept = 0;
-  /** The last thing that is said to a device that is still there. */
+  /** The last message to a device that is still there. */
   virtual void End() noexcept { this->Rest(); }
   ///@}
 
   ///@{
-  /** The time to wait is in ms; 0 and a loss where the device is gone. */
+  /** `time` (ms) limits the wait. If the device is gone, returns 0 and notes a loss. */
   int Read(HardwareExchange& exchange, std::uint8_t* bytes, int time) noexcept;
-  /** False and a loss where the device does not take it. */
+  /** If the device refuses the report, returns false and notes a loss. */
   bool Write(HardwareExchange& exchange, const std::uint8_t* report, std::size_t size,
     bool isFeature = false) noexcept;
-  /** Throws away what is waiting to be read. */
+  /** Throws away the reports that wait to be read. */
   void Drain() noexcept;
-  /** Nothing goes on until homing is requested. The text follows the device's name. */
+  /** Stops all work until homing is requested. The text follows the device's name. */
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   bool IsLost() const noexcept { return this->Lost; }
   void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
   ///@}
 
-  /** Whether it is silent, and for too long: after every look for news. */
+  /** Whether the device has been silent for too long. Call it after every read. */
   bool IsSilent(bool hasNews) noexcept;
 
   HidPort Port;
@@ -84,14 +83,14 @@ protected:
 private:
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;
-  /** While it is lost: a moment, after which it may turn out to be unplugged. */
+  /** While it is lost: waits a moment, and notices whether the device is unplugged. */
   void LookWhetherGone(HardwareExchange& exchange) noexcept;
 
   std::string Label;
   bool Lost = false;
   std::int64_t LastNews = 0;
   int EmptyReads = 0;
-  bool Gone = false; ///< unplugged: nothing is to be had from the port any more
+  bool Gone = false; ///< unplugged: the port is of no use any more
 };
 
 } // namespace VolumeHaptics

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One value in a HID report: where its bits are, and what they mean.
+ * One value in a HID report: its bits, and their meaning.
  *
- * Reports are handled as payloads: the bytes after the report id, whether the device uses ids or
- * not. Bits are counted from the lowest of the first byte on, as in the HID 1.11 specification, 8.
- * Everything here is fit for the servo loop: no allocation, no exception, and no byte outside the
- * size that is given is touched.
+ * Reports are handled as payloads: the bytes after the report id, whether or not the device uses
+ * ids. Bits are counted from the lowest of the first byte, as in section 8 of the HID 1.11
+ * specification. Everything here is fit for the servo loop: no allocation, no exception, and no
+ * access outside the given size.
  */
 #ifndef HidField_h
 #define HidField_h
@@ -35,16 +35,16 @@ enum class HidReportKind : std::uint8_t
 struct HidField
 {
   HidReportKind Kind = HidReportKind::Input;
-  std::uint8_t ReportId = 0; ///< 0 where the device uses no ids
+  std::uint8_t ReportId = 0; ///< 0 if the device uses no ids
   std::uint8_t BitSize = 0;  ///< 1 to 32
-  /// The value does not count something but chooses one of the usages that the descriptor lists.
+  /// The value is no number: it chooses one of the usages that the descriptor lists.
   bool IsArray = false;
   bool IsRelative = false;
-  /// Two's complement, which is so where the logical minimum is below zero.
+  /// Two's complement, which is used if the logical minimum is below zero.
   bool IsSigned = false;
   std::uint32_t BitOffset = 0; ///< in the payload
-  HidUsage Usage = 0;          ///< of an array, the first
-  int Collection = -1;         ///< the innermost one, in the descriptor's list; -1: none
+  HidUsage Usage = 0;          ///< the first one of an array
+  int Collection = -1; ///< the innermost one, as an index into the descriptor's list; -1: none
 
   ///@{
   /** The range on the wire and the physical range; both physical limits 0: the same range. */
@@ -54,28 +54,28 @@ struct HidField
   std::int64_t PhysicalMaximum = 0;
   ///@}
   std::uint32_t Unit = 0;         ///< as HID 1.11, 6.2.2.7 packs it; 0: none
-  int UnitExponent = 0;           ///< the physical value times ten to the power of this is in Unit
-  std::uint32_t FirstChoice = 0;  ///< of an array: where its usages begin in the descriptor's list
+  int UnitExponent = 0;           ///< value in Unit = physical value * 10^UnitExponent
+  std::uint32_t FirstChoice = 0;  ///< of an array: the first of its usages in the descriptor's list
   std::uint32_t ChoiceRanges = 0; ///< of an array: how many ranges of usages it has
 };
 
-/** The nearest value within the logical range and within what the bits hold: no sign ever wraps. */
+/** The nearest value that is in the logical range and fits into the bits, so that no sign wraps. */
 std::int64_t ClampToField(const HidField& field, std::int64_t value) noexcept;
 
-/** The bits as they are, with their sign; false, and 0, where the payload is too short. */
+/** The bits as they are, with their sign. False, and 0, if the payload is too short. */
 bool ReadRaw(const HidField& field, const std::uint8_t* payload, std::size_t size,
   std::int64_t& value) noexcept;
 
 /**
- * As ReadRaw, but false for what is outside the logical range, too: that is HID's null value, which
- * says that there is none.
+ * As ReadRaw, but also false for a value outside the logical range: that is HID's null value, which
+ * means "no value".
  */
 bool ReadValue(const HidField& field, const std::uint8_t* payload, std::size_t size,
   std::int64_t& value) noexcept;
 
 /**
- * Puts the clamped value where it belongs and leaves all other bits; false, with nothing written,
- * where the payload is too short.
+ * Writes the clamped value and leaves all other bits. False, with nothing written, if the payload
+ * is too short.
  */
 bool WriteValue(
   const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept;

@@ -7,8 +7,8 @@
 namespace VolumeHaptics
 {
 
-// The length of its item gives a minimum its sign. A maximum has a sign only if the minimum is
-// below zero: else a byte of 0xFF is 255, as devices mean it.
+// The length of an item determines the sign of a minimum. A maximum has a sign only if the minimum
+// is below zero: otherwise a byte of 0xFF is 255, as devices mean it.
 std::int64_t HidItemReader::Item::Signed() const
 {
   const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;
@@ -201,7 +201,7 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
     {
       continue;
     }
-    // Each variable takes the next usage; when they run out, the last one stands for the rest.
+    // Each variable takes the next usage; after the last usage, all others take that one.
     if (field.Usage < range.Last)
     {
       ++field.Usage;
@@ -214,7 +214,7 @@ void HidItemReader::ListFields(HidField field, std::uint32_t count)
   }
 }
 
-// The page that counts is the last one before the main item, wherever the usage came.
+// The page is the last one before the main item, even if it comes after the usage.
 HidUsageRange HidItemReader::Complete(const LocalState::Usages& usages) const
 {
   const HidUsage page = usages.HasPage ? 0 : MakeHidUsage(this->Globals.Page, 0);
@@ -314,7 +314,7 @@ bool HidItemReader::Local(const Item& item)
       return true;
     case 0x2:
     {
-      // With a page in one and none in the other, the page is that of the one that has it.
+      // If only one of the two has a page, it holds for both.
       const bool hasPage = item.Size == 4 || l.MinimumSize == 5;
       const std::uint32_t page = (item.Size == 4 ? item.Data : l.Minimum) & 0xFFFF0000U;
       const std::uint32_t first = (l.Minimum & 0xFFFFU) | (hasPage ? page : 0);

@@ -22,12 +22,12 @@ public:
 
   bool Read(const std::uint8_t* bytes, std::size_t size);
 
-  /** Of the item that is wrong; the size where something is missing at the end. */
+  /** The position of the faulty item, or the size if something is missing at the end. */
   std::size_t GetPosition() const { return this->Position; }
   const std::string& GetError() const { return this->Error; }
 
 private:
-  /** The data of an item; whether it is signed depends on others. */
+  /** The data of an item; other items decide whether it is signed. */
   struct Item
   {
     unsigned Tag = 0;
@@ -58,7 +58,7 @@ private:
     };
     std::vector<Usages> List;
     std::uint32_t Minimum = 0;
-    unsigned MinimumSize = 0; ///< 0: none came
+    unsigned MinimumSize = 0; ///< 0: there was none
     bool InAlternatives = false;
     bool HasAlternative = false;
   };

@@ -13,11 +13,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** HidDeviceInfo::GetState holds a device for a moment: Open tries again. */
+/** HidDeviceInfo::GetState claims a device for a moment: Open tries again. */
 constexpr int Attempts = 10;
 constexpr std::chrono::milliseconds AttemptPause(5);
 /**
- * ns: longer than a device in order takes, and as long as the watchdog of the slowest one.
+ * ns: longer than a working device takes, and as long as the slowest device's watchdog.
  */
 constexpr std::int64_t StuckTime = 500000000;
 

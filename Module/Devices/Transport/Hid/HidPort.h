@@ -21,7 +21,7 @@ namespace VolumeHaptics
 constexpr int LongestQueue = 64;
 
 /**
- * A device that is claimed and open. No call waits longer than it is told to, or than the kernel's
+ * A device that is claimed and open. No call waits longer than its time limit, or than the kernel's
  * 5 s for USB.
  */
 class HidPort
@@ -49,14 +49,14 @@ public:
   bool Write(const std::uint8_t* report, std::size_t size) noexcept;
   bool SendFeature(const std::uint8_t* report, std::size_t size) noexcept;
   /**
-   * After the kernel has waited in vain for a device to take a report, nothing more is sent until
-   * this is called: each report would wait as long, and by then the device's own watchdog has taken
-   * its force away.
+   * If the kernel has waited in vain for a device to take a report, nothing more is sent until this
+   * is called: each report would wait as long, and the device's own watchdog has already taken its
+   * force away.
    */
   void TryAgain() noexcept { this->Stuck = false; }
   /**
-   * Fills in the report of the id that it begins with. Its size with the id, below zero if there is
-   * none.
+   * Fills in the report whose id is the first byte. Returns its size with the id, below zero if
+   * there is no such report.
    */
   int GetFeature(std::uint8_t* report, std::size_t size) noexcept;
   ///@}

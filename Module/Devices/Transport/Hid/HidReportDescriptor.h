@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reports of a HID device as it describes them, after the HID 1.11 specification, 6.2.2.
+ * The reports of a HID device as the device describes them, after the HID 1.11 specification,
+ * 6.2.2.
  *
- * Long items and reserved ones are skipped, constant fields (padding) take up their bits and are
- * not listed, and of alternatives between delimiters the first one counts. Any bytes may come: a
- * device can be broken or ill-disposed. Parsing allocates, within limits, and belongs outside the
- * servo loop; what reads and writes fields is in HidField.h.
+ * Long items and reserved ones are skipped. Constant fields (padding) take up their bits and are
+ * not listed. Of alternatives between delimiters the first one counts. Any bytes are accepted,
+ * because a device can be broken or hostile. Parsing allocates, within limits, and belongs outside
+ * the servo loop; the functions that read and write fields are in HidField.h.
  */
 #ifndef HidReportDescriptor_h
 #define HidReportDescriptor_h
@@ -24,7 +25,7 @@ namespace VolumeHaptics
 
 struct HidCollection
 {
-  HidUsage Usage = 0;    ///< 0 where it has none
+  HidUsage Usage = 0;    ///< 0 if it has none
   std::uint8_t Type = 0; ///< 0 physical, 1 application, 2 logical, and so on
   int Parent = -1;       ///< in the list of collections; -1: none
 };
@@ -40,7 +41,7 @@ class HidReportDescriptor
 {
 public:
   ///@{
-  /** The largest that are accepted; real devices stay far below. */
+  /** The largest accepted values; real devices stay far below. */
   static constexpr std::size_t MaximumSize = 16384; ///< bytes of a descriptor
   static constexpr int MaximumDepth = 32;           ///< of collections, and of pushed states
   static constexpr std::size_t MaximumFields = 4096;
@@ -49,8 +50,8 @@ public:
   ///@}
 
   /**
-   * Takes the descriptor in. False, with what is wrong at which byte, and nothing listed, where it
-   * can't be understood.
+   * Parses the descriptor. If it can't be understood: false, with the fault and its byte, and
+   * nothing is listed.
    */
   bool Parse(const std::uint8_t* bytes, std::size_t size, std::string& error);
 
@@ -63,15 +64,15 @@ public:
   /** Whether each report begins with a byte that is its id. */
   bool UsesReportIds() const noexcept { return this->HasIds; }
 
-  /** Bytes of a payload, padding included, the id not; 0 where there is no such report. */
+  /** Bytes of a payload with padding, without the id; 0 if there is no such report. */
   std::size_t GetReportSize(HidReportKind kind, std::uint8_t id) const;
 
   /** Whether one of the collections around the field has this usage. */
   bool IsWithin(const HidField& field, HidUsage usage) const noexcept;
 
   /**
-   * The value of an array that chooses a usage; false where the field is no array or does not list
-   * it.
+   * The value of an array that chooses a usage. False if the field is no array or does not list the
+   * usage.
    */
   bool FindChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Kinds of HID devices that are told apart by a number only.
+ * Kinds of HID devices whose ids only differ by a number.
  */
 #ifndef NumberedHidKind_h
 #define NumberedHidKind_h
@@ -27,7 +27,7 @@ inline std::vector<DeviceListing> ListNumbered(
   return all;
 }
 
-/** A kind of such devices, each run by a driver that is made of its number. */
+/** A kind of such devices. A driver is made from a device's number. */
 template <typename Driver>
 DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&))
 {

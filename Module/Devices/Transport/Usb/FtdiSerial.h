@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What an FTDI serial converter wants to be told, and what it adds to the bytes: as values, for a
- * transport that only has to send them.
+ * Requests to an FTDI serial converter, and the bytes that it adds, as values for a transport that
+ * only has to send them.
  */
 #ifndef FtdiSerial_h
 #define FtdiSerial_h
@@ -36,7 +36,7 @@ constexpr FtdiRequest FtdiNoFlowControl = { FtdiRequestType, 2, 0, 0 };
 constexpr FtdiRequest Ftdi8N1 = { FtdiRequestType, 4, 8, 0 };
 ///@}
 
-/** A baud rate, by the divisor that stands for it. */
+/** A baud rate, by its divisor. */
 constexpr FtdiRequest FtdiBaud(std::uint16_t divisor) noexcept
 {
   return { FtdiRequestType, 3, divisor, 0 };
@@ -58,8 +58,8 @@ struct FtdiPayload
 };
 
 /**
- * Takes the next packet off a bulk IN transfer; what it carries behind its two status bytes, which
- * is nothing where the device had nothing to say. Call it until the size is zero.
+ * Takes the next packet off a bulk IN transfer. Returns the bytes behind its two status bytes,
+ * which may be none. Call it until the size is zero.
  */
 constexpr FtdiPayload TakeFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
 {

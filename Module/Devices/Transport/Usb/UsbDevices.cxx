@@ -18,7 +18,7 @@ std::vector<int> PathOf(libusb_device* device)
   const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
   std::vector<int> path{ libusb_get_bus_number(device) };
   path.insert(path.end(), ports, ports + std::max(count, 0));
-  // Two emulated devices may have no ports.
+  // Two emulated devices may both have no ports.
   path.push_back(libusb_get_device_address(device));
   return path;
 }
@@ -79,7 +79,7 @@ std::string UsbStateOf(libusb_device* device, const UsbProduct& product)
   {
     return UsbTroubleText(result, product);
   }
-  // A driver of the kernel is detached when the device is opened.
+  // Opening the device detaches a driver of the kernel.
   if (libusb_kernel_driver_active(handle, 0) != 1)
   {
     result = libusb_claim_interface(handle, 0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which USB devices of a product are plugged in, where, and whether they can be had.
+ * The USB devices of a product that are plugged in, their ports, and whether they are free.
  */
 #ifndef UsbDevices_h
 #define UsbDevices_h
@@ -18,7 +18,9 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** libusb's own, let go of by themselves. A device keeps its context's memory: destroy it first. */
+/**
+ * libusb's handles, released automatically. A device uses its context's memory: destroy it first.
+ */
 struct UsbContextEnd
 {
   void operator()(libusb_context* context) const noexcept { libusb_exit(context); }
@@ -38,7 +40,7 @@ struct UsbProduct
   const char* Name; ///< for people: maker and product
 };
 
-/** Null, with the reason, where the system's USB can't be reached. */
+/** Null, with the reason, if the system's USB can't be reached. */
 UsbContext MakeUsbContext(std::string& error);
 
 /** The devices of a product, in the order of their bus and of the ports on the way to them. */
@@ -48,8 +50,8 @@ std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct&
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
- * Whether interface 0 could be claimed now: "available", "in use", or what is in the way and the
- * cure. Nothing is sent to the device, and a driver of the kernel stays bound.
+ * Whether interface 0 could be claimed now: "available", "in use", or the obstacle and the cure.
+ * Sends nothing to the device, and leaves a driver of the kernel bound.
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 

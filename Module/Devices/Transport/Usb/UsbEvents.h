@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Waits for USB transfers and for the servo at once.
+ * A wait for USB transfers and for the servo at once.
  */
 #ifndef UsbEvents_h
 #define UsbEvents_h
@@ -24,9 +24,9 @@ public:
   UsbEvents(UsbInterface& usb, HardwareExchange& exchange);
 
   /**
-   * Until transfers have ended, whose owners are told, the exchange wakes up, or for a time (ns).
-   * Whether it woke up; where the system can't say so it waits for a millisecond at most, and it
-   * always did.
+   * Waits until transfers have ended, which their owners are told, until the exchange wakes up, or
+   * for a time (ns). Returns whether the exchange woke up. If the system can't tell, this waits for
+   * a millisecond at most and returns true.
    */
   bool Wait(std::int64_t time) noexcept;
 

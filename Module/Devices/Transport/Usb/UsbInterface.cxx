@@ -90,7 +90,7 @@ int UsbInterface::Transfer(
   int done = 0;
   const int result =
     libusb_bulk_transfer(this->Handle, endpoint, bytes, static_cast<int>(size), &done, time);
-  // Bytes that had come when the time was over count.
+  // Bytes that came before the time was over count.
   return result == LIBUSB_SUCCESS || (result == LIBUSB_ERROR_TIMEOUT && done > 0) ? done : result;
 }
 

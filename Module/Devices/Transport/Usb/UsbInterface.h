@@ -37,7 +37,8 @@ public:
 
   ///@{
   /**
-   * Each waits until it is done or the time (ms) is over; the size, or a libusb error below zero.
+   * Each waits until it is done or the time (ms) is over. Returns the size, or a libusb error below
+   * zero.
    */
   int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
     unsigned int time) noexcept;

@@ -26,7 +26,7 @@ enum class UsbOutcome : std::uint8_t
 
 class UsbTransfer;
 
-/** Whoever waits for transfers: called while the context's events are handled, on that thread. */
+/** The owner of transfers: called on the thread that handles the context's events. */
 class UsbTransferOwner
 {
 public:
@@ -36,7 +36,7 @@ protected:
   ~UsbTransferOwner() = default;
 };
 
-/** Not to be destroyed while it flies. */
+/** Must not be destroyed while it is submitted. */
 class UsbTransfer
 {
 public:
@@ -47,17 +47,17 @@ public:
   UsbTransfer(const UsbTransfer&) = delete;
   UsbTransfer& operator=(const UsbTransfer&) = delete;
 
-  /** To send or to fill. */
+  /** The bytes to send, or to be filled. */
   std::uint8_t* GetBytes() noexcept { return this->Bytes.data(); }
-  /** How many bytes the last one moved. */
+  /** How many bytes the last transfer moved. */
   std::size_t GetSize() const noexcept;
   std::uint8_t GetEndpoint() const noexcept;
 
   /**
-   * Hands it to the system; it has no time limit of its own: Cancel it. Done where it flies now.
+   * Submits it to the system, without a time limit: use Cancel. Returns Done if it was submitted.
    */
   UsbOutcome Submit(std::size_t size) noexcept;
-  /** The owner is told when it has ended. */
+  /** Cancels it. The owner is told when it has ended. */
   void Cancel() noexcept;
   bool IsFlying() const noexcept { return this->Flying; }
 
