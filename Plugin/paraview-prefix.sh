@@ -29,7 +29,7 @@ if [ "$(cat "$prefix/version" 2> /dev/null)" = "$version" ]; then
   exit 0
 fi
 
-# What an attempt that was interrupted has left, too.
+# Also removes the remains of an interrupted attempt.
 rm -rf "${prefix:?}/usr" "$prefix/package" "$prefix/version"
 mkdir -p "$prefix/package"
 if ! (cd "$prefix/package" && apt-get download -qq "python3-paraview=$version" 2> download.log); then
@@ -40,7 +40,7 @@ if ! (cd "$prefix/package" && apt-get download -qq "python3-paraview=$version" 2
 fi
 dpkg -x "$prefix"/package/python3-paraview_*.deb "$prefix"
 
-# CMake files find everything else from where they lie themselves, so these are copied and the rest linked to.
+# CMake files find everything else relative to themselves, so these are copied and the rest linked to.
 paths=$(dpkg -L paraview paraview-dev)
 find_paths() { grep -E "^/usr/($1)\$" <<< "$paths"; }
 find_paths 'lib/[^/]+/cmake/paraview-[^/]+' | while read -r folder; do

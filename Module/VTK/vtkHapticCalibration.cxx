@@ -133,7 +133,7 @@ bool vtkHapticCalibration::Compute()
     return false;
   }
 
-  // With a fixed scale the device's points are brought to world units first.
+  // With a fixed scale the device's points are first scaled to world units.
   const bool fixed = this->FixedScale > 0.0;
   const double scale = fixed ? this->FixedScale : 1.0;
   vtkNew<vtkPoints> source;

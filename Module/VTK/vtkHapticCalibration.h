@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticCalibration
- * @brief   where a device stands in the world, from points that its stylus touched
+ * @brief   the placement of a device in the world, from points that its stylus touched
  *
- * For co-location: what the hand touches is where the eye sees it. Touch three or more points whose
- * place in the world is known, such as marks on the display, and this class finds the matrix for
- * vtkHapticDevice::SetDeviceToWorld that takes the one to the other: a rotation and a translation
- * by least squares and one uniform scale, the ratio of the spreads of the points, never a mirror
- * (vtkLandmarkTransform).
+ * For co-location: the hand then feels an object at the position at which the eye sees it. Touch
+ * three or more points whose world positions are known, such as marks on the display. This class
+ * then finds the matrix for vtkHapticDevice::SetDeviceToWorld that maps the touched positions to
+ * the known ones: a rotation and a translation by least squares, and one uniform scale, the ratio
+ * of the spreads of the points. It is never a mirror (vtkLandmarkTransform).
  *
  *   calibration->AddPoint(tip, mark);            // tip: in the device's space, m; three or more
  *   if (calibration->Compute())
@@ -17,13 +17,14 @@
  *     device->Publish();
  *   }
  *
- * GetResidual says how well the points fit; a largest residual far above it points at one that was
- * touched badly. The points have to span a triangle, whose height is 1 % of its longest side or
- * more: the wider, the better. More than three, at different depths, average out the hand's tremor.
+ * GetResidual tells how well the points fit; if the largest residual is far above it, one point was
+ * touched badly. The points have to span a triangle whose height is at least 1 % of its longest
+ * side; a wider one is better. More than three points, at different depths, average out the hand's
+ * tremor.
  *
- * While points are touched, let the device's space be the world (metres for world units: an
- * identity matrix in SetDeviceToWorld), so that vtkHapticDevice::GetTipPosition gives the first of
- * each pair.
+ * While you touch points, let the device's space be the world (an identity matrix in
+ * SetDeviceToWorld, so that a world unit is a metre): vtkHapticDevice::GetTipPosition then gives
+ * the device's position of each pair.
  *
  * @sa vtkHapticDevice, vtkHapticSetup
  */
@@ -44,7 +45,7 @@ public:
   vtkTypeMacro(vtkHapticCalibration, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** One touched point: where the device was (m, its own space), and where that is in the world. */
+  /** Adds a touched point: its position in the device's space (m), and in the world. */
   void AddPoint(const double device[3], const double world[3]) VTK_SIZEHINT(device, 3)
     VTK_SIZEHINT(world, 3);
   void RemoveAllPoints();
@@ -52,16 +53,16 @@ public:
 
   ///@{
   /**
-   * World units per metre of the device, 0 or more. 0 (default): found from the points. Fix it
-   * if the display's size is known: a rigid motion remains to be found.
+   * World units per metre of the device, 0 or more. 0 (default): computed from the points. Set it
+   * if the display's size is known: only a rigid motion is then computed.
    */
   vtkSetClampMacro(FixedScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FixedScale, double);
   ///@}
 
   /**
-   * Find the matrix. False, with an error and no change, for fewer than three points, points that
-   * are all in one place or on one line, and numbers that are not finite.
+   * Computes the matrix. False, with an error and no change, for fewer than three points, points
+   * that are all at one position or on one line, and numbers that are not finite.
    */
   bool Compute();
 
@@ -70,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Of the last successful Compute, in world units: the root of the mean square of the distances
-   * between the world's points and the transformed ones, and the largest of them. 0 before.
+   * Of the last successful Compute, in world units: the root mean square of the distances between
+   * the world's points and the transformed ones, and the largest distance. 0 before.
    */
   vtkGetMacro(Residual, double);
   vtkGetMacro(LargestResidual, double);

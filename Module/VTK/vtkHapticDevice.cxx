@@ -89,7 +89,7 @@ void vtkHapticDevice::ResetMaximumForce()
 //------------------------------------------------------------------------------
 void vtkHapticDevice::Close()
 {
-  // An observer of what follows may hold the last reference, and let go of it.
+  // An observer of the following events may hold the last reference, and release it.
   const vtkSmartPointer<vtkHapticDevice> self(this);
   this->Shut();
 }

@@ -39,12 +39,12 @@
  * The servo reads the image's own array, without a copy: give the image a new array instead of
  * resizing or refilling one that is being touched.
  *
- * Positions are in world units and forces in newtons along the world's axes, except where said.
+ * Positions are in world units and forces in newtons along the world's axes, unless stated.
  * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a
  * recording (.vtp or .csv), tick by tick. Real ones are those of vtkHapticHardware. A real device
  * that is not homed opens at once and waits for the hand, as GetStatusText tells; Arm is refused
  * until it is ready. When it is unplugged, stops answering, loses its zero, or the computer was
- * asleep, the force is cut off for good: the user brings it back, with Home() or Open(), and Arm().
+ * asleep, the force is cut and stays off until the user calls Home() or Open(), and then Arm().
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticHardware, vtkHapticRegionFilter, vtkHapticRegionPlanner
  */
@@ -69,27 +69,27 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Open a device by its id. False, with an error that says what to do, if that is not possible.
-   * Closes the one that was open.
+   * Open a device by its id, and close the one that was open. False, with an error that tells the
+   * cure, if that is not possible.
    */
   bool Open(const char* id);
-  /** Stop, and let go of the device. */
+  /** Stop, and release the device. */
   void Close();
   bool IsOpen();
   std::string GetDeviceId(); ///< The id that was opened; empty while closed.
 
   ///@{
   /**
-   * What is felt. Takes effect with Publish or Start. The filter is kept by reference; the servo
-   * never touches it.
+   * The filter whose volume is felt. Takes effect with Publish or Start. The filter is kept by
+   * reference; the servo never touches it.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
   ///@}
 
   /**
-   * Which method is felt, for people: that of the last Publish, such as "Proxy, PRECISE". While the
-   * servo does not run, that of the filter; empty without one.
+   * The name of the felt method, as users see it: that of the last Publish, such as "Proxy,
+   * PRECISE". If the servo does not run, that of the filter; empty without one.
    */
   std::string GetMethodText();
 
@@ -101,8 +101,8 @@ public:
    */
   bool Publish();
   /**
-   * Whether Publish or Start was called, with or without success, since the filter, image or
-   * surface last changed.
+   * Whether Publish or Start was called, successfully or not, since the filter, image or surface
+   * last changed.
    */
   bool IsPublished();
 
@@ -126,8 +126,8 @@ public:
   /**
    * Start the servo, with the filter as it is now (without one the tip just moves), and stop it
    * with zero force. Start is false, with an error, if no device is open, if the filter can't be
-   * touched, or if the system gives the program no more memory, threads or files: a crash would
-   * then leave the force on.
+   * touched, or if the system gives the program no more memory, threads or files: without them, a
+   * crash would leave the force on.
    */
   bool Start();
   void Stop();
@@ -168,19 +168,19 @@ public:
   void EndLongWork();
   ///@}
 
-  /** Look for the zero of a real device's encoders anew, with the hand's help; disarms. */
+  /** Search again for the zero of a real device's encoders, with the hand's help; disarms. */
   void Home();
 
   /**
-   * What a real device lights up, until Close: bits 1 green, 2 blue, 4 red of a Falcon, 1 of a
-   * SpaceMouse. Below zero (default) the lights show how the device stands.
+   * The lights of a real device, until Close: bits 1 green, 2 blue, 4 red of a Falcon, 1 of a
+   * SpaceMouse. Below zero (default) the lights show the status of the device.
    */
   void SetLights(int lights);
 
   ///@{
   /**
-   * The state of the device (StatusType), as of the last UpdateState; the text says what is wrong,
-   * and the cure.
+   * The state of the device (StatusType), as of the last UpdateState; the text names the fault and
+   * the cure.
    */
   int GetStatus();
   std::string GetStatusText();
@@ -188,10 +188,10 @@ public:
 
   ///@{
   /**
-   * Where the hand leads the tip of the virtual device (world). Without simulated dynamics the tip
-   * goes there at 2 m/s or less; the first call puts it there. PlaceVirtualTip does so at any time:
-   * the hand takes the stylus up there anew, and feels nothing of the way. Disarm before; an armed
-   * device takes it for a hand that is too fast.
+   * The position to which the hand leads the tip of the virtual device (world). Without simulated
+   * dynamics the tip goes there at 2 m/s or less; the first call puts it there. PlaceVirtualTip
+   * does so at any time: the hand takes the stylus up at a new position, and feels nothing on the
+   * way. Disarm before: an armed device would see a hand that is too fast.
    */
   void SetVirtualTip(double x, double y, double z);
   void PlaceVirtualTip(double x, double y, double z);
@@ -201,32 +201,32 @@ public:
 
   /**
    * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -
-   * damping x' with mass in kg (0: none, the default), damping in N s/m and the hand's stiffness in
-   * N/m, positions rounded to an encoder's quantum (m, 0: not) and forces delayed by ticks (0 to
-   * 16). Before Start.
+   * damping x' with mass in kg (0, the default: no dynamics), damping in N s/m and the hand's
+   * stiffness in N/m. Positions are rounded to an encoder's quantum (m; 0: not), and forces are
+   * delayed by ticks (0 to 16). Call it before Start.
    */
   void SetVirtualDynamics(
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
 
   /**
-   * Let the virtual device stand no more than another one: its force (N), stiffness (N/m), damping
-   * (N s/m), and its own friction b (N s/m), above twice which, over the tick's period, a spring is
-   * not stable. 0 does not limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0).
-   * Sets MaximumForce to half of the force, as Open does. Before Start.
+   * Give the virtual device the limits of another one: its force (N), stiffness (N/m), damping (N
+   * s/m), and its own friction b (N s/m); a spring is not stable above 2 b / period. 0 does not
+   * limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to
+   * half of the force, as Open does. Call it before Start.
    */
   void SetVirtualLimits(
     double maximumForce, double maximumStiffness, double maximumDamping, double friction);
 
   /**
-   * Take the latest state from the servo; true if it is a new one. What follows belongs to one
-   * tick.
+   * Take the latest state from the servo; true if it is a new one. The following getters belong to
+   * one tick.
    */
   bool UpdateState();
 
   ///@{
   /**
-   * Of the latest state: tip and proxy (world); what went to the device, and what was computed (N,
-   * world axes).
+   * Of the latest state: tip and proxy (world); the force sent to the device, and the computed
+   * force (N, world axes).
    */
   double* GetTipPosition() VTK_SIZEHINT(3);
   double* GetProxyPosition() VTK_SIZEHINT(3);
@@ -235,15 +235,15 @@ public:
   ///@}
   int GetButtons(); ///< Of the latest state: bit 0 is the main button.
   /**
-   * Of the latest state (rad/s, the device's axes): how fast a SpaceMouse asks the volume to turn.
+   * Of the latest state (rad/s, the device's axes): how fast a SpaceMouse turns the volume.
    */
   double* GetTurnRate() VTK_SIZEHINT(3);
   /** Of the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
   int GetContact();
   ///@{
   /**
-   * Of the latest state: V(x_s), the value in the surface; what it, friction and the medium take of
-   * the force (N).
+   * Of the latest state: V(x_s), the value in the surface; the parts of the force that the surface,
+   * friction and the medium take (N).
    */
   double GetSurfaceValue();
   double GetNormalForce();
@@ -252,16 +252,16 @@ public:
   ///@}
   ///@{
   /**
-   * Of the latest state (world): the unit normal inwards; x_s and x_v, where the materials were
-   * read (fig. 4).
+   * Of the latest state (world): the unit normal inwards; the positions x_s and x_v at which the
+   * materials were read (fig. 4).
    */
   double* GetNormal() VTK_SIZEHINT(3);
   double* GetSurfacePosition() VTK_SIZEHINT(3);
   double* GetMediumPosition() VTK_SIZEHINT(3);
   ///@}
   /**
-   * Of the latest state: the share of the force, 0 to 1, that missing data around the tip
-   * (vtkHapticRegionFilter), FadeOut, AttentionTime and long work leave; 1 without any of these.
+   * Of the latest state: the share of the force, 0 to 1, that is left by missing data around the
+   * tip (vtkHapticRegionFilter), FadeOut, AttentionTime and long work; 1 without any of these.
    * Changes by 1 in 50 ms at most. The ramp after Arm is not part of it.
    */
   double GetResidency();
@@ -270,13 +270,13 @@ public:
   double GetTime();
 
   /**
-   * Every state since the last call, oldest first, as rows of a table that is overwritten: columns
-   * Time (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact, Armed, Fault,
-   * Residency, and with three components Tip, Proxy (world), Force (computed) and Command (sent; N,
-   * world axes). The first call begins to keep states; a reader that does not call for 100000 ticks
-   * loses the oldest. Readers are told apart by number, and each gets all states; nullptr as the
-   * table ends the reading. The first vtkInteractorStyleHaptic of a device has number 0, further
-   * ones have -1, -2 and so on: see AddReader.
+   * All states since the last call, oldest first, as rows of a table that is overwritten. Its
+   * columns are Time (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact,
+   * Armed, Fault, Residency, and with three components Tip, Proxy (world), Force (computed) and
+   * Command (sent; N, world axes). The first call begins to keep states; a reader that does not
+   * call for 100000 ticks loses the oldest. Each reader has a number, and gets all states; a call
+   * with nullptr as the table ends the reading. The first vtkInteractorStyleHaptic of a device has
+   * number 0, further ones have -1, -2 and so on: see AddReader.
    */
   void DrainStates(vtkTable* states, int reader = 0);
 
@@ -292,8 +292,8 @@ public:
 
   ///@{
   /**
-   * Longest force (N) on the hand, at most the device's own maximum. Default, and with
-   * ResetMaximumForce again: half of that, of any device that is opened.
+   * Longest force (N) on the hand, at most the device's own maximum. Half of that by default, for
+   * every device that is opened; ResetMaximumForce returns to this default.
    */
   void SetMaximumForce(double force);
   void ResetMaximumForce();
@@ -305,7 +305,7 @@ public:
    * Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that
    * becomes smaller does so at once, and one that turns takes its new direction at once. A limit on
    * these, too, would push the hand off a stiff wall with more energy than the hand put in. For the
-   * same reason, a wall that was hit so fast that its force was limited stays softer until the tip
+   * same reason, if a wall is hit so fast that its force is limited, it stays softer until the tip
    * leaves it or presses deeper.
    */
   void SetMaximumForceRate(double rate);
@@ -314,11 +314,11 @@ public:
 
   ///@{
   /**
-   * How long (s) an armed device keeps its force if the program stands still, since a window that
-   * hangs can't stop the device. If the program calls none of UpdateState, DrainStates, Publish and
-   * Arm and sets no limit for that long, the servo fades the force out, and a fault holds until
-   * Arm. 0.05 or more, default 2; 0 turns it off, for programs that call the device rarely. Work
-   * between BeginLongWork and EndLongWork does not count.
+   * How long (s) an armed device keeps its force if the program stands still: a window that hangs
+   * can't stop the device. If for that long the program calls none of UpdateState, DrainStates,
+   * Publish and Arm, and sets no limit, the servo fades the force out, and a fault holds until Arm.
+   * 0.05 or more, default 2; 0 turns it off, for programs that call the device rarely. Work between
+   * BeginLongWork and EndLongWork does not count.
    */
   void SetAttentionTime(double seconds);
   vtkGetMacro(AttentionTime, double);
@@ -327,11 +327,11 @@ public:
   ///@{
   /**
    * Record every tick, with settings, units, device and a hash of the volume, until StopRecording
-   * writes it to a .vtp, or to a .csv with what is not of a tick in a .csv.json beside it. A .vtp
-   * on port 1 of vtkVolumeHapticsFilter gives the same forces to the bit, as long as nothing but
-   * the placement of the device changed while it was made. Needs a running servo and a filter. A
-   * region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no one image
-   * could replay it.
+   * writes it to a .vtp, or to a .csv with all data that do not belong to a tick in a .csv.json
+   * beside it. On port 1 of vtkVolumeHapticsFilter a .vtp gives the same forces to the bit, as long
+   * as only the placement of the device changed during the recording. Needs a running servo and a
+   * filter. A region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no
+   * single image could replay it.
    *
    * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
    * Tick, Buttons, Armed, Fault, Share (0 to 1: how much of Force the gate let through) and Reason
@@ -365,9 +365,9 @@ public:
   ///@{
   /**
    * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration
-   * (s) that a percentage p (0 to 100) of ticks, or of wake-ups after their time, stayed below, to
+   * (s) that a percentage p (0 to 100) of ticks, or of the delays of wake-ups, do not exceed, to
    * 1/8 of it; ticks that were left out because the loop was late; ticks whose force was held back
-   * since the data around the tip were not here (GetResidency); and ticks that solver PRECISE could
+   * because data around the tip were missing (GetResidency); and ticks that solver PRECISE could
    * not finish (a tip that jumps by tens of voxels), which the next ones did.
    */
   double GetTickRate();

@@ -176,8 +176,8 @@ double vtkHapticFunctionEditor::EstimateUpdateTime()
 void vtkHapticFunctionEditor::Update()
 {
   auto& d = *this->Internals;
-  const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may let go of it
-  // Observers may render meanwhile: that shows the chart as it is.
+  const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
+  // Observers may render during the work: that shows the chart as it is.
   if (!d.IsCounting && !d.Chart.ShowsData(d.Image, d.GetComponent()))
   {
     d.IsCounting = true;
@@ -219,7 +219,7 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
     event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent;
   if (d.Held == 0 ? !this->Contains(x, y) : starts && d.Held != button)
   {
-    return d.Held != 0; // a second button while one drags is taken, and does nothing
+    return d.Held != 0; // a second button during a drag is taken, and does nothing
   }
   if (event == vtkCommand::LeftButtonReleaseEvent && d.Held != button)
   {
@@ -286,7 +286,7 @@ int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
   d.Renderer = vtkRenderer::SafeDownCast(viewport);
   if (d.CanDraw == -1)
   {
-    // A chart without a device to draw on would crash.
+    // A chart that has no device to draw on would crash.
     const auto device = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     d.CanDraw = device ? 1 : 0;
     if (!device)

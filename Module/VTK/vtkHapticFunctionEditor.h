@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticFunctionEditor
- * @brief   an editor in the scene for what a volume feels like
+ * @brief   an editor in the scene for the feel of a volume
  *
  * A chart over the view that shows one of the functions of a vtkHapticProperty, or the scalar
  * opacity of a vtkVolumeProperty, over the histogram of the data (on a logarithmic scale), with
@@ -14,27 +14,27 @@
  *   renderer->AddViewProp(editor);
  *
  * Left button: drag a point; a click beside the points adds one. Middle button: remove a point.
- * Right button: select points, which then move together. The first and the last point move up and
- * down only. The title tells value and place of the point that was touched last. Where a point was
+ * Right button: select points, which then move together. The first and the last point only move up
+ * and down. The title shows value and position of the point that was touched last. If a point is
  * left at the top of the chart, the axis grows.
  *
- * Edits are live: they change the vtkPiecewiseFunction itself, so that the property's MTime
- * advances; the hand feels them with the next vtkHapticDevice::Publish. To be told, observe
+ * Edits are live: they change the vtkPiecewiseFunction itself, so the property's MTime advances;
+ * the hand feels them with the next vtkHapticDevice::Publish. To follow edits, observe
  * vtkCommand::ModifiedEvent of the function, or vtkCommand::InteractionEvent of this editor, which
- * follows every event of the mouse that changed something.
+ * is invoked after every mouse event that changed something.
  *
- * An empty function is shown as the constant that it stands for, without points, and stays empty
- * until the first point is added: that adds the constant at both ends of the axis, too. So nothing
- * that is felt changes by looking.
+ * An empty function is shown as its constant, without points, and stays empty until the first point
+ * is added: that adds the constant at both ends of the axis, too. So looking at a function never
+ * changes it.
  *
- * The editor takes no events by itself. An interactor style hands it those that it wants:
+ * The editor takes no events by itself. An interactor style passes the events that it wants:
  *
  *   bool used = editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);
  *   bool used = editor->MouseMove(x, y);          // and render, if used
  *   bool used = editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);
  *
- * with display coordinates, as vtkRenderWindowInteractor::GetEventPosition gives them. Each is true
- * where the style should leave the event alone: within the editor, or while it drags.
+ * with display coordinates, as vtkRenderWindowInteractor::GetEventPosition gives them. Each returns
+ * true if the style should ignore the event: it is within the editor, or the editor drags a point.
  *
  * @sa vtkHapticProperty, vtkHapticDevice, vtkHapticSetup
  */
@@ -61,7 +61,8 @@ public:
 
   ///@{
   /**
-   * Whose haptic functions are edited. Its component is that of histogram and opacity.
+   * The property whose functions are edited. Its component is that of the histogram and the
+   * opacity.
    */
   void SetProperty(vtkHapticProperty* property);
   vtkHapticProperty* GetProperty();
@@ -69,7 +70,7 @@ public:
 
   ///@{
   /**
-   * Whose scalar opacity is edited.
+   * The volume property whose scalar opacity is edited.
    */
   void SetVolumeProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetVolumeProperty();
@@ -95,8 +96,8 @@ public:
 
   ///@{
   /**
-   * The function that is edited. Default STIFFNESS. NextFunction goes through all that there is a
-   * property for, in the order above.
+   * The edited function. Default STIFFNESS. NextFunction goes through all functions whose property
+   * is set, in the order above.
    */
   void SetFunction(int function);
   vtkGetMacro(Function, int);
@@ -111,7 +112,7 @@ public:
   /** Its name and unit, as the title shows them: "Stiffness (N/m)". */
   std::string GetTitle();
 
-  /** The function itself; nullptr where its property is not set. */
+  /** The function itself; nullptr if its property is not set. */
   vtkPiecewiseFunction* GetPiecewiseFunction();
 
   ///@{
@@ -129,15 +130,15 @@ public:
   /**
    * Update computes the histogram again if the data have changed, and invokes
    * vtkCommand::StartEvent before and vtkCommand::EndEvent after that. Mouse events and rendering
-   * call it, too. EstimateUpdateTime returns about how long (s) it will take on a desktop computer,
-   * 0 if the histogram is up to date. If that is long, vtkInteractorStyleHaptic fades the force out
-   * meanwhile.
+   * also call it. EstimateUpdateTime returns how long (s) it will take on a desktop computer,
+   * approximately; 0 if the histogram is up to date. If that is long, vtkInteractorStyleHaptic
+   * fades the force out first.
    */
   void Update();
   double EstimateUpdateTime();
   ///@}
 
-  /** Whether a place on the display (pixels) is within the editor, and that is visible. */
+  /** True if the editor is visible and a position on the display (pixels) is within it. */
   bool Contains(int x, int y);
 
   enum ButtonType
@@ -149,7 +150,7 @@ public:
 
   ///@{
   /**
-   * Events of the mouse at a place on the display (pixels). True if the editor takes it.
+   * Mouse events at a position on the display (pixels). True if the editor uses the event.
    */
   bool MouseMove(int x, int y);
   bool ButtonPress(int button, int x, int y);
@@ -158,7 +159,7 @@ public:
   ///@}
 
   /**
-   * Where a value and a function's value stand on the display (pixels), after a render.
+   * The position on the display (pixels) of a data value and a function's value, after a render.
    */
   void GetDisplayPosition(double value, double functionValue, double position[2])
     VTK_SIZEHINT(position, 2);

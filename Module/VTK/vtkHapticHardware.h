@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticHardware
- * @brief   which devices there are, and what has to be known to open them
+ * @brief   the devices that exist, and the settings for opening them
  *
  * The superclass of vtkHapticDevice. Devices are reached without vendors' libraries:
  *
@@ -17,18 +17,18 @@
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
  *
- * N counts from 0; left out, it is the first one. None of this was verified on physical hardware
- * yet: all of it runs against emulated devices, which answer as public descriptions of the
+ * N counts from 0; without it, the first one is meant. None of this was verified on physical
+ * hardware yet: all of it runs against emulated devices, which answer as public descriptions of the
  * protocols say. Vendors' own libraries are added with AddDeviceKind.
  *
- * If the program can't send zero force any more, as after SIGKILL (see vtkHapticDevice), only the
- * watchdog of the device itself ends the force: WoodenHaptics lets go after half a second, a wheel
- * within a tenth of a second. No watchdog is known of the Falcon: it may keep its last force until
- * it is switched off.
+ * If the program can't send zero force any more, for example after SIGKILL (see vtkHapticDevice),
+ * only the watchdog of the device itself ends the force: WoodenHaptics ends it after half a second,
+ * a wheel within a tenth of a second. No watchdog is known for the Falcon: it may keep its last
+ * force until it is switched off.
  *
- * On Linux a user needs permission: the udev rules 70-volume-haptics.rules that are installed with
- * this library give it to the user who sits at the computer. If it is missing, ListDevices and Open
- * say the rule.
+ * On Linux a user needs permission for the device. The installed udev rules,
+ * 70-volume-haptics.rules, grant it to the user who is logged in at the computer. If they are
+ * missing, the messages of ListDevices and Open contain the rule that is needed.
  */
 #ifndef vtkHapticHardware_h
 #define vtkHapticHardware_h
@@ -55,7 +55,7 @@ public:
   vtkTypeMacro(vtkHapticHardware, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Where a device stands. */
+  /** The status of a device. */
   enum StatusType
   {
     CLOSED = 0,
@@ -63,17 +63,16 @@ public:
     FIRMWARE = 2, ///< waits for its firmware
     HOMING = 3,   ///< waits for its encoders to be homed
     READY = 4,    ///< can be started, or runs unarmed
-    ARMED = 5,    ///< armed; no force yet, since the servo does not run or gets no samples
+    ARMED = 5,    ///< armed; no force yet, because the servo does not run or gets no samples
     ACTIVE = 6,   ///< force flows
     FAULT = 7     ///< cut off until armed again, or lost
   };
 
   ///@{
   /**
-   * The devices that Open can be given now: their ids, "virtual" first; "replay:FILE" is not among
-   * them. ListDevices overwrites a table with the columns Id, Name (maker, product, and where it is
-   * plugged in) and State: "available", "in use", or what is in the way and the cure. Each call
-   * looks anew.
+   * The ids that Open accepts now, "virtual" first; "replay:FILE" is not among them. ListDevices
+   * overwrites a table with the columns Id, Name (maker, product, and where it is plugged in) and
+   * State: "available", "in use", or the obstacle and the cure. Each call looks again.
    */
   static vtkStringArray* EnumerateDevices();
   static void ListDevices(vtkTable* devices);
@@ -82,16 +81,16 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * Makes a kind of devices known to this process, such as one that needs its vendor's library: see
-   * DeviceKind.h, and Examples/Cxx/VendorDevice.cxx. False, with an error, where the name is taken.
+   * DeviceKind.h, and Examples/Cxx/VendorDevice.cxx. False, with an error, if the name is taken.
    */
   static bool AddDeviceKind(const VolumeHaptics::DeviceKind& kind);
 #endif
 
   ///@{
   /**
-   * The image that is loaded into a Novint Falcon that has none. It belongs to Novint and can't be
-   * passed on with this library: it is the file that comes with their drivers. Default: what the
-   * environment variable VOLUMEHAPTICS_FALCON_FIRMWARE says, else none. Takes effect with Open.
+   * The firmware image for a Novint Falcon that has none. It belongs to Novint and can't be
+   * distributed with this library: it is the file that comes with their drivers. Default: the value
+   * of the environment variable VOLUMEHAPTICS_FALCON_FIRMWARE, else none. Takes effect with Open.
    */
   void SetFirmwareFile(const std::string& file);
   std::string GetFirmwareFile() const

@@ -40,7 +40,7 @@ struct Tissue
   double To;
 };
 
-/** VTK's clamp lets NaN through: the default then. */
+/** VTK's clamp lets NaN through; it then becomes the default. */
 double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
@@ -54,9 +54,9 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   HapticForceHistory History;
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
-  std::chrono::steady_clock::time_point Drawn; // when the picture was made
+  std::chrono::steady_clock::time_point Drawn; // the time of the last picture
   vtkNew<vtkTextActor> Text;
-  vtkNew<vtkTable> PlotTable; // that is given out
+  vtkNew<vtkTable> PlotTable; // the table for the caller
   int CanDraw = -1;           // not known yet
 
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
@@ -170,7 +170,7 @@ vtkIdType vtkHapticHeadUpDisplay::GetNumberOfStates()
 //------------------------------------------------------------------------------
 vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
 {
-  // Not the one that is drawn, which has to stay as it is.
+  // Not the table that is drawn, which has to stay unchanged.
   auto& d = *this->Internals;
   d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));
   return d.PlotTable;
@@ -212,8 +212,8 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   const int code = device->GetStatus();
   const bool asksHand = code == vtkHapticDevice::FAULT || code == vtkHapticDevice::HOMING ||
     code == vtkHapticDevice::FIRMWARE;
-  // A request to the hand, or a fault with its cure, over two lines; else the first sentence
-  // says enough.
+  // A request to the hand, or a fault with its cure, takes two lines; otherwise the first sentence
+  // is enough.
   const std::size_t sentence = status.find(". ");
   if (sentence != std::string::npos)
   {
@@ -257,7 +257,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   }
   if (d.CanDraw == -1)
   {
-    // A chart without a device to draw on would crash.
+    // A chart that has no device to draw on would crash.
     const auto context = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     d.CanDraw = context ? 1 : 0;
     if (context)
@@ -277,7 +277,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   }
   const int* const size = viewport->GetSize();
   d.Chart.Fit(size[0], size[1]);
-  // In a renderer in software the chart costs some milliseconds, its picture a tenth of one.
+  // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now - d.Drawn >= std::chrono::milliseconds(50);
   const double span = GetShownSpan(this->TimeSpan);

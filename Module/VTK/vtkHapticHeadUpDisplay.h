@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticHeadUpDisplay
- * @brief   what is felt, in figures and as a plot, over the scene
+ * @brief   forces and contact, in figures and as a plot, over the scene
  *
- * The plot shows the last seconds of the normal, friction and drag force and, in grey, the whole
- * force that went to the hand; its title is the method that is felt. The text shows the device's
- * status, or its fault; the rate of the servo and the ticks it has missed; the force, the contact
- * and the tissue that is touched.
+ * The plot shows the normal, friction and drag force of the last seconds and, in grey, the whole
+ * force that was sent to the hand; its title is the method. The text shows the device's status, or
+ * its fault; the rate of the servo and the ticks it has missed; the force, the contact and the
+ * touched tissue.
  *
  *   display->SetDevice(device);
  *   display->AddTissue("bone", 300.0, 3000.0);
@@ -38,7 +38,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whose status is shown; its state is that of its last UpdateState(). */
+  /** The device whose status is shown, as of its last UpdateState(). */
   void SetDevice(vtkHapticDevice* device);
   vtkHapticDevice* GetDevice();
   ///@}
@@ -46,7 +46,7 @@ public:
   ///@{
   /**
    * Append states, as vtkHapticDevice::DrainStates gives them, and forget all of them. An error
-   * names a column that is missing. Time that runs backwards begins anew.
+   * names a column that is missing. If time runs backwards, the plot starts again.
    */
   void AddStates(vtkTable* states);
   void Clear();
@@ -73,28 +73,30 @@ public:
   ///@}
 
   ///@{
-  /** Names of ranges of values, from (inclusive) to (exclusive). The first that fits counts. */
+  /**
+   * Names of ranges of values, from (inclusive) to (exclusive). The first range that fits counts.
+   */
   void AddTissue(const char* name, double from, double to);
   void RemoveAllTissues();
   std::string GetTissueName(double value);
   ///@}
 
   ///@{
-  /** Something that is to be known, below the text until it is taken back. Default empty. */
+  /** A notice for the user, shown below the text until it is set to empty. Default empty. */
   vtkSetStdStringFromCharMacro(Notice);
   vtkGetCharFromStdStringMacro(Notice);
   ///@}
 
-  /** How many states the plot goes over. */
+  /** The number of states in the plot. */
   vtkIdType GetNumberOfStates();
   /**
-   * What is plotted: columns Time (s, up to 0), Normal, Friction, Drag and Whole (N). The smallest
-   * and the largest of each of a few hundred intervals, so that no peak is lost.
+   * The plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N). They hold the
+   * smallest and the largest value in each of a few hundred intervals, so that no peak is lost.
    */
   vtkTable* GetPlotTable();
   /** Upper end of the force axis (N): 1, 2 or 5 times a power of ten. */
   double GetForceRange();
-  /** The text as it would be shown, and the plot's title: which method is felt. */
+  /** The text as it would be shown, and the plot's title: the name of the method. */
   std::string GetText();
   std::string GetPlotTitle();
 

@@ -29,7 +29,7 @@ namespace
 {
 using VolumeHaptics::Vector3;
 
-/** More are a mistake in a unit, and would not fit into memory. */
+/** More points are a mistake in a unit, and would not fit into memory. */
 constexpr double MostPoints = 1e8;
 
 Vector3 ToVector(const double x[3])
@@ -37,7 +37,7 @@ Vector3 ToVector(const double x[3])
   return { x[0], x[1], x[2] };
 }
 
-/** A point a tip, in one polyline; the array Time only where there are times. */
+/** A point for each tip, in one polyline; the array Time only if there are times. */
 void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -176,7 +176,7 @@ std::string vtkHapticPathSource::GiveOutFile(vtkPolyData* output) const
   }
   if (VolumeHaptics::GetTraceEnding(this->FileName) == ".vtp")
   {
-    // With all that it carries, which a replay to the bit needs.
+    // With all arrays of the file, which an exact replay needs.
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(this->FileName.c_str());
     reader->Update();
@@ -211,7 +211,7 @@ std::string vtkHapticPathSource::GiveOutShape(vtkPolyData* output) const
       ? "The haptic path has no length: Point1 and Point2 are the same. Move one of them."
       : "The haptic path has no length. Set Depth, Clearance or BoxSize to more than 0.";
   }
-  // A last step that is only there by rounding is none.
+  // A last step that only rounding produces does not count.
   const double steps = std::ceil(curve.Length / this->Speed * this->PointsPerSecond - 1e-6);
   if (!(steps < MostPoints))
   {

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticPathSource
- * @brief   the way of a stylus' tip, to be felt by vtkVolumeHapticsFilter
+ * @brief   the path of a stylus' tip, to be felt by vtkVolumeHapticsFilter
  *
- * A line, a circle, a spiral, a press that slides and lifts, or what a file holds. The hand moves
- * with constant speed along the path; the output has a point where it is at each tick,
+ * A line, a circle, a spiral, a press that slides and lifts, or the contents of a file. The hand
+ * moves with constant speed along the path; the output has a point for its position at each tick,
  *
  *   x_i = x(i L / n),  i = 0 ... n,
  *   n = the least whole number with L / n <= Speed / PointsPerSecond,
  *
  * L the length of the path, in one polyline, with the point array Time (s), i / PointsPerSecond. So
- * the filter resamples it where its ServoRate is another, and what is felt is as fast as before.
+ * the filter resamples it if its ServoRate differs, and what is felt is as fast as before.
  *
- * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, a
- * file that is none) give one error that names them and the cure, and an empty output.
+ * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, an
+ * unusable file) give one error that names them and the cure, and an empty output.
  *
  * @sa vtkVolumeHapticsFilter
  */
@@ -181,10 +181,10 @@ public:
 
   ///@{
   /**
-   * What FROM_FILE reads. A .vtp is given out as it is: a recording of vtkHapticDevice is then
-   * replayed to the bit. A .csv has a line a point, with the columns "Tip x", "Tip y" and "Tip z",
-   * as the project's own traces have, or "Points:0" to "Points:2", as ParaView exports, or "x", "y"
-   * and "z", all in world units; and "Time" (s), where it has that. Default: none.
+   * The file for FROM_FILE. A .vtp is passed on unchanged: a recording of vtkHapticDevice is then
+   * replayed to the bit. A .csv has a line for each point, with the columns "Tip x", "Tip y" and
+   * "Tip z", as in the project's own traces, or "Points:0" to "Points:2", as ParaView exports, or
+   * "x", "y" and "z", all in world units; and optionally "Time" (s). Default: none.
    */
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);

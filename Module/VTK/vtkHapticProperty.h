@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticProperty
- * @brief   what the tissues of a volume feel like
+ * @brief   the feel of a volume's tissues
  *
  * The haptic sibling of vtkVolumeProperty: transfer functions turn the scalar value into a
  * material, and the gradient magnitude into how distinct a surface is (table 1 of Lundin, Ynnerman
@@ -19,10 +19,10 @@
  * surface impenetrable, 0 makes it penetrable without resistance. The viscosity is a Coulomb drag
  * ("3-D friction"): R newtons against any motion. Below 0.001 N/m of stiffness nothing is felt.
  *
- * A function that has no points stands for its default. vtkPiecewiseFunction's midpoints, sharpness
- * and clamping are honoured. For the servo they are baked into tables: pieces that are linear, and
- * steps, are reproduced exactly; curved pieces to within 0.01 % of the piece's height and 0.1 % of
- * the value.
+ * A function without points stands for its default. vtkPiecewiseFunction's midpoints, sharpness and
+ * clamping are honoured. For the servo the functions are baked into tables: linear pieces and steps
+ * are reproduced exactly, curved pieces to within 0.01 % of the piece's height and 0.1 % of the
+ * value.
  *
  * @sa vtkVolumeHapticsFilter, vtkVolumeProperty
  */
@@ -97,10 +97,10 @@ public:
    * the noise is estimated from the flattest blocks of the image. This is for a Distinctness
    * without points; off, that stands for 1.
    *
-   * The noise is estimated again after the image or its array is Modified(): call that after you
-   * changed values in place. Distinctness is 1 if the image has no noise. NoiseRamp has the two
-   * gradient magnitudes (scalar units per world unit) of the ramp that was set last, when a
-   * filter with this property last ran or was published; 0, 0 if none was.
+   * The noise is estimated again after the image or its array is Modified(): call that if you
+   * change values in place. Distinctness is 1 if the image has no noise. NoiseRamp has the two
+   * gradient magnitudes (scalar units per world unit) of the last ramp, set when a filter with this
+   * property last ran or was published; 0, 0 if there was none.
    */
   vtkSetMacro(DistinctnessFromNoise, bool);
   vtkGetMacro(DistinctnessFromNoise, bool);
@@ -168,9 +168,9 @@ public:
 
   ///@{
   /**
-   * What the opacity functions of this volume property hide is not felt: surface strength and
-   * viscosity are zero where its scalar opacity or its gradient opacity is zero. nullptr (default)
-   * detaches. The opacity of the touched component is used (of component 0 where components are not
+   * Voxels that the opacity functions of this volume property hide are not felt: surface strength
+   * and viscosity are zero if the scalar opacity or the gradient opacity is zero. nullptr (default)
+   * detaches. The opacity of the touched component is used (of component 0 if components are not
    * independent). As in VTK's volume mappers, gradient opacity is a function of the gradient
    * magnitude per average voxel spacing.
    */

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticRegionFilter
- * @brief   a part of a volume that can be touched as if the whole were there
+ * @brief   a part of a volume that can be touched as if the whole were here
  *
- * Crops the image on port 0 to Region, with the array that is touched (SetInputArrayToProcess;
- * default the active scalars), and writes down what vtkVolumeHapticsFilter has to know of the
- * whole. Where a volume is too large to be where the hand is (on a server, out of core), a small
- * region around the tip is sent from time to time; vtkHapticRegionPlanner says which and when.
+ * Crops the image on port 0 to Region, with the touched array (SetInputArrayToProcess; default the
+ * active scalars), and writes the facts about the whole that vtkVolumeHapticsFilter needs. If a
+ * volume is too large for the memory at the hand (it is on a server, or out of core), a small
+ * region around the tip is sent from time to time; vtkHapticRegionPlanner plans which and when.
  *
- * The output keeps origin, spacing, direction and the indices that the region has in the whole, and
+ * The output keeps origin, spacing, direction and the indices that the region has in the whole. It
  * has the field arrays
  *
  *   HapticWholeExtent   6 integers; the extent of the whole volume
@@ -18,17 +18,16 @@
  *                       DistinctnessFromNoise
  *   HapticBorderValue   scalar, one number a component; stands in for samples that are NaN or
  *                       infinite: the first finite corner of the whole
- *   HapticWholeTime     optional, a number; another one whenever the whole has changed. Regions of
- *                       the same whole with the same number take each other's place under a hand
- *                       that presses, without a trace
+ *   HapticWholeTime     optional, a number that changes whenever the whole changes. If regions of
+ *                       the same whole have the same number, one replaces the other under a
+ *                       pressing hand without the hand noticing it
  *
- * vtkVolumeHapticsFilter takes an image with these for a region. At borders that are
- * not the whole's own, the force then does not end at a surface but fades
- * (vtkHapticDevice::GetResidency).
+ * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders that are not the
+ * whole's own, the force then does not end at a surface but fades (vtkHapticDevice::GetResidency).
  *
- * Collecting the noise needs the whole once; it is kept until the input changes. A subclass for
- * volumes that lie in pieces on several processes overrides the three protected virtual functions
- * (C++ only), and includes "Core/Field/NoiseSamples.h".
+ * Collecting the noise needs the whole once; the result is kept until the input changes. A subclass
+ * for volumes that lie in pieces on several processes overrides the three protected virtual
+ * functions (C++ only), and includes "Core/Field/NoiseSamples.h".
  *
  * @sa vtkHapticRegionPlanner, vtkVolumeHapticsFilter, vtkHapticDevice
  */
@@ -59,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Which part (an extent, in the whole's indices), clipped to the whole. Default (0, -1, 0, -1, 0,
-   * -1): the whole. One that has no part of the whole in it is an error.
+   * The region (an extent, in the whole's indices); it is clipped to the whole. Default (0, -1, 0,
+   * -1, 0, -1): the whole. A region outside the whole is an error.
    */
   vtkSetVector6Macro(Region, int);
   vtkGetVector6Macro(Region, int);
@@ -87,24 +86,24 @@ protected:
   using SamplesOfComponents = std::vector<VolumeHaptics::NoiseSamples>;
 
   /**
-   * Whether the samples that were gathered last still hold, for an input that is as it was at a
-   * time (here). Every process has to say the same. Default: whether it is the time of the last
-   * ones.
+   * Whether the samples gathered last are still valid for the input, whose modification time in
+   * this process is `time`. All processes must return the same. Default: true if `time` is the one
+   * at which they were gathered.
    */
   virtual bool IsCurrent(vtkMTimeType time);
 
   /**
-   * Completes what the piece that is here gave (one entry a component; none where it has no array)
-   * with what the other pieces give: see NoiseSamples::Merge. Afterwards, the entries of all
-   * processes, or at least of those that use the output, are those of the whole. Default: nothing,
-   * since the piece is the whole.
+   * Completes the samples of this process' piece (one entry for each component; none if the piece
+   * has no array) with those of the other pieces: see NoiseSamples::Merge. Afterwards the entries
+   * of all processes, or at least of those that use the output, are those of the whole. Default:
+   * does nothing, because the piece is the whole.
    */
   virtual void GatherSamples(SamplesOfComponents& samples);
 
   /**
-   * Writes the array of a region of the whole, of which `piece` holds the part here, into an output
-   * that has its geometry; the array may be null where the piece is empty. Default: a copy, which
-   * needs all of it in the piece. False, with the reason in `error`, where parts are missing.
+   * Writes the array of a region of the whole into an output that has its geometry. `piece` holds
+   * the part of this process; the array may be null if the piece is empty. Default: a copy, which
+   * needs the whole region in the piece. False, with the reason in `error`, if parts are missing.
    */
   virtual bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     vtkImageData* output, std::string& error);
@@ -116,7 +115,7 @@ protected:
   static void CopySamples(
     vtkDataArray* from, const int fromExtent[6], vtkDataArray* to, const int toExtent[6]);
 
-  /** The samples of its whole that a piece holds, one entry a component. */
+  /** The samples of its whole that a piece holds, one entry for each component. */
   static SamplesOfComponents CollectSamples(
     vtkDataArray* array, const int extent[6], const int whole[6]);
 
@@ -124,7 +123,7 @@ private:
   void WriteFacts(const int whole[6], vtkImageData* output);
   bool ClipRegion(const int whole[6], int region[6]) const;
 
-  std::vector<double> Noise; // a component each
+  std::vector<double> Noise; // one for each component
   std::vector<double> BorderValues;
 #endif
 

@@ -27,7 +27,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** No hand stretches the spring further (m) where nothing limits the force. */
+/** The longest stretch (m) of the spring by a hand if nothing limits the force. */
 constexpr double LongestSpring = 0.05;
 
 Matrix3 IndexToWorld(const double direction[9], const double spacing[3])
@@ -54,7 +54,7 @@ RegionNeeds NeedsOf(vtkHapticRegionPlanner* p)
 }
 
 /**
- * The largest (T_N sqrt(1 + mu^2) + R) / k, in metres: between points of the functions it is no
+ * The largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Between points of the functions it is not
  * larger.
  */
 double FindSpring(vtkHapticProperty* property)
@@ -143,8 +143,8 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
   double voxels = radius + ResidencySpare;
   if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
   {
-    // See Residency.cxx: the corners of the cube in which a surface is looked for, and how it bends
-    // there.
+    // See Residency.cxx: the corners of the cube in which a surface is searched for, and the reach
+    // of its curvature.
     voxels += LocalCornerReach + radius;
   }
   this->SetReach(voxels * voxel +

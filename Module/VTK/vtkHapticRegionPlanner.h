@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticRegionPlanner
- * @brief   which part of a volume that is somewhere else has to come to the hand next, and when
+ * @brief   plans which part of a remote volume the hand needs next, and when
  *
- * From where the tip is and how fast it goes, Plan says which region is wanted, and whether it is
- * to be fetched now: before the tip can leave the one that is here. With the latency t, the speed
- * v_max that no hand exceeds, the spring's length T_N/k, the reach r and the band b, the half-width
- * of a region is
+ * From the position and velocity of the tip, Plan finds the wanted region, and whether to fetch it
+ * now: before the tip can leave the resident one. With the latency t, the speed v_max that no hand
+ * exceeds, the spring's length T_N/k, the reach r and the band b, the half-width of a region is
  *
  *   h = v_max t + T_N/k + r + b
  *
- * world units round x + t v, the place where the tip will be when it comes; clipped to the whole,
- * and cut to MaximumVoxels. A region that is cut is only as far ahead as leaves a hand that stops
- * its data. Where the whole has no more voxels than that, it is the whole. It is fetched as soon as
- * the resident one leaves the tip less than half the room that the wanted one would, so that a
- * resting hand fetches nothing.
+ * world units around x + t v, the position of the tip when the region comes. It is clipped to the
+ * whole, and cut to MaximumVoxels. A region that was cut lies less far ahead, so that a hand that
+ * stops still has its data. If the whole has no more than MaximumVoxels, the region is the whole.
+ * It is fetched as soon as the resident region leaves the tip less than half the room that the
+ * wanted one would, so that a resting hand fetches nothing.
  *
  *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);
  *   planner->UseSettingsOf(haptics);                      // T_N/k, r, b, metres a world unit
@@ -73,16 +72,16 @@ public:
 
   /**
    * Take all of the above from an image: the whole itself, or a region of it that
-   * vtkHapticRegionFilter has made. False, with an error, where it is null or its field arrays are
+   * vtkHapticRegionFilter has made. False, with an error, if it is null or its field arrays are
    * malformed.
    */
   bool SetWhole(vtkImageData* image);
 
   /**
    * Take SpringLength, Reach, Band and MetersPerWorldUnit from the settings and the property of a
-   * filter, and the Spacing and Direction that are set here. SpringLength is the largest (T_N
-   * sqrt(1 + mu^2) + R) / k of the functions' points, at most 0.05 m; with the methods of surfaces,
-   * which hold without limit, 0.05 m.
+   * filter, and from Spacing and Direction of this planner. SpringLength is the largest (T_N sqrt(1
+   * + mu^2) + R) / k of the functions' points, at most 0.05 m. The methods of surfaces hold without
+   * limit, so with them it is 0.05 m.
    */
   void UseSettingsOf(vtkVolumeHapticsFilter* filter);
 
@@ -93,7 +92,7 @@ public:
   ///@}
 
   ///@{
-  /** Metres a world unit is, 1e-12 to 1e12. Default 0.001. */
+  /** Metres per world unit, 1e-12 to 1e12. Default 0.001. */
   vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
   vtkGetMacro(MetersPerWorldUnit, double);
   ///@}
@@ -124,24 +123,24 @@ public:
 
   ///@{
   /**
-   * The latency t (s) that is planned for: the smoothed one of what AddLatency was told, from a
-   * plan to the moment at which the region can be felt. The first counts whole; a longer one counts
-   * half, a shorter one a tenth. Numbers that are negative or not finite are ignored. At most 10.
-   * Default 0.2, until there is one. ResetLatency forgets all.
+   * The latency t (s) for planning: the smoothed value of the measurements given to AddLatency,
+   * from a plan to the moment at which the region can be felt. The first counts fully; later a
+   * longer one counts half, a shorter one a tenth. Numbers that are negative or not finite are
+   * ignored. At most 10. Default 0.2, until there is a measurement. ResetLatency forgets all.
    */
   void AddLatency(double seconds);
   void ResetLatency();
   vtkGetMacro(Latency, double);
   ///@}
 
-  /** h above (world units), before any cut. */
+  /** h above (world units), before it is cut. */
   double GetHalfWidth();
 
   /**
-   * The region (an extent) that is wanted for a tip (world) with a velocity (world units per
-   * second), and whether it is to be fetched now. `resident` is the extent of the region that is
-   * here, or on its way; an empty one, such as (0, -1, 0, -1, 0, -1), where there is none. Never
-   * empty, unless the whole is, and never beyond the whole, for any numbers.
+   * The wanted region (an extent) for a tip (world) with a velocity (world units per second), and
+   * whether to fetch it now. `resident` is the extent of the region that is here, or on its way; if
+   * there is none, an empty one, such as (0, -1, 0, -1, 0, -1). The wanted region is never empty,
+   * unless the whole is, and never beyond the whole, for any numbers.
    */
   bool Plan(const double tip[3], const double velocity[3], const int resident[6], int wanted[6]);
 

@@ -53,7 +53,7 @@ struct vtkHapticRepresentation::vtkInternals
 
 namespace
 {
-/// By contact; told apart by the colour-blind, too.
+/// By contact; the colour-blind can tell them apart, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
 } // namespace
@@ -179,7 +179,7 @@ void vtkHapticRepresentation::UpdateTrail()
   {
     d.TrailMapper->SetScalarModeToUsePointFieldData();
     d.TrailMapper->SelectColorArray(this->TrailArrayName.c_str());
-    // Vectors by their length.
+    // Vectors count by their length.
     const int component = array->GetNumberOfComponents() > 1 ? -1 : 0;
     d.TrailMapper->SetColorModeToMapScalars();
     d.TrailMapper->GetLookupTable()->SetVectorModeToMagnitude();

@@ -4,22 +4,22 @@
  * @class   vtkHapticRepresentation
  * @brief   the hand in the scene: tip, proxy and forces
  *
- * One prop that draws the latest state of a vtkHapticDevice: the tip (white), where the hand is;
- * the proxy, which the surface holds back, coloured by the contact; the spring between them; and
- * the forces as arrows:
+ * One prop that draws the latest state of a vtkHapticDevice: the tip (white) at the hand; the
+ * proxy, which the surface holds back, coloured by the contact; the spring between them; and the
+ * forces as arrows:
  *
  *   on the tip     the whole force on the hand (white)
- *   on the proxy   how the surface pushes (blue) and how friction holds back (orange)
+ *   on the proxy   the forces of the surface (blue) and of friction (orange)
  *
  * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta
- * while it is pushed through a surface. A text in the lower right corner says how long a newton is.
- * What lies behind a surface or inside the volume shows through, faintly.
+ * while it is pushed through a surface. A text in the lower right corner shows the length of a
+ * newton. Markers behind a surface or inside the volume show through, faintly.
  *
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
  *
- * It shows what the device's last UpdateState() found; vtkInteractorStyleHaptic calls that. A trace
- * or a recording can be shown, too, as a line coloured by any of its arrays: see SetTrail.
+ * It shows the state of the device's last UpdateState(), which vtkInteractorStyleHaptic calls. It
+ * can also show a trace or a recording, as a line coloured by any of its arrays: see SetTrail.
  *
  * @sa vtkHapticStateSource, vtkInteractorStyleHaptic
  */
@@ -92,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Whether markers are shown at x_s (yellow) and x_v (turquoise), where the materials are read.
+   * Whether markers are shown at x_s (yellow) and x_v (turquoise), at which the materials are read.
    * Default off.
    */
   vtkSetMacro(MarkerVisibility, bool);
@@ -100,22 +100,22 @@ public:
   ///@}
 
   ///@{
-  /** Whether a text says how long a newton is. Default on. */
+  /** Whether a text shows the length of a newton. Default on. */
   vtkSetMacro(ScaleTextVisibility, bool);
   vtkGetMacro(ScaleTextVisibility, bool);
   ///@}
 
   ///@{
-  /** Whether what lies behind a surface or inside the volume shows through. Default on. */
+  /** Whether markers behind a surface or inside the volume show through. Default on. */
   vtkSetMacro(HiddenVisibility, bool);
   vtkGetMacro(HiddenVisibility, bool);
   ///@}
 
   ///@{
   /**
-   * A line through the points of a trace (default none), coloured by one of its point arrays, of
-   * which vectors count by their length (default "Force"), through a lookup table (default: from
-   * blue to red over the array's range).
+   * A line through the points of a trace (default none), coloured by one of its point arrays
+   * (default "Force"; vectors count by their length), through a lookup table (default: from blue to
+   * red over the array's range).
    */
   void SetTrail(vtkPolyData* trace);
   vtkPolyData* GetTrail();

@@ -26,7 +26,7 @@ using namespace VolumeHaptics;
 
 constexpr const char* Format = "VTK Volume Haptics setup";
 constexpr std::size_t LargestFile = 16 << 20; // bytes; a setup has thousands
-constexpr int Version = 1; // of what Save writes; Load reads this and what was before
+constexpr int Version = 1;                    // written by Save; Load reads this and earlier ones
 
 /** One pass over everything that a setup has. */
 void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
@@ -51,8 +51,8 @@ void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
 }
 
 /**
- * jsoncpp reads numbers in the application's locale, in which 0.5 may be written 0,5. As long as
- * this lives, they are read as JSON has them. Nothing is touched where that is so anyway.
+ * jsoncpp reads numbers in the application's locale, in which 0.5 may be written 0,5. While this
+ * lives, they are read as JSON has them. If the locale already does so, nothing changes.
  */
 class PlainNumbers
 {
@@ -63,7 +63,7 @@ public:
     this->Changed = numbers.decimal_point() != '.' || !numbers.grouping().empty();
     if (this->Changed)
     {
-      // Without a name, so that the locale of C remains as it is.
+      // Without a name, so that the locale of C stays unchanged.
       std::locale::global(std::locale(this->Before, new std::numpunct<char>));
     }
   }
@@ -80,14 +80,14 @@ private:
   bool Changed = false;
 };
 
-/** The text as JSON; otherwise an error. */
+/** Parses the text as JSON; false, with an error, if it is not. */
 bool Parse(const std::string& text, Json::Value& root, std::string& error)
 {
   Json::CharReaderBuilder builder;
   builder["collectComments"] = false;
   builder["failIfExtra"] = true;
   builder["rejectDupKeys"] = true;
-  // So that the error can name the key.
+  // Allowed here, so that the error can name the key.
   builder["allowSpecialFloats"] = true;
   const PlainNumbers plain;
   const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
@@ -177,7 +177,7 @@ bool vtkHapticSetup::Save(const char* file)
   Json::StreamWriterBuilder builder;
   builder["indentation"] = " ";
   builder["commentStyle"] = "None"; // short lists on one line
-  builder["precision"] = 17;        // every double comes back as it was
+  builder["precision"] = 17;        // every double is restored exactly
   std::string error;
   FileReplacement written;
   const bool isOpen = written.Open(file, error);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticSetup
- * @brief   what a volume feels and looks like, in one file
+ * @brief   the feel and the look of a volume, in one file
  *
- * Saves everything that was tuned by hand to one JSON file that people can read, and brings it back
- * to the bit:
+ * Saves all settings that were tuned by hand to one readable JSON file, and restores them to the
+ * bit:
  *
  *   setup->SetVolumeHaptics(filter);
  *   setup->SetVolumeProperty(volume->GetProperty());
@@ -14,23 +14,23 @@
  *   setup->Save("liver.json");        // and later
  *   setup->Load("liver.json");        // then vtkHapticDevice::Publish
  *
- * Each of the four is optional: what is not set is neither saved nor loaded. They are kept by
- * reference, and Load changes them in place, as it does their functions.
+ * Each of the four is optional: one that is not set is neither saved nor loaded. They are kept by
+ * reference, and Load changes them and their functions in place.
  *
  * In the file:
  *
  *   Haptics        all settings of vtkVolumeHapticsFilter and of its vtkHapticProperty: the five
  *                  functions with midpoints and sharpness, the component, the surface side, and
- *                  whether what the VolumeProperty hides is not felt (HideInvisible)
+ *                  whether voxels that the VolumeProperty hides are not felt (HideInvisible)
  *   Volume         interpolation, and for each of the four components opacity, gradient opacity and
  *                  colour functions, unit distance, shading and lighting
  *   Camera         position, focal point, view up, view angle, parallel projection and scale
  *   DeviceToWorld  16 numbers, row by row
  *
- * Choices stand there by name ("Gaussian"). The volume itself, paths and the device are not saved.
+ * Choices are saved by name ("Gaussian"). The volume itself, paths and the device are not saved.
  *
- * Load checks the whole file before it changes anything. What is missing in the file stays as it
- * is; keys that are not known are ignored. A file that can't be used gives one error that names the
+ * Load checks the whole file before it changes anything. Settings that the file lacks stay
+ * unchanged; unknown keys are ignored. A file that can't be used gives one error that names the
  * file, the key and the cure, and changes nothing.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticCalibration
@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * What is felt: the settings of the filter and of its property. Default nullptr: left out.
+   * The filter, whose settings and property decide what is felt. Default nullptr: left out.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* GetVolumeHaptics();
@@ -64,8 +64,9 @@ public:
 
   ///@{
   /**
-   * What is seen. It is also what HideInvisible attaches to vtkHapticProperty::SetVisibilityFrom; a
-   * visibility from another volume property is not saved. Default nullptr: left out.
+   * The volume property that is seen. HideInvisible attaches it to
+   * vtkHapticProperty::SetVisibilityFrom; a visibility from another volume property is not saved.
+   * Default nullptr: left out.
    */
   void SetVolumeProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetVolumeProperty();
@@ -73,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Where it is seen from. Default nullptr: left out.
+   * The camera. Default nullptr: left out.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -81,16 +82,17 @@ public:
 
   ///@{
   /**
-   * Where the device stands, as in vtkHapticDevice::SetDeviceToWorld. Default nullptr: left out.
+   * The placement of the device, as in vtkHapticDevice::SetDeviceToWorld. Default nullptr: left
+   * out.
    */
   void SetDeviceToWorld(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetDeviceToWorld();
   ///@}
 
   /**
-   * Write the file. An existing file is replaced only after all of the new one is on the disk; if
-   * that fails, it stays as it is. False, with an error, if the folder is missing, not writable or
-   * full, or if a setting could not be loaded again, such as NaN.
+   * Write the file. An existing file is replaced only after the whole new one is on the disk; if
+   * that fails, the old one stays. False, with an error, if the folder is missing, not writable or
+   * full, or if a setting, such as NaN, could not be loaded again.
    */
   bool Save(const char* file);
 

@@ -4,14 +4,14 @@
  * @class   vtkHapticStateSource
  * @brief   the latest state of a device as geometry, for any pipeline
  *
- * The output holds what vtkHapticRepresentation draws, as plain cells: vertices for the tip, the
- * proxy and the positions x_s and x_v where the materials were read, and lines for the spring and
- * the forces. The cell array "Part" says which is which (see Parts), "Newtons" (N) how strong a
- * force is. Lines begin where a force acts and are Newtons / ForceScale world units long. The field
- * arrays "Contact" and "SurfaceValue" are those of the state. The output is empty without a device
- * or before its first state.
+ * The output has the same content as vtkHapticRepresentation, as plain cells: vertices for the tip,
+ * the proxy and the positions x_s and x_v at which the materials were read, and lines for the
+ * spring and the forces. The cell array "Part" identifies them (see Parts); "Newtons" (N) is the
+ * size of a force. Lines begin at the point on which a force acts and are Newtons / ForceScale
+ * world units long. The field arrays "Contact" and "SurfaceValue" are those of the state. The
+ * output is empty without a device or before its first state.
  *
- * Whoever owns the device calls its UpdateState(); the output is out of date whenever that found a
+ * The owner of the device calls its UpdateState(); the output is out of date whenever that found a
  * new state.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation
@@ -42,8 +42,8 @@ public:
     MEDIUM_POSITION = 3,  ///< x_v
     SPRING = 4,           ///< from the tip to the proxy
     FORCE = 5,            ///< from the tip: on the hand
-    NORMAL_FORCE = 6,     ///< from the proxy: how the surface pushes
-    FRICTION_FORCE = 7    ///< from the proxy: how the surface holds back
+    NORMAL_FORCE = 6,     ///< from the proxy: the push of the surface
+    FRICTION_FORCE = 7    ///< from the proxy: the friction of the surface
   };
 
   ///@{
@@ -77,7 +77,7 @@ protected:
   ~vtkHapticStateSource() override;
 
 #ifndef __VTK_WRAP__
-  /** What is shown: positions in world units, forces in N along the world's axes. */
+  /** The shown state: positions in world units, forces in N along the world's axes. */
   struct ShownState
   {
     vtkVector3d Tip;
@@ -94,8 +94,8 @@ protected:
   };
 
   /**
-   * The state, of the device; false where there is none. For sources that have it from somewhere
-   * else.
+   * Reads the device's state; false if there is none. For subclasses that have the state from
+   * another source.
    */
   virtual bool ReadState(ShownState& state);
 #endif

@@ -42,7 +42,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   }
 
   HapticInteraction Interaction;
-  int Timer = 0;      ///< 0 without a timer, as the application may bring its own
+  int Timer = 0;      ///< 0 without a timer, because the application may have one of its own
   int FiredTimer = 0; ///< interactors pass the timer's id to observers, but not to styles
   vtkNew<vtkCallbackCommand> TimerObserver;
 };
@@ -191,7 +191,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   {
     const double period = 1000.0 / this->DisplayRate;
     d.Timer = this->Interactor->CreateRepeatingTimer(static_cast<unsigned long>(period));
-    // Before the style itself hears of the event.
+    // Before the style itself gets the event.
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
   this->Modified();
@@ -221,7 +221,7 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
   {
     return;
   }
-  // Mappers draw as well as this rate of frames lets them.
+  // Mappers draw as finely as this frame rate allows.
   if (vtkRenderWindow* window = this->Interactor->GetRenderWindow())
   {
     window->SetDesiredUpdateRate(
@@ -237,8 +237,8 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   {
     return;
   }
-  // The superclass asks the window of the renderer for its size: a renderer that was taken out of
-  // it meanwhile, or that the application has named, may have none.
+  // The superclass asks the window of the renderer for its size: a renderer that was removed from
+  // its window, or that the application has set, may have none.
   const int* const now = this->Interactor->GetEventPosition();
   this->FindPokedRenderer(now[0], now[1]);
   if (this->CurrentRenderer && this->CurrentRenderer->GetRenderWindow())
@@ -281,7 +281,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
   {
     return;
   }
-  // In the touch mode the right button turns the camera, without letting go of what is touched.
+  // In the touch mode the right button turns the camera, and the touch goes on.
   this->GetTouchMode() ? this->Superclass::OnLeftButtonDown()
                        : this->Superclass::OnRightButtonDown();
 }
@@ -293,7 +293,7 @@ void vtkInteractorStyleHaptic::OnRightButtonUp()
   {
     return;
   }
-  // Ends what the press began, even if the touch mode has changed meanwhile.
+  // Ends the action of the press, even if the touch mode has changed since.
   this->State == VTKIS_DOLLY ? this->Superclass::OnRightButtonUp()
                              : this->Superclass::OnLeftButtonUp();
 }

@@ -5,11 +5,12 @@
  * @brief   trackball camera, and a hand in the scene
  *
  * A vtkInteractorStyleTrackballCamera with a vtkHapticDevice. Its timer is the GUI's side of the
- * servo: at DisplayRate it takes the device's states, hands the servo whatever has changed in the
- * filter (image, functions, settings), feeds the head-up display, invokes events, and renders. It
+ * servo: at DisplayRate it takes the device's states, sends changes of the filter (image,
+ * functions, settings) to the servo, feeds the head-up display, invokes events, and renders. It
  * never waits for the servo. While the tip or the camera moves, it renders at the interactor's
- * desired update rate, so that mappers which adjust their sample distances sample more coarsely; at
- * rest it renders at the still rate, once, and then for the head-up display in a tenth of the time.
+ * desired update rate, so that mappers which adjust their sample distances sample more coarsely. At
+ * rest it renders once at the still rate; after that only for new figures in the head-up display,
+ * and so rarely that drawing takes a tenth of the time at most.
  *
  * In the touch mode the mouse leads the tip of the virtual device:
  *
@@ -24,13 +25,13 @@
  *
  * Keys, in any mode (besides those of vtkInteractorStyle):
  *
- *   t           touch mode on and off; it begins in front of what can be felt under the pointer
+ *   t           touch mode on and off; it begins in front of the first surface under the pointer
  *   a           arm, so that force may flow, and disarm; touch mode on arms, too
  *   Escape      disarm, and leave the touch mode and the clutch
  *   c           put the device's workspace back around the camera's focal point
- *   k           clutch: while held, a real device moves without the tip, and without force, which
- *               comes back with its release, unless something has disarmed meanwhile
- *   Home        look for the zero of a real device's encoders: see vtkHapticDevice::Home()
+ *   k           clutch: while held, a real device moves without the tip and without force. The
+ *               force comes back with its release, unless the device was disarmed meanwhile
+ *   Home        search for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
  *   h and g     head-up display: text and graph
@@ -38,9 +39,9 @@
  *
  * Mouse events over the function editor go to the editor.
  *
- * When the force goes off for long work (vtkHapticDevice::BeginLongWork), the style renders first,
- * so that the head-up display says why. It calls BeginLongWork by itself for the function editor's
- * histogram of a large volume.
+ * If the force ends for long work (vtkHapticDevice::BeginLongWork), the style renders first, so
+ * that the head-up display shows the reason. It calls BeginLongWork by itself for the function
+ * editor's histogram of a large volume.
  *
  * Force ends with the window. The style leaves the touch mode and disarms when the interactor's
  * loop ends (the keys q and e, the window manager's close, TerminateApp()), before any other
@@ -50,8 +51,8 @@
  * SetTouchMode(false) and the device's Disarm().
  *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same
- * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera goes
- * the other way.
+ * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera
+ * moves the other way.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor
  */
@@ -76,7 +77,7 @@ public:
   vtkTypeMacro(vtkInteractorStyleHaptic, vtkInteractorStyleTrackballCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Invoked in the order in which the changes happened in the servo, once a change. */
+  /** Invoked in the order in which the changes happened in the servo, one event for each change. */
   enum HapticEvents
   {
     ContactBeginEvent = vtkCommand::UserEvent + 100, ///< a surface holds the proxy
@@ -119,8 +120,8 @@ public:
 
   ///@{
   /**
-   * How far a step of the wheel moves the tip (world units, 0 or more). Default 0: the smallest
-   * spacing of the image.
+   * The distance that a step of the wheel moves the tip (world units, 0 or more). Default 0: the
+   * smallest spacing of the image.
    */
   vtkSetClampMacro(DepthStep, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(DepthStep, double);
@@ -141,8 +142,8 @@ public:
 
   ///@{
   /**
-   * World units per metre of a real device's workspace, 0 or more. Default 0: as the filter's
-   * MetersPerWorldUnit says.
+   * World units per metre of a real device's workspace, 0 or more. Default 0: by the filter's
+   * MetersPerWorldUnit.
    */
   vtkSetClampMacro(WorkspaceScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(WorkspaceScale, double);
@@ -156,19 +157,19 @@ public:
   ///@}
 
   /**
-   * Feel the same place with the next method of the device's filter, in the order of
+   * Feel the same position with the next method of the device's filter, in the order of
    * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on; a force that grows does so at the
    * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous
    * method, or no force if the mesh takes long (vtkHapticDevice::BeginLongWork); the head-up
-   * display says so before. If the method can't be felt, for example since IsoValue does not occur
-   * in the image, this is false, with an error; the previous method stays, and the next call skips
-   * the other one.
+   * display announces that. If the method can't be felt, for example because IsoValue does not
+   * occur in the image, this is false, with an error; the previous method stays, and the next call
+   * skips the other one.
    */
   bool NextMethod();
 
   /**
    * One update as the timer does it, without drawing: changes, states, events, head-up display. For
-   * applications without timers. True if there is something new to be seen.
+   * applications without timers. True if there is something new to draw.
    */
   bool UpdateHaptics();
 
@@ -188,8 +189,8 @@ public:
   vtkTable* GetStates();
 
   /**
-   * Interactors call this. A style that leaves its interactor, as for another style or since the
-   * window closes, leaves the touch mode and disarms. Either way it is Modified().
+   * Interactors call this. A style that leaves its interactor, for another style or because the
+   * window closes, leaves the touch mode and disarms. In any case it is Modified().
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
@@ -210,15 +211,15 @@ protected:
   ~vtkInteractorStyleHaptic() override;
 
   /**
-   * Draw the scene now: quickly while something moves, else well. Sets the window's desired update
-   * rate and calls the interactor's Render(). For subclasses in applications that render in a way
-   * of their own.
+   * Draw the scene now: quickly while something moves, else finely. Sets the window's desired
+   * update rate and calls the interactor's Render(). For subclasses in applications that render in
+   * another way.
    */
   virtual void DrawScene(bool quickly);
 
   /**
-   * Whether force may come back when the clutch is released: it was armed before, and nothing has
-   * disarmed it since. For subclasses in applications that keep their own account of what is armed.
+   * Whether force may come back when the clutch is released: the device was armed before, and
+   * nothing has disarmed it since. For subclasses in applications that track arming themselves.
    */
   virtual bool ArmsAfterClutch();
 

@@ -113,7 +113,7 @@ std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate)
 {
   for (const VolumeHaptics::FilterSetting& setting : VolumeHaptics::FilterSettings)
   {
-    // The servo's own rate stands for the filter's.
+    // The servo's own rate replaces the filter's.
     const bool isRate = std::string("ServoRate") == setting.Name;
     if (!std::isfinite(isRate ? rate : setting.Get(this)))
     {

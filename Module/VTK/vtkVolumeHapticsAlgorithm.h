@@ -4,7 +4,7 @@
  * @class   vtkVolumeHapticsAlgorithm
  * @brief   the settings of volume haptics
  *
- * Superclass of vtkVolumeHapticsFilter, which says what they mean together.
+ * Superclass of vtkVolumeHapticsFilter, whose documentation explains how they work together.
  */
 #ifndef vtkVolumeHapticsAlgorithm_h
 #define vtkVolumeHapticsAlgorithm_h
@@ -25,7 +25,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The materials. Created with its defaults on first Get; nullptr goes back to those. */
+  /** The materials. Created with its defaults on first Get; nullptr restores these. */
   void SetProperty(vtkHapticProperty* property);
   vtkHapticProperty* GetProperty();
   ///@}
@@ -51,11 +51,11 @@ public:
    * with a ball of ProxyRadius. LOCAL_SURFACE is an intermediate representation (Mark et al.
    * 1996): the hand falls through a surface that it meets before the slow loop has looked.
    *
-   * Both surfaces have stiffness and friction of the material at IsoValue, and neither drag nor a
-   * limit to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. If they are
-   * chosen while a servo runs, they hold a hand that is up to three kernel radii inside the
-   * isosurface from outside; a hand that is deeper SURFACE_PROXY holds from within, and
-   * LOCAL_SURFACE not at all.
+   * Both surfaces have the stiffness and friction of the material at IsoValue, no drag, and no
+   * limit to what they hold: Viscosity, SurfaceStrength and GradientMagnitude are 0. If one of
+   * these methods is chosen while a servo runs and the hand is inside the isosurface, its depth
+   * counts. Up to three kernel radii deep, both hold the hand from outside. Deeper, SURFACE_PROXY
+   * holds it from inside, and LOCAL_SURFACE does not hold it.
    */
   vtkSetClampMacro(Method, int, PROXY, LOCAL_SURFACE);
   vtkGetMacro(Method, int);
@@ -73,9 +73,10 @@ public:
 
   ///@{
   /**
-   * How the method PROXY moves the proxy in a tick. PAPER: as published, one look at the volume
-   * where the proxy is when the tick begins. PRECISE (default): the same law, in balance where
-   * the proxy ends; it neither drifts off curved walls nor leaks out of cavities.
+   * How the method PROXY moves the proxy in a tick. PAPER: as published, with one look at the
+   * volume, at the proxy's position before the tick. PRECISE (default): the same law, in balance
+   * at the proxy's position after it; it neither drifts off curved walls nor leaks out of
+   * cavities.
    */
   vtkSetClampMacro(Solver, int, PAPER, PRECISE);
   vtkGetMacro(Solver, int);
@@ -95,8 +96,8 @@ public:
    * distinctness and strength say so, which on a blurred edge is some voxels before its middle.
    * EDGE: not before the middle of the edge, so that what is felt lies on what is seen.
    *
-   * The middle is where V(x_p) >= (V(x_s) + V(x_v)) / 2, within 0.1 % of their difference. On a
-   * linear ramp both are alike.
+   * At the middle, V(x_p) >= (V(x_s) + V(x_v)) / 2, within 0.1 % of their difference. On a linear
+   * ramp both settings are alike.
    */
   vtkSetClampMacro(ContactAlignment, int, DISTINCTNESS, EDGE);
   vtkGetMacro(ContactAlignment, int);
@@ -205,11 +206,11 @@ public:
 
   ///@{
   /**
-   * What the method LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that also
-   * bends as the normal does over KernelRadius voxels to either side. A plane stays where the
-   * surface was at the last look: to slide over a convex surface costs work, and over a concave
-   * one it gives some. Both are found where V is IsoValue; only with CUBIC_BSPLINE is the
-   * gradient exactly normal to that isosurface.
+   * The shape that the method LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC
+   * that also bends as the normal does over KernelRadius voxels to either side. A plane stays at
+   * the surface of the last look: sliding over a convex surface costs work, and over a concave
+   * one it gives some. Both are fitted to the isosurface at IsoValue; only with CUBIC_BSPLINE is
+   * the gradient exactly normal to it.
    */
   vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
   vtkGetMacro(LocalSurfaceShape, int);
@@ -220,7 +221,7 @@ public:
   ///@{
   /**
    * How often the slow loop of the method LOCAL_SURFACE looks (Hz), 1 to 1000; 30 to 100 are
-   * usual. Its answer comes one period later. Default 60. With a device the loop has a thread of
+   * usual. Its result comes one period later. Default 60. With a device the loop has a thread of
    * its own; offline it runs in simulated time.
    */
   vtkSetClampMacro(LocalSurfaceRate, double, 1.0, 1000.0);
@@ -264,10 +265,10 @@ public:
   bool SetMethodByName(const char* name);
   std::string GetMethodName();
 
-  /** What is felt, for people, such as "Proxy, PRECISE". */
+  /** The name of the method as users see it, such as "Proxy, PRECISE". */
   std::string GetMethodText();
 
-  /** Go on to the next of GetMethodNames(), and from the last to the first. */
+  /** Goes on to the next of GetMethodNames(), and from the last to the first. */
   void NextMethod();
 
   /** Includes the property and its functions. */
@@ -282,8 +283,8 @@ protected:
 
 #ifndef __VTK_WRAP__
   /**
-   * What is wrong with the settings for a servo that ticks at a rate (Hz), and the cure; or
-   * nothing.
+   * The fault in the settings for a servo that ticks at a rate (Hz), and the cure; empty if there
+   * is none.
    */
   std::string CheckSettings(double rate);
 #endif

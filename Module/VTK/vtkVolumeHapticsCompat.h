@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <utility>
 
-// For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector has its operators
-// with it.
+// For #include: since VTK 9.4 glad loads the functions of OpenGL, and vtkVector includes its
+// operators.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define VOLUME_HAPTICS_OPENGL_HEADER "vtk_glad.h"
 #define VOLUME_HAPTICS_VECTOR_HEADER "vtkVector.h"
@@ -51,9 +51,9 @@ struct KeepsSeparate<Array, std::void_t<decltype(std::declval<Array&>().GetStora
 } // namespace Detail
 
 /**
- * Whether a vtkSOADataArrayTemplate has each component in a memory of its own now. VTK 9.6's has
- * all of them in one as long as it is new, and from the first GetVoidPointer on, as a mapper calls
- * it; there are no pointers to components then.
+ * Whether a vtkSOADataArrayTemplate now has each component in memory of its own. VTK 9.6's has all
+ * of them in one block as long as it is new, and again after the first GetVoidPointer, which a
+ * mapper calls; there are no pointers to components then.
  */
 template <typename Array>
 bool HasSeparateComponents(Array* array)

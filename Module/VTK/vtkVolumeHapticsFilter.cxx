@@ -42,7 +42,7 @@ bool IsFinite(const VolumeHaptics::TickRecord& record)
     std::isfinite(record.DragForce);
 }
 
-/** Whether somebody else makes the trace. */
+/** Whether another piece makes the trace. */
 bool IsLaterPiece(vtkInformationVector* outputs)
 {
   vtkInformation* const output = outputs->GetInformationObject(0);
@@ -50,7 +50,7 @@ bool IsLaterPiece(vtkInformationVector* outputs)
     output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
 }
 
-/** Memory ran out in what feeds an input port. */
+/** Memory ran out in the source of an input port. */
 struct SourceLacksMemory : std::bad_alloc
 {
   explicit SourceLacksMemory(int port)
@@ -76,11 +76,11 @@ std::string DescribeLackOfMemory(vtkImageData* image)
   return message.str();
 }
 
-/** Runs what feeds the image and the surface; false if one of them failed. */
+/** Runs the sources of the image and the surface; false if one of them failed. */
 bool UpdateSources(vtkAlgorithm* filter)
 {
   bool hasRun = true;
-  for (const int port : { 0, 2 }) // the path, on port 1, is not the servo's
+  for (const int port : { 0, 2 }) // the servo does not use the path on port 1
   {
     if (vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0))
     {
@@ -98,7 +98,7 @@ bool UpdateSources(vtkAlgorithm* filter)
   return hasRun;
 }
 
-/// VTK's executive takes a source that threw as running still, and refuses it from then on.
+/// If a source threw, VTK's executive thinks that it still runs, and refuses it from then on.
 const char* const FailedSource = " A source of this filter failed: see its errors. If memory ran "
                                  "out in it before, VTK can't run it again: connect a "
                                  "new source.";
@@ -219,13 +219,13 @@ double vtkVolumeHapticsFilter::EstimateBakeTime()
   }
   catch (const std::bad_alloc&)
   {
-    return 0.0; // Bake() says so
+    return 0.0; // Bake() reports it
   }
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
   vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
   if (!scalars)
   {
-    return 0.0; // for the error
+    return 0.0; // Bake() reports the error
   }
   return this->Surfaces->EstimateTime(vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0)),
     { image, scalars, this->GetProperty()->GetComponent(), this->IsoValue });
@@ -269,8 +269,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
     vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0." << hint);
     return nullptr;
   }
-  // Where only the device has moved, as it does with every frame while it follows the camera, what
-  // is baked is shared.
+  // If only the device has moved, as it does with every frame while it follows the camera, the
+  // baked volume is shared.
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
   const vtkMTimeType time = std::max({ this->GetMTime(), image->GetMTime(),
     scalars ? scalars->GetMTime() : 0, surface ? surface->GetMTime() : 0 });

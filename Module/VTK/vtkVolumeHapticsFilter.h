@@ -15,38 +15,41 @@
  *   x_p += t/|t| (|t| - mu |d.N|)        if |t| > mu |d.N|, t = d - N (d.N)       (eqs. 8 to 10)
  *   x_p += (x_0 - x_p) min(1, R / (k |x_0 - x_p|))                                (eq. 14)
  *
- * (solver PAPER), where d is taken anew in each line, k, mu and T_N belong to the value at
- * x_s = x_0 + r N and R to that at x_v = x_0 - r N (fig. 4); r is KernelRadius times the largest
- * spacing. Beyond the volume the border's value holds and there is no surface; over the last
- * KernelRadius voxels inside it surfaces fade. Where a sample is NaN or infinite there is no
- * surface, and the value of the first finite corner of the volume stands in (0 where no corner is
- * finite). The first tick of a path puts the proxy on the tip, without force.
+ * (solver PAPER). d is computed again in each line; k, mu and T_N belong to the value at x_s = x_0
+ * + r N and R to that at x_v = x_0 - r N (fig. 4); r is KernelRadius times the largest spacing.
+ * Beyond the volume the border's value continues and there is no surface; over the last
+ * KernelRadius voxels inside the volume surfaces fade. A sample that is NaN or infinite makes no
+ * surface, and has the value of the first finite corner of the volume (0 if no corner is finite).
+ * The first tick of a path puts the proxy on the tip, without force.
  *
  * Solver PRECISE (default) is the same law for motions that are not small. With F = k (x_tip - x),
  *
  *   x' = 0                        while |F - q| <= R,
  *   F  = q + R x' / |x'|          else,
  *
- * along the tip's straight way, where q is what surface and friction hold of F, with N, k, mu, T
- * and R of the place x. The tip goes a quarter of a voxel (or 2 % of the spring) at a time. At one
- * place the proxy's motion exists and is unique: the drag's is the proximal map of R |m| after the
- * surface's, both convex, and friction, which is not, comes after the surface. A motion is judged
- * at its end and drawn back to the first point that holds as much as the spring pulls (there is
- * one, since the spring gets shorter); at a step of a material function, to a thousandth of a voxel
- * on the side that holds. While a surface holds, the proxy stays on the level of the smoothed value
- * where it met it: it neither drifts nor leaks. Where k rises the force stays, where it falls the
- * stretch, so that no energy is created; the array Stiffness is then the spring's own, |F| / |d|. A
- * tick looks at 256 places at most. If these do not do (a tip that jumps by tens of voxels), the
- * proxy is where it came to, with the force in balance there, the array Unfinished is 1, and the
- * next tick goes on. GAUSSIAN is then the derivative of its own smoothed value, for N to be normal
- * to levels; CENTRAL_DIFFERENCE can't be, and holds its proxy to a hundredth of a voxel only.
+ * along the tip's straight path. q is the part of F that surface and friction hold, with N, k, mu,
+ * T and R at the position x. The tip moves in steps of a quarter of a voxel (or 2 % of the spring).
+ * For one material point the proxy's motion exists and is unique: the drag's is the proximal map of
+ * R |m| after the surface's, both convex, and friction, which is not, comes after the surface. A
+ * motion is judged at its end and drawn back to the first point that holds as much as the spring
+ * pulls. There is such a point, because the spring gets shorter; at a step of a material function,
+ * it is found to a thousandth of a voxel, on the side that holds. While a surface holds, the proxy
+ * stays on the level of the smoothed value at which it met the surface: it neither drifts nor
+ * leaks.
+ *
+ * If k rises, the force stays as it is; if k falls, the stretch stays. So no energy is created. The
+ * array Stiffness is the spring's own, |F| / |d|. A tick takes 256 samples at most. If more are
+ * needed (a tip that jumps by tens of voxels), the proxy stays at the point that it has reached,
+ * with the force in balance there, the array Unfinished is 1, and the next tick goes on. With
+ * PRECISE, GAUSSIAN is the derivative of its own smoothed value: N is normal to that value's
+ * levels. CENTRAL_DIFFERENCE has no such value: it keeps the proxy on its level to a hundredth of a
+ * voxel only.
  *
  * Port 0: vtkImageData with point scalars (any scalar type; choose with SetInputArrayToProcess and
  * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is
- * not copied. It may be a region of a larger volume, as vtkHapticRegionFilter makes it: what is
- * felt there is what is felt in the whole, to the bit. Where the data that a tick needs are not in
- * the region, the force fades within 50 ms, the proxy is on the tip, and force comes back in the
- * same way.
+ * not copied. It may be a region of a larger volume, as vtkHapticRegionFilter makes it: it then
+ * feels like the whole, to the bit. If the region lacks data that a tick needs, the force fades
+ * within 50 ms and the proxy is put on the tip; force comes back in the same way.
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
@@ -65,7 +68,7 @@
  *   Force (3)          N, world axes; on the hand
  *   NormalForce        N; k |d.N| before the drag
  *   FrictionForce      N; k |t| before the drag
- *   DragForce          N; k times the way that the drag took the proxy back
+ *   DragForce          N; k times the distance by which the drag moved the proxy back
  *   Normal (3)         unit; into the structure, as the tick used it
  *   Value              scalar; V at the output point
  *   GradientMagnitude  scalar per world unit; as the tick used it
@@ -86,8 +89,8 @@
  * can't be touched gives one error that names the input and the cure, and an empty output. A long
  * path reports progress and can be aborted; the output then ends where it was aborted.
  *
- * A path is felt as a whole: where the output is asked for in pieces, as it is on several ranks,
- * piece 0 asks for the whole image and is the whole trace, and the others ask for nothing and are
+ * A path is felt as a whole: if the output is requested in pieces, for example on several ranks,
+ * piece 0 requests the whole image and is the whole trace; the others request nothing and are
  * empty.
  *
  * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter
@@ -138,8 +141,8 @@ public:
   ///@}
 
   /**
-   * MD5 of the scalars that are touched and of their shape, as a recording carries it; empty where
-   * there are none.
+   * MD5 of the touched scalars and of their shape, as a recording carries it; empty if there are
+   * none.
    */
   std::string HashScalars();
 
@@ -173,7 +176,7 @@ private:
     std::string& error);
   VolumeHaptics::ForceCaps Tighten(const VolumeHaptics::ForceCaps& deviceCaps) const;
 
-  std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // as long as somebody uses it
+  std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
   std::unique_ptr<VolumeHaptics::HapticNoise> Noise;

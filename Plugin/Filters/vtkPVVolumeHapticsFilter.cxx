@@ -199,7 +199,7 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // The property has said what is wrong with the name.
+  // The property has reported the wrong name.
   return this->IsPresetKnown ? this->Superclass::RequestData(request, inputs, outputs) : 0;
 }
 

@@ -5,10 +5,9 @@
  * @brief   vtkVolumeHapticsFilter with its material as plain settings
  *
  * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. So this
- * filter keeps what was chosen (a preset, or five functions and the newtons that their 1 stands
- * for) and fills its vtkHapticProperty from that whenever something of it has changed, before
- * anybody asks for the property's effect: the pipeline and vtkHapticDevice::Publish alike begin
- * with GetMTime().
+ * filter keeps the user's choices (a preset, or five functions and the newtons of their 1), and
+ * fills its vtkHapticProperty from them whenever one has changed. This happens before the property
+ * is used: the pipeline and vtkHapticDevice::Publish both begin with GetMTime().
  */
 #ifndef vtkPVVolumeHapticsFilter_h
 #define vtkPVVolumeHapticsFilter_h
@@ -29,16 +28,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * "Custom" (default): the functions below. Else one of vtkHapticProperty::GetPresetNames(), and
-   * the functions, DistinctnessFromNoise and SurfaceSide wait until it is "Custom" again. Any other
-   * name is an error that lists these, and the output is empty.
+   * "Custom" (default): the functions below. Otherwise one of vtkHapticProperty::GetPresetNames();
+   * the functions, DistinctnessFromNoise and SurfaceSide are then unused until it is "Custom"
+   * again. Any other name is an error that lists these, and the output is empty.
    */
   void SetPreset(const char* preset);
 
   ///@{
   /**
-   * The functions of vtkHapticProperty, divided by the scale that stands beside them. nullptr
-   * (default) or no points: the property's own default.
+   * The functions of vtkHapticProperty, divided by their scale below. nullptr (default) or no
+   * points: the property's own default.
    */
   void SetStiffnessFunction(vtkPiecewiseFunction* function);
   void SetFrictionFunction(vtkPiecewiseFunction* function);
@@ -56,15 +55,15 @@ public:
 
   ///@{
   /**
-   * On (default): distinctness keeps noise from being felt, and its function waits until this is
-   * off.
+   * On (default): distinctness keeps noise from being felt, and its function is unused until this
+   * is off.
    */
   void SetDistinctnessFromNoise(bool fromNoise);
   void SetDistinctnessFunction(vtkPiecewiseFunction* function);
   ///@}
 
   ///@{
-  /** Of the property. */
+  /** The surface side of the property. */
   void SetSurfaceSide(int side);
   void SetComponent(int component);
   double* GetNoiseRamp() VTK_SIZEHINT(2);
@@ -72,8 +71,7 @@ public:
 
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
   /**
-   * A name that is empty, as it is in batch jobs that have not set one, stands for the active
-   * scalars.
+   * An empty name, as in batch jobs that have not set one, means the active scalars.
    */
   void SetInputArrayToProcess(
     int index, int port, int connection, int association, const char* name) override;
@@ -109,8 +107,8 @@ private:
   Curve Distinctness;
   bool DistinctnessFromNoise = true;
   int SurfaceSide = 0;
-  vtkTimeStamp Chosen; // when a setting of the material was made
-  vtkTimeStamp Filled; // when the property got it
+  vtkTimeStamp Chosen; // when a setting of the material was last made
+  vtkTimeStamp Filled; // when the property last got them
   bool IsPresetKnown = true;
 
   vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;

@@ -4,7 +4,7 @@
  * @class   vtkSMHapticFunctionDomain
  * @brief   a piecewise function that begins flat, over the range of the data
  *
- * For a proxy property that a function of the data is edited in:
+ * For a proxy property whose value is an edited function of the data:
  *
  *   <HapticFunctionDomain name="proxy_list" initial="0.5">
  *     <RequiredProperties>...</RequiredProperties>

@@ -16,10 +16,10 @@
 
 namespace
 {
-/** Newtons from which on a surface is impenetrable, which no scale should try to show. */
+/** Newtons above which a surface is impenetrable; no scale should try to show them. */
 constexpr double Impenetrable = 1e4;
 
-/** The least of 1, 2 and 5 times a power of ten that the function does not exceed. */
+/** The smallest of 1, 2 and 5 times a power of ten that the function does not exceed. */
 double ChooseScale(vtkPiecewiseFunction* function)
 {
   double most = 0.0;

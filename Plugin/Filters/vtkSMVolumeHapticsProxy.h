@@ -4,9 +4,9 @@
  * @class   vtkSMVolumeHapticsProxy
  * @brief   the client's end of a Volume Haptics filter
  *
- * Adds the command CopyPreset, which the panel's button gives, and a script with
- * `filter.InvokeCommand("CopyPreset")`: what the chosen preset says is copied into the filter's own
- * functions, scales and surface side, and the preset becomes "Custom", for the functions to be
+ * Adds the command CopyPreset, for the panel's button and for scripts:
+ * `filter.InvokeCommand("CopyPreset")`. It copies the chosen preset into the filter's own
+ * functions, scales and surface side, and sets the preset to "Custom", so that the functions can be
  * edited from there. With "Custom" it does nothing.
  */
 #ifndef vtkSMVolumeHapticsProxy_h

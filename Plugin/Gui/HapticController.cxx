@@ -163,8 +163,8 @@ void HapticController::change(const char* property, int value)
   }
   BEGIN_UNDO_EXCLUDE();
   {
-    // In no trace: a user who replays one may not have a hand on a device. Nor does what Poll shows
-    // belong there.
+    // Not traced: a user who replays a trace may not have a hand on a device. The changes that Poll
+    // shows do not belong into a trace either.
     vtkSMPropertyHelper(this->Device, property).Set(value);
     this->Device->UpdateVTKObjects();
     this->Device->Poll();

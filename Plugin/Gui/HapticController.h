@@ -5,12 +5,12 @@
  * @brief   the actions of the dock window's buttons
  *
  * Everything acts through the properties of a `HapticDevice` and a `HapticView`, so that scripts
- * can do the same. The Python trace shows what is set up, but neither Running, Armed nor Recording:
- * a user who replays it has not got a hand on the device. Nothing of it can be undone: "undo" must
- * not arm a device.
+ * can do the same. The Python trace contains the setup, but not Running, Armed and Recording: a
+ * user who replays it may not have a hand on the device. None of it can be undone: "undo" must not
+ * arm a device.
  *
- * When ParaView quits, and when the server, the view, the device, its filter or the volume goes,
- * the device is detached first, with zero force.
+ * Before ParaView quits, and before the server, the view, the device, its filter or the volume is
+ * removed, the device is detached, with zero force.
  */
 #ifndef HapticController_h
 #define HapticController_h
@@ -39,9 +39,9 @@ public:
   {
     QString Id;
     QString Name;  ///< maker, product, place
-    QString State; ///< "available", "in use", or what is in the way and the cure
+    QString State; ///< "available", "in use", or the obstacle and the cure
   };
-  /** Looks anew. "virtual" is first. */
+  /** Looks again. "virtual" is first. */
   static QList<DeviceChoice> listDevices();
 
   /** The contents of the dock. */
@@ -66,21 +66,22 @@ public:
 
 public Q_SLOTS:
   /**
-   * Attaches to the active render view. The active source says what is felt: a HapticDevice, a
-   * VolumeHaptics filter, or image data; what is missing is made. Else told() says what to do.
+   * Attaches to the active render view. The active source selects the device: it is a HapticDevice,
+   * a VolumeHaptics filter, or image data; missing objects are made. If that fails, told() tells
+   * the cure.
    */
   void attach(const QString& deviceId);
   void detach();
   void setArmed(bool on);
   void setTouchMode(bool on);
   void home();
-  /** Records into a .vtp or .csv, or, with an empty name, ends and writes the recording. */
+  /** Records into a .vtp or .csv; an empty name ends and writes the recording. */
   void record(const QString& file);
-  /** Detached, stopped, forgotten. */
+  /** Detaches, stops and forgets the device. */
   void release();
 
 Q_SIGNALS:
-  /** The failure and its cure; empty: all is well. */
+  /** The failure and its cure; empty if there is none. */
   void told(const QString& message);
 
 private Q_SLOTS:

@@ -160,7 +160,7 @@ void HapticDock::onRecord(bool on)
   QString file;
   if (on)
   {
-    // The client writes, wherever the data is.
+    // The client writes the file, even if the data are on a server.
     pqFileDialog dialog(nullptr, this, tr("Record to"), QString(),
       tr("Traces (*.vtp);;Comma separated values (*.csv)"));
     dialog.setObjectName("HapticRecordDialog");

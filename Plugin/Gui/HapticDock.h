@@ -4,8 +4,8 @@
  * @class   HapticDock
  * @brief   the dock window "Volume Haptics"
  *
- * Choose the device, attach it to the active view and volume, arm, stop, home, record; and what is
- * felt, in figures. It is in ParaView's menu View, as every dock window is.
+ * Buttons to choose the device, attach it to the active view and volume, arm, stop, home and
+ * record; and figures for the felt forces. Like every dock window, it is in ParaView's menu View.
  */
 #ifndef HapticDock_h
 #define HapticDock_h
@@ -43,7 +43,7 @@ private:
 
   HapticController* Controller;
   QTimer Timer;
-  QString Told; ///< until something else is done
+  QString Told; ///< until the next action
   QComboBox* Device;
   QPushButton* Attach;
   QPushButton* Arm;

@@ -70,7 +70,7 @@ pqPipelineSource* FindDevice(pqPipelineSource* touch)
 }
 
 /**
- * A hand is not to feel all of a sudden what it has not been led to. Not to be undone, and not
+ * A hand must not suddenly feel something that it was not led to. Can't be undone, and is not
  * traced.
  */
 void Disarm(vtkSMProxy* device)

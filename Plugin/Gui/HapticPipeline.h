@@ -21,9 +21,10 @@ bool IsVolume(pqPipelineSource* source);
 ///@}
 
 /**
- * The HapticDevice for a source: itself, or the one that feels it, through a VolumeHaptics filter.
- * What is missing is made; a device that feels something else is disarmed, and used for this from
- * now on, since there is one hand. nullptr if the source can't be felt.
+ * The HapticDevice for a source: the source itself, or the device that feels it, through a
+ * VolumeHaptics filter. Missing objects are made. There is one hand, so a device that feels
+ * something else is disarmed and used for this source from now on. nullptr if the source can't be
+ * felt.
  */
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
 

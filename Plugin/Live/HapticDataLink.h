@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Connects a filter in the client with the data that are touched, on this process or on a server.
+ * Connects a filter in the client with the touched data, on this process or on a server.
  */
 #ifndef HapticDataLink_h
 #define HapticDataLink_h
@@ -30,12 +30,12 @@ class HapticReport;
 class HapticDataLink
 {
 public:
-  /** The function is called as soon as the server is found not to answer. */
+  /** `lost` is called as soon as the server is found not to answer. */
   explicit HapticDataLink(std::function<void()> lost);
 
   /**
-   * Take over the changes of the device's properties Touch, FollowOpacity and
-   * MaximumRegionVoxels, in the pipeline, and in its time. Problems go to the report.
+   * Take over changes of the device's properties Touch, FollowOpacity and MaximumRegionVoxels, of
+   * the pipeline, and of its time. Problems go to the report.
    */
   void Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
 
@@ -68,7 +68,7 @@ private:
   HapticImageLink Surface;
   HapticRegionLink Region; // if the data are on a server
   HapticOpacityLink Opacity;
-  vtkSmartPointer<vtkVolumeProperty> Visibility; // instead of the one that Opacity finds
+  vtkSmartPointer<vtkVolumeProperty> Visibility; // replaces the one that Opacity finds
   double ViewTime = 0.0;                         // s, of the data
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Errors of VTK objects as text, so that a timer that runs into the same one sixty times a second
- * says it once.
+ * Turns errors of VTK objects into text, so that a timer that meets the same error sixty times a
+ * second reports it once.
  */
 #ifndef HapticErrorCatcher_h
 #define HapticErrorCatcher_h
@@ -26,7 +26,7 @@ public:
   HapticErrorCatcher(const HapticErrorCatcher&) = delete;
   void operator=(const HapticErrorCatcher&) = delete;
 
-  /** From now on, errors of this object are not shown but kept. Once for an object is enough. */
+  /** From now on, errors of this object are kept instead of shown. Call it once for an object. */
   void Catch(vtkObject* object);
   /**
    * The errors since the last call, without files and addresses; empty if there were none.

@@ -18,15 +18,15 @@ namespace VolumeHapticsLive
 {
 
 /**
- * The filter is not connected to the pipeline, since a view must not execute what the servo reads:
- * it gets a shallow copy whenever the pipeline has something new. A pipeline that allocates anew
- * then leaves the array alone that is being touched.
+ * The filter is not connected to the pipeline, because a view must not execute a filter whose data
+ * the servo reads. It gets a shallow copy whenever the pipeline has new data. A pipeline that
+ * allocates a new array then leaves the touched one alone.
  */
 class HapticImageLink
 {
 public:
   /**
-   * Bring the source up to date, and give its output to an input port of the filter if it is new.
+   * Update the source, and give its output to an input port of the filter if it is new.
    */
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
 

@@ -37,7 +37,7 @@ std::string TextOf(vtkSMProxy* proxy, const char* name)
   return text ? text : "";
 }
 
-/** Whether the opacity of an array of several components is that of one of them. */
+/** Whether the opacity of an array of several components depends on one of them. */
 bool ShowsComponent(vtkSMProxy* representation, int component)
 {
   vtkSMProxy* const colors = representation->GetProperty("LookupTable")
@@ -123,7 +123,7 @@ vtkVolumeProperty* HapticOpacityLink::Find(vtkSMProxy* volume, vtkVolumeHapticsF
     if (opacity)
     {
       this->View = view;
-      // One function for whichever component is touched.
+      // One function for any touched component.
       this->Property->IndependentComponentsOff();
       this->Property->SetScalarOpacity(opacity);
       return this->Property;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the opacity with which ParaView shows a volume, as only what is seen is felt.
+ * Finds the opacity with which ParaView shows a volume, because only visible voxels are felt.
  */
 #ifndef HapticOpacityLink_h
 #define HapticOpacityLink_h
@@ -21,14 +21,14 @@ class HapticOpacityLink
 {
 public:
   /**
-   * The opacity function with which a source is volume-rendered, in the active view, or else in
-   * any: as a volume property whose function is ParaView's own. Null if it is not volume-rendered,
-   * if another array or component is shown than is touched, or if opacity comes from something else
-   * than that array's value.
+   * The opacity function with which a source is volume-rendered, in the active view, or else in any
+   * view: as a volume property whose function is ParaView's own. Null if it is not volume-rendered,
+   * if the shown array or component is not the touched one, or if opacity does not depend on that
+   * array's value alone.
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 
-  /** The view that was found; null if there is none. */
+  /** The view in which it was found; null if there is none. */
   vtkSMProxy* GetView() const { return this->View; }
 
 private:

@@ -20,7 +20,7 @@ namespace VolumeHapticsLive
 namespace
 {
 
-/** Faults of before Arm stay visible for some ticks after it (s). */
+/** A fault from before Arm stays visible for some ticks after it (s). */
 constexpr double FaultAge = 0.05;
 
 } // namespace
@@ -80,7 +80,7 @@ void HapticOrderLink::Take()
   }
   const bool arm = this->GetInt("Armed") != 0;
   const bool record = this->GetInt("Recording") != 0;
-  // Something else, too, may have armed it.
+  // Something else may also have armed it.
   const int status = this->Device->GetStatus();
   if (!arm &&
     (this->IsArmed || status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE))
@@ -141,7 +141,7 @@ void HapticOrderLink::FollowFault(bool isServerLost)
   if (this->IsArmed &&
     (!isReady || (isFault && this->Device->GetTime() > this->ArmedAt + FaultAge)))
   {
-    // Arming anew is for the user, who then sees a change of the property.
+    // Only the user may arm again, and then changes the property.
     this->IsArmed = false;
     this->Reset("Armed");
   }
@@ -161,7 +161,7 @@ void HapticOrderLink::FollowRunning(vtkVolumeHapticsFilter* filter)
   this->Report.SetNotice("");
   if (filter && !filter->GetInputDataObject(0, 0) && this->Report.HasProblem())
   {
-    // A server that refuses its volume gives nothing to start with, and has said why.
+    // A server that refuses its volume leaves nothing to start with, and has reported why.
     this->Stop("");
     this->Report.SetNotice(this->Report.GetProblem());
     return;
@@ -245,7 +245,7 @@ void HapticOrderLink::Stop(const std::string& why)
 void HapticOrderLink::EndForce()
 {
   this->Device->Disarm();
-  // So that a recording ends with what was sent last.
+  // So that a recording includes the last orders.
   for (int i = 0; i < 50; ++i)
   {
     this->Device->UpdateState();

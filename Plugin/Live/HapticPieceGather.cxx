@@ -75,7 +75,7 @@ vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdType tuple
   return array;
 }
 
-/** Remembers that a part of a region has come. */
+/** Notes that a part of a region has come. */
 void Note(const int part[6], const int region[6], std::vector<bool>& isThere)
 {
   for (int k = part[4]; k <= part[5]; ++k)
@@ -150,7 +150,7 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
   int both[6] = { 0, -1, 0, -1, 0, -1 };
   const bool hasPart = array && Intersect(piece->GetExtent(), region, both);
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  // A process without memory must say so before others wait for its part.
+  // A process without memory must report that before others wait for its part.
   std::vector<std::vector<int>> parts;
   vtkSmartPointer<vtkDataArray> whole;
   vtkSmartPointer<vtkDataArray> part;

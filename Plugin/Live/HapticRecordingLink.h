@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Records what is felt: as a recording of the device, or as a log if a server's region is touched.
+ * Records the touch: as a recording of the device, or as a log if a server's region is touched.
  */
 #ifndef HapticRecordingLink_h
 #define HapticRecordingLink_h
@@ -19,7 +19,7 @@ namespace VolumeHapticsLive
 class HapticRecordingLink
 {
 public:
-  /** Begin; isWhole: the device touches the whole volume. It is on if that succeeds. */
+  /** Begin. isWhole: the device touches the whole volume. IsOn tells whether it succeeded. */
   void Start(const char* file, bool isWhole, vtkHapticDevice* device, std::string& error);
   void Stop(vtkHapticDevice* device, std::string& error);
   bool IsOn() const { return this->IsRecording; }
@@ -27,7 +27,7 @@ public:
   /** Take the device's new states. */
   void Continue(vtkHapticDevice* device) { this->Log.Continue(device); }
 
-  /** After vtkHapticDevice::Stop, which ends the device's own recording. */
+  /** Call it after vtkHapticDevice::Stop, which ends the device's own recording. */
   void Close(vtkHapticDevice* device, std::string& error);
 
 private:

@@ -19,9 +19,9 @@ namespace
 {
 
 constexpr std::array<int, 6> Empty = { 0, -1, 0, -1, 0, -1 };
-/** Over how long (s) the tip's velocity is taken, at least. */
+/** The shortest time (s) over which the tip's velocity is measured. */
 constexpr double VelocityTime = 0.01;
-/** A user interface that was busy for longer (s) says nothing about the next time. */
+/** If a user interface was busy for longer (s), that says nothing about the next time. */
 constexpr double LongestInterval = 0.5;
 
 } // namespace
@@ -74,7 +74,7 @@ bool HapticRegionLink::Follow(
     vtkSMPropertyHelper(this->Proxy, "Input").Set(volume, port);
     this->Proxy->UpdateVTKObjects();
   }
-  volume->UpdatePipeline(); // else its next change would not be told
+  volume->UpdatePipeline(); // otherwise its next change would not be reported
   const char* const name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   const std::string array = name ? name : "";
   if (this->Proxy && (array != this->Array || this->Proxy->GetStale()))
@@ -107,12 +107,12 @@ HapticRegionLink::Answer HapticRegionLink::Fetch(
   }
   else
   {
-    // It was wanted since the last look.
+    // It may have been wanted ever since the last look.
     this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
     this->HasLatency = true;
     image->GetExtent(this->Resident.data());
   }
-  // While something else is felt, a corner would interrupt it.
+  // While another region is felt, a corner would interrupt it.
   if (this->Resident != Empty || !this->HasImage)
   {
     filter->SetInputDataObject(0, image);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The region of a server's volume that is around a tip, for a filter in the client.
+ * The region of a server's volume around a tip, for a filter in the client.
  */
 #ifndef HapticRegionLink_h
 #define HapticRegionLink_h
@@ -25,9 +25,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * At first it asks for the position of the volume: a corner of it comes, with which the servo may
- * start, since a tip that is not in the corner feels nothing. From then on it asks for the regions
- * that vtkHapticRegionPlanner plans.
+ * At first it asks for the position of the volume. A corner of it comes, with which the servo can
+ * start, because a tip outside the corner feels nothing. From then on it asks for the regions that
+ * vtkHapticRegionPlanner plans.
  */
 class HapticRegionLink
 {
@@ -36,7 +36,7 @@ public:
   {
     Nothing, ///< all that is needed is here
     Region,  ///< the filter has another image
-    Refused, ///< the problem says why; it is not asked for again before something changes
+    Refused, ///< the problem tells why; it is not requested again until something changes
     Lost     ///< the server does not answer
   };
 
@@ -44,13 +44,13 @@ public:
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter,
     vtkHapticDevice* device);
 
-  /** How long (s) it takes from when a region is wanted to when it is here; 0 before the first. */
+  /** The time (s) from wanting a region to having it here; 0 before the first. */
   double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
-  /** Why the last one was refused. */
+  /** Why the last region was refused. */
   const std::string& GetProblem() const { return this->Problem; }
 
   void SetMaximumVoxels(vtkIdType voxels) { this->Planner->SetMaximumVoxels(voxels); }
-  /** The volume may be another one. */
+  /** Call it if the volume may be another one. */
   void Forget();
   void Clear();
 

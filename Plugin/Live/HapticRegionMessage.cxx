@@ -22,7 +22,10 @@ namespace
 {
 
 constexpr int Tag = 78231;
-/** Sent in parts (bytes), so that one for which there is no memory can be let pass. */
+/**
+ * A message is sent in parts of this size (bytes), so that one that does not fit into memory can be
+ * skipped.
+ */
 constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
 /** No region has more bytes. */
 constexpr vtkIdType MostBytes = vtkIdType{ 1 } << 36;
@@ -74,7 +77,7 @@ void PutArray(std::vector<char>& message, vtkDataArray* array)
   Put(message, array->GetVoidPointer(0), size);
 }
 
-/** Takes numbers from a message as long as there are any. */
+/** Takes numbers from a message until its end. */
 class Reader
 {
 public:
@@ -123,7 +126,7 @@ public:
     const auto tuples = this->Take<std::int64_t>();
     vtkSmartPointer<vtkDataArray> array;
     array.TakeReference(vtkDataArray::CreateDataArray(type));
-    // Bits have no size, by which to divide.
+    // Bits have no size by which to divide.
     const std::int64_t size = array ? array->GetDataTypeSize() : 0;
     const auto rest = static_cast<std::int64_t>(this->Message.size() - this->Next);
     this->IsGood = this->IsGood && size > 0 && components > 0 && tuples >= 0 &&

@@ -4,8 +4,8 @@
  * @file
  * A region of a volume as bytes, on its way from the data server to the client.
  *
- * ParaView's own way of sending images loses their direction, and does not say that the other side
- * has died.
+ * ParaView's own way of sending images loses their direction, and does not report that the other
+ * side has ended.
  */
 #ifndef HapticRegionMessage_h
 #define HapticRegionMessage_h
@@ -21,14 +21,14 @@ namespace VolumeHapticsLive
 
 /** The image with its scalars and its numeric field arrays. */
 std::vector<char> PackRegion(vtkImageData* image);
-/** Instead of an image: why there is none. */
+/** A message with an error instead of an image. */
 std::vector<char> PackError(const std::string& error);
 
 /** False, with an error, if an error was packed, or the bytes are no image. */
 bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::string& error);
 
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message);
-/** False if the other side is gone. A message too large for the memory becomes an error. */
+/** False if the other side is gone. A message that does not fit into memory becomes an error. */
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message);
 
 } // namespace VolumeHapticsLive

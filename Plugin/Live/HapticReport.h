@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells the state of a device, and its problems, in the properties of its proxy.
+ * Reports the state of a device, and its problems, in the properties of its proxy.
  */
 #ifndef HapticReport_h
 #define HapticReport_h
@@ -23,17 +23,17 @@ class HapticReport
 public:
   /** From now on errors of this object are not shown, but become a problem. */
   void Catch(vtkObject* object) { this->Errors.Catch(object); }
-  /** Make the errors since the last call the problem; the text if it is a new one, or "". */
+  /** Makes the errors since the last call the problem; returns the text if it is new, else "". */
   std::string TakeNewError();
 
   ///@{
-  /** The problem of now; empty while all is well. */
+  /** The present problem; empty if there is none. */
   void SetProblem(const std::string& problem) { this->Problem = problem; }
   bool HasProblem() const { return !this->Problem.empty(); }
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
   ///@{
-  /** Why the device was stopped, until it is started again. A problem hides it. */
+  /** The reason why the device was stopped, until it is started again. A problem hides it. */
   void SetNotice(const std::string& notice) { this->Notice = notice; }
   const std::string& GetNotice() const { return this->Notice; }
   ///@}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells when a proxy has to let go of the hand: an object that it needs is taken out of the
+ * Reports that a proxy has to release the hand: an object that it needs is removed from the
  * pipeline, the session is closed, or the server is gone.
  */
 #ifndef HapticSessionWatch_h
@@ -22,8 +22,8 @@ namespace VolumeHapticsLive
 {
 
 /**
- * In scripts a deleted proxy lives on as long as a variable names it, so that destructors come too
- * late: a proxy is taken for deleted when it is no longer registered.
+ * In scripts a deleted proxy lives on as long as a variable refers to it, so destructors come too
+ * late: a proxy that is no longer registered counts as deleted.
  */
 class HapticSessionWatch
 {
@@ -40,7 +40,7 @@ public:
   HapticSessionWatch(const HapticSessionWatch&) = delete;
   void operator=(const HapticSessionWatch&) = delete;
 
-  /** Watch a session, once; others are not watched any more. */
+  /** Watch this session, and no other one. */
   void Watch(vtkSMSession* session);
 
 private:

@@ -96,7 +96,7 @@ bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
     return true;
   }
   device->DrainStates(nullptr, Reader);
-  this->File.close(); // says, too, whether the last of it could be written
+  this->File.close(); // also tells whether the last of it could be written
   if (!this->File)
   {
     error = "The file \"" + this->Name +

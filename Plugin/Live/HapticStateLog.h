@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes every tick as text if a region of a volume is touched, of which vtkHapticDevice makes no
- * recording.
+ * Writes every tick as text if a region of a volume is touched: vtkHapticDevice makes no recording
+ * of a region.
  */
 #ifndef HapticStateLog_h
 #define HapticStateLog_h
@@ -28,7 +28,7 @@ public:
   bool Start(const std::string& file, vtkHapticDevice* device, std::string& error);
   /** Write the ticks since the last call. */
   void Continue(vtkHapticDevice* device);
-  /** Does nothing without a file. False, with an error, if the file is not complete. */
+  /** Does nothing without a file. False, with an error, if the file is incomplete. */
   bool Stop(vtkHapticDevice* device, std::string& error);
   bool IsOpen() const { return this->File.is_open(); }
 

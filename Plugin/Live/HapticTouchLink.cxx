@@ -63,7 +63,7 @@ void HapticTouchLink::Follow(vtkSMProxy* touch)
 void HapticTouchLink::CopySettings()
 {
   this->Twin->Copy(this->Touch, "vtkSMProxyProperty");
-  // Properties copy proxies as their domains have them, and the twin's domains are empty.
+  // Properties copy proxies that are in their domains, and the twin's domains are empty.
   vtkSmartPointer<vtkSMPropertyIterator> properties;
   properties.TakeReference(this->Twin->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())

@@ -19,8 +19,8 @@ namespace VolumeHapticsLive
 
 /**
  * The settings are those of a second proxy of the same kind, whose objects are made in the client
- * only. It copies every property of the first but its inputs, whatever they are; functions are
- * shared, as ParaView's piecewise functions are on the client, too.
+ * only. It copies every property of the first, whatever it is, except the inputs; functions are
+ * shared, because ParaView's piecewise functions are on the client, too.
  */
 class HapticTouchLink
 {
@@ -30,10 +30,10 @@ public:
   HapticTouchLink(const HapticTouchLink&) = delete;
   void operator=(const HapticTouchLink&) = delete;
 
-  /** Take over the changes of its settings; nullptr lets go. */
+  /** Take over the changes of its settings; nullptr ends that. */
   void Follow(vtkSMProxy* touch);
 
-  /** Null without a proxy, or if it is not one of vtkVolumeHapticsFilter. */
+  /** Null without a proxy, or if it is not a vtkVolumeHapticsFilter. */
   vtkVolumeHapticsFilter* GetFilter() const;
   vtkSMProxy* GetTouch() const;
 

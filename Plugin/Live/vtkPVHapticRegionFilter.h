@@ -5,9 +5,9 @@
  * @brief   a region of a volume whose pieces are on several processes
  *
  * vtkHapticRegionFilter on every process of a controller, each with its own piece and the whole's
- * extent: the first process has the output. The noise is that of the whole, to the bit, however it
- * is cut. All processes have to execute it together, and agree with CanExecute before that they
- * can.
+ * extent: the first process has the output. The noise is that of the whole, to the bit, for any
+ * division into pieces. All processes have to execute it together; before that they have to agree,
+ * by CanExecute, that they can.
  */
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
@@ -30,15 +30,15 @@ public:
   vtkTypeMacro(vtkPVHapticRegionFilter, vtkHapticRegionFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Null (default) stands for this process alone. */
+  /** Null (default) means this process alone. */
   void SetController(vtkMultiProcessController* controller);
 
   /** The piece of this process, null or empty if it has none, and the extent of the whole. */
   void SetPiece(vtkImageData* piece, const int whole[6]);
 
   /**
-   * Whether all processes can execute: each says whether its piece could be had, and checks the
-   * array. Collective. On the first process the error says what is wrong, anywhere.
+   * Whether all processes can execute: each tells whether it has its piece, and checks the array.
+   * Collective. On the first process the error names a fault on any of them.
    */
   bool CanExecute(bool hasPiece, std::string& error);
 
@@ -67,7 +67,7 @@ private:
   vtkSmartPointer<vtkTrivialProducer> Producer;
   vtkWeakPointer<vtkImageData> Seen;
   vtkMTimeType SeenTime = 0;
-  int ArrayType = 0; // as agreed on
+  int ArrayType = 0; // agreed on by all processes
   int Components = 0;
   std::string ArrayName;
 };

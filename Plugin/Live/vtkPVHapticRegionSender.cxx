@@ -57,7 +57,7 @@ bool vtkPVHapticRegionSender::UpdatePiece(int whole[6])
   {
     return false;
   }
-  // Asks as ParaView asks for its own views, so that nothing is read a second time.
+  // Requests the same as ParaView's own views, so that nothing is read a second time.
   vtkAlgorithm* const source = input->GetProducer();
   const int port = input->GetIndex();
   auto* const pipeline = Pipeline::SafeDownCast(source->GetExecutive());

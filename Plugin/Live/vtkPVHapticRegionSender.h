@@ -4,8 +4,8 @@
  * @class   vtkPVHapticRegionSender
  * @brief   sends regions of a volume from the data server to the client
  *
- * Every process of the server asks its input for the same piece that it has already, so that
- * nothing is read again, and the first one sends the region that they assemble. See
+ * Every process of the server requests the piece from its input that it already has, so that
+ * nothing is read again. The first process sends the region that they assemble. See
  * vtkSMHapticRegionProxy for the other side.
  */
 #ifndef vtkPVHapticRegionSender_h
@@ -29,10 +29,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Send a region (an extent) of a point array by name; an empty name stands for the active
-   * scalars, and a region without indices for a corner of the volume, which tells where the whole
-   * is. On all processes together. The client gets one answer, whatever happens: the region, or an
-   * error.
+   * Send a region (an extent) of a point array by name. An empty name means the active scalars. A
+   * region without indices means a corner of the volume, from which the client learns the position
+   * of the whole. Call it on all processes together. The client gets exactly one answer: the
+   * region, or an error.
    */
   void Send(const char* array, int x0, int x1, int y0, int y1, int z0, int z1);
 

@@ -5,7 +5,7 @@
  * @brief   the state of a device in ParaView's client, as geometry on the data server
  *
  * The output is that of vtkHapticStateSource; the state comes from the client, through
- * vtkSMHapticDeviceProxy. Of several processes the first one has the output.
+ * vtkSMHapticDeviceProxy. If there are several processes, the first one has the output.
  */
 #ifndef vtkPVHapticStateSource_h
 #define vtkPVHapticStateSource_h
@@ -20,7 +20,7 @@ public:
   vtkTypeMacro(vtkPVHapticStateSource, vtkHapticStateSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The filter that is touched; only tells ParaView that the two belong together. */
+  /** The touched filter; only tells ParaView that the two belong together. */
   void SetTouch(vtkObject*) {}
 
   /** Length of a state. */
@@ -32,7 +32,7 @@ public:
    */
   void SetState(const double state[26]);
 
-  /** Whether the state is newer than the output; ParaView asks each live source this. */
+  /** Whether the state is newer than the output; ParaView asks every live source. */
   bool GetNeedsUpdate();
 
 protected:

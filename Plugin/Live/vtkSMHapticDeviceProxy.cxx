@@ -28,8 +28,9 @@ namespace
 {
 
 /**
- * How long (s) Poll may stay away from an armed device. A user interface that stands still for
- * longer, for example since a server does not answer, can't be used to stop the hand.
+ * The longest pause (s) between calls of Poll while the device is armed. A user interface that
+ * stands still for longer, for example because a server does not answer, can't be used to stop the
+ * hand.
  */
 constexpr double AttentionTime = 2.0;
 
@@ -138,10 +139,10 @@ void vtkSMHapticDeviceProxy::LoseServer()
 void vtkSMHapticDeviceProxy::UpdateVTKObjects()
 {
   auto& d = *this->Internals;
-  // First the orders, for which a hand may be waiting.
+  // First the orders, because a hand may be waiting for them.
   if (this->ObjectsCreated && d.IsBusy)
   {
-    // The rest is for when Poll is through.
+    // The rest waits until Poll has ended.
     d.Orders.TakeCuts();
   }
   else if (this->ObjectsCreated)
@@ -214,7 +215,7 @@ void vtkSMHapticDeviceProxy::UpdatePipeline(double time)
 //------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::UpdatePropertyInformationInternal(vtkSMProperty*)
 {
-  // They are of the client: there is nothing to ask the server for.
+  // They belong to the client: the server need not be asked.
   auto& d = *this->Internals;
   if (this->ObjectsCreated && !d.IsBusy)
   {

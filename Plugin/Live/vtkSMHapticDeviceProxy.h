@@ -4,28 +4,28 @@
  * @class   vtkSMHapticDeviceProxy
  * @brief   a haptic device in ParaView's client, which touches the data of a Volume Haptics filter
  *
- * The servo runs in the client, also if the data are on a server. The proxy owns a vtkHapticDevice
- * and, by way of the property Touch, a vtkVolumeHapticsFilter with the settings of that filter
- * proxy. On the data server there is only a small source that shows the client's state,
- * vtkPVHapticStateSource. Data of the same process are touched without a copy. Of data on a server,
- * a region around the tip is fetched (vtkHapticRegionPlanner) and given to the servo, without a
- * step of the force. With the round trip and load time t, v_max of a hand, the spring's length
- * T_N/k, the reach r of a tick and the band b over which force fades, its half-width is
+ * The servo runs in the client, even if the data are on a server. The proxy owns a vtkHapticDevice
+ * and, through the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy.
+ * The data server only has a small source that shows the client's state, vtkPVHapticStateSource.
+ * Data of the same process are touched without a copy. Of data on a server, a region around the tip
+ * is fetched (vtkHapticRegionPlanner) and given to the servo, without a step of the force. With the
+ * round trip and load time t, v_max of a hand, the spring's length T_N/k, the reach r of a tick and
+ * the band b over which force fades, its half-width is
  *
  *   h = v_max t + T_N/k + r + b
  *
- * and if the hand is faster than the data, force fades, and comes back when they are there.
+ * If the hand is faster than the data, force fades, and comes back when they have come.
  *
- * Nothing here has a clock: Poll is for the timer of a user interface and for UpdatePipeline, which
- * scripts call.
+ * Nothing here has a clock: the timer of a user interface calls Poll, and so does UpdatePipeline,
+ * which scripts call.
  *
- * How a hand is kept safe. Force leaves only while Running and Armed are 1 and through the safety
- * stage of vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go
- * back to 0, with zero force, when this proxy, what it touches or the view in which that is seen is
- * deleted, when the session is closed, and after a fault. When the server is gone, force fades
- * within 50 ms; so it does when Poll stays away for 2 s, as in a client that waits for a server
- * that hangs (vtkHapticDevice::SetAttentionTime). Setting one of them to 0 takes effect at once,
- * without a Poll.
+ * Safety: force flows only while Running and Armed are 1, and only through the safety stage of
+ * vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go back to 0,
+ * with zero force, if this proxy, the touched filter or its view is deleted, if the session is
+ * closed, and after a fault. If the server is gone, force fades within 50 ms. It also does so if
+ * Poll is not called for 2 s, as in a client that waits for a server that hangs
+ * (vtkHapticDevice::SetAttentionTime). Setting one of them to 0 takes effect at once, without a
+ * Poll.
  */
 #ifndef vtkSMHapticDeviceProxy_h
 #define vtkSMHapticDeviceProxy_h
@@ -46,7 +46,7 @@ public:
   vtkTypeMacro(vtkSMHapticDeviceProxy, vtkSMSourceProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The device, which this proxy opens, starts and arms as its properties say. */
+  /** The device; this proxy opens, starts and arms it by its properties. */
   vtkHapticDevice* GetDevice();
 
   /** The filter in the client; null while there is nothing to touch. */
@@ -54,28 +54,28 @@ public:
 
   /**
    * Take over changes of properties, pipeline and opacity, give them to the servo, and take its
-   * latest state. True if that is a new one. If it is called while it runs, it does nothing.
+   * latest state. True if that is a new one. A call during a call does nothing.
    */
   bool Poll();
 
   /**
-   * Only what this property shows is felt, instead of what ParaView shows (FollowOpacity).
-   * nullptr (default) goes back to that.
+   * Only voxels that this property shows are felt, instead of those that ParaView shows
+   * (FollowOpacity). nullptr (default) returns to FollowOpacity.
    */
   void SetVisibility(vtkVolumeProperty* property);
 
-  /** Zero force, and let go of the device; again when Running is set the next time. */
+  /** Zero force, and release the device, until Running is set again. */
   void Shutdown();
 
   void UpdateVTKObjects() override;
   ///@{
-  /** Poll, and bring the source on the server up to date. */
+  /** Poll, and update the source on the server. */
   void UpdatePipeline() override;
   void UpdatePipeline(double time) override;
   ///@}
 
   ///@{
-  /** Without Running, Armed and Recording, which stay as they are. */
+  /** Without Running, Armed and Recording, which stay unchanged. */
   using Superclass::SaveXMLState;
   vtkPVXMLElement* SaveXMLState(vtkPVXMLElement* root, vtkSMPropertyIterator* properties) override;
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;

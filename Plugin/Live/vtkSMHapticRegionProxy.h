@@ -4,8 +4,8 @@
  * @class   vtkSMHapticRegionProxy
  * @brief   the client's side of vtkPVHapticRegionSender
  *
- * A fetch is one message there and one back, so that it takes one round trip and the time to cut
- * out and send the region. The client waits: ParaView's connection has no way to do something else
+ * A fetch is one message there and one back, so it takes one round trip and the time for cutting
+ * out and sending the region. The client waits: ParaView's connection can't do anything else
  * meanwhile.
  */
 #ifndef vtkSMHapticRegionProxy_h
@@ -28,11 +28,11 @@ public:
   enum Answer
   {
     FETCHED,
-    REFUSED, ///< the server says why
+    REFUSED, ///< the error tells the server's reason
     LOST     ///< the server does not answer
   };
 
-  /** Get a region of the Input, as vtkPVHapticRegionSender::Send says, into an image. */
+  /** Fetches a region of the Input into an image: see vtkPVHapticRegionSender::Send. */
   Answer Fetch(
     const std::string& array, const int region[6], vtkImageData* image, std::string& error);
 
@@ -55,7 +55,7 @@ private:
   bool HasSender();
 
   bool Stale = true;
-  bool IsKnown = false; // to have a sender
+  bool IsKnown = false; // the server is known to have a sender
 };
 
 #endif

@@ -18,11 +18,11 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** In a renderer for as long as it lives. */
+/** Adds props to a renderer, and removes them when it is destroyed. */
 class HapticViewProps
 {
 public:
-  /** The hand is sized by the filter's image, if there is one. */
+  /** The size of the hand follows the filter's image, if there is one. */
   HapticViewProps(vtkRenderer* renderer, vtkHapticDevice* device, vtkVolumeHapticsFilter* filter);
   ~HapticViewProps();
   HapticViewProps(const HapticViewProps&) = delete;

@@ -30,15 +30,15 @@ constexpr const char* DeviceDeleted =
 
 struct vtkHapticViewLink::vtkInternals
 {
-  // What ParaView or the user may delete is not kept alive by this link; but for what is needed to
-  // put things back.
+  // This link keeps no object alive that ParaView or the user may delete, except those that restore
+  // the view.
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<vtkInteractorObserver> StyleBefore;
   vtkSmartPointer<vtkHapticViewStyle> Style;
-  vtkSmartPointer<vtkHapticViewStyle> LastStyle; // which may have called for its own end
+  vtkSmartPointer<vtkHapticViewStyle> LastStyle; // the style may have requested its own end
   std::unique_ptr<VolumeHaptics::HapticViewProps> Props;
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> Observers;
   std::string Reason;
@@ -77,9 +77,8 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   vtkRenderWindowInteractor* const interactor = view->GetInteractor();
   if (!pvview || !interactor)
   {
-    vtkErrorMacro(
-      "This view has nobody to interact with, as in pvbatch. Attach the device to a render "
-      "view of paraview or pvpython; a path can be felt anywhere.");
+    vtkErrorMacro("This view has no interactor, as in pvbatch. Attach the device to a render "
+                  "view of paraview or pvpython; a path can be felt anywhere.");
     return false;
   }
   if (vtkHapticViewStyle::SafeDownCast(interactor->GetInteractorStyle()))
@@ -94,7 +93,7 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   d.StyleBefore = interactor->GetInteractorStyle();
   d.Reason.clear();
 
-  // This renderer is drawn by the client alone, with local and with remote rendering.
+  // Only the client draws this renderer, with local and with remote rendering.
   d.Props = std::make_unique<VolumeHaptics::HapticViewProps>(
     pvview->GetNonCompositedRenderer(), d.Device, device->GetFilter());
   d.Style = vtkSmartPointer<vtkHapticViewStyle>::New();
@@ -136,7 +135,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
   switch (event)
   {
     case vtkCommand::ModifiedEvent:
-      this->Modified(); // a key has changed the touch mode, perhaps
+      this->Modified(); // a key may have changed the touch mode
       break;
     case vtkCommand::DisableEvent:
       this->End("ParaView gave the view another way of interaction. Attach again when it is done.");
@@ -154,7 +153,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
     case vtkCommand::DeleteEvent:
       if (caller == d.DeviceProxy.GetPointer())
       {
-        d.DeviceProxy = nullptr; // nothing is to be sent through it any more
+        d.DeviceProxy = nullptr; // nothing may be sent through it any more
         this->End(DeviceDeleted);
       }
       else
@@ -176,7 +175,7 @@ void vtkHapticViewLink::Detach()
   {
     return;
   }
-  // Before anything else, as the hand is not shown any more from here on.
+  // First of all, because the hand is no longer shown after this.
   d.Device->Disarm();
   for (auto& [object, tag] : d.Observers)
   {
@@ -253,7 +252,7 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   {
     return;
   }
-  // A user who comes from a button has no pointer in the view yet.
+  // A user who pressed a button has no pointer in the view yet.
   const int* const size = d.Interactor->GetSize();
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);

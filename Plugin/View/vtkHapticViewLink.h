@@ -5,15 +5,16 @@
  * @brief   a haptic device in a render view of ParaView
  *
  * Attach() gives the view's interactor a vtkHapticViewStyle, and shows the hand and the forces in
- * the view's non-composited renderer, which the client draws itself: that way they are seen with
- * local and with remote rendering. Detach() disarms the device, takes both away, and puts the very
- * same style back as was there.
+ * the view's non-composited renderer, which the client draws itself: so they are visible with local
+ * and with remote rendering. Detach() disarms the device, removes both, and restores the very style
+ * of before.
  *
- * The link ends by itself, disarmed first, when the view or the device is closed or unregistered,
- * when the connection closes, and when ParaView gives the view another style, as for a 2D view or a
- * selection; that style then stays. GetReason() says why, and vtkCommand::EndEvent is invoked.
+ * The link ends by itself, and disarms first, if the view or the device is closed or unregistered,
+ * if the connection closes, and if ParaView gives the view another style, for example for a 2D view
+ * or a selection; that style then stays. GetReason() tells why, and vtkCommand::EndEvent is
+ * invoked.
  *
- * The device, opened and started, stays so.
+ * The device stays open and started.
  *
  * @sa vtkSMHapticViewProxy, vtkSMHapticDeviceProxy
  */
@@ -38,8 +39,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * False, with an error that says what to do, if the view has no interactor (as in pvbatch), or
-   * has a device already. Detaches from another view first.
+   * False, with an error that tells the cure, if the view has no interactor (as in pvbatch), or
+   * already has a device. Detaches from another view first.
    */
   bool Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProxy* device);
   /** Does nothing if nothing is attached. */
@@ -50,7 +51,7 @@ public:
   std::string GetReason() const;
 
   ///@{
-  /** While attached, else nullptr. */
+  /** Null unless attached. */
   vtkSMRenderViewProxy* GetView() const;
   vtkSMHapticDeviceProxy* GetDeviceProxy() const;
   vtkInteractorStyleHaptic* GetStyle() const;
@@ -58,9 +59,9 @@ public:
 
   ///@{
   /**
-   * Whether the mouse leads the tip: see vtkInteractorStyleHaptic::SetTouchMode. On begins in front
-   * of what lies in the middle of the view. Default off. vtkCommand::ModifiedEvent follows a
-   * change, as by a key.
+   * Whether the mouse leads the tip: see vtkInteractorStyleHaptic::SetTouchMode. It begins in front
+   * of the first surface in the middle of the view. Default off. A change, for example by a key,
+   * invokes vtkCommand::ModifiedEvent.
    */
   void SetTouchMode(bool on);
   bool GetTouchMode() const;

@@ -24,7 +24,7 @@ vtkHapticViewStyle::~vtkHapticViewStyle() = default;
 void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
 {
   this->View = view;
-  // It wins over the renderer under the pointer.
+  // It takes precedence over the renderer under the pointer.
   vtkRenderer* const renderer = view ? view->GetRenderer() : nullptr;
   this->SetDefaultRenderer(renderer);
   this->SetCurrentRenderer(renderer);
@@ -91,7 +91,7 @@ void vtkHapticViewStyle::OnKeyPress()
   }
   if (key == "Escape")
   {
-    // Before the clutch is released, which looks at it.
+    // Before the clutch is released, because that reads the order.
     this->SetArmed(false);
   }
   this->Superclass::OnKeyPress();

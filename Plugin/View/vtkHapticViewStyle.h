@@ -5,11 +5,11 @@
  * @brief   vtkInteractorStyleHaptic in a render view of ParaView
  *
  * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that
- * data on servers are rendered there, too. Picks in the one renderer that shows the data, whichever
- * of the view's renderers lies under the pointer. Of VTK's keys only "r" is left, which resets the
- * view's camera: the others would change actors that belong to ParaView. Keys arm and disarm by the
- * device's property Armed, so that it always holds; the key for the next method sets Method and
- * Solver of the filter that is touched.
+ * data on servers are rendered, too. Picks in the one renderer that shows the data, whichever of
+ * the view's renderers is under the pointer. Of VTK's keys only "r" is left, which resets the
+ * view's camera: the others would change actors that belong to ParaView. Keys arm and disarm
+ * through the device's property Armed, so that the property is always right; the key for the next
+ * method sets Method and Solver of the touched filter.
  *
  * @sa vtkHapticViewLink
  */
@@ -32,16 +32,16 @@ public:
 
   ///@{
   /**
-   * The view and the device, neither of them kept: one that is gone is neither drawn nor polled.
+   * The view and the device. They are not kept alive: a deleted one is neither drawn nor polled.
    */
   void SetView(vtkSMRenderViewProxy* view);
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}
 
-  /** By the property Armed of the device's proxy. */
+  /** Sets the property Armed of the device's proxy. */
   void SetArmed(bool on);
 
-  /** vtkCommand::DisableEvent follows if the interactor has let go of this style. */
+  /** Invokes vtkCommand::DisableEvent afterwards if the interactor has released this style. */
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   void OnTimer() override;
   void OnKeyPress() override;

@@ -34,7 +34,7 @@ vtkHapticViewLink* vtkSMHapticViewProxy::GetLink()
 //------------------------------------------------------------------------------
 void vtkSMHapticViewProxy::UpdateVTKObjects()
 {
-  // Nothing of this is anywhere else: there is nothing to be sent.
+  // All of it is in the client: nothing has to be sent.
   if (vtkSMPropertyHelper(this, "Attached").GetAsInt() == 0)
   {
     this->Link->Detach();
@@ -60,7 +60,7 @@ void vtkSMHapticViewProxy::OnEnd()
 {
   vtkSMPropertyHelper(this, "Attached").Set(0);
   vtkSMPropertyHelper(this, "TouchMode").Set(0);
-  // Does not keep a view alive that was closed.
+  // A closed view must not be kept alive.
   vtkSMPropertyHelper(this, "View").RemoveAllValues();
   vtkSMPropertyHelper(this, "Device").RemoveAllValues();
 }

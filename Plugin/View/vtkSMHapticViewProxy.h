@@ -13,8 +13,8 @@
  *
  *   link = servermanager.ProxyManager().NewProxy("misc", "HapticView")
  *
- * Attached and TouchMode turn 0 by themselves if the link ends: see vtkHapticViewLink. Neither a
- * state nor a trace has them, as a user who loads it has not got a hand on the device.
+ * Attached and TouchMode become 0 by themselves if the link ends: see vtkHapticViewLink. Neither a
+ * state nor a trace contains them: a user who loads it may not have a hand on the device.
  */
 #ifndef vtkSMHapticViewProxy_h
 #define vtkSMHapticViewProxy_h

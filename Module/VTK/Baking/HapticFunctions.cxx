@@ -12,7 +12,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** As vtkPiecewiseFunction stores a node; midpoint and sharpness shape the piece behind it. */
+/**
+ * A node as vtkPiecewiseFunction stores it; midpoint and sharpness shape the piece that follows it.
+ */
 struct Node
 {
   double X;
@@ -21,12 +23,12 @@ struct Node
   double Sharpness;
 };
 
-/** Vertices of a curve strictly between two given ones, added where the chord is too far off. */
+/** Adds vertices of a curve strictly between two given ones if the chord is too far off. */
 void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
   int depth, Polyline& line)
 {
-  // Below the documented bounds, since the chord is checked at three places only. A value that is
-  // tiny against the piece's height must be right, too, but for the last digits near zero.
+  // Below the documented bounds, because the chord is checked at three positions only. A value that
+  // is tiny against the piece's height must be accurate, too, except for the last digits near zero.
   constexpr double share = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
   const double tolerance =
@@ -49,7 +51,7 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
   Subdivide(function, middle, b, height, depth - 1, line);
 }
 
-/** Where a piece changes from its first to its second half. */
+/** The position at which a piece changes from its first to its second half. */
 double FindMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
 {
   constexpr double margin = 1e-5; // as in vtkPiecewiseFunction
@@ -71,7 +73,7 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
   const double middle = FindMiddle(function, a, b);
   if (a.Sharpness > step)
   {
-    // At the step itself the function has its right-hand value already.
+    // At the step itself the function already has its right-hand value.
     const double before = std::nextafter(middle, a.X);
     line.push_back({ before, a.Y });
     line.push_back({ before, b.Y });
@@ -85,7 +87,7 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
     }
     return;
   }
-  constexpr int depth = 24; // a logarithmic scale packs decades at the low end
+  constexpr int depth = 24; // a logarithmic scale has many decades at the low end
   const double height = std::abs(b.Y - a.Y);
   const Vertex kink{ middle, function->GetValue(middle) };
   Subdivide(function, { a.X, a.Y }, kink, height, depth, line);

@@ -21,12 +21,12 @@ constexpr double CurveTolerance = 1e-4;
 constexpr double CurveValueTolerance = 1e-3;
 
 /**
- * The function as a polyline: exact where it is linear or a step, within CurveTolerance where it is
- * curved. A function without points gives the constant `emptyValue`.
+ * The function as a polyline: exact for linear pieces and steps, within CurveTolerance for curved
+ * pieces. A function without points gives the constant `emptyValue`.
  */
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
 
-/** 1 where a polyline is positive, 0 where it is not, with the argument scaled by `scale`. */
+/** 1 if a polyline is positive, else 0, with the argument multiplied by `scale`. */
 Polyline PositiveMask(const Polyline& line, double scale = 1.0);
 
 } // namespace VolumeHaptics

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The values that a function may have, for people. */
+/** The allowed values of a function, as a text. */
 std::string DescribeRange(const PropertyFunction& function)
 {
   const std::string unit = *function.Unit ? std::string(" ") + function.Unit : std::string();
@@ -75,7 +75,7 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
     PositiveMask(ToPolyline(volume->GetGradientOpacity(component), 1.0), 1.0 / average);
 }
 
-/** Keeps noise from being felt where nobody has said from which gradient on there is a surface. */
+/** Keeps noise from being felt unless the user has set the gradient of a surface. */
 void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   const WholeFacts& whole, HapticNoise& estimate, HapticModelDescription& d)
 {
@@ -93,7 +93,7 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
-/** The mesh and the proxy's radius, where the method is one of surfaces. */
+/** The mesh and the proxy's radius, if the method touches a mesh. */
 bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
 {

@@ -26,18 +26,18 @@ struct HapticModelOptions
 {
   /**
    * The kernel, the settings and the placement of the device; a radius of 0 is half a voxel. The
-   * volume, the material and what the property says are filled in.
+   * builder fills in the volume, the material and the settings of the property.
    */
   HapticModelDescription Description;
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
   HapticNoise* Noise = nullptr;      ///< required
-  RegionSeries* Regions = nullptr;   ///< of the models before, where the image may be a region
+  RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
 };
 
 /**
- * Bakes a model that keeps the scalar array alive. Returns null, and says in `error` which input is
- * wrong and what cures it, where the input can't be touched.
+ * Bakes a model that keeps the scalar array alive. If the input can't be touched, returns null, and
+ * `error` names the input and the cure.
  */
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
   vtkHapticProperty* property, const HapticModelOptions& options, std::string& error);

@@ -24,7 +24,7 @@ double HapticNoise::Get(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   const std::int64_t* const n = view.Dimensions;
-  // Programs that write into an array often announce it by the image alone.
+  // Programs that write into an array often call Modified() of the image only.
   const Key key{ scalars, view.Data, { n[0], n[1], n[2] }, component,
     std::max(image->GetMTime(), scalars->GetMTime()) };
   if (key != this->EstimatedFrom)

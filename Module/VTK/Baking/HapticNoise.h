@@ -28,7 +28,7 @@ namespace VolumeHaptics
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
   const int whole[6], NoiseSamples& samples);
 
-/** The noise of the latest scalars, estimated anew only after a change. */
+/** The noise of the latest scalars; estimated again only after a change. */
 class HapticNoise
 {
 public:

@@ -25,7 +25,7 @@ bool ReadSimilarity(vtkMatrix4x4* matrix, Affine3& map, std::string& error)
     error2 += Dot(difference, difference);
   }
   constexpr double tolerance = 1e-6;
-  // Beyond this, doubles are too coarse for the steps of the solvers.
+  // Larger numbers are too coarse for the steps of the solvers.
   constexpr double most = 1e15;
   // Also false for NaN.
   if (determinant > 0.0 && std::sqrt(error2) <= tolerance * scale * scale && scale < most &&

@@ -27,17 +27,17 @@ struct Preset
 {
   const char* Name;
   std::vector<Tissue> Tissues;
-  double DistinctnessStart; // gradient magnitude where a surface begins to be felt
-  double DistinctnessFull;  // and where it is felt fully
+  double DistinctnessStart; // gradient magnitude at which a surface begins to be felt
+  double DistinctnessFull;  // gradient magnitude from which on it is felt fully
   int Side;
 };
 
-/** Newtons that no device reaches. */
+/** More newtons than any device exerts. */
 constexpr double Impenetrable = 1e6;
 
 const std::vector<Preset>& Presets()
 {
-  // Where two tissues of the table touch, a ramp of 5 or 10 HU stands between them: partial volumes
+  // If two tissues of the table touch, there is a ramp of 5 or 10 HU between them: partial volumes
   // should not switch a material from one tick to the next. The distinctness of the CT presets
   // starts at 8 HU/mm: beyond 3.4 standard deviations of the gradient for 20 HU of noise, 1 mm
   // voxels and the default kernel, so that noise is not felt as surfaces.
@@ -64,8 +64,8 @@ const std::vector<Preset>& Presets()
         { 310, 3071, 1000, 0.32, 0.00, Impenetrable }, // bone
       },
       8, 40, vtkHapticProperty::HIGHER },
-    // Surfaces are felt from both sides here, so that the background can be inside of one: it is as
-    // stiff as fluid, since the drag of tissue on a soft spring would leave the proxy far behind.
+    // Surfaces are felt from both sides here, so the background can be inside one: it is as stiff
+    // as fluid, because the drag of tissue on a soft spring would leave the proxy far behind.
     { "MRI",
       {
         { 0, 15, 100, 0.00, 0.00, 0.0 },    // background

@@ -17,7 +17,7 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** False, and nothing changed, where there is no such preset. */
+/** If there is no such preset, returns false and changes nothing. */
 bool FillFromPreset(const char* name, vtkHapticProperty* property);
 
 vtkSmartPointer<vtkStringArray> MakePresetNames();

@@ -40,7 +40,7 @@ inline constexpr PlannerSetting All[] = {
   HapticNumberMacro(
     MaximumSpeed, 0.0, 10.0, 0.5, "m/s", NotBaked, "v_max (m/s), 0 to 10. Default 0.5."),
   HapticNumberMacro(MetersPerWorldUnit, 1e-12, 1e12, 0.001, "", NotBaked,
-    "Metres a world unit is, 1e-12 to 1e12. Default 0.001."),
+    "Metres per world unit, 1e-12 to 1e12. Default 0.001."),
   HapticNumberMacro(SpringLength, 0.0, 1e12, 4.0, "", NotBaked,
     "T_N/k (world units), 0 to 1e12. Default 4. See UseSettingsOf."),
   HapticNumberMacro(Reach, 0.0, 1e12, 8.0, "", NotBaked,
@@ -58,8 +58,8 @@ using Owner = vtkHapticRegionFilter;
 
 inline constexpr RegionFilterVector Vectors[] = { HapticVectorMacro(Region, int, 6, -LargestInteger,
   LargestInteger, "",
-  "Which part (an extent, in the whole's indices), clipped to the whole. Default (0, -1, 0, -1, 0, "
-  "-1): the whole.",
+  "The region (an extent, in the whole's indices); it is clipped to the whole. Default (0, -1, 0, "
+  "-1, 0, -1): the whole.",
   0, -1, 0, -1, 0, -1) };
 } // namespace RegionFilterSettingRows
 

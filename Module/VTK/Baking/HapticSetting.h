@@ -4,8 +4,8 @@
  * @file
  * One row of a list of settings, such as those in HapticSettingLists.h.
  *
- * A row says everything about a setting: its name, range, default, unit and documentation, the
- * names of its choices, how it is got and set, and where a model keeps it. PrintSelf, setup files,
+ * A row holds everything about a setting: its name, range, default, unit and documentation, the
+ * names of its choices, its getter and setter, and its member of a model. PrintSelf, setup files,
  * baking and the comparison of models walk the lists; a test compares the public headers and
  * ParaView's XML with them.
  */
@@ -30,8 +30,8 @@ namespace VolumeHaptics
 /** One value of a setting that is a choice; the value is its place in the list. */
 struct SettingChoice
 {
-  const char* Name; ///< in files
-  const char* Text; ///< for people
+  const char* Name; ///< as in files
+  const char* Text; ///< as the user sees it
 };
 
 enum class SettingKind
@@ -42,7 +42,7 @@ enum class SettingKind
   Choice
 };
 
-/** The parts that do not depend on the class that has the setting. */
+/** The members that do not depend on the class that has the setting. */
 struct SettingFacts
 {
   SettingKind Kind;
@@ -50,10 +50,10 @@ struct SettingFacts
   double Minimum;
   double Maximum;
   double Default;
-  const char* Unit;             ///< empty for a setting that has none
+  const char* Unit;             ///< empty if the setting has none
   const SettingChoice* Choices; ///< of SettingKind::Choice: Maximum + 1 of them
   /**
-   * As ParaView shows it. The comment in the public header begins with the same words, with the
+   * As ParaView shows it. The comment in the public header begins with the same words, but has the
    * names of constants instead of those of choices.
    */
   const char* Documentation;
@@ -66,7 +66,7 @@ struct HapticSetting : SettingFacts
   double (*Get)(Owner*);
   void (*Set)(Owner*, double);
   ///@{
-  /** Null for a setting that a model does not keep as it is. */
+  /** Null if a model does not keep the setting unchanged. */
   void (*Bake)(Owner*, HapticModelDescription&);
   bool (*IsSame)(const HapticModelDescription&, const HapticModelDescription&);
   ///@}

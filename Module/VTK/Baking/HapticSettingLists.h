@@ -5,7 +5,7 @@
  * The settings of vtkVolumeHapticsFilter and vtkHapticProperty.
  *
  * To add a setting: a member with its macros in the public header, a row here, a property in
- * ParaView's XML, and what the core does with it.
+ * ParaView's XML, and the code of the core that uses it.
  */
 #ifndef HapticSettingLists_h
 #define HapticSettingLists_h
@@ -50,9 +50,10 @@ inline constexpr FilterSetting All[] = {
     "Value (or of the Surface) lets through. Local surface: a slow loop fits a plane or a quadric "
     "to that isosurface near the proxy, and the servo touches that."),
   HapticChoiceMacro(Solver, Owner::PRECISE, &S::Solver,
-    "How the method Proxy moves the proxy in a tick. Paper: as published, one look at the volume "
-    "where the proxy is when the tick begins. Precise (default): the same law, in balance where "
-    "the proxy ends; it neither drifts off curved walls nor leaks out of cavities."),
+    "How the method Proxy moves the proxy in a tick. Paper: as published, with one look at the "
+    "volume, at the proxy's position before the tick. Precise (default): the same law, in balance "
+    "at the proxy's position after it; it neither drifts off curved walls nor leaks out of "
+    "cavities."),
   HapticChoiceMacro(ContactAlignment, Owner::DISTINCTNESS, &S::Alignment,
     "Where a surface begins to hold, with the solver Precise. Distinctness (default): as soon as "
     "distinctness and strength say so, which on a blurred edge is some voxels before its middle. "
@@ -86,11 +87,11 @@ inline constexpr FilterSetting All[] = {
     "Turn the force of the method Surface proxy smoothly from triangle to triangle, by the point "
     "normals. Default on."),
   HapticChoiceMacro(LocalSurfaceShape, Owner::PLANE, &S::LocalShape,
-    "What the method Local surface fits: the tangent Plane (default), or the Quadric that also "
-    "bends as the normal does over Kernel Radius voxels to either side."),
+    "The shape that the method Local surface fits: the tangent Plane (default), or the Quadric "
+    "that also bends as the normal does over Kernel Radius voxels to either side."),
   HapticNumberMacro(LocalSurfaceRate, 1.0, 1000.0, 60.0, "Hz", &S::LocalSurfaceRate,
     "How often the slow loop of the method Local surface looks (Hz), 1 to 1000; 30 to 100 are "
-    "usual. Its answer comes one period later. Default 60."),
+    "usual. Its result comes one period later. Default 60."),
   HapticNumberMacro(RecoveryTime, 0.0, 10.0, 0.015, "s", &S::RecoveryTime,
     "Time (s) in which the force of the method Local surface goes over from one surface to the "
     "next, 0 to 10: longer ones are smoother, and follow later. Default 0.015."),

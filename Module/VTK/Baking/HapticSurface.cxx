@@ -24,7 +24,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Boxes are of single precision. */
+/** Boxes have single precision. */
 constexpr double FarthestPoint = 1e30;
 
 /** Triangles and points of a surface of triangles; points by one map, normals by another. */
@@ -114,9 +114,9 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
 std::shared_ptr<const SurfaceMesh> MeshOf(
   const IsoSurface& iso, const Affine3& indexToWorld, std::string& error)
 {
-  // Found in steps of the index: what stands where in the world is the image's geometry, whole.
+  // Computed in index steps: the geometry of the whole image gives the places in the world.
   vtkNew<vtkImageData> samples;
-  // Where a region has its samples in the whole: what is found is then the same, to the bit.
+  // The samples keep their place in the whole volume: the mesh is then the same, to the bit.
   int extent[6];
   for (int a = 0; a < 3; ++a)
   {
@@ -156,7 +156,7 @@ std::shared_ptr<const SurfaceMesh> MeshOf(
   return mesh;
 }
 
-/** How many triangles an isosurface has, about: two in a voxel that it passes through. */
+/** The approximate number of triangles of an isosurface: two in each voxel that it passes. */
 double EstimateTriangles(const IsoSurface& iso)
 {
   constexpr int looks = 20000; // some milliseconds

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The triangles that SURFACE_PROXY touches: those of an isosurface, or given ones.
+ * The triangles that SURFACE_PROXY touches: those of an isosurface, or of a given surface.
  */
 #ifndef HapticSurface_h
 #define HapticSurface_h
@@ -23,7 +23,7 @@ namespace VolumeHaptics
 {
 struct Affine3;
 
-/** Where an isosurface is looked for. */
+/** The image and the value of an isosurface. */
 struct IsoSurface
 {
   vtkImageData* Image;
@@ -35,26 +35,25 @@ struct IsoSurface
    * volume.
    */
   int First[3] = { 0, 0, 0 };
-  bool MayBeEmpty = false; ///< in a region there may just be none
+  bool MayBeEmpty = false; ///< a region may contain no part of the surface
 };
 
-/** Makes meshes, and keeps the last one for as long as nothing that it came from changes. */
+/** Makes meshes, and keeps the last one until its input changes. */
 class HapticSurface
 {
 public:
   /**
-   * The triangles of a surface in the world or, where it is null, of the isosurface
-   * (vtkFlyingEdges3D). Null, with the cure in `error`, where there are none or a point is not
-   * finite.
+   * The triangles of a surface in the world or, if it is null, of the isosurface
+   * (vtkFlyingEdges3D). Null, with the cure in `error`, if there are none or a point is not finite.
    */
   std::shared_ptr<const SurfaceMesh> Get(
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
-  /** How long that takes, about (s): nothing, where it is the last one. */
+  /** How long that takes, approximately (s): 0 if the last mesh is still valid. */
   double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
 
 private:
-  /** The data that it was made of, and when; value and component of an isosurface. */
+  /** The input data, their change time, and the value and component of an isosurface. */
   using Key = std::tuple<const void*, const void*, vtkMTimeType, double, int>;
 
   static Key MakeKey(vtkPolyData* surface, const IsoSurface& iso);

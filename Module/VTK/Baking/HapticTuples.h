@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Vectors out of arrays.
+ * Reads vectors from arrays.
  */
 #ifndef HapticTuples_h
 #define HapticTuples_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Three components of a tuple, from one on. */
+/** Three components of a tuple, beginning with the component `first`. */
 inline Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
 {
   return { array->GetComponent(tuple, first), array->GetComponent(tuple, first + 1),

@@ -54,14 +54,15 @@ bool LocateComponent(
   holder = scalars;
   if (auto* const separate = SeparateComponents::FastDownCast(scalars))
   {
-    // The array may give its memory up for another layout whenever it is rendered. The holder
-    // shares the memory and keeps it for the servo.
+    // The array may convert its memory to another layout whenever it is rendered. The holder shares
+    // the memory and keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
     const bool isSeparate = HasSeparateComponents(separate);
     if (isSeparate)
     {
-      // VTK 9.6 copies nothing to an array that keeps its own components in one memory yet.
+      // VTK 9.6 copies nothing to an array that does not yet keep its components in one memory
+      // block.
       soa->SetNumberOfComponents(scalars->GetNumberOfComponents());
       soa->SetArray(0, nullptr, 0, false, true);
     }
@@ -108,8 +109,8 @@ std::string Describe(vtkDataArray* scalars)
 }
 
 /**
- * Views the scalars, whose kernel radius (voxels) is for the cure. `holder` has to live as long as
- * the view: it is the array, or another one that shares its memory.
+ * Views the scalars; the error's cure needs the kernel radius (voxels). `holder` has to live as
+ * long as the view: it is the array, or another one that shares its memory.
  */
 bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error)

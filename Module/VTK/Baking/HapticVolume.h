@@ -25,7 +25,7 @@ namespace VolumeHaptics
 /** One component of an image. */
 struct HapticVolume
 {
-  VolumeView View;                      ///< counts its indices as the whole does
+  VolumeView View;                      ///< counts its indices as the whole volume does
   vtkSmartPointer<vtkDataArray> Holder; ///< keeps the memory of View
   Affine3 IndexToWorld;                 ///< from View's indices
   WholeFacts Whole;
@@ -33,8 +33,8 @@ struct HapticVolume
 
 /**
  * Reads a component of an image without a copy. False, with the reason and the cure in `error`, if
- * the array can't be viewed, or the geometry or the field arrays are broken. The kernel's radius
- * (voxels) is for the cure.
+ * the array can't be viewed, or the geometry or the field arrays are invalid. The error's cure
+ * needs the kernel's radius (voxels).
  */
 bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   HapticVolume& volume, std::string& error);
@@ -42,7 +42,7 @@ bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int k
 /** The smallest spacing of an image (world units). */
 double SmallestSpacing(vtkImageData* image);
 
-/** Points that an image needs along every axis. */
+/** The number of points that an image needs along every axis. */
 constexpr int PointsNeeded(int kernelRadius)
 {
   return 2 * kernelRadius + 1;

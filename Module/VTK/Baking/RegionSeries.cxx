@@ -76,7 +76,7 @@ void RegionSeries::Note(const HapticModelDescription& d, const WholeFacts& facts
   }
   constexpr std::size_t most = 4;
   Entry entry{ d, facts, array, number };
-  // A comparison keeps nothing alive except a surface of the user's own.
+  // The comparison keeps nothing alive except a surface that the user has connected.
   entry.Description.Samples.reset();
   entry.Description.View.Data = nullptr;
   if (d.Settings.HasIsoSurface)

@@ -41,7 +41,7 @@ private:
   static bool IsSame(const Entry& entry, const HapticModelDescription& description,
     const WholeFacts& facts, const std::string& array);
 
-  /** The latest last: those of a servo, and of other users of the same filter. */
+  /** The latest is the last: models of a servo, and of other users of the same filter. */
   std::vector<Entry> Last;
 };
 

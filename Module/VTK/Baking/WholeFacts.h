@@ -17,7 +17,7 @@ namespace VolumeHaptics
 /** The field arrays that vtkHapticRegionFilter documents, for one component. */
 struct WholeFacts
 {
-  bool IsThere = false; ///< whether the image carries any of them: it is a region
+  bool IsThere = false; ///< whether the image carries one of these arrays, and so is a region
   int Extent[6] = {};   ///< of the whole volume
   double Noise = 0.0;   ///< scalar units, of the component
   double BorderValue = 0.0;

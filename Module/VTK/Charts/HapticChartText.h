@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How charts write.
+ * The text style of charts.
  */
 #ifndef HapticChartText_h
 #define HapticChartText_h

@@ -5,9 +5,9 @@
  * @brief   VTK's control points for functions whose values are not shares of 1
  *
  * vtkControlPointsItem shows and edits values from 0 to 1. This one shows Scale as 1. A value above
- * it is shown at the top, and stays as it is until its point is dragged down. An empty function is
- * shown without points; the first one that is added brings one at both ends of the range with it,
- * which have the value that the empty function stood for.
+ * the scale is shown at the top, and is kept until its point is dragged down. An empty function is
+ * shown without points. The first point that is added also adds one at both ends of the range, with
+ * the value of the empty function.
  */
 #ifndef HapticControlPointsItem_h
 #define HapticControlPointsItem_h
@@ -26,13 +26,13 @@ public:
   /** The place of the points: from x to x, and from 0 to the scale (above 0). */
   void SetRange(double from, double to, double scale);
 
-  /** The meaning of an empty function. No point is the current one any more. */
+  /** The value of an empty function. Unselects the current point. */
   void SetEmptyValue(double value);
 
-  /** The value of the current point and its place, such as "800 at 70", or nothing. */
+  /** The value and position of the current point, such as "800 at 70", or nothing. */
   std::string DescribeCurrentPoint();
 
-  /** A function's value as a share of the scale, -1 to 1, whatever it is. */
+  /** A function's value as a share of the scale, limited to -1 to 1. */
   static double ToShare(double value, double scale);
 
   vtkIdType AddPoint(double* newPos) override;

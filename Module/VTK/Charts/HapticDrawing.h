@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether there is something to draw to.
+ * Whether a window is being drawn.
  */
 #ifndef HapticDrawing_h
 #define HapticDrawing_h
@@ -14,8 +14,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether the viewport's window renders now. OpenGL has a context then; elsewhere, as where an
- * application calls a prop's RenderOverlay by itself, VTK's own props would crash.
+ * Whether the viewport's window renders now, so that OpenGL has a context. Otherwise, for example
+ * if an application calls a prop's RenderOverlay itself, VTK's own props would crash.
  */
 inline bool IsDrawing(vtkViewport* viewport)
 {

@@ -72,9 +72,9 @@ void SetAxis(vtkAxis* axis, const char* title, const Look& look)
 }
 
 /**
- * The points of a curve that are needed to draw it to within an error: from each of them on, those
- * slopes are kept that pass all later points, until there are none (swinging door). Wide lines cost
- * a renderer in software microseconds for each point.
+ * Keeps the points of a curve that are needed to draw it to within an error. From each kept point
+ * on, it narrows the slopes that pass all later points, until none is left (swinging door). Wide
+ * lines cost a software renderer microseconds for each point.
  */
 void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable* line)
 {
@@ -98,7 +98,7 @@ void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable*
     const bool isStep = run <= 0.0 && i > 0 && std::abs(rise) > error;
     if (i == 0 || isStep || (run > 0.0 && (rise < low * run || rise > high * run)))
     {
-      // The one before is the last that a straight line reaches; a step needs its own end.
+      // The point before is the last that a straight line reaches; a step needs an end of its own.
       from = i == 0 || isStep ? i : i - 1;
       keep(from);
       low = -VTK_DOUBLE_MAX;
@@ -134,7 +134,7 @@ void HapticForceChart::Build()
   vtkChartLegend* const legend = this->Chart->GetLegend();
   if (this->On == Ground::Panel)
   {
-    // Not the chart's own background, which VTK 9.1 draws in the wrong place.
+    // The chart's own background is not used: VTK 9.1 draws it in the wrong place.
     this->Panel->SetAutoComputeDimensions(false);
     this->Panel->GetBrush()->SetColor(15, 18, 24, 150);
     this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, 150);
@@ -187,7 +187,7 @@ void HapticForceChart::Fit(int width, int height)
 {
   if (width == this->Viewport[0] && height == this->Viewport[1])
   {
-    return; // a chart that is given its size lays itself out anew
+    return; // a chart whose size is set lays itself out again
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;
@@ -238,7 +238,7 @@ bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::st
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);
     if (this->Lines[c]->GetNumberOfRows() < 2)
     {
-      // VTK complains of lines with fewer points, and draws no axes without lines.
+      // VTK reports errors for lines with fewer points, and draws no axes without lines.
       for (const double t : { extent.From, extent.To })
       {
         vtkFloatArray::SafeDownCast(this->Lines[c]->GetColumn(0))

@@ -40,7 +40,7 @@ public:
     double Force = 0.0; ///< N, from 0 on
   };
 
-  /** A stretch of time (s), and what was done in it. */
+  /** A stretch of time (s), and the name of the action in it. */
   struct Phase
   {
     std::string Name;
@@ -51,15 +51,15 @@ public:
   explicit HapticForceChart(Ground ground);
   ~HapticForceChart();
 
-  /** Once; needs something to draw charts with. */
+  /** Call it once, when charts can be drawn. */
   void Build();
-  /** Into a viewport of this size (pixels). */
+  /** Fits the chart into a viewport of this size (pixels). */
   void Fit(int width, int height);
   /** The corner of the viewport that it takes up (pixels). */
   const int* GetCorner() const { return this->Corner; }
   /**
-   * Draws a HapticForceTable, and above it a title, if there is one. After Fit. Returns whether the
-   * chart changes.
+   * Draws a HapticForceTable, and above it a title, if there is one. Call Fit first. Returns
+   * whether the chart changes.
    */
   bool Show(vtkTable* table, const Extent& extent, const std::string& title);
   /** Names the phases above the chart and draws lines between them. Once, after Show. */

@@ -56,7 +56,7 @@ vtkTable* HapticForceHistory::Plot(double span)
   this->Table.Clear();
   const double end = this->States.empty() ? 0.0 : this->States.back().Time;
   const double width = span / Intervals;
-  // Intervals are counted from time 0, not from now: a peak then stays in its interval.
+  // Intervals are counted from time 0, not from the present: a peak then stays in its interval.
   const auto intervalOf = [&](const State& s) { return std::floor(s.Time / width); };
   for (auto from = this->States.begin(); from != this->States.end();)
   {
@@ -99,7 +99,7 @@ double HapticForceHistory::GetRange() const
   {
     largest = std::max(largest, *std::max_element(state.Forces.begin(), state.Forces.end()));
   }
-  // Room above the curve; half a newton at least, so that noise does not fill the plot.
+  // Leaves room above the curve; half a newton at least, so that noise does not fill the plot.
   const double wanted = std::max(0.5, 1.05 * largest);
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   for (const double factor : { 1.0, 2.0, 5.0 })

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The forces of the last seconds, as few enough points to plot.
+ * The forces of the last seconds, reduced to few points for a plot.
  */
 #ifndef HapticForceHistory_h
 #define HapticForceHistory_h
@@ -32,9 +32,9 @@ public:
   ~HapticForceHistory();
 
   /**
-   * Later than the last one, or it begins anew. Forgets what is older than the span (s). The time
-   * has to be finite; forces that are not finite count as none, and others up to what a chart can
-   * show.
+   * Adds a state. If it is not later than the last one, the history starts again. Forgets states
+   * that are older than the span (s). The time has to be finite; forces that are not finite count
+   * as 0, and others are limited to the largest that a chart can show.
    */
   void Add(const State& state, double span);
   void Clear();
@@ -42,7 +42,7 @@ public:
 
   /** Brings the table up to date: time relative to the last state, then the curves. */
   vtkTable* Plot(double span);
-  /** Upper end of an axis for everything within the span (N). */
+  /** The upper end of an axis for all forces within the span (N). */
   double GetRange() const;
 
 private:

@@ -27,7 +27,7 @@ public:
   vtkTable* Get() { return this->Table; }
   vtkFloatArray* GetTime() { return this->Columns[0]; }
   vtkFloatArray* GetForce(int curve) { return this->Columns[1 + curve]; }
-  /** Removes all rows. After rows were added, tell the table by Get()->Modified(). */
+  /** Removes all rows. After adding rows, call Get()->Modified(). */
   void Clear();
 
   /** Every tick of a trace with the arrays of vtkVolumeHapticsFilter's output. */

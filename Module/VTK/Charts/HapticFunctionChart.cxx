@@ -84,9 +84,9 @@ HapticFunctionChart::HapticFunctionChart()
   this->Chart->GetAxis(vtkAxis::RIGHT)->SetGridVisible(false);
   this->Chart->GetAxis(vtkAxis::TOP)->SetGridVisible(false);
 
-  // The control points work between 0 and 1. So do the others, on an axis that is not seen: plots
-  // on other axes would be painted before or after all of these. The left axis says what 1 stands
-  // for.
+  // The control points work between 0 and 1. The other plots do as well, on an invisible axis:
+  // plots on other axes would be painted before or after all of these. The left axis shows the
+  // value of 1.
   for (vtkPlot* plot : std::initializer_list<vtkPlot*>{ this->Bars, this->Curve, this->Points })
   {
     this->Chart->AddPlot(plot);
@@ -195,12 +195,12 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   }
   if (ends[0] <= ends[1])
   {
-    // Points beyond the data are within reach, as long as the data remain the most of it.
+    // Points beyond the data are shown, as long as the data fill most of the axis.
     const double margin = this->HasData ? 0.5 * (to - from) : VTK_DOUBLE_MAX;
     from = this->HasData ? std::min(from, std::max(ends[0], from - margin)) : ends[0];
     to = this->HasData ? std::max(to, std::min(ends[1], to + margin)) : ends[1];
   }
-  // So narrow an axis would have the same number at all of its ticks.
+  // On a narrower axis, all ticks would have the same number.
   constexpr double precision = 1e-5;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));

@@ -25,16 +25,16 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** How the chart of a function is labelled and scaled. */
+/** The label and the scale of a function's chart. */
 struct EditedQuantity
 {
   const char* Title;
-  double EmptyValue; // that a function without points stands for
-  double Usual;      // top of the axis where all values are zero
-  double Most;       // top of the axis at most; beyond, differences can't be felt
+  double EmptyValue; // the value of a function without points
+  double Usual;      // top of the axis if all values are zero
+  double Most;       // largest top of the axis; beyond it, differences can't be felt
 };
 
-/** A scene that takes events of the mouse from anybody, not only from vtkContextInteractorStyle. */
+/** A scene that accepts mouse events from any caller, not only from vtkContextInteractorStyle. */
 class OpenContextScene : public vtkContextScene
 {
 public:
@@ -53,25 +53,27 @@ public:
 
   vtkContextActor* GetActor() { return this->Actor; }
 
-  /** In pixels of the viewport: x, y, width, height. */
+  /** The rectangle in pixels of the viewport: x, y, width, height. */
   void Place(const int rectangle[4]);
 
   ///@{
-  /** The histogram of a component and the name of its array; an image may be null. */
+  /** Shows the histogram of a component and the name of its array; an image may be null. */
   void ShowData(vtkImageData* image, int component);
   bool ShowsData(vtkImageData* image, int component) const;
   ///@}
 
-  /** A function, or null; while it is dragged the axes stay as they are. */
+  /** Shows a function, or none; while it is dragged the axes stay unchanged. */
   void ShowFunction(vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged);
 
-  /** A text instead of a title. */
+  /** Shows a text instead of a title. */
   void ShowNothing(const char* reason) { this->Chart->SetTitle(reason); }
 
-  /** A vtkCommand of the left button, or MouseMoveEvent, at a place in the viewport. */
+  /**
+   * Passes on a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
+   */
   void SendMouse(int event, int button, int x, int y);
 
-  /** Where a point of the curve is in the viewport. */
+  /** The position in the viewport of a point of the curve. */
   void GetPosition(double x, double y, double position[2]);
 
 private:

@@ -20,7 +20,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Counts by hand: ParaView is built without VTK's vtkImageHistogram. */
+/** Counts without VTK's vtkImageHistogram, which ParaView lacks. */
 struct BinCounter
 {
   const int Component;
@@ -73,10 +73,10 @@ bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double r
   double width = (range[1] - range[0]) / most;
   if (type != VTK_FLOAT && type != VTK_DOUBLE)
   {
-    // A bin has to hold as many whole numbers as the next one.
+    // Each bin has to hold the same number of integers.
     width = std::ceil((range[1] - range[0] + 1.0) / most);
   }
-  // Bins that single precision, in which charts are drawn, can't tell apart are none.
+  // Charts are drawn in single precision: bins that it can't tell apart are useless.
   constexpr double precision = 1e-7;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(range[0]), std::abs(range[1])));

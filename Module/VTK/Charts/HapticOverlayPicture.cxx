@@ -73,7 +73,7 @@ int HapticOverlayPicture::Render(
     drawn = prop->RenderOverlay(viewport);
     state->PopFramebufferBindings();
   }
-  // Drawing over nothing has already multiplied the colours with their opacity.
+  // Drawing over nothing has already multiplied the colours by their opacity.
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

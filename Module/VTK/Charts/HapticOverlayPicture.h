@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A prop of the overlay, drawn into a texture now and then and shown from there in every frame: a
- * chart is made of dozens of small pieces, a picture of it is one.
+ * Draws a prop of the overlay into a texture, and shows that in every frame: a chart is made of
+ * dozens of small pieces, its picture is one.
  */
 #ifndef HapticOverlayPicture_h
 #define HapticOverlayPicture_h
@@ -26,10 +26,10 @@ public:
   ~HapticOverlayPicture();
 
   /**
-   * Show the prop, after drawing it anew if it is stale, if the viewport's size has changed or if
-   * there is no picture yet. Of its picture, the lower left corner is shown, up to an extent
-   * (pixels). Where the window isn't OpenGL's, or is drawn in tiles, the prop is just drawn.
-   * Returns what vtkProp::RenderOverlay does.
+   * Shows the prop. Draws it again if it is stale, if the viewport's size has changed, or if there
+   * is no picture yet. Shows the lower left corner of the picture, up to an extent (pixels). If the
+   * window does not use OpenGL, or is drawn in tiles, the prop itself is drawn. Returns the result
+   * of vtkProp::RenderOverlay.
    */
   int Render(vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale);
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -37,7 +37,7 @@ public:
 private:
   vtkNew<vtkOpenGLFramebufferObject> Target;
   vtkNew<vtkTextureObject> Picture;
-  vtkWindow* Window = nullptr; ///< whose resources these are
+  vtkWindow* Window = nullptr; ///< the owner of the resources
   int Size[2] = { 0, 0 };      ///< pixels
 };
 

@@ -31,7 +31,7 @@ void FilterPublisher::Update(bool isPlaced)
 
 bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& notify)
 {
-  // Observers of what follows may take any of these away.
+  // Observers of the following events may take any of these away.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter =
@@ -67,8 +67,7 @@ bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& 
   this->FeltInstead = before;
   filter->SetMethod(method);
   filter->SetSolver(solver);
-  // The servo still has the previous method, so there is nothing to publish unless there was
-  // before.
+  // The servo still has the previous method, so publishing is needed only if it was needed before.
   this->Published = isOurs && wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(style, << wanted << " can't be felt here, for the reason given before; "
                                  << before << " goes on.");

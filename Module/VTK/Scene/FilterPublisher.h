@@ -25,26 +25,26 @@ public:
   {
   }
 
-  /** For another device, whose servo has nothing yet. */
+  /** Call it for another device: its servo has no model yet. */
   void Reset() { this->Published = 0; }
 
   /**
    * Publishes if the filter, its image or its surface has changed, or if the workspace was placed
-   * anew. Each change is tried once, as a change that fails will not succeed later.
+   * again. Each change is tried once: a change that fails will not succeed later.
    */
   void Update(bool isPlaced);
 
-  /** See vtkInteractorStyleHaptic::NextMethod. The function shows a notice; "" for none. */
+  /** See vtkInteractorStyleHaptic::NextMethod. The function shows a notice, or none for "". */
   bool NextMethod(const std::function<void(const std::string&)>& notify);
 
 private:
-  /** When the filter, its image or its surface changed last. */
+  /** When the filter, its image or its surface last changed. */
   vtkMTimeType GetChangeTime() const;
 
   TouchedScene& Scene;
-  vtkMTimeType Published = 0; ///< the change time that was published last, or could not be
-  std::string Unfelt;         ///< the name of the method that could not be felt when last tried
-  std::string FeltInstead;    ///< and the text of the one that stayed
+  vtkMTimeType Published = 0; ///< the change time of the last attempt to publish
+  std::string Unfelt;         ///< the name of the method that the last attempt found untouchable
+  std::string FeltInstead;    ///< the text of the method that stayed instead
 };
 
 } // namespace VolumeHaptics

@@ -18,7 +18,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** By how much a press of + and - scales the workspace. */
+/** The factor by which the keys + and - scale the workspace. */
 constexpr double WorkspaceStep = 1.25;
 
 constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
@@ -73,7 +73,7 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   {
     return false;
   }
-  this->LetGo(); // an observer of it may take the device away, too
+  this->LetGo(); // an observer of that may take the device away, too
   this->LeaveDevice();
   this->Scene.Device = device;
   if (device)
@@ -173,7 +173,7 @@ bool HapticInteraction::ReleaseLeftButton()
   const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
   if (std::exchange(this->EditorHasMouse, false))
   {
-    if (this->Scene.Editor) // else it was taken away meanwhile
+    if (this->Scene.Editor) // else an observer took it away
     {
       this->Scene.Editor->ButtonRelease(LeftButton, at[0], at[1]);
       this->Frames.Draw(true);
@@ -232,7 +232,7 @@ bool HapticInteraction::PressKey(const std::string& key)
     if (scene.Device)
     {
       scene.Device->Disarm();
-      // A window that loses the focus does not get the release of the key k.
+      // A window that loses the focus gets no release of the key k.
       this->Workspace.SetClutch(false);
     }
   }
@@ -316,7 +316,7 @@ void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
   {
     if (this->DeviceAtRest)
     {
-      // Taken first, since the end of the work calls back.
+      // Taken first, because the end of the work calls this function again.
       const auto device = std::move(this->DeviceAtRest);
       this->DeviceAtRest = nullptr;
       device->EndLongWork();
@@ -354,7 +354,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  // Observers of what follows may take any of these away.
+  // Observers of the following events may take any of these away.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = scene.FindRenderer();
@@ -372,7 +372,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  // Another style with this device may have taken the state before.
+  // Another style with this device may have taken the state already.
   const double before = std::exchange(this->Updated, device->GetTime());
   if (this->Updated > before && renderer)
   {

@@ -29,12 +29,12 @@ namespace VolumeHaptics
 {
 
 /**
- * Stands behind vtkInteractorStyleHaptic, which says what each key and button does. It is composed
- * of parts that have a subject each, and connects them: the order of an update, the keys and the
- * mouse, and long work.
+ * The implementation of vtkInteractorStyleHaptic, whose header documents the keys and buttons. It
+ * consists of parts with one subject each, and connects them: the order of an update, the keys and
+ * the mouse, and long work.
  *
- * Functions for keys and the mouse are true if they used the event, else the style's superclass
- * gets it.
+ * Functions for keys and the mouse return true if they used the event; if not, the style's
+ * superclass gets it.
  */
 class HapticInteraction
 {
@@ -56,21 +56,25 @@ public:
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   ///@}
 
-  /** Stops observing the device and the editor; the style is going to be deleted. */
+  /** Stops observing the device and the editor, before the style is deleted. */
   void Leave();
 
-  /** Leaves the touch mode and disarms, when the window closes or another style takes over. */
+  /**
+   * Leaves the touch mode and disarms. For the end of the window, or if another style takes over.
+   */
   void LetGo();
 
   bool MoveMouse();
   bool PressLeftButton();
   bool ReleaseLeftButton();
   bool DoubleClickLeftButton();
-  /** By steps away from the viewer. */
+  /** `steps` count away from the viewer. */
   bool TurnWheel(double steps);
   bool PressKey(const std::string& key);
   bool ReleaseKey(const std::string& key);
-  /** Keeps a key from the superclass that would do something else with it. */
+  /**
+   * True for a key that the superclass must not get, because it would do something else with it.
+   */
   bool TypeKey(char key) const;
 
   ///@{
@@ -80,7 +84,7 @@ public:
   bool NextMethod();
   ///@}
 
-  // The parts, in the order in which they need each other.
+  // The parts, in the order of their dependence.
   TouchedScene Scene;
   HapticWindowWatch Window;
   SceneFrames Frames;
@@ -95,12 +99,13 @@ private:
   FilterPublisher Publisher;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
-  int Reader = 0;       ///< of the device's states
+  int Reader = 0;       ///< the number of this reader of the device's states
   double Updated = 0.0; ///< the device's time (s) at the last update
   bool EditorHasMouse = false;
   vtkNew<vtkCallbackCommand> DisarmObserver;
-  vtkNew<vtkCallbackCommand> WorkObserver;       ///< of the device and the editor
-  vtkSmartPointer<vtkHapticDevice> DeviceAtRest; ///< while the editor counts
+  vtkNew<vtkCallbackCommand> WorkObserver; ///< observes the device and the editor
+  /// the device that has no force while the editor counts
+  vtkSmartPointer<vtkHapticDevice> DeviceAtRest;
 };
 
 } // namespace VolumeHaptics

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// In a file of its own, as the headers of X11 define macros with common names.
+// In a file of its own, because X11's headers define macros with common names.
 #include "VTK/Scene/HapticKeptDisplay.h"
 
 #include "vtkVersionMacros.h"
@@ -19,7 +19,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** For a member that VTK protects. */
+/** Gives access to a protected member of VTK. */
 struct OpenedWindow : vtkXOpenGLRenderWindow
 {
   static vtkTypeBool& Owns(vtkXOpenGLRenderWindow* window)
@@ -28,7 +28,7 @@ struct OpenedWindow : vtkXOpenGLRenderWindow
   }
 };
 
-/** The window closes the connection when it is deleted: with its interactor, so after the loop. */
+/** The window closes the connection when it is deleted, with its interactor, so after the loop. */
 void GiveBack(vtkObject* caller, unsigned long, void* display, void*)
 {
   auto* const window = static_cast<vtkXOpenGLRenderWindow*>(caller);

@@ -13,11 +13,10 @@ namespace VolumeHaptics
 {
 
 /**
- * Has a window leave its connection to the X server open when it closes. Until VTK 9.2,
- * TerminateApp() closes the window in the middle of the interactor's loop, and the loop then goes
- * on with the connection. A window that was rendered before it had an interactor owns the
- * connection and has closed it by then: a crash. The connection is closed when the window is
- * deleted.
+ * Makes a window leave its connection to the X server open when it closes. Until VTK 9.2,
+ * TerminateApp() closes the window in the middle of the interactor's loop, and the loop goes on
+ * using the connection. A window that was rendered before it had an interactor owns the connection
+ * and has already closed it: a crash. Here the connection is closed when the window is deleted.
  */
 void KeepDisplay(vtkRenderWindow* window);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * When to draw a scene that is touched, and how well.
+ * Decides when to draw a touched scene, and how finely.
  */
 #ifndef HapticRenderPace_h
 #define HapticRenderPace_h
@@ -13,9 +13,10 @@ namespace VolumeHaptics
 {
 
 /**
- * A scene that moves is drawn at once and as coarsely as the interactive frame rate needs; one that
- * has come to rest, once and well. After that only figures change: drawing them may take a tenth of
- * the time, so that a volume that takes a second to draw leaves the application free.
+ * A moving scene is drawn at once, and as coarsely as the interactive frame rate needs. A scene
+ * that has come to rest is drawn once, finely. After that only figures change: drawing them may
+ * take a tenth of the time, so that a volume that takes a second to draw leaves the application
+ * responsive.
  */
 class HapticRenderPace
 {
@@ -30,7 +31,8 @@ public:
   static constexpr double Shortest = 0.05; ///< s between frames at rest
 
   /**
-   * Times in s. Moves: something has moved since the last frame. IsNew: figures have changed.
+   * Times are in s. `moves`: something has moved since the last frame. `isNew`: figures have
+   * changed.
    */
   Frame Next(double now, bool moves, bool isNew)
   {
@@ -48,7 +50,7 @@ public:
     return isNew && isDue ? Frame::Still : Frame::None;
   }
 
-  /** After a frame: when it was done, and how long it took. */
+  /** Call it after a frame: the time of its end, and its duration. */
   void Drawn(bool quickly, double now, double cost)
   {
     this->LastDrawn = now;

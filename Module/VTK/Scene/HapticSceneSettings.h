@@ -39,12 +39,12 @@ inline constexpr RepresentationSetting All[] = {
   HapticFlagMacro(FrictionForceVisibility, true, NotBaked,
     "Whether the arrow of the friction force is shown. Default on."),
   HapticFlagMacro(MarkerVisibility, false, NotBaked,
-    "Whether markers are shown at x_s (yellow) and x_v (turquoise), where the materials are read. "
-    "Default off."),
-  HapticFlagMacro(
-    ScaleTextVisibility, true, NotBaked, "Whether a text says how long a newton is. Default on."),
+    "Whether markers are shown at x_s (yellow) and x_v (turquoise), at which the materials are "
+    "read. Default off."),
+  HapticFlagMacro(ScaleTextVisibility, true, NotBaked,
+    "Whether a text shows the length of a newton. Default on."),
   HapticFlagMacro(HiddenVisibility, true, NotBaked,
-    "Whether what lies behind a surface or inside the volume shows through. Default on."),
+    "Whether markers behind a surface or inside the volume show through. Default on."),
 };
 } // namespace RepresentationSettingRows
 
@@ -66,15 +66,15 @@ using Owner = vtkInteractorStyleHaptic;
 
 inline constexpr StyleSetting All[] = {
   HapticNumberMacro(DepthStep, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
-    "How far a step of the wheel moves the tip (world units, 0 or more). Default 0: the smallest "
-    "spacing of the image."),
+    "The distance that a step of the wheel moves the tip (world units, 0 or more). Default 0: the "
+    "smallest spacing of the image."),
   HapticNumberMacro(DisplayRate, 1.0, 240.0, 60.0, "Hz", NotBaked,
     "Updates per second, 1 to 240. Default 60. Takes effect with the next interactor."),
   HapticFlagMacro(WorkspaceFollowsCamera, true, NotBaked,
     "Whether the workspace of a real device follows the camera. Default on."),
   HapticNumberMacro(WorkspaceScale, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
-    "World units per metre of a real device's workspace, 0 or more. Default 0: as the filter's "
-    "MetersPerWorldUnit says."),
+    "World units per metre of a real device's workspace, 0 or more. Default 0: by the filter's "
+    "MetersPerWorldUnit."),
 };
 } // namespace StyleSettingRows
 

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Each a bit of its own. */
+/** Each kind of difference is a bit. */
 struct Difference
 {
   unsigned int Bit;
@@ -55,7 +55,7 @@ const Difference Differences[] = {
     "them a value that is not felt, or remove the array." },
 };
 
-/** Whether corners of an image are in other places in a scene than in the world. */
+/** Whether corners of an image are at other positions in a scene than in the world. */
 bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* felt)
 {
   const int* const here = shown->GetExtent();

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the volumes of a scene that show the image that is felt in a way that the hand does not
- * feel.
+ * Finds the volumes of a scene that show the felt image differently from how it feels.
  */
 #ifndef HapticShownVolumes_h
 #define HapticShownVolumes_h
@@ -23,15 +22,14 @@ namespace VolumeHaptics
 {
 
 /**
- * Remembers the volumes that it has warned of, so that each difference is told once as long as it
- * lasts.
+ * Remembers its warnings, so that each difference is reported once as long as it lasts.
  */
 class HapticShownVolumes
 {
 public:
   /**
    * A warning for each visible volume of a renderer that shows an image, or another one with the
-   * same scalars, in a way that is not felt. It tells the differences that are new since the last
+   * same scalars, in a way that is not felt. It names the differences that are new since the last
    * call, and the cures.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image);
@@ -53,7 +51,7 @@ private:
     vtkMTimeType Time = 0;
     bool HasAny = false;
   };
-  Blanks Last[2]; ///< of points and of cells, as counting them takes a pass over the image
+  Blanks Last[2]; ///< of points and of cells, because counting them takes a pass over the image
 };
 
 } // namespace VolumeHaptics

@@ -48,7 +48,7 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position)
 bool FindFirstContact(
   vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position)
 {
-  // The device's placement does not matter here, so the filter's own scale will do.
+  // The device's placement does not matter here, so the filter's own scale is enough.
   const auto model = HapticBaker(filter).Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
   vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
   if (!model || !image)
@@ -83,7 +83,7 @@ bool FindFirstContact(
     const Vector3 tip = start + (i * step) * sight;
     if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
     {
-      // Without its data a place is not felt.
+      // A position without its data is not felt.
       state.Enabled = false;
       continue;
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a pointer on the screen to a position in the scene, and to the first contact under it.
+ * From a pointer on the screen to a position in the scene, and to the first contact along its ray.
  */
 #ifndef HapticViewRay_h
 #define HapticViewRay_h
@@ -22,7 +22,7 @@ Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3&
 Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 
 /**
- * Walks along the line of sight under a pointer, from where it enters the image, with the servo's
+ * Walks along the line of sight under a pointer, from the entry into the image, with the servo's
  * own tick, up to the first contact. True with the last free position in front of it; false if
  * nothing can be felt along the line.
  */

@@ -16,9 +16,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A texture without pixels. Before a window is finalized or destroyed, it has each texture in its
- * context release its resources. VTK does not install the header of the callback behind this, hence
- * the detour.
+ * A texture without pixels. Before a window is finalized or destroyed, it makes each texture in its
+ * context release its resources. VTK does not install the header of the callback behind that, so a
+ * texture is needed.
  */
 class HapticWindowWatch::Closing final : public vtkTextureObject
 {
@@ -29,10 +29,10 @@ public:
   /** The window that is watched from here on; nullptr for none. */
   void SetWindow(vtkOpenGLRenderWindow* window)
   {
-    // In the middle of a release, the window removes this from its list after the call.
+    // During a release, the window removes this from its list after the call.
     if (window != this->Window && !this->IsInRelease)
     {
-      this->IsInRelease = true; // leaving a window releases, too, but that is no end
+      this->IsInRelease = true; // leaving a window also releases, but is no end
       this->SetContext(window);
       this->IsInRelease = false;
       this->Window = window;
@@ -56,7 +56,7 @@ public:
     this->IsInRelease = false;
     if (this->GetReferenceCount() == 1)
     {
-      // The style was deleted by an observer, and the watch with it. The window still uses this
+      // An observer has deleted the style, and so the watch. The window still uses this object
       // after the call.
       static vtkSmartPointer<Closing> last;
       last = this;
@@ -69,7 +69,7 @@ private:
   bool IsInRelease = false;
 };
 
-/** A class of its own, so that one watch recognises the observers of others. */
+/** A class of its own, so that a watch recognises the observers of other watches. */
 class HapticWindowWatch::Observer final : public vtkCommand
 {
 public:
@@ -95,8 +95,8 @@ public:
   HapticWindowWatch* Watch = nullptr;
 
   /**
-   * Whether the application listens to an interactor's ExitEvent: any observer but those of
-   * watches.
+   * Whether the application observes an interactor's ExitEvent: with any observer that is no
+   * watch's.
    */
   static bool IsExitTaken(vtkRenderWindowInteractor* interactor)
   {
@@ -146,11 +146,11 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
   {
     this->IsEnabled = interactor->GetEnabled() != 0;
     this->IsDone = interactor->GetDone();
-    // Before the application's observers, which may take long: to save, or to ask whether to quit.
+    // Before the application's observers, which may take long, for example to ask whether to quit.
     interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
     interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
-    // After them, as they may have called TerminateApp(), which is the last thing that the loop
-    // does then.
+    // After the application's observers, because they may have called TerminateApp(); the loop then
+    // ends with these events.
     for (const unsigned long event :
       { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,
         vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
@@ -174,7 +174,7 @@ void HapticWindowWatch::Look()
   const bool wasDone = std::exchange(this->IsDone, this->Interactor->GetDone());
   if (!this->IsReleased)
   {
-    // One that was never rendered has nothing to release yet.
+    // A window that was never rendered has nothing to release.
     const bool isRendered = window && !window->GetNeverRendered();
     this->WindowClosing->SetWindow(
       isRendered ? vtkOpenGLRenderWindow::SafeDownCast(window) : nullptr);

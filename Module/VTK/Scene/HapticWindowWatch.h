@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells when a window goes away during a touch.
+ * Reports that a window ends during a touch.
  *
  * VTK has no event for the end of a loop or of a window, and each platform ends them in its own
  * order. So this watches everything that comes early in an end: ExitEvent (the key q, the window
- * manager's close), the interactor's Disable(), and the release of the window's graphics resources,
- * which comes before the window itself is destroyed. Look(), which follows events of keys, mouse
- * and timers, notices that TerminateApp() was called.
+ * manager's close button), the interactor's Disable(), and the release of the window's graphics
+ * resources, which comes before the window is destroyed. Look(), which is called after events of
+ * keys, mouse and timers, notices that TerminateApp() was called.
  */
 #ifndef HapticWindowWatch_h
 #define HapticWindowWatch_h
@@ -29,8 +29,8 @@ class HapticWindowWatch
 {
 public:
   /**
-   * The function is called at each sign of an end, so perhaps twice. The owner is kept alive
-   * meanwhile.
+   * The function is called at each sign of an end, so perhaps twice. The owner is kept alive during
+   * the call.
    */
   HapticWindowWatch(vtkObject* owner, std::function<void()> end);
   ~HapticWindowWatch();
@@ -41,12 +41,12 @@ public:
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /**
-   * To be called often: follows the interactor to another window, and sees that its loop was told
-   * to end.
+   * Call it often: follows the interactor to another window, and notices that its loop was told to
+   * end.
    */
   void Look();
 
-  /** Whether the window was closed by the end of its loop: to draw would open another one. */
+  /** Whether the end of its loop closed the window: drawing would open another one. */
   bool IsClosed() const;
 
 private:
@@ -64,10 +64,10 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<Observer> Events;
   vtkSmartPointer<Closing> WindowClosing;
-  bool IsEnabled = false; ///< the interactor, as last seen
-  bool IsDone = false;    ///< likewise: its loop was told to end
+  bool IsEnabled = false; ///< of the interactor, when last seen
+  bool IsDone = false;    ///< the loop was told to end, when last seen
   bool IsReleased =
-    false; ///< the window released its graphics resources, and was not rendered since
+    false; ///< the window has released its graphics resources and was not rendered since
   vtkWeakPointer<vtkRenderWindow> ReleasedWindow;
 };
 

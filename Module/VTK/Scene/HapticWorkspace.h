@@ -18,13 +18,13 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
-/** The camera's right, up and towards the user, as rows. */
+/** The camera's right, up and backward (towards the user) directions, as rows. */
 Matrix3 CameraAxes(vtkCamera* camera);
 
 /**
- * Turns the volume about the focal point, as seen: the camera goes the other way. The rate (rad/s)
- * is along the camera's axes. Of a pause of the timer (s) only its first 0.1 s count, lest the view
- * jump. False if nothing turns.
+ * Turns the volume about the focal point, as seen: the camera moves the other way. The rate (rad/s)
+ * is along the camera's axes. If the timer paused, only the first 0.1 s of the time (s) count, so
+ * that the view does not jump. False if nothing turns.
  */
 bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool resetsClippingRange);
 
@@ -36,10 +36,10 @@ bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool r
 class HapticWorkspace
 {
 public:
-  /** From a metre of the device to the world, at a scale (world units per metre). */
+  /** The map from the device (m) to the world, at a scale (world units per metre). */
   vtkMatrix4x4* Place(vtkCamera* camera, double scale);
 
-  /** After the clutch: the hand that was at one world position is now at another one. */
+  /** Call it after the clutch: the hand has moved from one world position to another. */
   void Shift(vtkCamera* camera, const Vector3& from, const Vector3& to);
   void Recenter() { this->Offset = {}; }
 

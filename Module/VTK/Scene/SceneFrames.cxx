@@ -32,7 +32,8 @@ void SceneFrames::Draw(bool quickly)
   vtkHapticFunctionEditor* const editor = this->Scene.Editor;
   if (editor && editor->GetVisibility())
   {
-    // Before the frame: its long work draws the head-up display, which can't be done within one.
+    // Before the frame: its long work draws the head-up display, which is impossible within a
+    // frame.
     editor->Update();
   }
   const double start = vtkTimerLog::GetUniversalTime();
@@ -70,7 +71,7 @@ bool SceneFrames::HasMoved() const
   const int beside[2] = { 1, 0 };
   const double pixel =
     Norm(UnderPointer(renderer, beside, tip) - UnderPointer(renderer, here, tip));
-  // A hand never holds quite still: a motion of less than half a pixel is not drawn.
+  // A hand is never completely still: a motion of less than half a pixel is not drawn.
   return Norm(tip - this->DrawnTip) > 0.5 * pixel ||
     Norm(this->Scene.GetProxy() - this->DrawnProxy) > 0.5 * pixel;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * When the scene of an interaction is drawn, and whether quickly or well.
+ * Decides when the scene of an interaction is drawn, and whether quickly or finely.
  */
 #ifndef SceneFrames_h
 #define SceneFrames_h
@@ -19,21 +19,21 @@ namespace VolumeHaptics
 class HapticWindowWatch;
 
 /**
- * Draws if the tip or the proxy has moved visibly, or if an event has happened, since the last
- * frame; else HapticRenderPace says when. A window that was closed is not drawn, as that
- * would open another one.
+ * Draws if the tip or the proxy has moved visibly, or an event has happened, since the last frame;
+ * else HapticRenderPace decides. A window that was closed is not drawn, because that would open
+ * another one.
  */
 class SceneFrames
 {
 public:
-  /** The function draws the scene, quickly (true) or well. */
+  /** The function draws the scene, quickly (true) or finely. */
   SceneFrames(
     TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene);
 
   void Draw(bool quickly);
-  /** For the timer: a frame, if one is due. IsNew: the device has a new state. */
+  /** Called by the timer: draws a frame if one is due. `isNew`: the device has a new state. */
   void DrawIfDue(bool isNew);
-  /** Something happened that the next frame has to show. */
+  /** Notes an event that the next frame has to show. */
   void NoteEvent() { this->HasHappened = true; }
   /** Shows a notice in the head-up display at once. */
   void Notify(const std::string& notice);
@@ -45,7 +45,7 @@ private:
   const HapticWindowWatch& Window;
   const std::function<void(bool)> DrawScene;
   HapticRenderPace Pace;
-  Vector3 DrawnTip; ///< world; in the last frame
+  Vector3 DrawnTip; ///< world, of the last frame
   Vector3 DrawnProxy;
   bool HasHappened = false;
 };

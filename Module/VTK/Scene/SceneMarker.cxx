@@ -15,7 +15,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of a marker that is hidden. */
+/** The opacity of a marker behind other objects. */
 constexpr double GhostOpacity = 0.35;
 constexpr int Resolution = 24;
 
@@ -23,7 +23,7 @@ constexpr int Resolution = 24;
 
 SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
 {
-  // All shapes have the length and the radius 1, along z or around the origin.
+  // All shapes have length and radius 1, along z or around the origin.
   if (shape == Sphere)
   {
     vtkNew<vtkSphereSource> sphere;

@@ -32,12 +32,12 @@ public:
 
   void SetColor(const double color[3]);
   void PlaceSphere(const Vector3& centre, double radius);
-  /** Not shown if it is shorter than its radius. */
+  /** A marker that is shorter than its radius is not shown. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);
   void Show(bool shown) { this->Shown = shown; }
 
   void RenderOpaque(vtkViewport* viewport);
-  /** The faint one. */
+  /** Draws the faint copy. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
   /** Grows the box to hold the marker, if it is shown. */

@@ -67,7 +67,7 @@ void TouchMode::Begin()
     return;
   }
   // Observers of the long work may end the loop, disarm, or take the device or the interactor away.
-  // Each of these ends the beginning, too, and nothing is armed then.
+  // Each of these also ends the beginning, and nothing is armed then.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = this->Scene.FindRenderer();

@@ -28,16 +28,18 @@ public:
   /** See vtkInteractorStyleHaptic::SetTouchMode. */
   void Set(bool on);
   bool IsOn() const { return this->IsTouching; }
-  /** For another device: off, without a word to the one that is gone. */
+  /** For another device: ends the mode without calling the old device. */
   void Reset() { this->IsTouching = false; }
-  /** Something disarmed the device: a touch mode that is beginning does not arm it. */
+  /**
+   * Call it if something disarmed the device: a touch mode that is beginning does not arm it then.
+   */
   void StopBeginning() { this->IsBeginning = false; }
 
-  /** Whether the mouse leads the tip now; the other two need that. */
+  /** Whether the mouse leads the tip now; the next two functions need that. */
   bool LeadsTip() const;
-  /** Along the line of sight, away from the viewer; a step of the wheel is one. */
+  /** Moves along the line of sight, away from the viewer; one step is one of the wheel. */
   void MoveInDepth(double steps);
-  /** In the plane of the view, from one position of the pointer to another one (pixels). */
+  /** Moves in the plane of the view, from one position of the pointer to another one (pixels). */
   void MoveInPlane(const int from[2], const int to[2]);
 
 private:
@@ -50,8 +52,8 @@ private:
   HapticWindowWatch& Window;
   const WorkspaceControl& Workspace;
   bool IsTouching = false;
-  bool IsBeginning = false; ///< Begin is under way, and nothing has ended it since
-  Vector3 Lead;             ///< world; to which the mouse leads the tip
+  bool IsBeginning = false; ///< Begin runs, and nothing has ended it yet
+  Vector3 Lead;             ///< world; the target of the tip
 };
 
 } // namespace VolumeHaptics

@@ -23,7 +23,7 @@ namespace VolumeHaptics
 
 /**
  * The parts of a HapticInteraction share it. The application may set each of the three objects to
- * null at any time, also from an observer of an event that a part causes.
+ * null at any time, also in an observer of an event that a part causes.
  */
 class TouchedScene
 {
@@ -39,8 +39,8 @@ public:
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
 
   /**
-   * The renderer of the last button, or the default one, or the window's first. VTK has no current
-   * one before the first button.
+   * The renderer of the last button event, or the default one, or the window's first. VTK has no
+   * current one before the first button event.
    */
   vtkRenderer* FindRenderer() const;
 
@@ -51,7 +51,7 @@ public:
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
 
   ///@{
-  /** As of the device's last state; there must be a device. */
+  /** By the device's last state; there must be a device. */
   bool IsArmed() const;
   Vector3 GetTip() const; ///< world
   Vector3 GetProxy() const;

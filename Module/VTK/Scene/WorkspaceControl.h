@@ -20,15 +20,15 @@ namespace VolumeHaptics
 class WorkspaceControl
 {
 public:
-  /** The function tells whether force comes back when the clutch is released. */
+  /** `armsAfterClutch` tells whether force comes back when the clutch is released. */
   WorkspaceControl(TouchedScene& scene, std::function<bool()> armsAfterClutch);
 
-  /** For another device: the workspace is placed anew, and the clutch is released. */
+  /** For another device: places the workspace again, and releases the clutch. */
   void Reset();
 
   /**
-   * Places the workspace if it follows the camera, and the camera or a setting has changed. True if
-   * it did; the device then has to be published.
+   * Places the workspace if it follows the camera, and the camera or a setting has changed. Returns
+   * true if it did; the device then has to be published.
    */
   bool Follow(vtkRenderer* renderer);
 
@@ -41,12 +41,12 @@ public:
   bool IsClutched() const { return this->IsOn; }
   /** Whether the device was armed before the clutch, and nothing has disarmed it since. */
   bool WasArmed() const { return this->ArmAfterClutch; }
-  /** Something disarmed the device, so the clutch does not bring the force back. */
+  /** Notes that something disarmed the device: the clutch does not bring the force back then. */
   void ForgetArmed() { this->ArmAfterClutch = false; }
 
   /**
-   * Takes the force away if the device was armed during the clutch, since the hand then moves
-   * without the tip and must not be held.
+   * Takes the force away if the device was armed during the clutch: the hand then moves without the
+   * tip and must not be held.
    */
   void Disarm();
 
@@ -54,7 +54,7 @@ private:
   TouchedScene& Scene;
   const std::function<bool()> ArmsAfterClutch;
   HapticWorkspace Workspace;
-  vtkMTimeType Placed = 0; ///< the camera's and the settings' time when it was placed
+  vtkMTimeType Placed = 0; ///< change time of camera and settings at the last placement
   bool IsPlaced = false;
   bool IsOn = false; ///< the clutch
   bool ArmAfterClutch = false;

@@ -27,7 +27,7 @@ namespace
 constexpr double SecondsPerTick = 2e-6;
 constexpr double SecondsPerLine = 2e-5;
 
-/** In a journal, at least, while the tip moves: 80 to 180 were measured. */
+/** A tick in a journal while the tip moves, at least: 80 to 180 were measured. */
 constexpr double BytesPerTick = 80;
 
 double EstimateWriting(const std::string& file, double ticks)

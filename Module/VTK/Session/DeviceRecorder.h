@@ -17,7 +17,7 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** Errors and warnings are those of the device. Long work is announced to it. */
+/** Errors and warnings are those of the device, which also announces long work. */
 class DeviceRecorder
 {
 public:
@@ -33,7 +33,9 @@ public:
   bool Recover(const std::string& part, const std::string& file);
   ///@}
 
-  /** See vtkHapticDevice::StopRecording. Without isAnnounced, writing is no long work. */
+  /**
+   * See vtkHapticDevice::StopRecording. Unless isAnnounced, writing is not announced as long work.
+   */
   bool Stop(bool isAnnounced);
 
   /** Whether there is a recording that this process has to end. */
@@ -42,7 +44,9 @@ public:
   /** The file of the recording that is under way; empty without one. */
   const std::string& GetFile() const { return this->File; }
 
-  /** An error, once a recording, if it gets no further, for example because the disk is full. */
+  /**
+   * Reports an error, once for a recording, if the recording fails, for example with a full disk.
+   */
   void TellTrouble();
 
 private:

@@ -68,7 +68,7 @@ void DeviceSession::Close()
   }
   this->Virtual = nullptr;
   ++this->Opening;
-  // Arming is for the device that is at hand, not for the next one.
+  // The order to arm is for this device, not for the next one.
   this->ArmsAtStart = false;
   this->IsReplay = false;
   this->Replay = {};

@@ -31,7 +31,7 @@ public:
   bool Open(const std::string& id, const DeviceOptions& options, std::string& error);
   void Close();
   bool IsOpen() const { return this->Backend != nullptr; }
-  /** Another number after each Open or Close. */
+  /** A number that changes with each Open or Close. */
   int GetOpening() const { return this->Opening; }
   const std::string& GetId() const { return this->Id; }
   DeviceLimits GetLimits() const
@@ -57,7 +57,7 @@ public:
   /** Ticks per second of the servo that runs. */
   double GetRate() const { return this->Rate; }
 
-  /** The owner is there: see vtkHapticDevice::SetAttentionTime. */
+  /** The owner is present: see vtkHapticDevice::SetAttentionTime. */
   void Attend();
   void Arm(bool on);
   void FadeOut();
@@ -70,7 +70,7 @@ public:
   bool EndWork();
   bool HasWork() const { return !this->Works.empty(); }
   ///@}
-  /** Whether it is open and, as far as is known now, can be felt. */
+  /** Whether the device is open and, as far as is known now, can be felt. */
   bool IsReady() const
   {
     return this->Backend && this->Backend->GetCondition().Stage == DeviceStage::Ready;
@@ -89,7 +89,7 @@ public:
   const ServoSnapshot& GetState() const { return this->State; }
 
   /**
-   * Every state since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates.
+   * All states since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates.
    */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
   ///@{
@@ -102,7 +102,7 @@ public:
   DeviceStatus GetStatus() const;
 
   ///@{
-  /** Of the latest state, in the world. */
+  /** World positions of the latest state. */
   double Tip[3] = {};
   double Proxy[3] = {};
   double Force[3] = {};
@@ -121,7 +121,7 @@ private:
   };
   /** The outermost work that is long; null if there is none. */
   const Work* FindLongWork() const;
-  /** Whether the last order was to arm, be it seen by the servo or not. */
+  /** Whether the last order was to arm, even if the servo has not seen it yet. */
   bool IsArmOrdered() const
   {
     return this->Servo ? this->Servo->GetLoop().IsArmOrdered() : this->ArmsAtStart;

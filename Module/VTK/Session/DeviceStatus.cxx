@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The trouble and the cure. */
+/** The fault and the cure. */
 const char* Explain(GateReason fault)
 {
   switch (fault)
@@ -41,7 +41,7 @@ const char* DescribeReason(GateState state, GateReason reason)
     case GateReason::Ordered:
       return state == GateState::Fading ? "it fades out" : "not armed";
     case GateReason::Unattended:
-      return "it fades out, since the program is silent";
+      return "it fades out, because the program is silent";
     case GateReason::NotReady:
       return "the device was not ready";
     case GateReason::LongWork:

@@ -34,7 +34,7 @@ void GuardedSignal::Note(const struct sigaction& action) noexcept
   {
     ++at;
   }
-  // One that is known: those after it are gone. One too many takes the place of the last.
+  // If it is known, the handlers after it are gone. If there are too many, it replaces the last.
   at = at < Most ? at : Most - 1;
   this->Before[at] = action;
   this->Count.store(at + 1);
@@ -83,8 +83,8 @@ void GuardedSignal::PutBack(int count) noexcept
 
 bool ComesAgain(int number, const siginfo_t& info) noexcept
 {
-  // Above zero the kernel found it; else it was sent. That of memory which is found broken is no
-  // crash yet.
+  // Above zero the kernel caused it; otherwise it was sent. Broken memory that is only found is not
+  // yet a crash.
   return (number == SIGSEGV || number == SIGBUS || number == SIGFPE || number == SIGILL) &&
     info.si_code > 0
 #if defined(BUS_MCEERR_AO)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A signal with a handler of ours in front of whatever handled it before.
+ * A signal with a handler of this library in front of the handlers from before.
  *
- * Crash reporters do the same: what is in front of us may put us back and send the signal again.
- * Handlers before us are therefore a list, from which each round takes one, so that every one is
- * met and the default action last.
+ * Crash reporters do the same: a handler in front of this library's may put this library's back and
+ * send the signal again. The handlers from before are therefore a list, from which each round takes
+ * one, so that each gets the signal, and the default action comes last.
  */
 #ifndef GuardedSignal_h
 #define GuardedSignal_h
@@ -19,9 +19,9 @@ namespace VolumeHaptics
 
 enum class SignalManner
 {
-  Deliver,       ///< something else happens first, and then it is sent again
-  Crash,         ///< it is met again at once
-  CrashIfDefault ///< in the same way, but left alone where it is handled or ignored
+  Deliver,       ///< the force ends first, then the signal is sent again
+  Crash,         ///< the signal comes again at once
+  CrashIfDefault ///< as Crash, but left alone if the signal is handled or ignored
 };
 
 class GuardedSignal
@@ -38,13 +38,13 @@ public:
 
   int GetNumber() const noexcept { return this->Number; }
 
-  /** Puts the handler of the manner in front, unless it is there. */
+  /** Puts the handler for the manner in front, unless it is there already. */
   void Install(Deliverer deliverer, Crasher crasher) noexcept;
-  /** How many handlers there are to be met: another number after each PutBack. */
+  /** The number of handlers from before that are left; changes with each PutBack. */
   int CountBefore() const noexcept { return this->Count.load(); }
   /**
-   * Puts back what was there when so many were to be met, unless that has been done, or something
-   * else was put in front meanwhile. From signal handlers, of several threads at once.
+   * Puts the handler from before back that was next when `count` were left, unless that was done,
+   * or another handler was put in front meanwhile. For signal handlers, of several threads at once.
    */
   void PutBack(int count) noexcept;
 
@@ -63,8 +63,7 @@ private:
 };
 
 /**
- * Whether an instruction that a crash interrupted is run again, and crashes again, when the handler
- * returns.
+ * Whether the instruction of a crash runs again, and crashes again, when the handler returns.
  */
 bool ComesAgain(int number, const siginfo_t& info) noexcept;
 

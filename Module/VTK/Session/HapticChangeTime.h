@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The time of the last change that a servo has to know.
+ * The time of the last change that concerns a servo.
  */
 #ifndef HapticChangeTime_h
 #define HapticChangeTime_h
@@ -16,7 +16,7 @@ namespace VolumeHaptics
 {
 
 /**
- * When a filter, or the image or the surface that it is fed with, changed last; 0 without a filter.
+ * When a filter, or its image or surface, last changed; 0 without a filter.
  */
 inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter)
 {

@@ -67,7 +67,7 @@ using Owner = vtkHapticCalibration;
 
 inline constexpr CalibrationSetting All[] = { HapticNumberMacro(FixedScale, 0.0, VTK_DOUBLE_MAX,
   0.0, "", NotBaked,
-  "World units per metre of the device, 0 or more. 0 (default): found from the points.") };
+  "World units per metre of the device, 0 or more. 0 (default): computed from the points.") };
 } // namespace CalibrationSettingRows
 
 namespace StateSourceSettingRows

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Work during which a device may have to be without force.
+ * A scope of work during which a device may have to be without force.
  */
 #ifndef HapticLongWork_h
 #define HapticLongWork_h
@@ -13,7 +13,7 @@
 namespace VolumeHaptics
 {
 
-/** vtkHapticDevice::BeginLongWork, and EndLongWork at the end of the scope. */
+/** Calls vtkHapticDevice::BeginLongWork, and EndLongWork at the end of the scope. */
 class LongWork
 {
 public:

@@ -43,8 +43,8 @@ struct Guarded
 PerProcess<Guarded> GuardedOfProcess;
 
 /**
- * The process whose devices these are and whose watcher runs; a forked child has a copy of
- * everything but those. The last that is set.
+ * The process that the devices and the running watcher belong to; a forked child has a copy of
+ * everything but these. Set last.
  */
 std::atomic<std::int64_t> Owner{ 0 };
 
@@ -56,9 +56,9 @@ bool IsOwner() noexcept
 #if defined(__unix__)
 
 /**
- * Of the calling thread, as long as this lives: else a handler on this thread would wait for a
- * watcher that waits for the mutex of this thread. Crashes of the thread itself are never kept from
- * the handlers before us.
+ * Blocks signals on the calling thread while this lives: otherwise a handler on this thread would
+ * wait for a watcher that waits for this thread's mutex. Crashes of the thread itself are never
+ * kept from the handlers from before.
  */
 class SignalsBlocked
 {
@@ -93,7 +93,7 @@ void QuenchAll() noexcept
 {
   if (!IsOwner())
   {
-    return; // in a forked child, the devices are the parent's
+    return; // this is a forked child: the devices belong to the parent
   }
   [[maybe_unused]] const SignalsBlocked blocked{};
   Guarded& guarded = GuardedOfProcess.Get();
@@ -113,13 +113,13 @@ void QuenchAll() noexcept
 #if defined(__unix__)
 
 GuardedSignal Signals[] = {
-  // Programs handle these and live on. Ctrl+Z stops all threads at once.
+  // Programs handle these and go on. Ctrl+Z stops all threads at once.
   { SIGINT, SignalManner::Deliver },
   { SIGTERM, SignalManner::Deliver },
   { SIGHUP, SignalManner::Deliver },
   { SIGQUIT, SignalManner::Deliver },
   { SIGTSTP, SignalManner::Deliver },
-  // A crash, which others may want to report.
+  // A crash, which other handlers may want to report.
   { SIGSEGV, SignalManner::Crash },
   { SIGBUS, SignalManner::Crash },
   { SIGFPE, SignalManner::Crash },
@@ -155,24 +155,24 @@ GuardedSignal& FindSignal(int number) noexcept
 int Pipe[2] = { -1, -1 };
 pthread_t Watcher;
 std::atomic<unsigned> Answers{ 0 };
-/** A byte that asks for nothing but an answer; others are signals to deliver. */
+/** A byte that only asks for an answer; all others are signals to deliver. */
 constexpr unsigned char NoSignal = 0;
 
 void Ask(unsigned char byte) noexcept
 {
   const ssize_t written = write(Pipe[1], &byte, 1);
-  static_cast<void>(written); // fails only where the pipe is full, and then much is on its way
+  static_cast<void>(written); // fails only if the pipe is full, and then much is on its way
 }
 
 /**
- * From a signal handler, too: the watcher ends the force, on a stack and without locks of this
- * thread.
+ * Also from a signal handler: the watcher ends the force, on another stack and without locks of
+ * this thread.
  */
 void QuenchByWatcher() noexcept
 {
   if (!IsOwner() || pthread_equal(pthread_self(), Watcher))
   {
-    return; // who crashes while it ends the force can't do more
+    return; // a thread that crashes while it ends the force can't do more
   }
   const unsigned before = Answers.load();
   Ask(NoSignal);
@@ -182,7 +182,7 @@ void QuenchByWatcher() noexcept
   }
 }
 
-/** Those that end nothing by themselves: the watcher sends them again. */
+/** For signals whose return ends nothing: the watcher sends them again. */
 extern "C" void OnDelivered(int number)
 {
   const int keep = errno;
@@ -192,8 +192,8 @@ extern "C" void OnDelivered(int number)
   }
   else
   {
-    // A forked child shares the pipe, but the devices and the thread at its other end are the
-    // parent's. The signal comes again when this handler returns.
+    // A forked child shares the pipe, but the devices and the thread at its other end belong to the
+    // parent. The signal comes again when this handler returns.
     GuardedSignal& signal = FindSignal(number);
     signal.PutBack(signal.CountBefore());
     raise(number);
@@ -201,7 +201,7 @@ extern "C" void OnDelivered(int number)
   errno = keep;
 }
 
-/** The thread that it hit waits for the devices, and then meets the same again, without us. */
+/** The thread that crashed waits for the devices, and then crashes again without this handler. */
 extern "C" void OnCrash(int number, siginfo_t* info, void*)
 {
   const int keep = errno;
@@ -260,7 +260,7 @@ void Watch(int end)
 }
 
 /**
- * Throws std::system_error when there is no room for the pipe or the thread, and leaves nothing
+ * If there is no room for the pipe or the thread, throws std::system_error and leaves nothing
  * behind.
  */
 void StartWatching()
@@ -271,7 +271,7 @@ void StartWatching()
   }
   fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
   fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
-  // A handler never blocks: with the pipe full a signal is on its way anyway.
+  // A handler never blocks: if the pipe is full, a signal is on its way anyway.
   fcntl(Pipe[1], F_SETFL, O_NONBLOCK);
   try
   {
@@ -288,8 +288,8 @@ void StartWatching()
 }
 
 /**
- * Of the thread that lives as long as this, if it has none: without it, no handler runs where the
- * stack is full.
+ * Gives the thread an alternate stack while this lives, if it has none: without it, no handler runs
+ * if the stack is full.
  */
 class AlternateStack
 {
@@ -385,7 +385,7 @@ void GuardServo(ServoThreads* servo)
   auto& servos = guarded.Servos;
   if (!IsOwner())
   {
-    // A forked child has neither its parent's devices nor the thread that watches over them.
+    // A forked child has neither its parent's devices nor the watching thread.
     StartWatching();
     Owner = ServoClock::GetProcess();
   }

@@ -11,11 +11,12 @@
  * the thread that it hit waits for the quenching, which takes milliseconds (2 s at most, if the
  * device's driver hangs or the machine is very busy), and then meets what was there before: another
  * handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM, SIGUSR1 and others
- * that seldom end a process are left alone where they are handled or ignored.
+ * that seldom end a process are left alone if they are handled or ignored.
  *
  * std::terminate, exit() and quick_exit() quench, too. Nothing runs in the process after SIGKILL,
- * SIGSTOP, _exit(), exec() or a loss of power; and real-time signals, which libraries choose from
- * those that are not handled, are not touched. There, there are only the device's own watchdogs.
+ * SIGSTOP, _exit(), exec() or a loss of power; and real-time signals are not touched, because
+ * libraries choose theirs from those that are not handled. In these cases only the device's own
+ * watchdog ends the force.
  */
 #ifndef HapticSignals_h
 #define HapticSignals_h

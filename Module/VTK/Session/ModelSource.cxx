@@ -46,7 +46,7 @@ bool ModelSource::SetDeviceToWorld(vtkMatrix4x4* matrix)
 
 bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
 {
-  // Observers of the work may give the device another one.
+  // Observers of the work may give the device another filter.
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   if (filter)
   {

@@ -36,15 +36,15 @@ public:
   vtkMatrix4x4* GetDeviceToWorld() const { return this->DeviceToWorld; }
 
   /**
-   * A model of the filter for a rate (Hz); null without a filter. False if the filter can't be
-   * touched, which it has said in an error. Meshing of a surface is long work if the servo runs.
+   * Makes a model of the filter for a rate (Hz); null without a filter. False, after an error of
+   * the filter, if it can't be touched. If the servo runs, meshing a surface is long work.
    */
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
 
-  /** Whether Make was called, with or without success, since the filter or its input changed. */
+  /** Whether Make was called, successfully or not, since the filter or its input last changed. */
   bool IsUpToDate() const;
 
-  /** DeviceToWorld of the servo's model; without a model, as far as the settings tell. */
+  /** DeviceToWorld of the servo's model; without a model, by the settings. */
   Affine3 GetPlacement() const;
 
 private:

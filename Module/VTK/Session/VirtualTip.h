@@ -16,8 +16,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Does nothing to any other device. Functions that return a string return the error, which is empty
- * if there is none: see the functions of vtkHapticDevice with these names.
+ * Does nothing to other devices. Functions that return a string return an error, or an empty
+ * string: see the functions of vtkHapticDevice with these names.
  */
 class VirtualTip
 {
@@ -28,7 +28,7 @@ public:
   }
 
   ///@{
-  /** To a position in the world: with the hand, or at once. */
+  /** To a position in the world: at the speed of the hand, or at once. */
   std::string Lead(const Vector3& world, const Affine3& deviceToWorld);
   std::string Place(const Vector3& world, const Affine3& deviceToWorld);
   ///@}

@@ -18,7 +18,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** A function in a node of its own, for getters that may create it. */
+/** A function in a node of its own; the getter may create it. */
 void PassFunction(
   SetupNode node, const NumberRange& values, const std::function<vtkPiecewiseFunction*()>& get);
 void PassColors(SetupNode node, const std::function<vtkColorTransferFunction*()>& get);

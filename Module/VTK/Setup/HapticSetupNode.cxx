@@ -29,7 +29,7 @@ std::string Describe(const NumberRange& range)
   return text.str();
 }
 
-/** As the file has it, on one line and not too long. */
+/** The text of a value in the file, on one line and shortened. */
 std::string Quote(const Json::Value& value)
 {
   Json::StreamWriterBuilder builder;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One list of settings that serves to write a setup as well as to read one.
+ * A list of settings that both writes and reads a setup.
  */
 #ifndef HapticSetupNode_h
 #define HapticSetupNode_h
@@ -21,7 +21,7 @@ struct SetupPass
 {
   bool Writing = false;
   std::vector<std::function<void()>> Changes;
-  std::string Error; ///< the first one
+  std::string Error; ///< the first error
 };
 
 /** The range of a number. */
@@ -39,9 +39,8 @@ NumberRange NotNegative();
 using NumberRow = std::vector<double>;
 
 /**
- * A JSON object and where it stands in the file. Writing puts what the getters return into it;
- * reading checks what is there and leaves a change for each setter. Keys that are missing are left
- * alone.
+ * A JSON object and its place in the file. Writing stores the results of the getters in it. Reading
+ * checks the values and leaves a change for each setter. Missing keys are left alone.
  */
 class SetupNode
 {
@@ -57,10 +56,10 @@ public:
     const std::function<void(int)>& set);
   void Flag(
     const char* key, const std::function<bool()>& get, const std::function<void(bool)>& set);
-  /** A choice, by name; the value is the place among the names. */
+  /** A choice, by name; its value is the index of the name. */
   void Choice(const char* key, const std::vector<const char*>& names,
     const std::function<int()>& get, const std::function<void(int)>& set);
-  /** A fixed number of numbers. Returns what was read, or nothing. */
+  /** A fixed number of numbers. Returns the numbers read, or nothing. */
   NumberRow Row(const char* key, std::size_t size, const std::function<NumberRow()>& get,
     const std::function<void(const NumberRow&)>& set);
   /** Rows whose columns have these ranges, the first column in rising order. */
@@ -68,16 +67,16 @@ public:
     const std::function<std::vector<NumberRow>()>& get,
     const std::function<void(const std::vector<NumberRow>&)>& set);
 
-  /** A condition on the whole of what was read; the error names the key. */
+  /** A condition on all that was read; the error names the key. */
   void Require(const char* key, bool holds, const std::string& wanted);
-  /** A change that follows what was read so far; nothing when writing. */
+  /** A change that follows the values read so far; does nothing when writing. */
   void Then(std::function<void()> change);
 
-  /** An object in this one. Reading one that is missing finds nothing in it. */
+  /** An object in this one. If it is missing, reading finds nothing in it. */
   SetupNode Child(const std::string& key);
 
 private:
-  /** The value of a key where there is one to read. */
+  /** The value of a key, if there is one to read. */
   const Json::Value* Find(const char* key) const;
   void Fail(const std::string& path, const Json::Value& found, const std::string& wanted);
   bool ReadNumber(

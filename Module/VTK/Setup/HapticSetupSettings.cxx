@@ -19,7 +19,7 @@
 #include <cmath>
 #include <limits>
 
-// A setting of an object, under the name that VTK gives it.
+// A setting of an object, with VTK's name for it.
 #define PassNumberMacro(node, object, name, range)       \
   (node).Number(                                         \
     #name, range, [=] { return (object)->Get##name(); }, \
@@ -77,7 +77,7 @@ void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProp
       [filter, get = f.Get] { return (filter->GetProperty()->*get)(); });
   }
   PassSettings(node, filter->GetProperty(), PropertySettings);
-  // Another property's visibility is nothing that this setup could bring back.
+  // This setup could not restore the visibility of another property.
   if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
     filter->GetProperty()->GetVisibilityFrom() == visible)
   {
@@ -96,9 +96,9 @@ void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProp
 }
 
 /**
- * Gives a camera back the view up that another one had. vtkCamera normalizes what it is given, and
- * of most unit vectors that changes the last digit: as the file has a view up that was normalized,
- * its digits are what is set.
+ * Sets the view up of a camera to the digits in the file. vtkCamera normalizes the vector that it
+ * is given, which changes the last digit of most unit vectors; the file has a normalized one, so
+ * its digits are set directly.
  */
 struct CameraAccess : vtkCamera
 {
@@ -148,7 +148,7 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
     part.Flag(
       "DisableGradientOpacity", [=] { return property->GetDisableGradientOpacity(c) != 0; },
       [=](bool on) { property->SetDisableGradientOpacity(c, on); });
-    // Beneath the one that is used instead while gradient opacity is disabled.
+    // The function below the one that VTK uses instead while gradient opacity is disabled.
     PassFunction(part.Child("GradientOpacity"), AnyNumber(),
       [=]
       {
@@ -156,7 +156,7 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
         {
           const int disabled = property->GetDisableGradientOpacity(c);
           property->SetDisableGradientOpacity(c, 0);
-          property->GetGradientOpacity(c); // which creates it
+          property->GetGradientOpacity(c); // this creates it
           property->SetDisableGradientOpacity(c, disabled);
         }
         return property->GetStoredGradientOpacity(c);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Compresses bytes as VTK's XML files do.
+ * Compresses bytes in the format of VTK's XML files.
  */
 #ifndef BlockCompressor_h
 #define BlockCompressor_h
@@ -21,9 +21,9 @@ public:
   BlockCompressor(const BlockCompressor&) = delete;
   BlockCompressor& operator=(const BlockCompressor&) = delete;
 
-  /** Appends the compressed bytes; returns how many. */
+  /** Appends the compressed bytes; returns their number. */
   std::size_t Compress(const void* data, std::size_t size, std::string& to);
-  /** False if that is no block of this size. */
+  /** False if the block does not expand to this size. */
   bool Expand(const std::string& block, void* data, std::size_t size);
 
 private:

@@ -18,7 +18,7 @@ struct Plane
   explicit Plane(const Vector3& normal)
   {
     const Vector3 n = (1.0 / Norm(normal)) * normal;
-    // Across z that is x and y, as everybody expects.
+    // For a normal along z these are x and y, as users expect.
     const Vector3 aside = std::abs(n.Z) > 0.5 ? Vector3{ 1, 0, 0 } : Vector3{ 0, 0, 1 };
     const Vector3 u = aside - Dot(aside, n) * n;
     this->U = (1.0 / Norm(u)) * u;
@@ -41,7 +41,8 @@ double SpiralLength(double angle)
 }
 
 /**
- * The angle at a length: Newton's method, whose step never overshoots since the length is convex.
+ * The angle at a length, by Newton's method: its step never overshoots, because the length is
+ * convex.
  */
 double SpiralAngle(double length)
 {
@@ -90,7 +91,7 @@ HapticCurve MakeCircleCurve(
 HapticCurve MakeSpiralCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns)
 {
-  const double step = radius / (2.0 * Pi * turns); // outwards, in a radian
+  const double step = radius / (2.0 * Pi * turns); // outward, per radian
   return { step * SpiralLength(2.0 * Pi * turns),
     [center, plane = Plane(normal), step](double way)
     {

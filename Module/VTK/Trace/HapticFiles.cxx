@@ -96,7 +96,7 @@ int SyncFolder(const std::string& file)
   const int descriptor = OpenFile(GetFolder(file), O_RDONLY | O_DIRECTORY);
   if (descriptor < 0)
   {
-    // Files may be made in a folder that may not be read.
+    // A folder that may not be read can still allow new files.
     return errno == EACCES ? 0 : errno;
   }
   const int failure = SyncFile(descriptor);
@@ -115,7 +115,7 @@ std::string FollowLinks(const std::string& file)
     {
       return real.get();
     }
-    // It does not exist, but a link to it may.
+    // The file does not exist, but a link to it may.
     char target[4096];
     const ssize_t size = readlink(name.c_str(), target, sizeof(target));
     if (size <= 0)
@@ -142,7 +142,7 @@ bool TakePermissions(int descriptor, const struct stat& other)
   const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
     fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0 ||
     (fstat(descriptor, &status) == 0 && status.st_gid == other.st_gid);
-  // Bits that let a program run with the rights of its owner are not for another owner.
+  // Bits that let a program run with its owner's rights must not pass to another owner.
   (void)!fchmod(descriptor, isKept ? other.st_mode & 0777 : (other.st_mode & 0700) | 0600);
   return isKept;
 }
@@ -262,7 +262,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   }
   struct stat status;
   int failure = fstat(descriptor, &status) == 0 ? 0 : errno;
-  // It may have been exchanged since.
+  // It may have been replaced since.
   bool isGood = failure == 0 && S_ISREG(status.st_mode);
   char buffer[BufferSize];
   while (isGood && text.size() <= most)

@@ -16,18 +16,18 @@ namespace VolumeHaptics
 {
 
 /**
- * A text for a message. Names of files may hold any bytes; those that are not UTF-8 become \xNN,
- * since Python drops a message that is not UTF-8.
+ * A text for a message. File names may hold any bytes; those that are not UTF-8 become \xNN,
+ * because Python drops a message that is not UTF-8.
  */
 std::string Printable(const std::string& text);
 
-/** The name of a file that stays right when the program changes its folder. */
+/** The name of a file that stays valid when the program changes its folder. */
 std::string MakeAbsolute(const std::string& file);
 
 /** The folder of a file, "." if its name has none. */
 std::string GetFolder(const std::string& file);
 
-/** Says why a file can't be written, and the cure, from an errno. */
+/** The reason why a file can't be written, and the cure, from an errno. */
 std::string ExplainWriteError(int number, const std::string& file);
 
 /**
@@ -55,7 +55,7 @@ int SyncFolder(const std::string& file);
 /** The file that links lead to, even if it does not exist yet. */
 std::string FollowLinks(const std::string& file);
 
-/** Whether a name stands for the file that is open. */
+/** Whether a name is that of the open file. */
 bool IsSameFile(int descriptor, const std::string& file);
 
 /**
@@ -65,12 +65,14 @@ bool IsSameFile(int descriptor, const std::string& file);
 bool TakePermissions(int descriptor, const struct stat& other);
 
 /**
- * False, with what it is instead, for everything but regular files: to read a FIFO or a terminal
- * may take for ever.
+ * False, with what it is instead, for everything but regular files: reading a FIFO or a terminal
+ * may take forever.
  */
 bool CheckRegular(const std::string& file, std::string& error);
 
-/** Reads a regular file of at most so many bytes; else false, with the reason and the cure. */
+/**
+ * Reads a regular file of limited size (bytes). False, with the reason and the cure, if that fails.
+ */
 bool ReadSmallFile(
   const std::string& file, std::size_t most, std::string& text, std::string& error);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A fingerprint of a volume, by which a recording knows what it was made on.
+ * A hash of a volume, which tells a recording's volume from others.
  */
 #ifndef HapticHash_h
 #define HapticHash_h
@@ -15,12 +15,11 @@ namespace VolumeHaptics
 {
 
 /**
- * MD5 of the values of an array, tuple by tuple in whatever layout they lie in memory, and of how
- * it is shaped.
+ * MD5 of the values of an array, tuple by tuple in any memory layout, and of its shape.
  */
 std::string HashArray(vtkDataArray* array, const int dimensions[3]);
 
-/** How long that takes, about (s). */
+/** How long that takes, approximately (s). */
 double EstimateHashTime(vtkDataArray* array);
 
 } // namespace VolumeHaptics

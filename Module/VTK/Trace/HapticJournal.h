@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The journal of a recording that is under way: FILE.part, from which FILE is made when it ends.
+ * The journal of a running recording: FILE.part, from which FILE is made at the end.
  *
- * A journal is written from its beginning to its end, in chunks that each carry a checksum: what
- * the recording is about, the first state, placements, and groups of ticks. A group holds the
- * columns one after the other, each compressed as a block of VTK's XML format is, so that a .vtp is
- * made by copying blocks. Whatever ends a journal, a full disk or the death of the program, all
- * chunks before are read. It is for the machine that wrote it: numbers are as in memory.
+ * A journal is written from beginning to end, in chunks that each carry a checksum: facts about the
+ * recording, the first state, placements, and groups of ticks. A group holds the columns one after
+ * the other, each compressed as a block of VTK's XML format, so that a .vtp is made by copying
+ * blocks. If a full disk or a crash ends a journal, all chunks before that can be read. A journal
+ * is only for the machine that wrote it: numbers are stored as in memory.
  */
 #ifndef HapticJournal_h
 #define HapticJournal_h
@@ -27,8 +27,8 @@ namespace VolumeHaptics
 struct RecordingAbout
 {
   std::string DeviceId;
-  std::string Settings;   ///< what the filter printed when the recording began
-  std::string VolumeHash; ///< of the scalars that were touched
+  std::string Settings;   ///< the filter's PrintSelf when the recording began
+  std::string VolumeHash; ///< of the touched scalars
 };
 
 /** The state and the settings from which a replay begins. */
@@ -42,10 +42,10 @@ struct RecordingBegin
 /** DeviceToWorld, row by row. */
 using PlacementRow = std::array<double, 16>;
 
-/** Ticks in a group, but for the last one. */
+/** Ticks in a group, except in the last one. */
 constexpr std::size_t GroupSize = 256;
 
-/** The ending of a journal's name. */
+/** The suffix of a journal's name. */
 constexpr const char* JournalEnding = ".part";
 
 } // namespace VolumeHaptics

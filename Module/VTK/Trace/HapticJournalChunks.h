@@ -9,7 +9,7 @@
  *   RecordingAbout;
  * - Begin: a RecordingBegin;
  * - Placements: PlacementRows;
- * - Ticks: how many ticks were lost until then (64 bits), how many these are (32 bits), the size of
+ * - Ticks: the number of lost ticks so far (64 bits), the number of these (32 bits), the size of
  *   each column's block (32 bits), and the blocks.
  */
 #ifndef HapticJournalChunks_h
@@ -37,7 +37,7 @@ constexpr std::size_t HeadSize = 24;
 constexpr std::size_t TicksHeadSize = 12;
 
 std::uint64_t SumOf(const std::string& payload);
-/** Names, types and components of the columns: a journal of a version with others can't be read. */
+/** Names, types and components of the columns: a journal with other columns can't be read. */
 std::string SignatureOfColumns();
 
 template <typename T>
@@ -47,7 +47,7 @@ void Put(std::string& bytes, const T& value)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/** False if the bytes end before. */
+/** False if there are not enough bytes. */
 template <typename T>
 bool Get(const std::string& bytes, std::size_t& position, T& value)
 {

@@ -4,8 +4,8 @@
  * @file
  * The settings of vtkHapticPathSource, but for its file: see HapticSetting.h.
  *
- * The numbers that only some shapes have are not clamped: a number out of its range is an error of
- * the shapes that need it.
+ * Numbers that only some shapes have are not clamped: one out of its range is an error of the
+ * shapes that need it.
  */
 #ifndef HapticPathSettings_h
 #define HapticPathSettings_h

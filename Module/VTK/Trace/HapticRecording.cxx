@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How often the writer looks for ticks (ns): a group takes 25 ms at 10 kHz. */
+/** The writer's pause between two looks for ticks (ns): a group takes 25 ms at 10 kHz. */
 constexpr std::int64_t WriterPeriod = 10000000;
 
 PlacementRow ToRow(const Affine3& map)
@@ -45,12 +45,12 @@ HapticRecording::~HapticRecording()
 {
   if (!this->IsOurs())
   {
-    // The journal, its lock and the thread are the parent's.
+    // The journal, its lock and the thread belong to the parent.
     (void)this->Writer.release();
     (void)this->WriterThread.release();
     return;
   }
-  this->StopWriter(); // the journal is closed with its writer
+  this->StopWriter(); // the writer closes the journal
 }
 
 bool HapticRecording::Start(
@@ -89,11 +89,11 @@ bool HapticRecording::Start(
 
 void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model)
 {
-  // Ticks come in the order of generations.
+  // Ticks come in the order of their generations.
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
   if (this->Failure.load() != 0)
   {
-    this->Models.clear(); // no tick is recorded any more
+    this->Models.clear(); // no further tick is recorded
     return;
   }
   this->Models[generation] = std::move(model);
@@ -121,7 +121,7 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
     this->Begin.reset(new RecordingBegin{ ToNumbers(snapshot.Before), settings.TickPeriod,
       { settings.Caps.Stiffness, settings.Caps.Damping } });
   }
-  // A placement for every generation, moved or not: the servo carries its state across each.
+  // A placement for every generation, even if it is equal: the servo carries its state across each.
   if (isFirst || snapshot.Generation != this->PlacedGeneration)
   {
     this->NewPlacements.push_back(ToRow(model.DeviceToWorld));
@@ -148,7 +148,7 @@ void HapticRecording::WriteUntilStopped()
   }
   if (this->Failure.load() == 0 && this->GetLostTicks() > 0)
   {
-    // Ticks may have been lost after the last one that is here.
+    // Ticks may have been lost after the last one in the queue.
     this->Failure.store(this->Writer->WriteTicks(nullptr, 0, this->GetLostTicks()));
   }
 }
@@ -212,7 +212,7 @@ bool HapticRecording::Finish(std::string& error)
     return false;
   }
   this->StopWriter();
-  // Not by its name, which another program may have given to another file.
+  // Not by name: another program may have given that to another file.
   JournalReader reader;
   if (!reader.Open(*this->Writer, error))
   {
@@ -221,7 +221,7 @@ bool HapticRecording::Finish(std::string& error)
   }
   reader.Expect(this->Written.load());
   WriteRecording(reader, this->Writer->GetName(), this->File, this->GetTrouble(), error);
-  this->Writer->Close(); // and gives up the lock, which a recovery needs
+  this->Writer->Close(); // this also releases the lock, which a recovery needs
   return error.empty();
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A recording of the servo loop: a trace with everything that replays it to the bit.
+ * A recording of the servo loop: a trace with all data for an exact replay.
  *
- * Every tick goes to a journal beside the file, on a thread of the recording's own: a disk that
- * makes its writer wait holds up neither the servo nor the session's keeper. What waits for the
- * disk is bounded; ticks beyond that are lost, and counted. The file is made from the journal at
- * the end (HapticRecordingFile.h).
+ * The recording has a thread of its own that writes every tick to a journal beside the file: a slow
+ * disk delays neither the servo nor the session's keeper. A limited number of ticks may wait for
+ * the disk; further ones are lost, and counted. At the end the file is made from the journal
+ * (HapticRecordingFile.h).
  */
 #ifndef HapticRecording_h
 #define HapticRecording_h
@@ -34,66 +34,67 @@ public:
   static constexpr std::size_t MostWaiting = 1 << 14;
 
   HapticRecording();
-  /** Ends the writing; the journal stays, unless Finish made the file. */
+  /** Stops writing; the journal stays, unless Finish made the file. */
   ~HapticRecording();
   HapticRecording(const HapticRecording&) = delete;
   HapticRecording& operator=(const HapticRecording&) = delete;
 
   /**
-   * Begins the journal of a file. False, with the reason and the cure, where the file could not be
+   * Begins the journal of a file. False, with the reason and the cure, if the file could not be
    * written. A journal of the same name that an earlier program left is renamed, and the warning
-   * says to what.
+   * tells its new name.
    */
   bool Start(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
 
   /**
-   * The model of a generation that the loop may use from now on. Frees older ones: for their
-   * owner's thread.
+   * The model of a generation that the loop may use from now on. Frees older ones, so call it on
+   * their owner's thread.
    */
   void AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model);
   /**
-   * Takes a tick; false where it is lost. Ticks without a model are left out: there was no world to
-   * be in.
+   * Takes a tick; false if it is lost. Ticks without a model are left out, because they have no
+   * world.
    */
   bool Append(const ServoSnapshot& snapshot);
-  /** How many ticks have not come this far. */
+  /** The number of ticks that were lost before they came here. */
   void SetMissed(std::uint64_t ticks) { this->Missed.store(ticks); }
   std::uint64_t GetLostTicks() const { return this->Missed.load() + this->Dropped.load(); }
 
-  /** Those that are in the journal. */
+  /** The number of ticks in the journal. */
   std::uint64_t GetNumberOfTicks() const { return this->Written.load(); }
 
   /**
-   * Why it ended before it was stopped, and what is left of it; empty while all is well. From any
+   * Why it ended before it was stopped, and what is left of it; empty if it did not. From any
    * thread.
    */
   std::string GetTrouble() const;
 
   /**
-   * Ends the journal and makes the file. False where not all of it is in the file; the error says
-   * where it is.
+   * Ends the journal and makes the file. False if some of it is missing in the file; the error
+   * tells where it is.
    */
   bool Finish(std::string& error);
 
 private:
   void WriteUntilStopped();
-  /** Writes a group that is full, or any if it is the end; false where there is none. */
+  /** Writes a full group, or at the end any group; false if there is none. */
   bool WriteGroup(bool isEnd);
   void StopWriter();
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   std::string File;
-  const std::int64_t Process = ServoClock::GetProcess(); // whose thread and journal they are
+  // the process that the thread and the journal belong to
+  const std::int64_t Process = ServoClock::GetProcess();
 
-  // The keeper's, and its owner's between two of its calls.
+  // Used by the keeper, and by its owner between two of the keeper's calls.
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
   WorkMeter Work;
-  std::uint64_t LastGeneration = 0; // of the ticks that came, whether they are recorded or not
+  std::uint64_t LastGeneration = 0; // of the ticks that came, recorded or not
   std::uint64_t PlacedGeneration = 0;
   int LastPlacement = -1;
 
-  // Between the keeper and the writer.
+  // Shared by the keeper and the writer.
   std::mutex QueueMutex;
   std::deque<RecordingRow> Waiting;
   std::vector<PlacementRow> NewPlacements;
@@ -104,7 +105,7 @@ private:
   std::atomic<int> Failure{ 0 }; // the errno that ended the journal
   std::atomic<std::uint64_t> Written{ 0 };
 
-  // The writer's. A child process that was forked lets it be: see the destructor.
+  // Used by the writer. A forked child leaves it alone: see the destructor.
   std::unique_ptr<JournalWriter> Writer;
   std::unique_ptr<std::thread> WriterThread;
 };

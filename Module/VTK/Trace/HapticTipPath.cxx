@@ -21,9 +21,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A day at 1 kHz: more is a mistake in the unit of time, and would not fit into memory. */
+/** A day at 1 kHz: more means a wrong unit of time, and would not fit into memory. */
 constexpr double MostTicks = 1e8;
-/** Share of a tick within which a point's time is taken for the tick's. */
+/** If a point's time differs from a tick's by less than this share of a tick, it is the tick's. */
 constexpr double SnapShare = 1e-6;
 
 Vector3 ReadPoint(vtkPolyData* path, vtkIdType i)

@@ -17,13 +17,13 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** Names of what a recording carries beyond a trace, so that it can be replayed to the bit. */
+/** Names of the arrays that only recordings have, for an exact replay. */
 namespace RecordingNames
 {
-constexpr const char* DeviceTip = "DeviceTip"; ///< point array: the tip in device space (m)
-constexpr const char* Enabled = "Enabled";     ///< point array: 1 where the tick enabled
-constexpr const char* Placement = "Placement"; ///< point array: tuple of DeviceToWorld
-constexpr const char* Renewed = "Renewed";     ///< point array: 1 where a local surface came
+constexpr const char* DeviceTip = "DeviceTip";         ///< point array: the tip in device space (m)
+constexpr const char* Enabled = "Enabled";             ///< point array: 1 if the tick enabled
+constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
+constexpr const char* Renewed = "Renewed";             ///< point array: 1 if a local surface came
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
 constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
 constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap
@@ -34,28 +34,28 @@ struct TipPath
 {
   std::vector<Vector3> Tips; ///< world; in device space for a recording
   double StartTime = 0.0;    ///< s, of the first tick
-  std::vector<double> Times; ///< s, of every tick; empty where they are evenly spaced
-  bool IsRecording = false;  ///< whether the following hold
+  std::vector<double> Times; ///< s, of every tick; empty if they are evenly spaced
+  bool IsRecording = false;  ///< whether it is a recording and has the following
   std::vector<Affine3> Placements;
   std::vector<int> PlacementOf; ///< per tick
   std::vector<bool> Enabled;    ///< per tick
   std::vector<bool> Renewed;    ///< per tick
   ServoState InitialState;
-  double TickPeriod = 0.0; ///< s, of the servo that recorded
-  ForceCaps Caps;          ///< of the device that recorded
+  double TickPeriod = 0.0; ///< s, of the recorded servo
+  ForceCaps Caps;          ///< of the recorded device
 };
 
 /**
- * Reads the points of a path in order. Without a point array `Time` every point is a tick; with it,
- * the path is resampled linearly to one tick every `period` seconds from its first time on (of
- * points with the same time, the last counts; a point whose time is a tick's is taken as it is, to
- * the bit). A recording of vtkHapticDevice is taken tick by tick, in device space. False, with an
- * error, for numbers that are not finite, time that runs backwards, recordings that are not whole,
- * several lines, or more ticks than there is memory for.
+ * Reads the points of a path in order. Without a point array `Time` every point is a tick. With it,
+ * the path is resampled linearly to one tick every `period` seconds, starting at its first time. If
+ * points have the same time, the last counts; a point whose time is a tick's is taken unchanged, to
+ * the bit. A recording of vtkHapticDevice is taken tick by tick, in device space. False, with an
+ * error, for numbers that are not finite, time that runs backwards, incomplete recordings, several
+ * lines, or more ticks than fit into memory.
  */
 bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string& error);
 
-/** The error where there is no memory for so many ticks and their trace. */
+/** The error for so many ticks that they and their trace do not fit into memory. */
 std::string DescribeLackOfMemory(double ticks);
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The trace: what every tick did, as a polyline of proxy positions with point arrays.
+ * The trace: the record of every tick, as a polyline of proxy positions with point arrays.
  */
 #ifndef HapticTrace_h
 #define HapticTrace_h
@@ -22,7 +22,7 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** Collects records in device space and turns them into the world of the model's image. */
+/** Collects records in device space and transforms them into the world of the model's image. */
 class HapticTrace
 {
 public:
@@ -34,7 +34,7 @@ public:
   void Reserve(vtkIdType ticks);
   void Append(const HapticModel& model, double time, const TickRecord& record);
 
-  /** Hand the points and arrays to a polydata, with one polyline through all points. */
+  /** Passes the points and arrays to a polydata, with one polyline through all points. */
   void WriteTo(vtkPolyData* output);
 
 private:

@@ -91,7 +91,7 @@ const std::vector<TraceColumn>& GetRecordingColumns()
 
 double WorkMeter::Add(const TickRecord& record)
 {
-  // A tip that is nowhere does no work.
+  // A tip that is not finite does no work.
   if (this->HasLast && IsFinite(record.Tip) && IsFinite(this->LastTip))
   {
     this->Work += 0.5 * Dot(record.Force + this->LastForce, record.Tip - this->LastTip);
@@ -105,7 +105,7 @@ double WorkMeter::Add(const TickRecord& record)
 TraceRow MakeTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work)
 {
-  // Device axes are the world's, turned; lengths differ, forces and directions do not.
+  // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
   const Affine3& toWorld = model.DeviceToWorld;
   TraceRow row;
   Copy(toWorld(record.Proxy), row.Proxy);

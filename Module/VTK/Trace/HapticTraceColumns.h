@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The arrays of traces and recordings: one list of names, types and units, and the rows that fill
- * them.
+ * The arrays of traces and recordings: a list of names, types and units, and the rows with their
+ * values.
  *
- * The filter's output, the journal of a recording and both kinds of file are made from these lists.
+ * The filter's output, the journal of a recording and both file formats are made from these lists.
  */
 #ifndef HapticTraceColumns_h
 #define HapticTraceColumns_h
@@ -50,7 +50,7 @@ struct RecordingRow
   TraceRow Trace;
   double DeviceTip[3]; ///< m
   double Command[3];   ///< N
-  double Share;        ///< of the force, that the gate let through (ForceGate.h)
+  double Share;        ///< the share of the force that the gate let through (ForceGate.h)
   std::int64_t Tick;
   std::int32_t Placement;
   std::int32_t Buttons;
@@ -68,11 +68,11 @@ enum class ColumnType : std::uint8_t
   UInt8
 };
 
-/** An array and where its numbers stand in a row. */
+/** An array, and the offset of its numbers in a row. */
 struct TraceColumn
 {
   const char* Name;
-  const char* Unit; ///< as in the title of a table's column; empty where there is none
+  const char* Unit; ///< as in the title of a table's column; empty if there is none
   ColumnType Type;
   int Components;
   std::size_t Offset; ///< bytes
@@ -81,12 +81,12 @@ struct TraceColumn
   std::size_t GetWidth() const;
 };
 
-/** Of a TraceRow, without the proxy, which is the polydata's points. */
+/** The columns of a TraceRow, without the proxy, which becomes the polydata's points. */
 const std::vector<TraceColumn>& GetTraceColumns();
-/** Of a RecordingRow; the proxy comes last. */
+/** The columns of a RecordingRow; the proxy comes last. */
 const std::vector<TraceColumn>& GetRecordingColumns();
 
-/** The work (J) that the hand has been given, from the first record on. */
+/** The work (J) on the hand since the first record. */
 class WorkMeter
 {
 public:
@@ -99,7 +99,7 @@ private:
   double Work = 0.0;
 };
 
-/** Turns a record from device space to the world of the model's image. */
+/** Transforms a record from device space to the world of the model's image. */
 TraceRow MakeTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work);
 RecordingRow MakeRecordingRow(

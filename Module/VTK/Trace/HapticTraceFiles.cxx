@@ -26,8 +26,8 @@ namespace
 {
 
 /**
- * What the three columns of positions are called, the first that are there: here, by ParaView, by
- * people.
+ * The possible titles of the three columns of positions, in order of preference: those of this
+ * library, of ParaView, and of other tables.
  */
 const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },
   { "Points:0", "Points:1", "Points:2" }, { "x", "y", "z" } };
@@ -39,7 +39,7 @@ std::string WithoutUnit(const std::string& title)
   return title.substr(0, title.find(" ("));
 }
 
-/** The columns of a table that a replay needs: numbers, or an empty vector where one is missing. */
+/** The numbers of a column that a replay needs; empty if it is missing. */
 std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
 {
   std::vector<double> values;
@@ -59,7 +59,7 @@ std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
   return values;
 }
 
-/** Vectors of three columns; empty where they are not all there. */
+/** Vectors from three columns; empty if one is missing. */
 std::vector<Vector3> ReadVectors(vtkTable* table, const char* const columns[3])
 {
   const std::vector<double> x = ReadColumn(table, columns[0]);
@@ -95,7 +95,7 @@ std::vector<double> ReadNumbers(vtkDataArray* array)
   return numbers;
 }
 
-/** The contents of a file, before they are judged. */
+/** The contents of a file, unchecked. */
 struct Contents
 {
   std::vector<Vector3> DeviceTips;
@@ -106,7 +106,7 @@ struct Contents
 Contents ReadPolyData(const std::string& file, bool& failed)
 {
   vtkNew<vtkXMLPolyDataReader> reader;
-  // The reader's own complaints are replaced by one that says what to do.
+  // One error that tells the cure replaces those of the reader.
   struct Observer : vtkCommand
   {
     static Observer* New() { return new Observer; }
@@ -140,7 +140,7 @@ Contents ReadTable(const std::string& file)
   reader->SetHaveHeaders(true);
   reader->DetectNumericColumnsOn();
   reader->ForceDoubleOn();
-  // A missing cell is no zero: it is found out as a number that is not finite.
+  // A missing cell must not become 0: a number that is not finite will be noticed.
   reader->SetDefaultDoubleValue(std::numeric_limits<double>::quiet_NaN());
   reader->Update();
   vtkTable* const table = reader->GetOutput();
@@ -155,7 +155,7 @@ Contents ReadTable(const std::string& file)
   return contents;
 }
 
-/** A table that was cut off shows in its last line, which has no end. */
+/** False for a table that was cut off, because its last line has no end. */
 bool EndsWithLine(const std::string& file)
 {
   vtksys::ifstream stream(file.c_str(), std::ios::binary);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Traces in files: .vtp (everything) and .csv (the point arrays, one line a tick, with the field
- * arrays beside it in .csv.json).
+ * Traces in files: .vtp (everything) and .csv (the point arrays, one line for each tick, and the
+ * field arrays in .csv.json beside it).
  */
 #ifndef HapticTraceFiles_h
 #define HapticTraceFiles_h
@@ -23,22 +23,21 @@ std::string GetTraceEnding(const std::string& file);
 struct RecordedTips
 {
   std::vector<Vector3> Tips;
-  std::vector<double> Times;  ///< s, of every tip; empty where the file has none
+  std::vector<double> Times;  ///< s, of every tip; empty if the file has none
   bool InDeviceSpace = false; ///< else in world units
 };
 
 /**
- * Reads the tips of a .vtp or .csv, from DeviceTip where it has that, else from Tip, else from the
- * points. False, with an error that names the file, for anything that is not a whole trace:
- * missing, truncated, foreign, empty, with numbers that are not finite, or with times or ticks that
- * run backwards.
+ * Reads the tips of a .vtp or .csv: from DeviceTip if there is one, else from Tip, else from the
+ * points. False, with an error that names the file, for anything but a whole trace: missing,
+ * truncated, foreign or empty files, numbers that are not finite, and times or ticks that run
+ * backwards.
  */
 bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
 
 /**
- * The same for a path in world units: never DeviceTip, and from the columns "Points:0" to
- * "Points:2" or "x", "y" and "z" where a .csv has no Tip. Whoever wrote it may have left out the
- * end of its last line.
+ * The same for a path in world units: never from DeviceTip, and if a .csv has no Tip, from the
+ * columns "Points:0" to "Points:2" or "x", "y" and "z". The end of the last line may be missing.
  */
 bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
 

@@ -19,7 +19,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A chunk is not larger: a group of random numbers, or placements of a group. */
+/** The largest chunk: a group of random numbers, or placements of a group. */
 constexpr std::uint64_t MostPayload = 1 << 24;
 
 bool IsKind(std::uint32_t kind)
@@ -120,7 +120,7 @@ bool JournalReader::Open(const JournalWriter& writer, std::string& error)
     error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  this->IsLocked = true; // or there are no locks, and the name tells
+  this->IsLocked = true; // if there are no locks, the name tells
   return this->Scan(error);
 }
 
@@ -193,7 +193,7 @@ void JournalReader::Expect(std::uint64_t ticks)
 
 bool JournalReader::IsCutOff(std::uint64_t size)
 {
-  // A file that was growing when the power went may end with zeros.
+  // A file that was growing during a power cut may end with zeros.
   constexpr std::uint64_t most = HeadSize + MostPayload;
   std::string tail(std::min(size - std::min(size, this->End), most), '\0');
   if (!this->ReadAt(this->End, &tail[0], tail.size()))
@@ -220,7 +220,7 @@ bool JournalReader::IsCutOff(std::uint64_t size)
     tail.size() < HeadSize + chunk.Size && !HoldsChunk(tail);
 }
 
-/** False if a chunk does not fit into the order of chunks: the bytes behind it are not read. */
+/** False if a chunk does not follow the order of chunks: the bytes behind it are not read. */
 bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::string& error)
 {
   std::size_t at = 0;
@@ -262,7 +262,7 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
   }
   this->Ticks += ticks;
   this->Lost = lost;
-  this->HasLastGroup = ticks < GroupSize; // only how many were lost may follow
+  this->HasLastGroup = ticks < GroupSize; // only the number of lost ticks may follow
   return true;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the journal of a recording, also one that a crash or a full disk ended.
+ * Reads the journal of a recording, even if a crash or a full disk ended it.
  */
 #ifndef JournalReader_h
 #define JournalReader_h
@@ -28,21 +28,23 @@ public:
 
   ///@{
   /**
-   * Looks through all of it; false, with the reason, if it is no journal, or is being written. That
-   * of a writer is the file that it wrote, even if another file has its name now.
+   * Scans the journal. False, with the reason, if it is no journal, or is being written. With a
+   * writer, reads the file that it wrote, even if another file has that name now.
    */
   bool Open(const std::string& journal, std::string& error);
   bool Open(const JournalWriter& writer, std::string& error);
   ///@}
-  /** Expects as many ticks as were written. */
+  /** Sets the number of ticks that were written, so that a missing end is noticed. */
   void Expect(std::uint64_t ticks);
   /**
-   * Why a part of it can't be read, with the numbers; empty if all was read, or if only the last
-   * chunk was cut off, as a crash does it.
+   * Why a part of it can't be read, with the numbers. Empty if all was read, or if only the last
+   * chunk was cut off, as by a crash.
    */
   const std::string& GetDamage() const { return this->Damage; }
   bool IsAt(const std::string& file) const;
-  /** Removes the journal, if it still has that name, and if locks tell that it is not written. */
+  /**
+   * Removes the journal, if it still has that name, and if locks show that it is not being written.
+   */
   void Remove(const std::string& journal) const;
 
   const RecordingAbout& GetAbout() const { return this->About; }
@@ -53,7 +55,7 @@ public:
   std::uint64_t GetLostTicks() const { return this->Lost; }
 
   ///@{
-  /** One after the other; false if reading failed. */
+  /** Visits one after the other; false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
   /** The compressed blocks of a column of GetRecordingColumns. */
   bool ForEachBlock(std::size_t column, const std::function<void(const std::string&)>& visit);
@@ -64,12 +66,12 @@ private:
   struct Chunk
   {
     std::uint32_t Kind = 0;
-    std::uint64_t Payload = 0; ///< where it begins
+    std::uint64_t Payload = 0; ///< its position
     std::uint64_t Size = 0;
     std::uint64_t Sum = 0;
   };
   bool Scan(std::string& error);
-  /** Looks at the bytes behind the last chunk that is whole. */
+  /** Looks at the bytes behind the last whole chunk. */
   void FindDamage();
   bool IsCutOff(std::uint64_t size);
   bool ReadAt(std::uint64_t position, void* data, std::size_t size);
@@ -81,7 +83,7 @@ private:
   int Descriptor = -1;
   int Failure = 0; ///< the errno of the last ReadAt, 0 at the end of the file
   bool IsLocked = false;
-  std::uint64_t End = 0; ///< of the last chunk that is whole
+  std::uint64_t End = 0; ///< end of the last whole chunk
   std::string Damage;
   RecordingAbout About;
   bool HasAbout = false;

@@ -19,7 +19,7 @@ namespace
 
 enum class JournalPlace
 {
-  Free,    ///< or it is now
+  Free,    ///< there is no journal, or no longer
   Unknown, ///< there is one, and no lock tells whether it is being written
   Taken
 };
@@ -33,7 +33,7 @@ std::string Numbered(const std::string& journal, int number)
   return journal + "." + std::to_string(number);
 }
 
-/** Gives a journal that an earlier recording left, and that is open, a name that is free. */
+/** Renames an open journal that an earlier recording left to a free name. */
 bool Rename(int descriptor, const std::string& journal, std::string& error, std::string& warning)
 {
   for (int i = 1; i <= MostNames; ++i)
@@ -64,7 +64,7 @@ JournalPlace PutAside(const std::string& journal, std::string& error, std::strin
   struct stat status;
   if (lstat(journal.c_str(), &status) != 0)
   {
-    return JournalPlace::Free; // else the error of creating it tells more
+    return JournalPlace::Free; // else the error of creating it says more
   }
   std::string reason;
   if (!CheckRegular(journal, reason))
@@ -109,7 +109,7 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
   }
   struct stat status;
   const bool isOld = stat(file.c_str(), &status) == 0;
-  constexpr mode_t everybody = 0666; // less what the user's mask takes
+  constexpr mode_t everybody = 0666; // the user's mask removes some of these
   const mode_t mode = isOld ? status.st_mode & 0600 : everybody;
   constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW;
   this->Name = journal;
@@ -128,7 +128,7 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
                             : ExplainWriteError(errno, this->Name);
     return false;
   }
-  // Some file systems have no locks; the journal does without.
+  // Some file systems have no locks; the journal then has none either.
   if (flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
   {
     error = "it is being recorded already. Give another name.";
@@ -190,7 +190,7 @@ void JournalWriter::Close()
 {
   if (this->Descriptor >= 0)
   {
-    // A forked child has the descriptor, too, and with it the lock.
+    // A forked child also has the descriptor, and with it the lock.
     (void)flock(this->Descriptor, LOCK_UN);
     close(this->Descriptor);
     this->Descriptor = -1;

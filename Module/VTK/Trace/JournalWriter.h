@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes the journal of a recording that is under way.
+ * Writes the journal of a running recording.
  */
 #ifndef JournalWriter_h
 #define JournalWriter_h
@@ -28,8 +28,8 @@ public:
   /**
    * Creates the journal of a file, with the file's permissions if it exists. False, with the reason
    * and the cure, if it can't be created or another program writes to it. A journal that an earlier
-   * recording left is renamed; if the file system has no locks, which would tell whether it is
-   * still being written, the new journal gets another name. The warning says so.
+   * recording left is renamed. If the file system has no locks, nothing tells whether it is still
+   * being written; the new journal then gets another name. A warning tells both.
    */
   bool Create(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
@@ -37,7 +37,7 @@ public:
   /** Removes the journal that was created. */
   void Remove();
   ///@{
-  /** 0, or the errno of what went wrong; nothing is written after that. */
+  /** Returns 0, or the errno of the failure; nothing is written after that. */
   int WriteBegin(const RecordingBegin& begin);
   int WritePlacements(const std::vector<PlacementRow>& placements);
   int WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost);

@@ -20,10 +20,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The periods (s) that vtkHapticDevice::SetServoRate allows, and some more. */
+/** The periods (s) that vtkHapticDevice::SetServoRate allows, and a margin. */
 constexpr double ShortestPeriod = 1e-6;
 constexpr double LongestPeriod = 1.0;
-/** A tip that is farther (m), which no device gives, would be at infinity in the world. */
+/** A tip (m) that is farther away comes from no device, and would be at infinity in the world. */
 constexpr double FarthestRecordedTip = 1e15;
 
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the tip path of a recording, which anything may have changed since it was written.
+ * Reads the tip path of a recording, which may have been changed since it was written.
  */
 #ifndef RecordedPathReader_h
 #define RecordedPathReader_h
@@ -21,18 +21,20 @@ namespace VolumeHaptics
 {
 
 /**
- * Every number is checked: the servo's tick gets none that could not be one of its own.
+ * Every number is checked: the servo's tick gets only numbers that it could have computed itself.
  */
 class RecordedPathReader
 {
 public:
   RecordedPathReader(vtkPolyData* path, TipPath& result);
 
-  /** The first flaw that was found, as the end of a sentence; empty if there is none. */
+  /** The first fault, as the end of a sentence; empty if there is none. */
   std::string Read();
 
 private:
-  /** An array of this shape; null, with a flaw, if it is missing or has another one. */
+  /**
+   * An array of this shape. If it is missing or has another shape, notes a fault and returns null.
+   */
   vtkDataArray* Find(
     vtkFieldData* data, const char* kind, const char* name, int components, vtkIdType tuples);
   vtkDataArray* FindOfTicks(const char* name, int components);

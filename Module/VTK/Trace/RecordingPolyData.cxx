@@ -21,8 +21,7 @@ namespace
 {
 
 /**
- * Bytes as base64, of which every three become four characters, in one piece from the first to the
- * last.
+ * Encodes bytes as one piece of base64, in which three bytes become four characters.
  */
 class Base64
 {
@@ -57,8 +56,8 @@ private:
 };
 
 /**
- * The numbers of an array, in place: how many blocks, their size, that of the last one if it is
- * smaller, the compressed sizes, all of 32 bits and in base64; then the blocks.
+ * The numbers of an array, inline: the number of blocks, their size, the size of the last one if it
+ * is smaller, the compressed sizes, all of 32 bits and in base64; then the blocks.
  */
 class InlineArray
 {
@@ -71,7 +70,7 @@ public:
     this->Head = { static_cast<std::uint32_t>((bytes + blockSize - 1) / blockSize),
       static_cast<std::uint32_t>(blockSize), static_cast<std::uint32_t>(bytes % blockSize) };
     this->Sizes.reserve(this->Head[0]);
-    // The sizes are known when the blocks are there.
+    // The sizes are known only after the blocks.
     const std::string space(EncodeHead({}).size(), ' ');
     this->File.Write(space);
   }
@@ -80,7 +79,7 @@ public:
     this->Sizes.push_back(static_cast<std::uint32_t>(block.size()));
     this->Blocks.Write(block);
   }
-  /** False if there were not as many blocks as the bytes need. */
+  /** False if there were fewer blocks than the bytes need. */
   bool End()
   {
     this->Blocks.End();
@@ -173,7 +172,7 @@ private:
       (tuples >= 0 ? " NumberOfTuples=\"" + std::to_string(tuples) + "\"" : "") +
       " format=\"binary\">\n");
   }
-  /** Numbers that are all in memory, compressed as one block. */
+  /** Writes numbers that are all in memory, compressed as one block. */
   void WriteBlock(const void* data, std::size_t size)
   {
     InlineArray array(this->File, size, std::max<std::size_t>(size, 1));
@@ -196,7 +195,7 @@ private:
   {
     this->File.Write(std::string("<Array type=\"String\" Name=\"") + name +
       "\" NumberOfTuples=\"1\" format=\"binary\">\n");
-    this->WriteBlock(text.c_str(), text.size() + 1); // each ends with its zero
+    this->WriteBlock(text.c_str(), text.size() + 1); // each text ends with its zero
     this->File.Write("\n</Array>\n");
   }
   void WriteFields()
@@ -253,12 +252,12 @@ private:
     this->Require(array.End());
     this->File.Write("\n</DataArray>\n");
   }
-  /** Nothing, or one cell through so many points. */
+  /** Writes no cell, or one cell through all points. */
   void WriteCells(const std::string& cells, std::uint64_t points)
   {
     this->File.Write("<" + cells + ">\n");
     this->BeginArray("Int64", "connectivity", 1, -1);
-    // Blocks as large as a group's, of 64 bits a point.
+    // Blocks of the size of a group, of 64 bits for each point.
     InlineArray array(this->File, points * sizeof(std::int64_t), GroupSize * sizeof(std::int64_t));
     std::vector<std::int64_t> ids;
     std::string block;

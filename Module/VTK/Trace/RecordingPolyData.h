@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes the .vtp of a recording block by block, as vtkXMLPolyDataWriter needs all of it in memory.
+ * Writes the .vtp of a recording block by block; vtkXMLPolyDataWriter would need all of it in
+ * memory.
  */
 #ifndef RecordingPolyData_h
 #define RecordingPolyData_h

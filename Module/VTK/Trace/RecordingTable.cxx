@@ -49,7 +49,7 @@ double NumberAt(const RecordingRow& row, const TraceColumn& column, int componen
   return NumberAt<double>(bytes, component);
 }
 
-/** Time and position first, for people. */
+/** Time and position come first, for readers. */
 std::vector<TraceColumn> OrderColumns()
 {
   std::vector<TraceColumn> columns = GetRecordingColumns();
@@ -60,7 +60,7 @@ std::vector<TraceColumn> OrderColumns()
   return columns;
 }
 
-/** Tuples of numbers, as lists of lists. */
+/** Writes tuples of numbers as lists of lists. */
 class NumberList
 {
 public:
@@ -89,9 +89,9 @@ private:
 bool WriteRecordingTable(JournalReader& journal, FileReplacement& file)
 {
   const std::vector<TraceColumn> columns = OrderColumns();
-  // Not vtkDelimitedTextWriter, which writes six digits: a trace has to come back to the bit.
+  // Not vtkDelimitedTextWriter, which writes six digits: a trace has to be restored to the bit.
   std::ostringstream text;
-  // An application's locale must not turn points into commas.
+  // An application's locale must not turn decimal points into commas.
   text.imbue(std::locale::classic());
   text << std::setprecision(17);
   for (const TraceColumn& column : columns)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes the .csv of a recording, a line a tick, and the .csv.json with its field arrays.
+ * Writes the .csv of a recording, with a line for each tick, and the .csv.json with its field
+ * arrays.
  */
 #ifndef RecordingTable_h
 #define RecordingTable_h

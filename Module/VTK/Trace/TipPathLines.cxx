@@ -43,7 +43,7 @@ private:
   std::vector<std::size_t> Root;
 };
 
-/** How far apart the coordinates of two points at one position may be. */
+/** The tolerance for the coordinates of two points at one position. */
 double FindRounding(vtkPolyData* path)
 {
   double bounds[6];
@@ -79,7 +79,7 @@ void ForEachEdge(vtkPolyData* path, F&& take)
 std::pair<long long, long long> TipPathLines::FindLeap() const
 {
   vtkPolyData* const path = this->Path;
-  // The points of cells are numbered from 1 on in the order in which they are stored.
+  // The points of cells are numbered from 1, in the order in which they are stored.
   std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
   ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
   vtkIdType count = 0;
@@ -149,8 +149,8 @@ std::size_t TipPathLines::Count() const
     return ends.size() / 2;
   }
 
-  // Ends meet if they are equal. A cell that continues the one before may also miss its end by
-  // rounding.
+  // Ends meet if they are equal. If a cell continues the one before, rounding may separate their
+  // ends.
   const double near = FindRounding(path);
   Junctions junctions(ends.size());
   std::map<std::array<double, 3>, std::size_t> places;
@@ -165,8 +165,8 @@ std::size_t TipPathLines::Count() const
     }
   }
 
-  // Cells that hang together can be drawn in one go when at most two of their junctions have an odd
-  // number of ends (Euler), and otherwise take a line for every two of these.
+  // Connected cells are one line if at most two of their junctions have an odd number of ends
+  // (Euler); otherwise each two of these junctions need a line.
   std::map<std::size_t, std::size_t> endsAt;
   for (std::size_t i = 0; i < ends.size(); ++i)
   {

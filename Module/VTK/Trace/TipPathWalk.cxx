@@ -22,7 +22,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
       *model, model->WorldToDevice(this->Path.Tips[i]), record, LocalSurfaceResult::Simulated());
     return model;
   }
-  // In the order of the servo: first the model, then enabling, then the tick.
+  // In the order of the servo: the model, then enabling, then the tick.
   const int placement = this->Path.PlacementOf[i];
   if (i == 0 || placement != this->Path.PlacementOf[i - 1])
   {
@@ -37,7 +37,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
   {
     this->State.Enabled = false;
   }
-  // A surface counts from the tick in which the slow loop's result came.
+  // A surface counts from the tick in which the result of the slow loop came.
   LocalSurface surface;
   LocalSurfaceResult result;
   if (this->Path.Renewed[i])

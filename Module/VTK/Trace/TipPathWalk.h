@@ -22,7 +22,7 @@ class TipPathWalk
 public:
   TipPathWalk(const TipPath& path, double period);
 
-  /** The next tick, in the model that is returned: the given one, placed as a recording says. */
+  /** Computes the next tick. Returns its model: the given one, placed as the recording says. */
   std::shared_ptr<const HapticModel> Tick(
     std::shared_ptr<const HapticModel> model, TickRecord& record);
   /** Time of the last tick (s). */
@@ -37,8 +37,8 @@ private:
   std::size_t Next = 0;
   ServoState State;
   ResidentServo Servo;
-  ForceGate Gate;   ///< for its opening alone
-  TickRecord Whole; ///< of the last tick, with the force before the residency takes its share
+  ForceGate Gate;   ///< only its opening is used
+  TickRecord Whole; ///< of the last tick, with the force before the residency scales it
 };
 
 } // namespace VolumeHaptics
