@@ -26,7 +26,7 @@ using Command = ToolOptions::Command;
 constexpr double RecordSeconds = 10.0;
 constexpr auto ShowPeriod = std::chrono::milliseconds(100);
 
-/// A device whose errors go to a stream, as a person reads them.
+/// A device whose errors go to a stream, in readable form.
 class ToolDevice
 {
 public:
@@ -37,7 +37,7 @@ public:
     print->SetCallback(
       [](vtkObject*, unsigned long, void* stream, void* text)
       {
-        // VTK puts the object's address before the words, and blank lines behind.
+        // VTK puts the object's address before the text, and blank lines after it.
         const std::string message = static_cast<const char*>(text);
         const std::size_t begin = message.find("): ");
         const std::size_t end = message.find_last_not_of('\n') + 1;
@@ -89,12 +89,12 @@ bool AskForEnter(const char* wish, std::istream& in, std::ostream& out, std::ost
   return false;
 }
 
-/// Shows what the hand is asked for until the device is ready; false if it will not be.
+/// Shows the requests to the hand until the device is ready; false if it won't be.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, std::istream& in, std::ostream& out,
   std::ostream& errors)
 {
   const bool isWooden = options.Id.compare(0, 6, "wooden") == 0;
-  // A WoodenHaptics asks for its rest pose by itself, whenever it is opened.
+  // A WoodenHaptics asks for its rest pose whenever it is opened.
   if (options.What == Command::Home && !isWooden)
   {
     device->Home();
@@ -196,7 +196,7 @@ bool Test(ToolDevice& device, const ToolOptions& options, std::istream& in, std:
 
 bool Record(ToolDevice& device, const ToolOptions& options, std::ostream& out, std::ostream& errors)
 {
-  // With something to be touched, though not armed: recordings are of what is felt.
+  // With a wall to touch, though not armed: a recording needs one.
   MakeGentleWall(device.GetWall(), 2);
   device->SetVolumeHaptics(device.GetWall());
   if (!device->Start() || !device->StartRecording(options.File.c_str()))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device: what is plugged in, whether it works, and how it feels. See ToolOptions.h
- * for its usage.
+ * volumehaptics-device: lists devices, tests them, and lets them be felt. See ToolOptions.h for its
+ * usage.
  */
 #ifndef DeviceTool_h
 #define DeviceTool_h
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// The whole program: 0, 1 if the device could not do it, 2 for wrong usage.
+/// The whole program. Returns 0, 1 if the device failed, or 2 for wrong usage.
 int RunDeviceTool(const std::vector<std::string>& arguments, std::istream& in, std::ostream& out,
   std::ostream& errors);
 

@@ -14,7 +14,7 @@ constexpr double GentleForce = 1.0;
 
 /**
  * Makes the filter a wall across an axis (0 to 2): free on the positive side of the device's
- * middle, on the negative one a smooth solid of 200 N/m. One world unit is a millimetre of the
+ * middle, a smooth solid of 200 N/m on the negative side. One world unit is a millimetre of the
  * device.
  */
 void MakeGentleWall(vtkVolumeHapticsFilter* filter, int axis);

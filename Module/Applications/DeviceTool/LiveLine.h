@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * How a device stands, in a line.
+ * The state of a device in one line.
  */
 #ifndef LiveLine_h
 #define LiveLine_h
@@ -15,7 +15,7 @@ class vtkHapticDevice;
 /// Tip (mm, the device's axes), force (N), rate (Hz) and buttons of the latest state.
 std::string DescribeState(vtkHapticDevice* device);
 
-/// A line that is written over on a terminal, and written anew, once it has changed, elsewhere.
+/// A line that is overwritten on a terminal; elsewhere it is written again whenever it has changed.
 class LiveLine
 {
 public:
@@ -25,7 +25,7 @@ public:
   LiveLine& operator=(const LiveLine&) = delete;
 
   void Show(const std::string& text);
-  /// Ends the line: the next text stands in a line of its own.
+  /// Ends the line: the next text begins on a new one.
   void End();
 
 private:

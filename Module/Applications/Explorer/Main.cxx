@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Explores a volume by touch, without a device: the project's main job from the command line.
+/// Explores a volume by touch, without a device: the project's main task from the command line.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchScene.h"
@@ -75,7 +75,7 @@ void OpenWindow(const Explore::Exploration& exploration, const Explore::Options&
   Explore::SceneOptions look = MakeLook(exploration, options);
   look.OffScreen = false;
   look.Interactive = true;
-  look.Caption.clear(); // its place is the head-up display's
+  look.Caption.clear(); // its place belongs to the head-up display
   Explore::RunTouchWindow(exploration, look, options.Device, options.Setup, options.Stereo);
 }
 

@@ -46,7 +46,7 @@ Value Choose(
   throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
 }
 
-/// The names of the methods, each for itself.
+/// The names of the methods, each mapped to itself.
 std::map<std::string, std::string> Methods()
 {
   std::map<std::string, std::string> methods;
@@ -133,7 +133,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--stereo")
   {
-    Explore::FindStereoMode(value); // complains, if it has to, before anything is computed
+    Explore::FindStereoMode(value); // throws, if it has to, before anything is computed
     options.Stereo = value;
   }
   else if (name == "--size")

@@ -24,8 +24,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING
 
-# What the classes below take and give: objects of a class whose module was never imported come back as objects
-# of a superclass.
+# The classes below take and give objects of these modules: an object of a class whose module was never imported comes
+# back as an object of a superclass.
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Usage: python -m volumehaptics VOLUME [options]
 
-Opens a window in which VOLUME can be touched with the mouse or a device: point at it and press t. Where there is no
+Opens a window in which VOLUME can be touched with the mouse or a device: point at it and press t. If there is no
 display, or with --pictures DIR, feels its way over it and writes pictures, the trace and a summary.
 
 VOLUME     .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
@@ -34,7 +34,7 @@ def find_explorer() -> str | None:
 
 
 def without_display(command: list[str]) -> list[str]:
-    """The command for where no window can be opened: it writes pictures, on a screen of its own if possible."""
+    """The command if no window can be opened: it writes pictures, on a screen of its own if possible."""
     if not any(word == "--pictures" or word.startswith("--pictures=") for word in command):
         command = [*command, "--pictures", "explore-pictures"]
     own_screen = shutil.which("xvfb-run")
@@ -42,7 +42,7 @@ def without_display(command: list[str]) -> list[str]:
 
 
 def replace_process(command: list[str]) -> int:
-    """Runs the command instead of this process, where the system can do that."""
+    """Runs the command instead of this process, if the system can do that."""
     sys.stdout.flush()
     sys.stderr.flush()
     if os.name == "posix":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What makes a pyvista.Plotter touchable. It asks PyVista for nothing but its plotter's public attributes."""
+"""Makes a pyvista.Plotter touchable. It asks PyVista for nothing but its plotter's public attributes."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ ATTENTION = 10.0  # s without the plotter's timer, after which force fades out: 
 
 
 class Haptics:
-    """What add_haptics() has added to a plotter, until the plotter is closed, or close() is called.
+    """The objects that add_haptics() has added to a plotter, until the plotter is closed, or close() is called.
 
     device: the vtkHapticDevice in the hand, whose servo runs.
     filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
@@ -60,7 +60,7 @@ class Haptics:
         self._in_scene: list[Any] = []
 
     def update(self) -> bool:
-        """What the plotter's timer does, once, for programs without an event loop. True: there is something new."""
+        """One step of the plotter's timer, for programs without an event loop. True: there is something new."""
         return not self.closed and self.style.UpdateHaptics()
 
     def close(self) -> None:
@@ -105,7 +105,7 @@ class Haptics:
         _touchable[plotter] = self
 
     def _check_scene(self) -> None:
-        """Nobody presses on what was taken out of the scene, or with a hand that was."""
+        """Ends the touch if the volume or the hand was taken out of the scene."""
         renderer = self._renderer()
         remaining = [prop for prop in self._in_scene if renderer is not None and renderer.HasViewProp(prop)]
         if len(remaining) < len(self._in_scene):
@@ -233,7 +233,7 @@ def add_haptics(
     scalars = image.GetPointData().GetScalars()
     if scalars is None:
         raise ValueError("the volume has no active point scalars. Cure: image.set_active_scalars(NAME), or "
-                         "image.cells_to_points() where it has cell data")
+                         "image.cells_to_points() if it has cell data")
     if scalars.GetNumberOfComponents() > 1 and "property" not in settings:
         raise ValueError(f"the volume has {scalars.GetNumberOfComponents()} components, such as colours, and a hand "
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")

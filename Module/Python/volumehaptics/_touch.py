@@ -24,7 +24,7 @@ def plain(text: str) -> str:
 
 
 class Errors(list):
-    """What objects complain of in a with statement, instead of on the console: errors, or with an event, warnings.
+    """The errors of objects in a with statement, instead of on the console: errors, or with an event, warnings.
 
     Who is watched and who watches keep each other, and a volume with them, until Python looks for garbage: not longer
     than the statement.
@@ -59,7 +59,7 @@ def _settings() -> list[str]:
 
 
 def _unknown(name: str) -> str:
-    """What helps who gives a setting that there is not."""
+    """A hint for the caller who gives a setting that does not exist."""
     plain = name.replace("_", "").lower()
     known = _settings()
     close = [one for one in known if one.replace("_", "") == plain]
@@ -75,7 +75,7 @@ def _in_camel_case(name: str) -> str:
 
 
 def _by_name(name: str, value: Any) -> str:
-    """What is meant, perhaps, where a word was given for a number."""
+    """The number that may be meant if a word was given for a number."""
     if not isinstance(value, str):
         return ""
     if hasattr(vtkVolumeHapticsFilter, f"Set{_in_camel_case(name)}ByName"):
@@ -134,13 +134,13 @@ def touch(
     preset: str | None = None,
     **settings: Any,
 ) -> vtkPolyData:
-    """What a hand feels whose stylus goes through a volume.
+    """The forces on a hand whose stylus goes through a volume.
 
     volume: a vtkImageData (pyvista.ImageData is one), or a NumPy array [z, y, x], voxels of 1 world unit from
         (0, 0, 0) on: see image() for others. It is not copied.
-    tip: where the stylus is in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
-        "Time" (s) where ticks are something else, or an array of shape (N, 3).
-    preset: what the tissues feel like, "CT contrast", "CT physical" or "MRI": see vtkHapticProperty. Default:
+    tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
+        "Time" (s) if ticks are something else, or an array of shape (N, 3).
+    preset: the feel of the tissues, "CT contrast", "CT physical" or "MRI": see vtkHapticProperty. Default:
         500 N/m everywhere.
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
@@ -148,7 +148,7 @@ def touch(
 
     The trace has a point for each tick, at the proxy (world units), and point arrays such as "Force" (N, on the
     hand): see vtkVolumeHapticsFilter. arrays.arrays(trace) has them as NumPy arrays; so have trace.point_data["Force"]
-    with VTK 9.4 or later, and, where PyVista is imported, which does without that, pyvista.wrap(trace)["Force"].
+    with VTK 9.4 or later, and, with older VTK but PyVista imported, pyvista.wrap(trace)["Force"].
 
     TypeError: a setting that there is not, or data of another kind. ValueError: data, a preset or a value that
     can't be touched; the text says why, and what helps. RuntimeError: the pipeline failed. UserWarning: the way of

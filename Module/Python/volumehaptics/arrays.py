@@ -7,8 +7,8 @@
     tip = path(np.linspace((64, -10, 40), (64, 40, 40), 1000))
     force = arrays(touch(head, tip, "CT contrast"))["Force"]    # N, of shape (1000, 3)
 
-Whoever changes an array that an image or a path shares calls Modified() of the image or the path, so that VTK
-knows. The array stays alive as long as VTK's data do, and VTK's data as long as the arrays that are made of them.
+If you change an array that an image or a path shares, call Modified() of the image or the path, so that VTK knows. The
+array stays alive as long as VTK's data do, and VTK's data as long as the arrays that are made of them.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
 
 
 def _cure(wrong: object) -> str:
-    """How a volume is made of what is none, where there is a way."""
+    """A hint how to make a volume of something that is none, if there is a way."""
     if isinstance(wrong, (str, os.PathLike)):
         return ". Cure: read the file, such as with pyvista.read() or a reader of VTK's"
     if isinstance(wrong, vtkAlgorithm):
@@ -70,7 +70,7 @@ def image(
 
     array: real numbers of 8 to 64 bits, in C's order.
     spacing: the size of a voxel along x, y and z (world units, mm), each above 0.
-    origin: where the first voxel is (world units, mm): x, y and z.
+    origin: the position of the first voxel (world units, mm): x, y and z.
     name: of the point scalars.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, masked ones,
@@ -107,7 +107,7 @@ def image(
 
 
 def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
-    """The array itself where VTK can share it, else one that it can."""
+    """The array itself if VTK can share it, else one that it can."""
     if np.ma.is_masked(array):
         raise ValueError(f"{what} are masked. Cure: leave those out, or array.filled(VALUE)")
     array = np.asarray(array)
@@ -120,7 +120,7 @@ def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
 def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = None) -> vtkPolyData:
     """The way of the stylus' tip, a polyline.
 
-    points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared where they are contiguous,
+    points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared if they are contiguous,
         aligned and float64 or float32, else copied.
     time: when the tip is there (s), N numbers that do not fall. Default: one tick each, 1 ms at 1000 Hz.
 

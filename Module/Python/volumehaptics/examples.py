@@ -17,11 +17,11 @@ from .vtkVolumeHaptics import vtkHapticPathSource
 
 __all__ = ["first_touch", "phantom", "phantom_file", "stroke"]
 
-SKIN = -300.0  # HU, where the phantom's skin is seen
+SKIN = -300.0  # HU, at which the phantom's skin is seen
 
 
 def phantom_file() -> str:
-    """Where the head phantom is, a .vti file.
+    """The path of the head phantom, a .vti file.
 
     >>> from volumehaptics import examples
     >>> examples.phantom_file().endswith("HeadPhantom.vti")

@@ -43,10 +43,10 @@ def touch(
     scalars: str | None = None,
     **settings: Any,
 ) -> pv.PolyData:
-    """What a hand feels whose stylus goes through a volume, as pyvista.PolyData: volumehaptics.touch().
+    """The forces on a hand whose stylus goes through a volume, as pyvista.PolyData: volumehaptics.touch().
 
     volume: a pyvista.ImageData with point data, or a NumPy array [z, y, x]. It is not copied.
-    tip: where the stylus is in world units (mm), one point a tick, 1 ms: a pyvista.PolyData, such as of
+    tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a pyvista.PolyData, such as of
         pyvista.Line or pyvista.Spline, or an array of shape (N, 3). With a point array "Time" (s), ticks are
         made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s.
     preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere.
@@ -55,7 +55,7 @@ def touch(
 
     The trace's points are the proxy (world units), a tick each, in one polyline; trace["Force"] is the force on
     the hand (N), and vtkVolumeHapticsFilter lists the other arrays. Errors are those of volumehaptics.touch(),
-    and KeyError where there are no such scalars.
+    and KeyError if there are no such scalars.
 
     >>> from volumehaptics import examples
     >>> from volumehaptics.pyvista import touch

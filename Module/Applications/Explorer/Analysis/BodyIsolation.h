@@ -10,7 +10,7 @@ namespace Explore
 {
 /// The image with everything outside its largest connected region above `threshold`, and everything
 /// that is not finite, set to `fill`: head rests, tables and cables hide a patient from the eye and
-/// from the planner's rays. The soft edge of the region stays. What is felt is never this copy but
+/// from the planner's rays. The soft edge of the region stays. The hand never feels this copy but
 /// the image itself.
 vtkSmartPointer<vtkImageData> IsolateBody(vtkImageData* image, double threshold, double fill);
 } // namespace Explore

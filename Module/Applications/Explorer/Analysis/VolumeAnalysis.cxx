@@ -22,7 +22,7 @@ constexpr vtkIdType ENOUGH_SAMPLES = 4000000;
 
 using Histogram = std::array<double, BINS>;
 
-/// Every n-th voxel's finite value; n is odd-ish so that it does not lock onto a column.
+/// Every n-th voxel's finite value; n is odd, so that it does not stay in one column.
 std::vector<float> SampleValues(vtkDataArray* scalars)
 {
   const vtkIdType count = scalars->GetNumberOfTuples();

@@ -31,10 +31,10 @@ struct Analysis
   std::string KindReason; // why this kind was chosen, for the summary
 };
 
-/// Everything except the place of the body. A large volume is looked at sparsely.
+/// Everything except the position of the body. A large volume is sampled sparsely.
 Analysis AnalyseVolume(vtkImageData* image);
 
-/// Adds the place of the voxels above the outer threshold: Centre and BodyBounds.
+/// Adds the position of the voxels above the outer threshold: Centre and BodyBounds.
 void MeasureBody(Analysis& analysis, vtkImageData* image);
 } // namespace Explore
 

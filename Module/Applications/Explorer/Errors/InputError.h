@@ -8,7 +8,7 @@
 
 namespace Explore
 {
-/// Something the person at the keyboard can put right: what is wrong, and the cure, in one message.
+/// An error that the user can correct: the fault and the cure, in one message.
 class InputError : public std::runtime_error
 {
 public:

@@ -13,9 +13,9 @@
 
 namespace Explore
 {
-/// While one of these lives, what VTK's readers say goes in here and not to the terminal, so that a
-/// damaged file ends in one message of ours instead of a page of theirs. MetaIO writes to std::cerr
-/// and std::cout directly, which is why these two are held as well.
+/// While one of these lives, messages of VTK's readers are kept here and not shown on the terminal,
+/// so that a damaged file ends in one message of this program instead of a page of theirs. MetaIO
+/// writes to std::cerr and std::cout directly, so these two are held as well.
 class MessageCapture
 {
 public:
@@ -24,7 +24,7 @@ public:
   MessageCapture(const MessageCapture&) = delete;
   MessageCapture& operator=(const MessageCapture&) = delete;
 
-  /// True when a reader reported an error, or a warning that means missing data.
+  /// True if a reader reported an error, or a warning that means missing data.
   bool HasErrors() const;
 
   /// The first error in one line, without VTK's addresses and source positions; empty if none.

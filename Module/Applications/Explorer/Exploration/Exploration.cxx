@@ -18,7 +18,7 @@ namespace
 {
 using Explore::Estimator;
 
-/// Sets the estimator and returns its name for people.
+/// Sets the estimator and returns its name, as users see it.
 std::string SetEstimator(vtkVolumeHapticsFilter* filter, Estimator estimator)
 {
   switch (estimator)

@@ -23,7 +23,7 @@ enum class Estimator
   CubicBSpline
 };
 
-/// How a volume is to be explored.
+/// The settings of an exploration.
 struct Settings
 {
   std::string Preset = "auto";
@@ -37,7 +37,8 @@ struct Settings
 struct Exploration
 {
   Volume Input;
-  vtkSmartPointer<vtkImageData> Body; // the input without what is not connected with the body
+  // the input without parts that are not connected with the body
+  vtkSmartPointer<vtkImageData> Body;
   Analysis Values;
   ViewFrame View;
   TipPath Tip;
@@ -45,13 +46,13 @@ struct Exploration
   vtkSmartPointer<vtkPolyData> Trace; // of the filter
   std::string Materials;              // name of the preset that was applied
   std::string Estimator;
-  std::string Method;     // of the trace, for people
+  std::string Method;     // of the trace, as users see it
   int KernelRadius = 0;   // voxels
   double ServoRate = 0.0; // Hz
   double FilterSeconds = 0.0;
 };
 
-/// Looks at the values, plans a tip path and feels its way along it. Throws InputError.
+/// Analyses the values, plans a tip path and feels its way along it. Throws InputError.
 Exploration ExploreVolume(const Volume& volume, const Settings& settings);
 } // namespace Explore
 

@@ -19,7 +19,8 @@ constexpr double STRONGEST_PUSH = 1.0; // N: clearly felt, and a fraction of wha
 constexpr double SHARPEST = 0.95;      // of the surface is not as sharp; single voxels may be noise
 constexpr int LOOKS_PER_AXIS = 100;    // some thousand points of a surface are enough
 
-/// The place, between two voxels, at which a line of voxels along an axis crosses the threshold.
+/// Adds the points, between two voxels, at which a line of voxels along an axis crosses the
+/// threshold.
 void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* points)
 {
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
@@ -58,8 +59,7 @@ void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* po
   }
 }
 
-/// The magnitudes of the gradient there (scalar per world unit), as the filter's own estimator has
-/// them.
+/// The magnitudes of the gradient there (scalar per world unit), by the filter's own estimator.
 std::vector<double> Gradients(vtkVolumeHapticsFilter* filter, vtkPoints* points)
 {
   vtkNew<vtkPolyData> path;

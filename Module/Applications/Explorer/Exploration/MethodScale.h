@@ -9,10 +9,10 @@ class vtkVolumeHapticsFilter;
 
 namespace Explore
 {
-/// Makes every method feel this volume, whichever is chosen: SURFACE_PROXY touches the outer
-/// surface (IsoValue), and FORCE_FIELD pushes with 1 N at its sharpest place (ForceFieldGain, from
-/// the gradients along the body's outer surface). The filter has its estimator and its scale, and
-/// the volume on port 0.
+/// Prepares every method for this volume, whichever is chosen: SURFACE_PROXY touches the outer
+/// surface (IsoValue), and FORCE_FIELD pushes with 1 N at its sharpest position (ForceFieldGain,
+/// from the gradients along the body's outer surface). The filter needs its estimator, its scale,
+/// and the volume on port 0.
 void ScaleMethods(vtkVolumeHapticsFilter* filter, const Analysis& analysis, vtkImageData* body);
 } // namespace Explore
 

@@ -16,7 +16,7 @@ using Explore::VolumeKind;
 
 constexpr double ENDLESS = std::numeric_limits<double>::infinity();
 
-/// Steps at the thresholds, a little smoothed so that nothing pops.
+/// Steps at the thresholds, a little smoothed, so that nothing jumps.
 void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const double values[3])
 {
   const double edge = 0.02 * (analysis.High - analysis.Low);
@@ -38,7 +38,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   TwoSteps(property->GetFriction(), analysis, friction);
   TwoSteps(property->GetViscosity(), analysis, viscosity);
   TwoSteps(property->GetSurfaceStrength(), analysis, strength);
-  // A surface is distinct when the step to the body takes no more than about 8 mm.
+  // A surface is distinct if the step to the body takes no more than about 8 mm.
   const double step = analysis.OuterThreshold - analysis.Low;
   const double gradient = step * analysis.MetersPerWorldUnit / 0.008;
   property->GetDistinctness()->RemoveAllPoints();

@@ -12,7 +12,7 @@
 
 namespace Explore
 {
-/// A range of values with a name a person understands.
+/// A range of values, with a common name.
 struct Tissue
 {
   std::string Name;
@@ -20,7 +20,7 @@ struct Tissue
   double To;   // exclusive
 };
 
-/// CT: the project's Hounsfield table; else the classes that the histogram's thresholds make.
+/// CT: the project's Hounsfield table; else the classes by the histogram's thresholds.
 std::vector<Tissue> MakeTissueTable(const Analysis& analysis);
 
 /// The row of the table that holds the value.
@@ -28,7 +28,7 @@ std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 
 /// "auto" takes the preset that suits the kind of volume; "histogram" builds materials on the
 /// histogram's thresholds; anything else must be a preset of vtkHapticProperty (InputError if not).
-/// Returns the name of what was applied.
+/// Returns the name of the materials.
 std::string ApplyMaterials(
   const std::string& preset, const Analysis& analysis, vtkHapticProperty* property);
 } // namespace Explore

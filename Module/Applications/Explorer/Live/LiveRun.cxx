@@ -30,8 +30,7 @@ void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
   }
 }
 
-/// The hand: follows the path by the clock, as fast as the display of an application would be at
-/// best.
+/// The hand: follows the path by the clock, at the rate of an application's display at best.
 void FollowPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
 {
   using Clock = std::chrono::steady_clock;
@@ -84,7 +83,7 @@ vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
   }
   return -1;
 }
-/// How the servo's trace of the planned path compares with the offline one, tick by tick.
+/// The servo's trace of the planned path compared with the offline one, tick by tick.
 struct Agreement
 {
   vtkIdType Ticks = 0;  // with the tip of the same offline tick
@@ -127,7 +126,8 @@ vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& file)
   return reader->GetOutput();
 }
 
-/// The planned path through the servo in real time, a point a tick, as no hand could move.
+/// Plays the planned path through the servo in real time, a point in each tick, as no hand could
+/// move.
 Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string& file)
 {
   const Explore::MessageCapture capture;

@@ -13,7 +13,7 @@ namespace Explore
 struct LiveRun
 {
   vtkSmartPointer<vtkPolyData> Trace; // as recorded, tick by tick
-  std::string Report;                 // time keeping, and how it compares with the offline filter
+  std::string Report;                 // time keeping, and a comparison with the offline filter
   bool IsReproduced = false;          // offline and live forces are the same for the same tips
 };
 

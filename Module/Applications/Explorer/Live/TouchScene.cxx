@@ -18,7 +18,7 @@ namespace
 {
 using Explore::TouchScene;
 
-/// Everything that draws in two dimensions goes above the volume and below the marker.
+/// All parts that draw in two dimensions are above the volume and below the marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int width)
 {
   const Explore::Analysis& analysis = exploration.Values;

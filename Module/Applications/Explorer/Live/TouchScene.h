@@ -18,12 +18,12 @@ namespace Explore
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string Firmware;   // none: as the environment says
+  std::string Firmware;   // empty: by the environment
   double Newtons = 100.0; // of a stick at full scale
 };
 
-/// A scene that can be touched: the volume, and a device whose servo runs, with everything that
-/// shows what it does. What is not seen is not felt.
+/// A scene that can be touched: the volume, and a device whose servo runs, with all displays of its
+/// state. Hidden tissue is not felt.
 struct TouchScene
 {
   ExplorerScene Scene;
@@ -35,8 +35,8 @@ struct TouchScene
   vtkNew<vtkInteractorStyleHaptic> Style;
 };
 
-/// Fills the scene, opens the device and starts its servo. Throws InputError if the device can't
-/// be had.
+/// Fills the scene, opens the device and starts its servo. Throws InputError if the device can't be
+/// opened.
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 

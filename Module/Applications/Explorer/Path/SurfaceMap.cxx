@@ -13,7 +13,7 @@
 namespace
 {
 // In metres.
-constexpr double SURE_DEPTH = 0.004;   // that a surface goes on, or it was noise, hair, a sinus
+constexpr double SURE_DEPTH = 0.004;   // of a surface; a thinner layer may be noise, hair, a sinus
 constexpr double THINNEST = 0.002;     // from the outer to the deep surface
 constexpr double DEFAULT_DEEP = 0.010; // the same, if no deep surface is found
 } // namespace
@@ -51,7 +51,7 @@ SurfaceMap::SurfaceMap(vtkImageData* image, const Analysis& analysis, const View
   for (int node = 0; node < grid.Size(); ++node)
   {
     double& deep = this->DeepMap[node];
-    // Depth below the skin, which is what neighbours share; a hole gets its neighbours' depth.
+    // Depth below the skin, which neighbours have in common; a hole gets its neighbours' depth.
     deep = deep > 0.0 ? std::max(0.0, this->OuterMap[node] - deep) : -1.0;
   }
   if (std::any_of(this->DeepMap.begin(), this->DeepMap.end(), [](double d) { return d > 0.0; }))

@@ -16,7 +16,7 @@ class ValueProbe;
 
 /// Two surfaces as distances from the centre, over the directions around the camera: the outer one
 /// (skin) and, beneath it, the next rise to dense values (skull). Found by rays that come from
-/// outside, cleaned of outliers and smoothed, so that a path on them is one that a hand can follow.
+/// outside, cleaned of outliers and smoothed, so that a hand can follow a path on them.
 class SurfaceMap
 {
 public:
@@ -29,8 +29,8 @@ public:
   double Outer(double right, double up) const;
   double Deep(double right, double up) const;
 
-  /// How well a surface is known there: 1 when every ray around it found both surfaces inside the
-  /// volume, 0 when none did.
+  /// How well a surface is known there: 1 if every ray around it found both surfaces inside the
+  /// volume, 0 if none did.
   double Quality(double right, double up) const;
 
   /// Whether any ray met the body at all.

@@ -25,14 +25,14 @@ constexpr double HALF_ARC = 28.0;
 constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer one
 constexpr double WANTED_UP = 20.0;     // the outer stroke, above the middle of the picture
 
-/// The place of the strokes: the angles of the middle of the outer one.
+/// The position of the strokes: the angles of the middle of the outer one.
 struct Stroke
 {
   double Right = 0.0;
   double Up = WANTED_UP;
 };
 
-/// The rougher, the less known and the farther from the wanted place, the worse.
+/// The rougher, the less known and the farther from the wanted position, the worse.
 double Badness(const SurfaceMap& map, const Stroke& stroke)
 {
   double badness = 0.0;
@@ -73,7 +73,7 @@ Stroke ChooseStroke(const SurfaceMap& map)
   return best;
 }
 
-/// 0 to 1 with no jerk at either end.
+/// From 0 to 1, with no jerk at either end.
 double Ease(double t)
 {
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
@@ -86,8 +86,7 @@ double Mix(double from, double to, double t)
 
 using Curve = std::function<vtkVector3d(double)>;
 
-/// A curve walked by its length: the hand's speed is then what its timing says, whatever the
-/// curve's own parameter does.
+/// A curve by its length: the hand's speed then follows its timing, for any parameter of the curve.
 class Walk
 {
 public:
@@ -104,7 +103,7 @@ public:
 
   double Length() const { return this->Lengths.back(); }
 
-  /// The place at a share (0 to 1) of the length.
+  /// The position at a share (0 to 1) of the length.
   vtkVector3d Place(double share) const
   {
     const double length = share * this->Length();

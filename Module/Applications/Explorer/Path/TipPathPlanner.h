@@ -13,7 +13,7 @@
 
 namespace Explore
 {
-/// One thing the hand does, from tick First up to but not including tick Last.
+/// One action of the hand, from tick First up to but not including tick Last.
 struct Phase
 {
   std::string Name;
@@ -21,7 +21,7 @@ struct Phase
   vtkIdType Last;
 };
 
-/// The tip's way through the volume: one point a tick, in world units.
+/// The tip's path through the volume: one point for each tick, in world units.
 struct TipPath
 {
   vtkSmartPointer<vtkPolyData> Path;

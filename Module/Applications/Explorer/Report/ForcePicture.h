@@ -25,7 +25,7 @@ struct ForcePictureOptions
   std::string Title = "Force on the hand";
 };
 
-/// A window with the parts of the force against time, and along the top what the hand was doing.
+/// A window with the parts of the force against time, and along the top the actions of the hand.
 struct ForcePicture
 {
   vtkNew<vtkRenderWindow> Window;

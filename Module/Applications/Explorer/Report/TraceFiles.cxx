@@ -31,7 +31,7 @@ void Check(bool written, const std::string& file)
   }
 }
 
-/// The unit of an array of the trace, in brackets, or nothing for a pure number.
+/// The unit of an array of the trace, in brackets; empty for a pure number.
 std::string Unit(const std::string& array)
 {
   static const std::map<std::string, std::string> units = { { "Time", " (s)" },

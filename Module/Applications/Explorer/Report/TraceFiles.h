@@ -17,7 +17,8 @@ void MakeFolder(const std::string& folder);
 /// Writes all of the trace as VTK polygonal data.
 void WriteTrace(vtkPolyData* trace, const std::string& file);
 
-/// Writes a row a tick, a column an array component, the header naming the units.
+/// Writes a row for each tick and a column for each component of an array; the header has the
+/// units.
 void WriteTable(vtkPolyData* trace, const std::string& file);
 
 /// Renders the window into a PNG file.

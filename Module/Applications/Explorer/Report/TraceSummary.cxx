@@ -19,7 +19,7 @@ using Explore::Exploration;
 
 constexpr const char* CONTACTS[] = { "free", "sticking", "sliding", "penetrating" };
 
-/// The trace's columns, by what they mean.
+/// The trace's columns, by their meaning.
 struct Columns
 {
   explicit Columns(vtkPolyData* trace)

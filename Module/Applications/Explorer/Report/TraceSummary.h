@@ -9,7 +9,8 @@
 
 namespace Explore
 {
-/// A page for a person: the volume, the settings, what was touched and how hard, how fast it went.
+/// A readable page: the volume, the settings, contacts and forces, and the speed of the
+/// computation.
 std::string Summarise(const Exploration& exploration);
 } // namespace Explore
 

@@ -39,7 +39,7 @@ void OnFrame(vtkObject* caller, unsigned long event, void* data, void*)
     frames->Mapper->SetSampleDistance(static_cast<float>((inMotion ? 2.0 : 1.0) * frames->Sample));
     return;
   }
-  // The time goes with the number of rays, which goes with the square of their distance.
+  // The time is proportional to the number of rays, which falls with the square of their distance.
   const double time = std::chrono::duration<double>(now - frames->Start).count();
   const double ideal =
     inMotion ? frames->Distance * std::sqrt(time * rate) : std::sqrt(0.5 * time * UsualRate);

@@ -8,9 +8,9 @@ class vtkRenderWindow;
 
 namespace Explore
 {
-/// From now on, the mapper casts one ray a pixel in still frames; in those that the window wants at
-/// a rate it takes every second sample of only as many rays as that rate allows. (By itself it
-/// would spare samples, but no rays, which is too little for a renderer in software.)
+/// From now on, the mapper casts one ray for each pixel in still frames. In frames for which the
+/// window wants a rate it takes every second sample, and only as many rays as that rate allows. (By
+/// itself it would save samples but no rays, which is too little for a software renderer.)
 void DrawCoarselyInMotion(vtkRenderWindow* window, vtkGPUVolumeRayCastMapper* mapper);
 } // namespace Explore
 

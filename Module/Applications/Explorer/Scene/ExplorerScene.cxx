@@ -29,7 +29,7 @@ using Explore::ExplorerScene;
 using Explore::MapperChoice;
 
 /// The image without its place in the world: VTK 9.1's CPU mapper ignores the direction matrix, so
-/// both mappers get the plain block of voxels, and the volume's own matrix puts it where it is.
+/// both mappers get the plain block of voxels, and the volume's own matrix places it.
 vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
   auto plain = vtkSmartPointer<vtkImageData>::New();
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(
   return mapper;
 }
 
-/// This one adjusts the distances of samples and of rays by itself.
+/// It adjusts the distances of samples and of rays by itself.
 vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance, bool interactive)
 {
   auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
@@ -92,7 +92,7 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysi
   const bool gpu = options.Mapper == MapperChoice::GPU ||
     (options.Mapper == MapperChoice::Auto && IsGPUUsable(scene.Window, property, image));
   const double* spacing = image->GetSpacing();
-  // A picture may take its time.
+  // A picture may take longer.
   const double voxels = options.Interactive ? 1.0 : 0.5;
   const double sample = voxels * std::min({ spacing[0], spacing[1], spacing[2] });
 
@@ -133,7 +133,7 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   Explore::AimCamera(scene.Marker, centred, 5.0);
 }
 
-/// A lamp from the upper left of the camera, and light from everywhere so that no side is black.
+/// A lamp from the upper left of the camera, and light from all sides, so that no side is black.
 void AddLights(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> lamp, fill;

@@ -25,8 +25,8 @@ constexpr double TUBE_RADIUS = 0.0012; // m
 constexpr double SPACING = 0.0006;     // m between the points of the tube
 constexpr const char* FORCE_NAME = "Force (N)";
 
-/// A polyline with a point every SPACING: the trace itself stands still for many ticks, and a tube
-/// cannot. Each point has the largest force since the one before.
+/// A polyline with a point every SPACING: the trace stands still for many ticks, and a tube can't.
+/// Each point has the largest force since the one before.
 vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
 {
   vtkDataArray* force = trace->GetPointData()->GetArray("Force");

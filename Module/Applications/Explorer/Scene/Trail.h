@@ -9,9 +9,9 @@ class vtkRenderer;
 
 namespace Explore
 {
-/// Adds a tube along the proxy's way, coloured by the magnitude of the force, and its scalar bar.
-/// `overlay`, drawn over the renderer's picture, gets a faint copy: where the volume hides the
-/// tube, one still sees where it goes on.
+/// Adds a tube along the proxy's path, coloured by the magnitude of the force, and its scalar bar.
+/// `overlay`, drawn over the renderer's picture, gets a faint copy: it shows the parts of the tube
+/// that the volume hides.
 void AddTrail(vtkRenderer* renderer, vtkRenderer* overlay, vtkPolyData* trace,
   double metersPerWorldUnit, int pictureHeight);
 } // namespace Explore

@@ -9,9 +9,9 @@ class vtkVolumeProperty;
 
 namespace Explore
 {
-/// Colours and opacities: the outer tissue like glass, what is dense inside it opaque and shaded,
-/// so that a trail is seen on the outer surface as well as under it. The glass is equally clear at
-/// every scale.
+/// Colours and opacities: the outer tissue like glass, the dense parts inside it opaque and shaded,
+/// so that a trail is visible on the outer surface as well as under it. The glass is equally clear
+/// at every scale.
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property);
 } // namespace Explore
 

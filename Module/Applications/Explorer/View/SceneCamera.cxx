@@ -12,7 +12,7 @@
 namespace
 {
 constexpr double VIEW_ANGLE = 24.0; // degrees: a long lens, so that a head is not distorted
-constexpr double MARGIN = 0.88;     // of the distance: a box is roomier than what is in it
+constexpr double MARGIN = 0.88;     // of the distance: a box is larger than its content
 } // namespace
 
 namespace Explore

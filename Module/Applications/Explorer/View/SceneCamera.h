@@ -12,8 +12,8 @@ namespace Explore
 /// Looks along the view frame at its centre, upright, from `distance`.
 void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
 
-/// The same at the middle of the box, from where all of it is just seen in a picture of this aspect
-/// (width / height).
+/// The same with a distance from the middle of the box at which all of it is just visible in a
+/// picture of this aspect (width / height).
 void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect);
 } // namespace Explore
 

@@ -14,11 +14,11 @@
 
 namespace Explore
 {
-/// How the person looks at the volume: the camera's axes, seen from its centre. The picture and the
-/// tip path share it, so that the trail lies on the side that is seen.
+/// The user's view of the volume: the camera's axes, seen from its centre. The picture and the tip
+/// path share it, so that the trail is on the visible side.
 struct ViewFrame
 {
-  vtkVector3d Centre; // what the camera looks at, world units
+  vtkVector3d Centre; // the point that the camera looks at, world units
   vtkVector3d Toward; // unit, from the centre to the camera
   vtkVector3d Right;  // unit, to the right of the picture
   vtkVector3d Up;     // unit, to the top of the picture
@@ -27,8 +27,8 @@ struct ViewFrame
   vtkVector3d Direction(double right, double up) const;
 };
 
-/// A camera in front, a little above and to the left of what looks along `front` ("-y") with its
-/// top at `up` ("+z"). Throws InputError unless these name two different axes.
+/// A camera in front, a little above and to the left of an object that looks along `front` ("-y")
+/// with its top at `up` ("+z"). Throws InputError unless these name two different axes.
 ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const std::string& up);
 } // namespace Explore
 

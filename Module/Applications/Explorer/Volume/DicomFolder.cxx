@@ -31,8 +31,8 @@ struct Slice
   double Along; // position along the normal, mm
 };
 
-// Uncompressed little endian, implicit and explicit, and explicit big endian: all the reader can
-// do.
+// Uncompressed little endian, implicit and explicit, and explicit big endian: the reader supports
+// no others.
 bool IsReadable(const std::string& transferSyntax)
 {
   return transferSyntax.empty() || transferSyntax == "1.2.840.10008.1.2" ||

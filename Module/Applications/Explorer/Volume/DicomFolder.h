@@ -10,7 +10,7 @@
 namespace Explore
 {
 /// Reads one series of uncompressed DICOM slices, sorted by their position, with the rescale to
-/// Hounsfield units applied. Throws InputError when the folder holds something else.
+/// Hounsfield units applied. Throws InputError if the folder holds something else.
 Volume ReadDicomFolder(const std::string& path);
 } // namespace Explore
 

@@ -9,7 +9,7 @@
 
 namespace
 {
-// The fields of both formats are near the top; what follows may be voxels.
+// The fields of both formats are near the top; after them there may be voxels.
 constexpr int LONGEST_HEADER = 200;
 
 std::string Trim(const std::string& text)

@@ -15,10 +15,10 @@ class HeaderText
 public:
   HeaderText(const std::string& path, char separator);
 
-  /// The value of the first of these keys that is there, else empty.
+  /// The value of the first of these keys that exists, else empty.
   std::string Value(const std::vector<std::string>& keys) const;
 
-  /// The same as numbers; brackets and commas count as blanks, words as nothing.
+  /// The same as numbers; brackets and commas count as blanks, words are left out.
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 
 private:

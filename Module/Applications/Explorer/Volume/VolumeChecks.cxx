@@ -65,7 +65,7 @@ void CheckGeometry(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Makes point scalars out of what is there.
+/// Makes point scalars from the arrays that exist.
 void FindScalars(const std::string& path, Volume& volume)
 {
   vtkImageData* image = volume.Image;

@@ -30,7 +30,7 @@ bool EndsWith(const std::string& text, const std::string& ending)
     text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// Runs a reader and turns all of its complaints into one message.
+/// Runs a reader and turns all of its errors into one message.
 template <typename Reader>
 vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const char* format)
 {

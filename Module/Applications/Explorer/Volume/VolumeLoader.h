@@ -20,11 +20,11 @@ struct Volume
   vtkSmartPointer<vtkImageData> Image;
   std::string Name;               // last part of the path
   std::string Format;             // e.g. "NIfTI"
-  std::vector<std::string> Notes; // what was assumed or changed on the way in
+  std::vector<std::string> Notes; // assumptions and changes while loading
 };
 
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd or a folder of DICOM slices. Throws InputError for
-/// anything else, saying what is wrong with it and how to cure it.
+/// anything else, with the fault and the cure.
 Volume LoadVolume(const std::string& path);
 } // namespace Explore
 

@@ -68,7 +68,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
   }
   if (std::abs(vtkMatrix3x3::Determinant(unit)) < 1e-6)
   {
-    return; // a header with nonsense in it: better the plain axes than none
+    return; // the header has nonsense in it: the plain axes are better than none
   }
   image->SetDirectionMatrix(unit);
   image->SetOrigin(origin);
@@ -109,7 +109,7 @@ std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
   const bool leftAnterior = space == "left-anterior-superior" || space == "LAS";
   if ((leftAnterior || space == "3D-left-handed") && header.Value({ "encoding" }) == "raw")
   {
-    // For these spaces VTK's reader turns the rows of raw files round, and of no others.
+    // For these spaces VTK's reader reverses the rows of raw files, and of no others.
     const double rows = image->GetDimensions()[1] - 1;
     for (int row = 0; row < 3; ++row)
     {

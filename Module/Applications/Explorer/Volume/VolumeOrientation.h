@@ -15,13 +15,12 @@ namespace Explore
 /// the direction of index axis c, `origin` the position of voxel (0, 0, 0). The spacing stays.
 void SetFrame(vtkImageData* image, const double axes[9], const double origin[3]);
 
-/// VTK 9.1's MetaImage reader drops the header's TransformMatrix; this puts it back. In ITK's
+/// VTK 9.1's MetaImage reader drops the header's TransformMatrix; this restores it. In ITK's
 /// convention row c of the matrix is the direction of index axis c, in left-posterior-superior.
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 
-/// VTK 9.1's NRRD reader keeps only the lengths of `space directions`; this puts them back and
-/// turns every anatomical space into left-posterior-superior. Returns a note when it turned
-/// something.
+/// VTK 9.1's NRRD reader keeps only the lengths of `space directions`; this restores them and turns
+/// every anatomical space into left-posterior-superior. Returns a note if it turned something.
 std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image);
 
 /// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or
@@ -31,8 +30,8 @@ void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image);
 /// Multiplies every length of the image.
 void ScaleLengths(vtkImageData* image, double factor);
 
-/// The same voxels at the same places, reordered so that index axis c runs along world axis c as
-/// nearly as possible. Nothing is interpolated; the input is returned if nothing is to be done.
+/// The same voxels at the same positions, reordered so that index axis c runs along world axis c as
+/// nearly as possible. Nothing is interpolated; if there is nothing to do, the input is returned.
 vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image);
 } // namespace Explore
 
