@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The Python package volumehaptics, usable from the build tree and from the install tree. Whoever wants it elsewhere
-# sets VolumeHaptics_PYTHON_SITE, relative to both, before.
+# The Python package volumehaptics, usable from the build tree and from the install tree. VolumeHaptics_PYTHON_SITE, set
+# before and relative to both, is its place.
 if (NOT DEFINED VolumeHaptics_PYTHON_SITE)
   vtk_module_python_default_destination(VolumeHaptics_PYTHON_SITE MAJOR_VERSION 3)
 endif ()

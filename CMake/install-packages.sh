@@ -6,8 +6,8 @@
 #   source CMake/install-packages.sh
 #   require_packages cmake ninja-build
 
-# Installs those of the named Debian packages that are missing, and nothing else. Returns 1, naming
-# them and the command that would help, where it cannot.
+# Installs those of the named Debian packages that are missing, and nothing else. If that is not possible, returns 1,
+# and names them and the command that would help.
 require_packages()
 {
   local package

@@ -4,7 +4,7 @@
 # Sourced by the scripts that a person starts: a real head CT.
 
 # Puts Cranium.mhd, of Debian's example of InVesalius, into a folder, without installing it: get_head_ct FOLDER.
-# What it says ends with the licence. Returns 1, with the cure, where it cannot.
+# Its output ends with the licence. Returns 1, with the cure, if it fails.
 get_head_ct()
 {
   local data=$1
@@ -32,7 +32,7 @@ get_head_ct()
       fi
     fi
     dpkg -x "$data"/invesalius-examples_*.deb "$data/package"
-    # The archive lets everybody write to it, which tar keeps where root calls it.
+    # The archive lets everybody write to it; tar would keep that if root calls it.
     tar -xzf "$examples/examples/Cranium.inv3" -C "$data" --strip-components=1 --wildcards \
       --no-same-permissions --no-same-owner '*/matrix.dat'
     if [[ "$(stat -c %s "$data/matrix.dat")" -ne $((256 * 256 * 108 * 2)) ]]

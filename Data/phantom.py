@@ -30,7 +30,7 @@ HU = {
     "lens": 80,
 }
 
-# Depths below the surface of the head where one tissue gives way to the next.
+# Depths below the surface of the head at which one tissue gives way to the next.
 FAT_DEPTH = 2.5
 MUSCLE_DEPTH = 8.0
 

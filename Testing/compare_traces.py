@@ -48,7 +48,7 @@ class Difference:
 
 
 def read_trace(name):
-    """The polydata in a .vtp file; TraceError where there is none, or it has no ticks."""
+    """The polydata in a .vtp file; TraceError if there is none, or it has no ticks."""
     if not os.path.isfile(name):
         raise TraceError(f"{name} does not exist")
     reader = vtkXMLPolyDataReader()
@@ -104,9 +104,9 @@ def compare_array(name, array, baseline, tolerance):
 
 
 def compare(trace, baseline, tolerance=0.0, names=None):
-    """What differs between two polydata, as a list of Difference, the first tick first.
+    """The differences between two polydata, as a list of Difference, the first tick first.
 
-    TraceError where they can't be compared: another number of ticks, an array that is missing or
+    TraceError if they can't be compared: another number of ticks, an array that is missing or
     has another number of components.
     """
     ours = get_arrays(trace)

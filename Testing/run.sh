@@ -33,8 +33,8 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
   libumockdev-dev umockdev python3-pytest openbox xdotool wmctrl x11-utils
 
 jobs=$(nproc)
-# Without a display, or with somebody's: tests always render off to the side. A live servo cuts the force off, as it
-# must, when the machine stands still for 30 ms: where nothing but tests of one failed, they are run once more, alone.
+# Without a display, or with the user's: tests always render off to the side. A live servo cuts the force off, as it
+# must, when the machine stands still for 30 ms: if nothing but tests of one failed, they are run once more, alone.
 run_tests()
 {
   local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.]Emulated|ParaView|VTK[.](Charts|Emulated|'
@@ -79,7 +79,7 @@ test_wheel()
   local folder status=0
   folder=$(dirname "$build_dir")/wheel
   echo "== The wheel in $folder"
-  # What is unnamed in one file looks like a header's where several are compiled at once.
+  # Unnamed types of one file look like a header's if several are compiled at once.
   CXXFLAGS="-Wall -Wextra -Werror -Wno-subobject-linkage" \
     "$root/CMake/wheel/build.sh" "$folder" /usr/bin/python3 || status=$?
   if [ $status -eq 3 ]; then

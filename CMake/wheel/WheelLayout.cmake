@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What differs in a wheel: everything lies in the one folder volumehaptics, beside the folder vtkmodules of VTK's wheel.
-set(BUILD_TESTING OFF) # what is tested is the installed wheel
+# The layout of a wheel: everything lies in the one folder volumehaptics, beside the folder vtkmodules of VTK's wheel.
+set(BUILD_TESTING OFF) # tests run on the installed wheel
 set(VolumeHaptics_BUILD_EXPLORER ON CACHE BOOL "Build and install the explorer, volumehaptics-explore")
 set(VolumeHaptics_PYTHON_SITE ".")
 set(VolumeHaptics_PROGRAM_RPATH "$ORIGIN/..:$ORIGIN/../../vtkmodules")

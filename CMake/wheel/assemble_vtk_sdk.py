@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a wheel `vtk-sdk` where the registry has none: python3 assemble_vtk_sdk.py VERSION FOLDER
+"""Makes a wheel `vtk-sdk` if the registry has none: python3 assemble_vtk_sdk.py VERSION FOLDER
 
 The wheel has what VTK's own `vtk-sdk` has: headers, the CMake package, the wrapping tools and the module hierarchy.
 They come from a newer Debian's VTK of the same VERSION, taken with apt-get into FOLDER and nowhere else; what is linked
 is the wheel `vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with
 the Python that the wheel is for, and what it makes stays on that machine.
 
-Where Debian's VTK was configured in another way than the wheel, the headers are corrected: no TBB, VTK's own jsoncpp.
-Exits with 3 where that is not to be had, as when Debian has VERSION no longer.
+If Debian's VTK was configured differently from the wheel, the headers are corrected: no TBB, VTK's own jsoncpp. Exits
+with 3 if that is not possible, for example if Debian no longer has VERSION.
 """
 import pathlib
 import re
@@ -32,7 +32,7 @@ Dir::Cache "{apt}/cache";
 APT::Sandbox::User "root";
 """
 
-# What Debian's configuration finds on the system, and the libraries of the wheel bring along.
+# Packages that Debian's configuration finds on the system, and whose libraries the wheel contains.
 FIND_PACKAGES = """\
 find_package(Threads REQUIRED)
 if (NOT TARGET Python3::Module)
@@ -73,7 +73,7 @@ def run(*command, **options):
 
 
 class Debian:
-    """Packages of newer suites, beside the system's own and from where those come from."""
+    """Packages of newer suites, beside the system's own and from the same servers."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -209,7 +209,7 @@ def write_tools(usr, content, version):
 
 
 def pack(tree, version, folder):
-    """The tree as a wheel; the list of its files is left to whoever repacks it."""
+    """The tree as a wheel; the list of its files is left to the tool that repacks it."""
     tag = f"cp{sys.version_info.major}{sys.version_info.minor}"
     info = tree / f"vtk_sdk-{version}.dist-info"
     info.mkdir()

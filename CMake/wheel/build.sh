@@ -7,8 +7,8 @@
 # usage: CMake/wheel/build.sh [FOLDER [PYTHON]]
 #
 # Writes volumehaptics-*.whl to FOLDER (default build/wheel), for the CPython PYTHON (default python3). Debian packages that
-# are missing are installed. The headers of VTK come from the wheel vtk-sdk; where pip finds none, it is assembled in
-# FOLDER/sdk. Exits with 3 where pip reaches no registry, or there is no vtk-sdk to be had.
+# are missing are installed. The headers of VTK come from the wheel vtk-sdk; if pip finds none, it is assembled in
+# FOLDER/sdk. Exits with 3 if pip reaches no registry, or if there is no vtk-sdk.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

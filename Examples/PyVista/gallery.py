@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts of the gallery share: options, ways over a head, the look of a picture, and showing it."""
+"""Shared by the scripts of the gallery: options, paths over a head, the look of a picture, and showing it."""
 import argparse
 
 import numpy as np
@@ -16,7 +16,7 @@ COLOURS = ["#1f6fb4", "#e0701a", "#2a9d4f", "#b13a7c", "#6b57b8"]
 
 
 def options(about, volume=True):
-    """The head, where a script takes one, and where the picture goes: None shows it in a window."""
+    """The head, if a script takes one, and the file of the picture: None shows it in a window."""
     parser = argparse.ArgumentParser(description=about)
     if volume:
         parser.add_argument(
@@ -29,7 +29,7 @@ def options(about, volume=True):
 
 
 def over_skin(head, directions, depth, speed=80.0):
-    """The way of a tip (mm) below the skin, where rays from the middle of the head leave it, at a speed (mm/s).
+    """The path of a tip (mm) below the skin, along which rays from the middle leave the head, at a speed (mm/s).
 
     depth: below the skin (mm), for each direction; negative is in the air.
     """
@@ -70,7 +70,7 @@ def add_head(plotter, head, opacity=OPACITY):
 
 def add_trail(plotter, trace, largest=None, bar=True, width=9):
     """The way of the proxy, coloured by the force on the hand, up to the largest (N)."""
-    # Where the hand is held, the proxy stands still for many ticks, of which a tube has no use.
+    # If the hand is held, the proxy stands still for many ticks, which a tube does not need.
     steps = np.floor(np.append(0, np.cumsum(np.linalg.norm(np.diff(trace.points, axis=0), axis=1))) / 0.3)
     kept = np.append(True, np.diff(steps) > 0)
     trail = pv.MultipleLines(points=trace.points[kept])

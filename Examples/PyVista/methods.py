@@ -12,7 +12,7 @@ turn = np.linspace(-0.9, 0.9, 60)
 tip = gallery.over_skin(
     head, np.column_stack([np.sin(turn), -0.35 + 0 * turn, np.cos(turn)]), 3.0 - 15.0 * np.abs(turn / 0.9) ** 5)
 
-solid = vtkHapticProperty()  # what is solid begins at the skin, as for the methods that touch a surface
+solid = vtkHapticProperty()  # the solid begins at the skin, as for the methods that touch a surface
 for value, newtons in ((-350, 0.0), (-250, 50.0)):
     solid.GetSurfaceStrength().AddPoint(value, newtons)
 names = vtkVolumeHapticsFilter.GetMethodNames()

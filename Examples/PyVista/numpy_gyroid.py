@@ -22,7 +22,7 @@ def gyroid(points):
 volume = pv.ImageData(dimensions=(91, 91, 91), spacing=(2 / 3, 2 / 3, 2 / 3), origin=(-30, -30, -30))
 volume["gyroid"] = gyroid(volume.points.astype(float))[0]
 
-wall = vtkHapticProperty()  # solid where the value is above 0
+wall = vtkHapticProperty()  # solid if the value is above 0
 for value, newtons in ((-0.02, 0.0), (0.02, 50.0)):
     wall.GetSurfaceStrength().AddPoint(value, newtons)
 
@@ -39,7 +39,7 @@ print(f"strongest {gallery.strength(trace).max():.3f} N")
 
 plotter = gallery.make_plotter(picture)
 view = np.array([0.4, -1.0, 1.3])
-before = trace.points.mean(axis=0) + 3.0 * view  # what is nearer would hide the trail
+before = trace.points.mean(axis=0) + 3.0 * view  # nearer parts would hide the trail
 plotter.add_mesh(volume.contour([0.0]).clip(view, origin=before), color="#c9d3e0", smooth_shading=True)
 gallery.add_trail(plotter, trace)
 gallery.add_title(plotter, "A gyroid made with NumPy, and the way of the proxy along its wall")

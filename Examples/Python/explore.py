@@ -35,7 +35,7 @@ def main(path):
     touch, device = vtkVolumeHapticsFilter(), vtkHapticDevice()
     touch.SetInputConnection(reader.GetOutputPort())
     touch.GetProperty().ApplyPreset("CT contrast")
-    touch.GetProperty().SetVisibilityFrom(look)  # what is not seen is not felt
+    touch.GetProperty().SetVisibilityFrom(look)  # hidden tissue is not felt
     touch.SetIsoValue(-300)  # the skin, for the method that touches a surface
     touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, as sharp as skin is
     device.SetVolumeHaptics(touch)

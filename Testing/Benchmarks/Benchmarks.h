@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is measured. Each registration borrows its volume.
+ * The measurements. Each registration borrows its volume.
  */
 #ifndef Benchmarks_h
 #define Benchmarks_h

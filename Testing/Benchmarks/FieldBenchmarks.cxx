@@ -13,7 +13,7 @@ namespace benchmarks
 namespace
 {
 
-/** What is sampled, where and how. */
+/** The volume and the kernel of a measurement. */
 struct Sampling
 {
   const BallVolume& Volume;

@@ -20,7 +20,7 @@ namespace benchmarks
 struct IterationTime
 {
   double Median; ///< of the repetitions
-  double Least;  ///< where nothing else kept the processor busy
+  double Least;  ///< of the run in which the processor was least busy otherwise
 };
 
 /** Prints a line for each benchmark, and keeps its times for the ratios that follow. */

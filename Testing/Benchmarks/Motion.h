@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the volumes are touched.
+ * The positions at which the volumes are touched.
  */
 #ifndef Motion_h
 #define Motion_h

@@ -17,7 +17,10 @@ namespace benchmarks
 namespace
 {
 
-/** Where a value and a central-difference gradient are read: the position and six around it. */
+/**
+ * The positions at which a value and a central-difference gradient are read: the position and six
+ * around it.
+ */
 constexpr int StencilSize = 7;
 constexpr double StencilReach = 2.0;
 

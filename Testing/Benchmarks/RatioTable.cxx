@@ -24,7 +24,7 @@ constexpr double ColdTarget = 1.3;
 constexpr double RadiusTarget = 1.5;
 /** A tick on a mesh of some 300 000 triangles, us. */
 constexpr double SurfaceTarget = 10.0;
-/** What a step may take beside its gradient, ns. */
+/** The time that a step may take beside its gradient, ns. */
 constexpr double RestTarget = 60.0;
 
 void PrintTitle(const char* title)

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What one run says, as ratios: times drift with the processor's speed, ratios much less. Those of
- * the least times are what an idle machine would show, those of the medians what this one does.
+ * The results of one run, as ratios: times drift with the processor's speed, ratios much less. The
+ * ratios of the least times are those of an idle machine, the ratios of the medians those of this
+ * one.
  */
 #ifndef RatioTable_h
 #define RatioTable_h
@@ -14,7 +15,7 @@
 namespace benchmarks
 {
 
-/** Prints every ratio whose two sides were measured, with its target where there is one. */
+/** Prints every ratio whose two sides were measured, with its target if there is one. */
 void PrintRatios(const Medians& medians);
 
 /** Prints what a model of each estimator takes beside the image. */

@@ -16,7 +16,7 @@ namespace
 /** How deep the tip is held below the surface, mm. */
 constexpr double Depth = 2.0;
 
-/** What a model is made of, so that only what runs takes memory and caches. */
+/** The parts of a model, so that only the running benchmark takes memory and caches. */
 struct Scene
 {
   const BallVolume& Volume;

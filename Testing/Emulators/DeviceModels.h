@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What an emulated device is, whatever carries it: umockdev in the tests, a virtual USB port of a
- * real kernel.
+ * The behaviour of an emulated device, apart from its carrier: umockdev in the tests, or a virtual
+ * USB port of a real kernel.
  *
  * The carrier calls a model from one thread at a time, though not always from the same one.
  */
@@ -27,16 +27,16 @@ public:
   virtual std::vector<std::uint8_t> GetDescriptors() const = 0;
   virtual int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) = 0;
   virtual int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) = 0;
-  /** -EAGAIN where there is nothing yet: asked again after every Out and every Ready. */
+  /** -EAGAIN if there is nothing yet: asked again after every Out and every Ready. */
   virtual int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) = 0;
   /** The host has closed it, if the carrier can tell. */
   virtual void Released() {}
 
-  /** The carrier's: the model calls it where In has something by itself. */
+  /** Set by the carrier: the model calls it if In has something by itself. */
   std::function<void()> Ready = [] {};
 };
 
-/** A HID device: reports begin with their id, 0 where the device has none. */
+/** A HID device: reports begin with their id, 0 if the device has none. */
 class HidModel
 {
 public:
@@ -52,7 +52,7 @@ public:
   virtual int GetFeature(std::uint8_t* report, int size) = 0;
 
   /**
-   * The carrier's: the model calls it with an input report, the id left out where the device has
+   * Set by the carrier: the model calls it with an input report, without the id if the device has
    * none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};

@@ -25,8 +25,8 @@ struct EmulatedHand
 
   Triple Tip{}; ///< m
   Triple Velocity{};
-  Triple Led{};  ///< m: where the spring is fixed
-  Triple Goal{}; ///< m: where it is led to
+  Triple Led{};  ///< m: the fixed end of the spring
+  Triple Goal{}; ///< m: the position to which it is led
 
   /** A force (N) acts for a time (s). */
   void Step(double time, const Triple& force)

@@ -25,7 +25,7 @@ struct EmulatedHid::Plug
   HidModel& Model;
   UMockdevIoctlBase* Handler = nullptr;
   std::string Node;                  ///< as programs see it
-  std::string File;                  ///< where it is
+  std::string File;                  ///< its path
   std::vector<std::string> SysPaths; ///< the innermost first
   int Fifo = -1;
   std::atomic<bool> Gone{ false };
@@ -127,7 +127,7 @@ gboolean OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer user)
   return Answer(client, result);
 }
 
-/** What udev knows: a hidraw node of a HID device of an interface of a USB device. */
+/** The entries of udev: a hidraw node of a HID device of an interface of a USB device. */
 std::string Describe(const HidModel& model, int number, std::vector<std::string>& sysPaths)
 {
   char usb[64];
@@ -178,7 +178,7 @@ EmulatedHid::EmulatedHid(HidModel& model)
     const std::lock_guard<std::mutex> lock(this->Guard);
     if (this->Current)
     {
-      // Where it is full, the report is lost.
+      // If it is full, the report is lost.
       [[maybe_unused]] const auto written =
         write(this->Current->Fifo, report, static_cast<std::size_t>(size));
     }
@@ -225,7 +225,7 @@ void EmulatedHid::Unplug()
     this->Current = nullptr;
   }
   plug->Gone = true;
-  // Whoever polls wakes up, and reads EIO.
+  // A poll wakes up, and reads EIO.
   const std::uint8_t byte = 0;
   for (int i = 0; i < 4 && write(plug->Fifo, &byte, 1) == 1; ++i)
   {

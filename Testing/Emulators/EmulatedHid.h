@@ -5,8 +5,8 @@
  * A HID device that is plugged into the kernel that umockdev plays.
  *
  * Reports come through a FIFO in packet mode in the place of the hidraw node: one write is one
- * read, poll() tells the truth, and what nobody reads in time is dropped, as by the kernel. Writes
- * and feature reports go to the model on umockdev's own thread.
+ * read, poll() tells the truth, and reports that are not read in time are dropped, as by the
+ * kernel. Writes and feature reports go to the model on umockdev's own thread.
  */
 #ifndef EmulatedHid_h
 #define EmulatedHid_h
@@ -31,18 +31,18 @@ public:
   EmulatedHid& operator=(const EmulatedHid&) = delete;
 
   ///@{
-  /** Whoever has it open gets EIO from then on, also after it was plugged in again. */
+  /** Every open handle gets EIO from then on, even after the device was plugged in again. */
   void Unplug();
   void PlugIn();
   ///@}
 
-  /** Such as /dev/hidraw8, where it is plugged in. */
+  /** Its node if it is plugged in, such as /dev/hidraw8. */
   const std::string& GetNode() const;
 
   /** On the kernel's behalf: what its node may be used for, such as 0000. */
   void SetPermissions(unsigned mode);
 
-  /** What a handle on the node refers to: one plug. For this carrier alone. */
+  /** The target of a handle on the node: one plug. For this carrier alone. */
   struct Plug;
 
 private:

@@ -15,7 +15,7 @@ namespace emulated
 namespace
 {
 
-/** What an argument points to, as long as it is held. */
+/** The target of an argument, as long as it is held. */
 template <typename T>
 class Argument
 {
@@ -182,7 +182,7 @@ int EmulatedUsb::Plug::Submit(UMockdevIoctlClient* client, UMockdevIoctlData* ar
   }
   const Urb urb{ data, client };
   (this->Try(urb) ? this->Ended : this->Waiting).push_back(urb);
-  // What went out may have an answer, for which somebody waits.
+  // The sent transfer may have an answer for which a caller waits.
   this->PumpLocked();
   return 0;
 }
@@ -222,7 +222,7 @@ int EmulatedUsb::Plug::Discard(UMockdevIoctlData* argument)
   return 0;
 }
 
-/** False where it has to wait. */
+/** False if it has to wait. */
 bool EmulatedUsb::Plug::Try(const Urb& waiting)
 {
   usbdevfs_urb& urb = UrbOf(waiting.Data);

@@ -45,7 +45,7 @@ EmulatedUsb::Plug::Plug(UsbModel& model, const std::string& port, int address)
   this->Path = "/sys/devices/usb" + std::to_string(bus) + "/" + port;
   g_signal_connect(this->Base, "handle-ioctl", G_CALLBACK(&Plug::OnIoctl), this);
   g_signal_connect(this->Base, "client-vanished", G_CALLBACK(&Plug::OnVanished), this);
-  // Before there is a device, or nobody is asked.
+  // Before there is a device, or udev is asked.
   GError* error = nullptr;
   Check(umockdev_testbed_attach_ioctl(Testbed(), this->Node.c_str(), this->Base, &error), error);
   this->AddDevice(port, address);
@@ -131,7 +131,7 @@ EmulatedUsb::~EmulatedUsb()
 {
   this->Model.Ready = [] {};
   this->Unplug();
-  // Whoever still has one open goes on asking, and would wait for an answer in vain.
+  // A caller that still has one open goes on asking, and would wait for an answer in vain.
   static auto& kept = *new std::vector<std::unique_ptr<Plug>>;
   std::move(this->Plugs.begin(), this->Plugs.end(), std::back_inserter(kept));
 }

@@ -26,7 +26,7 @@ public:
   bool IsGone() const { return this->Gone; }
   std::string GetFile() const { return this->File; }
 
-  /** What the model has by itself goes to whoever waits. */
+  /** Passes data that the model has by itself to the waiting caller. */
   void Pump();
 
   mutable std::mutex Mutex;
@@ -63,7 +63,7 @@ private:
   UMockdevIoctlBase* const Base;
   std::string Node; ///< /dev/bus/usb/...
   std::string Path; ///< /sys/devices/...
-  std::string File; ///< what stands for the node
+  std::string File; ///< stands for the node
   std::list<Urb> Waiting;
   std::list<Urb> Ended;
   int Pipe = -1;

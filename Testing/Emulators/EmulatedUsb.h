@@ -45,7 +45,7 @@ public:
    */
   void BindDriver(const std::string& name);
   std::string GetDriver() const;
-  /** Whether somebody has claimed interface 0. */
+  /** Whether a program has claimed interface 0. */
   bool IsClaimed() const;
 
 private:

@@ -16,7 +16,7 @@ namespace emulated
 
 using Numbers = std::array<double, 3>;
 
-/** The angles (degrees) of the three arms; no numbers where the grip can't be. */
+/** The angles (degrees) of the three arms; not numbers if the grip can't be there. */
 Numbers FalconArmAngles(const Numbers& grip);
 
 /** The counts of homed encoders, not rounded. */
@@ -47,8 +47,8 @@ public:
 
   Numbers Place{ 0.0, 0.0, 0.11 };
   Numbers Velocity{};
-  Numbers Hand = Place; ///< where the hand is
-  Numbers Aim = Place;  ///< where it goes
+  Numbers Hand = Place; ///< position of the hand
+  Numbers Aim = Place;  ///< position to which it goes
   bool IsHeld = false;  ///< in a vice, which no force moves
 };
 

@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t PacketSize = 16;
 constexpr std::size_t MostLines = 1 << 16;
 constexpr int HomeBit = 0x01;
-// What encoders count before they are homed is off by anything.
+// Before homing, the counts of the encoders have arbitrary offsets.
 constexpr Numbers Offsets = { 700.0, -300.0, 150.0 };
 
 using Lock = std::lock_guard<std::mutex>;

@@ -14,14 +14,14 @@
  * conservative reading: a driver that leaves the bit out fails here, whatever a real device does.
  *
  * Loader and answers, as libnifalcon (commit f7c727a) copes with them:
- * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp takes the greeting's answer with a leading 0x00
- *   as well as without one, and greets up to 100 times.
+ * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp takes the greeting's answer with a leading
+ *   0x00 as well as without one, and greets up to 100 times.
  * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load, and between two tries it
- *   "completely" closes the device and opens it again: a loader may be stuck until then, or one load
- *   may fail by a wrong echo or none.
- * - isFirmwareLoaded() in src/core/FalconFirmware.cpp: "Sometimes we need to kick out another write to
- *   get a proper return". Such an answer is late: it comes after the next packet was sent, and the
- *   next packet's own answer follows behind it.
+ *   "completely" closes the device and opens it again: a loader may be stuck until then, or one
+ *   load may fail by a wrong echo or none.
+ * - isFirmwareLoaded() in src/core/FalconFirmware.cpp: "Sometimes we need to kick out another write
+ *   to get a proper return". Such an answer is late: it comes after the next packet was sent, and
+ *   the next packet's own answer follows behind it.
  */
 #ifndef FalconModel_h
 #define FalconModel_h
@@ -37,7 +37,7 @@
 namespace emulated
 {
 
-/** What can be wrong with it. */
+/** The possible faults of the device. */
 enum class FalconFault
 {
   None,
@@ -99,8 +99,8 @@ public:
   /** Without power it forgets its firmware and its zero. */
   void SwitchOff();
   /**
-   * What was sent since the last call, a line each: "c 40 09 0010" is a request of type 0x40,
-   * number 9, value 0x10; "o " and the bytes in hexadecimal a transfer.
+   * The transfers sent since the last call, one line each: "c 40 09 0010" is a request of type
+   * 0x40, number 9, value 0x10; "o " and the bytes in hexadecimal a transfer.
    */
   std::vector<std::string> TakeTranscript();
   ///@}

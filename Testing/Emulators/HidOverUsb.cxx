@@ -62,7 +62,7 @@ HidOverUsb::HidOverUsb(HidModel& model)
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      // Nobody may be reading; a device keeps what is new.
+      // There may be no reader; a device keeps what is new.
       if (this->Inputs.size() == MostInputs)
       {
         this->Inputs.pop_front();
@@ -156,7 +156,7 @@ int HidOverUsb::GetReport(std::uint8_t type, std::uint8_t id, std::uint8_t* data
   {
     return -EPIPE;
   }
-  // Models always have an id in front; the wire only where there are ids.
+  // Models always have an id in front; the wire only if there are ids.
   Bytes report(static_cast<std::size_t>(size) + 64, 0);
   report[0] = id;
   const int given = this->Model.GetFeature(report.data(), static_cast<int>(report.size()));

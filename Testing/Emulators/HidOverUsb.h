@@ -26,7 +26,7 @@ public:
   int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
   int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
 
-  /** Input reports that nobody has asked for, as without power. */
+  /** Forgets input reports that were not asked for, as without power. */
   void Forget();
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a kernel asks of a HID device over USB, with and without report ids.
+ * The requests of a kernel to a HID device over USB, with and without report ids.
  */
 #include "HidOverUsb.h"
 #include "PlayedKernel.h"
@@ -13,7 +13,7 @@ namespace machinetest
 class HidOverUsbTest : public testing::TestWithParam<bool>
 {
 protected:
-  /// What goes over the wire: without the id where there are none.
+  /// The bytes on the wire: without the id if there are no ids.
   static Bytes Wire(Bytes report)
   {
     report.erase(report.begin(), report.begin() + (GetParam() ? 0 : 1));

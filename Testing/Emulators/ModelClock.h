@@ -35,7 +35,7 @@ private:
     while (!this->Stop)
     {
       step();
-      // What was missed is not made up for: a busy machine makes the model slow, not jumpy.
+      // Missed ticks are not made up for: a busy machine makes the model slow, not jumpy.
       next = std::max(std::chrono::steady_clock::now(), next + std::chrono::milliseconds(1));
       std::this_thread::sleep_until(next);
     }

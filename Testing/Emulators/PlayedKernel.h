@@ -25,7 +25,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Reply
 {
-  std::uint32_t Command = 0; ///< 3 to a transfer, 4 to taking one back, 0 where nothing came
+  std::uint32_t Command = 0; ///< 3 to a transfer, 4 to taking one back, 0 if nothing came
   std::uint32_t Number = 0;
   int Status = 0;
   Bytes Data;

@@ -35,7 +35,7 @@ int Word(const std::uint8_t* bytes)
 
 std::vector<std::uint8_t> StickModel::GetReportDescriptor() const
 {
-  // A wheel has its pedal where a stick has y, and no motor there.
+  // A wheel has its pedal in the place of a stick's y, and no motor there.
   const bool isStick = this->Axes > 1;
   const std::uint8_t second = isStick ? 0x31 : 0x32;
   // Two bits that are constant take the place of the two that would enable the axes.

@@ -11,10 +11,10 @@
  *   angle;
  *   without: (direction x - 180 degrees) / 180 degrees of x and the negative of that of y's own
  *   angle, if the bit of the axis is set;
- * and calcComponentForce() in EffectsCalculator.cpp a torque of -magnitude times that, where a
- * positive torque moves an axis towards its positive end (a spring there is -coefficient times
- * position). So a positive magnitude from 90 degrees pushes to the left, as the direction is where
- * the force comes from; Linux' hid-pidff.c does the same. An angle is 255 parts of a circle, as in
+ * and calcComponentForce() in EffectsCalculator.cpp a torque of -magnitude times that; a positive
+ * torque moves an axis towards its positive end (a spring there is -coefficient times position). So
+ * a positive magnitude from 90 degrees pushes to the left, because the direction is the side from
+ * which the force comes; Linux' hid-pidff.c does the same. An angle is 255 parts of a circle, as in
  * ArduinoJoystickWithFFBLibrary.
  */
 #ifndef StickModel_h
@@ -65,14 +65,14 @@ public:
   /** A millisecond goes by. */
   void Step();
   void PowerUp();
-  /** Where the hand leads the handle to (m): to the right, and away from itself. */
+  /** The position (m) to which the hand leads the handle: to the right, and away from itself. */
   void SetGoal(double right, double away);
   Triple GetTip() const;
   /** N on the hand: to the right, and away from it. */
   Triple GetForce() const;
   int CountPlaying() const;
   int CountEffects() const;
-  /** What came last under a report id. */
+  /** The last data under a report id. */
   std::vector<std::uint8_t> GetLast(std::uint8_t id) const;
   int GetResets() const { return this->Resets; }
 

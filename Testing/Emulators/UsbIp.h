@@ -48,9 +48,9 @@ private:
   int Describe(std::size_t from, std::size_t size, std::uint8_t* data, int room) const;
   bool Submit(const Message& message);
   bool Unlink(const Message& message);
-  /** A result is a size or -errno; -EAGAIN where the model has nothing for it, or no room. */
+  /** A result is a size or -errno; -EAGAIN if the model has nothing for it, or no room. */
   int Try(Transfer& transfer);
-  /** A result is a size or -errno; data follow where there are any. */
+  /** A result is a size or -errno; data follow if there are any. */
   bool Answer(std::uint32_t number, int result, const std::uint8_t* data);
   bool Send(const void* bytes, std::size_t size);
 

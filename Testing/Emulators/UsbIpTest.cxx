@@ -52,7 +52,7 @@ TEST_F(UsbIpTest, LetsTransfersWait)
   EXPECT_EQ(in.Number, 1u) << "the one that has waited longest";
   EXPECT_EQ(in.Data, Bytes({ 7, 8, 9 }));
 
-  // What the model has by itself.
+  // A report that the model has by itself.
   const std::uint8_t byte = 5;
   this->Model.Out(2, &byte, 1);
   EXPECT_TRUE(this->Kernel.GetDevice().AnswerWaiting());
@@ -87,7 +87,7 @@ TEST_F(UsbIpTest, GivesTransfersBack)
   EXPECT_EQ(this->Kernel.Receive(false).Status, 0) << "it has been given back already";
   ASSERT_TRUE(this->Kernel.Out(4, 2, { 1 }));
   EXPECT_EQ(this->Kernel.Receive(false).Number, 4u);
-  EXPECT_EQ(this->Kernel.Receive(true).Command, 0u) << "nobody waits for it any more";
+  EXPECT_EQ(this->Kernel.Receive(true).Command, 0u) << "the kernel no longer waits for it";
 }
 
 TEST_F(UsbIpTest, GivesTransfersBackBeforeTheyCome)

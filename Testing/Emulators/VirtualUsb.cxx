@@ -22,7 +22,7 @@ namespace
 const std::string Hub = "/sys/devices/platform/vhci_hcd.0/";
 constexpr int FullSpeed = 2;
 
-/** False where the kernel refuses. */
+/** False if the kernel refuses. */
 bool Tell(const std::string& file, const std::string& text)
 {
   std::ofstream stream(Hub + file);

@@ -29,7 +29,7 @@ public:
   VirtualUsb(const VirtualUsb&) = delete;
   VirtualUsb& operator=(const VirtualUsb&) = delete;
 
-  /** The kernel begins to ask for descriptors; std::runtime_error where it takes no devices. */
+  /** The kernel begins to ask for descriptors; std::runtime_error if it takes no devices. */
   void Plug();
   /** In the midst of whatever goes on. Returns once the port is free again. */
   void Unplug();

@@ -87,7 +87,7 @@ void WoodenModel::PowerUp()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Angles = RestAngles;
   this->Hand.Place(TipOf(RestAngles));
-  // What encoders read that were switched on there.
+  // The counts of encoders that were switched on there.
   this->Offset = { 0, 0, 6000 };
   this->Currents = {};
   this->Button = false;

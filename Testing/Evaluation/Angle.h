@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the force points.
+ * The direction of a force.
  */
 #ifndef Evaluation_Angle_h
 #define Evaluation_Angle_h

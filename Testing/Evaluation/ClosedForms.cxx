@@ -38,7 +38,7 @@ Vector3 OnCircle(double radius, double angle)
   return { radius * std::cos(angle), radius * std::sin(angle), 0.0 };
 }
 
-/** Where slabs are touched: between voxels, so that every tap counts. */
+/** The position at which slabs are touched: between voxels, so that every tap counts. */
 constexpr Vector3 Start = { 0.3, 0.2, 0.0 };
 constexpr double Step = 0.1; // mm
 
@@ -120,8 +120,8 @@ HapticMaterial Distinct()
 
 Form TwoSprings(bool jumps)
 {
-  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From 4 mm on, where neither
-  // the kernel nor the values ahead see the field's lowest point.
+  // T8, and T9 in one tick: 500 N/m in series with 500 N/m, up to 2 N. From 4 mm on neither the
+  // kernel nor the values ahead reach the field's lowest point.
   Form form{ jumps ? "T9" : "T8", GrowingSlope, Distinct(), { { Start.X, Start.Y, 0.0 } }, {} };
   if (jumps)
   {

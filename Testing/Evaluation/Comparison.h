@@ -15,7 +15,7 @@
 namespace evaluation
 {
 
-/** What a picture of the report shows that is not a plot. */
+/** The content of a picture of the report that is not a plot. */
 struct Picture
 {
   std::string File; ///< without extension
@@ -31,10 +31,10 @@ struct Comparison
 /** The value (HU) on whose isosurface bone is touched. */
 constexpr double BoneValue = 300.0;
 
-/** Bone is left out, with the reason in its place, where the volume is null or has none. */
+/** If the volume is null or has no bone, bone is left out, with the reason in its place. */
 Comparison CompareMethods(vtkImageData* volume, const Effort& effort);
 
-/** What of the Z-width a method takes; adds a plot for each delay. */
+/** The share of the Z-width that a method needs; adds a plot for each delay. */
 Table CompareStability(const Effort& effort, std::vector<Plot>& plots);
 
 } // namespace evaluation

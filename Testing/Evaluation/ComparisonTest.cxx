@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the comparison of methods measures is what it says: fit, response, likeness, and what it
- * says of bad input.
+ * The comparison of methods measures what it claims: fit, response, likeness, and errors for bad
+ * input.
  */
 
 #include "Comparison.h"

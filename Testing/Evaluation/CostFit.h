@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a tick costs against the radius of the gradient kernel: a constant and a cubic term.
+ * The cost of a tick against the radius of the gradient kernel: a constant and a cubic term.
  *
  * The paper: "While the rest of the algorithm yields a constant delay of about 35 us, the time
  * delay of the gradient estimation has cubic growth with respect to the radius of the gradient
@@ -30,7 +30,7 @@ struct LineFit
 
 /**
  * The line with the least squares of relative errors, for times of very different size. No fit (all
- * 0) of fewer than two different x, or where a y is not above 0.
+ * 0) of fewer than two different x, or if a y is not above 0.
  */
 LineFit FitLine(const std::vector<double>& x, const std::vector<double>& y);
 

@@ -22,9 +22,9 @@ HapticMaterial WallMaterial()
   return material;
 }
 constexpr double WholeFrom = -1.18;
-/** 90 % of T_N/k behind where the wall is whole: less than what it holds. */
+/** 90 % of T_N/k behind the beginning of the whole wall: less than it holds. */
 constexpr double Deepest = WholeFrom + 0.9 * 4.0;
-/** A proxy that is this far past where it is held is falling. */
+/** A proxy that is this far past its rest position is falling. */
 constexpr double Through = WholeFrom + 0.3;
 
 /** Whether a random tip that comes in, stays a while and slides is let through. */

@@ -32,7 +32,7 @@ struct Sampling
   bool IsTurned = false; ///< by an odd rotation, about an odd centre
 };
 
-/** What is felt, and how it is solved; the defaults are those of the closed forms. */
+/** The material and the solver; the defaults are those of the closed forms. */
 struct Touching
 {
   VolumeHaptics::HapticSolver Solver = VolumeHaptics::HapticSolver::Precise;

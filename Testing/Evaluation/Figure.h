@@ -49,7 +49,7 @@ struct Curve
   float Width = 2.0f;
 };
 
-/** What a picture of the report shows. */
+/** The content of a plot in the report. */
 struct Plot
 {
   std::string File; ///< without extension
@@ -57,8 +57,9 @@ struct Plot
   std::string XLabel;
   std::string YLabel;
   std::vector<Curve> Curves;
-  bool IsLegendLeft = false;                               ///< at the top; else at the right
-  std::vector<std::pair<double, std::string>> XTicks = {}; ///< where an axis is not counted evenly
+  bool IsLegendLeft = false; ///< at the top; else at the right
+  /// the ticks of an axis that is not counted evenly
+  std::vector<std::pair<double, std::string>> XTicks = {};
 };
 
 /** Whom a figure is measured for. */
@@ -89,9 +90,9 @@ Figures MeasureRipple(const Candidate& candidate, const Effort& effort);
 Figures MeasureEnergy(const Candidate& candidate, const Effort& effort);
 /** Angle of the frictionless force to the normal of an 8-bit sphere. */
 Figures MeasureAngle(const Candidate& candidate, const Effort& effort);
-/** Where alignment Edge first holds on a blurred step. */
+/** The position at which alignment Edge first holds on a blurred step. */
 Figures MeasureAlignment(const Candidate& candidate, const Effort& effort);
-/** What a tick costs. For people, not for tests. */
+/** The cost of a tick. For readers, not for tests. */
 Figures MeasureSpeed(const Candidate& candidate, const Effort& effort);
 
 /** The plots of the report, of both solvers. */

@@ -163,7 +163,7 @@ Table MakeLikenessTable()
     "algorithm.\" Here the same strokes (1.5 mm deep at 0.1 m/s, k = 500 N/m, no limit to "
     "what the surface holds) are played on the same surface, and each method is compared, "
     "tick by tick, with SURFACE_PROXY on the isosurface on which the contact was made; its "
-    "sphere (0.02 mm) is taken where it touches. Smoothed: SURFACE_PROXY has the isosurface "
+    "sphere (0.02 mm) is taken at its contact. Smoothed: SURFACE_PROXY has the isosurface "
     "of the volume as smoothed by the kernel of PRECISE, so that only the methods differ "
     "(LOCAL_SURFACE, which has the volume's own, is left out there: a plane, renewed 60 times a "
     "second, whose lag is what the figures of the other surfaces show). "

@@ -27,7 +27,7 @@ struct Thresholds
 constexpr Thresholds ForceThresholds{ 7.0, 10.0 };     // %
 constexpr Thresholds StiffnessThresholds{ 8.0, 22.0 }; // %
 constexpr double DirectionThreshold = 25.0;            // degrees
-/** Below this force (N) of the reference a tick is not compared: nobody presses. */
+/** Below this force (N) of the reference a tick is not compared: the hand does not press. */
 constexpr double LeastForce = 0.1;
 
 struct Spread
@@ -46,7 +46,7 @@ struct Differences
   std::vector<double> Newtons;     ///< of the magnitudes of the force
   std::vector<double> Percent;     ///< the same beside the reference's force
   std::vector<double> Sliding;     ///< of these, the ticks at which strokes slide
-  std::vector<double> Degrees;     ///< between the forces; 180 where one is 0
+  std::vector<double> Degrees;     ///< between the forces; 180 if one is 0
   std::vector<double> Millimeters; ///< between the proxies
   std::vector<double> Stiffness;   ///< %, between the forces' slopes while a stroke presses
 
@@ -89,7 +89,7 @@ std::vector<Subject> MakeShapes();
  * Bone. Strokes of 12 mm from all sides of the upper half, 1.5 mm deep, wherever the surface goes
  * on and its gradient is at least the 40 HU/mm from which the preset "CT contrast" holds it for
  * distinct: on the isosurface as it is, and on that of the scan smoothed by the weights with which
- * PRECISE reads it. Empty, with the reason and the cure in `error`, where there is no volume or no
+ * PRECISE reads it. Empty, with the reason and the cure in `error`, if there is no volume or no
  * such surface.
  */
 std::vector<Subject> MakeBone(

@@ -89,7 +89,7 @@ Subject MakeSubject(const char* name, const Field& inside, Stroke stroke)
   return subject;
 }
 
-/** The level that the smoothed volume has where the contact is made, and its isosurface. */
+/** The level of the smoothed volume at the contact, and its isosurface. */
 Subject MakeSmoothed(const char* name, const Field& inside, Stroke stroke)
 {
   const auto image =

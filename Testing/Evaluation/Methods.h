@@ -32,7 +32,7 @@ struct Method
   int Kind;   ///< vtkVolumeHapticsFilter::MethodType
   int Solver; ///< vtkVolumeHapticsFilter::SolverType
   int Colour; ///< of its curves, see Curve
-  /** A field of forces has no surface: it is compared only where that makes no difference. */
+  /** A field of forces has no surface: it is compared only if that makes no difference. */
   bool HasSurface() const { return this->Kind != vtkVolumeHapticsFilter::FORCE_FIELD; }
   /** How far (mm) off the surface the proxy is held. */
   double Offset() const
@@ -43,7 +43,7 @@ struct Method
 
 /** One line a method. */
 const std::vector<Method>& AllMethods();
-/** What the paper cannot tell its own method from: proxy-based surface haptics. */
+/** The method from which the paper can't tell its own apart: proxy-based surface haptics. */
 const Method& SurfaceHaptics();
 
 /**

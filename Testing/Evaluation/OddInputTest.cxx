@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PRECISE where a function has a step, where there is no gradient, on flat voxels and at the
- * border.
+ * Solver PRECISE at a step of a function, without a gradient, on flat voxels and at the border.
  */
 
 #include "RobustnessRig.h"

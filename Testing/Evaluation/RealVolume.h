@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What can be said of a real scan, whose right forces nobody knows.
+ * The measurements of a real scan, whose right forces are unknown.
  */
 #ifndef Evaluation_RealVolume_h
 #define Evaluation_RealVolume_h
@@ -16,12 +16,12 @@ class vtkImageData;
 namespace evaluation
 {
 
-/** A MetaImage. Null, with a message on stderr, where the file can't be read. */
+/** A MetaImage. Null, with a message on stderr, if the file can't be read. */
 vtkSmartPointer<vtkImageData> ReadRealVolume(const std::string& file);
 
 /**
  * Random presses on a CT, each a closed cycle: from the air towards the middle, across, and out
- * again, with the preset "CT contrast". Empty, with VTK's error, where the image can't be touched.
+ * again, with the preset "CT contrast". Empty, with VTK's error, if the image can't be touched.
  */
 Figures MeasureRealVolume(
   vtkImageData* image, VolumeHaptics::HapticSolver solver, const Effort& effort);

@@ -22,7 +22,7 @@ constexpr double RunIn = 4.0;   // mm
 constexpr double Extent = 40.0; // mm, of the slide
 
 /**
- * Where FORCE_FIELD's force rises most with depth: one blur, the kernel's included, before the
+ * The depth at which FORCE_FIELD's force rises most: one blur, the kernel's included, before the
  * middle.
  */
 const double Flank = std::hypot(Blur, 2.0 * GradientKernel::ScalePerRadius);
@@ -138,7 +138,7 @@ Table CompareRelief(const Effort& effort, std::vector<Plot>& plots)
     "(an edge blurred by 1.5 voxels that lies askew in the grid) under a tip at constant "
     "depth, without friction; entries are the force's amplitude beside k times the relief's "
     "(1: all of it is felt). -3 dB: the wavelength from which on 0.707 is felt. FORCE_FIELD "
-    "has the gain that makes it as stiff as the others where it is touched.",
+    "has the gain that makes it as stiff as the others at the contact.",
     { "method" }, {} };
   std::vector<double> wavelengths = { 2.0, 4.0, 8.0, 20.0 };
   if (effort.IsFull)
@@ -153,7 +153,7 @@ Table CompareRelief(const Effort& effort, std::vector<Plot>& plots)
     plot.XTicks.emplace_back(std::log10(wavelength), Number(wavelength));
   }
   table.Columns.push_back("-3 dB (voxels)");
-  // Where methods agree, the first ones are drawn wider.
+  // If methods agree, the first ones are drawn wider.
   float width = 2.0f + 2.5f * static_cast<float>(AllMethods().size() - 1);
   for (const Method& method : AllMethods())
   {

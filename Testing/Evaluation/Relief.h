@@ -29,7 +29,7 @@ double AmplitudeOf(const std::vector<double>& signal, double frequency);
  */
 double MeasureRelief(const Method& method, double wavelength);
 
-/** Where a response that rises with the wavelength passes 1/sqrt(2); 0 where it does not. */
+/** The wavelength at which a rising response passes 1/sqrt(2); 0 if it does not. */
 double CutOff(const std::vector<double>& wavelengths, const std::vector<double>& responses);
 
 /** All methods, wavelengths from 2 to 40 voxels; adds a plot. */

@@ -23,7 +23,7 @@ struct Section
 /** Draws a plot to FOLDER/NAME.png; needs a display, if only a virtual one. */
 void DrawPlot(const Plot& plot, const std::string& folder);
 
-/** What report.md has, from its beginning. */
+/** The content of report.md, in its order. */
 struct Report
 {
   std::vector<Section> Sections;
@@ -32,7 +32,7 @@ struct Report
   Picture Transfer;
 };
 
-/** Writes FOLDER/report.md. Returns false where the folder can't be written to. */
+/** Writes FOLDER/report.md. Returns false if the folder can't be written to. */
 bool WriteReport(const Report& report, const std::string& folder);
 
 /**

@@ -13,7 +13,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// An edge that counts where it is steep.
+/// An edge that counts if it is steep.
 HapticMaterial OnEdges(double strength, double steepest)
 {
   HapticMaterial material = MakeMaterial(500.0, 0.0, 0.0, strength);
@@ -58,7 +58,7 @@ TEST_P(Robustness, ARidgeIsSlidOverWithoutChatter)
   }
 }
 
-TEST_P(Robustness, BehindASaturatedEdgeLiesAPlateauThatNobodyFallsThrough)
+TEST_P(Robustness, BehindASaturatedEdgeLiesAPlateauThatHoldsTheHand)
 {
   const auto saturated = [](const Vector3& x) { return 400.0 * BlurredStep(x.Z, 1.5, 1.0) - 50.0; };
   Sampling sampling;

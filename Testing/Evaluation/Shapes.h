@@ -19,7 +19,7 @@ const Vector3 OddNormal = (1.0 / 3.0) * Vector3{ 1.0, -2.0, 2.0 };
 /** With OddNormal, two unit vectors at right angles. */
 const Vector3 OddAside = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, 1.0, 0.0 };
 const Vector3 OddUp = Cross(OddNormal, OddAside);
-/** Where balls stand: not on a sample. */
+/** The centre of the balls: not on a sample. */
 constexpr Vector3 OddCentre = { 0.37, -0.21, 0.43 };
 
 /**

@@ -56,7 +56,7 @@ Table CompareStability(const Effort& effort, std::vector<Plot>& plots)
       const double damping = 1.0 * i / points;
       rows.push_back({ Number(damping), std::to_string(delay), Number(2000.0 * damping) });
     }
-    // The curves lie on each other where the methods agree: the first ones are drawn wider.
+    // If the methods agree, their curves coincide: the first ones are drawn wider.
     float width = 5.0f + 4.0f * static_cast<float>(methods.size() - 1);
     for (const Method& method : methods)
     {

@@ -17,7 +17,7 @@ namespace evaluation
 struct Table
 {
   std::string Title;
-  std::string Text; ///< what was measured, and what it says
+  std::string Text; ///< the measurement and its result
   std::vector<std::string> Columns;
   std::vector<std::vector<std::string>> Rows;
 };

@@ -26,7 +26,7 @@ namespace evaluation
 {
 namespace
 {
-/** What an axis shows. */
+/** The range of an axis. */
 struct Extent
 {
   const char* Title;
@@ -127,7 +127,7 @@ constexpr unsigned char Orange[] = { 222, 110, 0 };
 constexpr unsigned char Blue[] = { 0, 92, 175 };
 constexpr unsigned char Green[] = { 0, 140, 95 };
 
-/** Largest value on the axis; 1 where there is none. */
+/** Largest value on the axis; 1 if there is none. */
 double LargestOf(vtkPiecewiseFunction* function)
 {
   double largest = 0.0;

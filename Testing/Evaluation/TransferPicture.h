@@ -16,7 +16,7 @@ namespace evaluation
 /**
  * Draws FOLDER/transfer.png: the rendered CT, its visual transfer functions, and beside each the
  * haptic one of the preset "CT contrast". Without a file, of the project's phantom. Without a name,
- * after a message on stderr, where the file can't be read. Needs a display, if only a virtual one.
+ * after a message on stderr, if the file can't be read. Needs a display, which may be virtual.
  */
 Picture DrawTransferPicture(
   const std::string& volumeFile, const Effort& effort, const std::string& folder);

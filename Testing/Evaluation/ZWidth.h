@@ -12,7 +12,7 @@
 namespace evaluation
 {
 
-/** A model of a wall of a stiffness (N/m) that is met where the device's z is 0 or little more. */
+/** A model of a wall of a stiffness (N/m) that begins at the device's z of 0 or little more. */
 using WallMaker = std::function<std::shared_ptr<const VolumeHaptics::HapticModel>(double)>;
 
 /**

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the fuzzer's targets share: bytes as choices, and invariants that abort.
+ * Shared by the fuzzer's targets: bytes as choices, and invariants that abort.
  */
 #ifndef Dealer_h
 #define Dealer_h

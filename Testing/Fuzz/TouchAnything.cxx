@@ -126,7 +126,7 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
     Tick(model, stored, next, again);
     Check(IsFinite(record.Force) && IsFinite(record.Proxy), "force and proxy are finite");
     Check(Norm(record.Force - again.Force) == 0.0, "a stored state goes on the same");
-    // Where the tip was far away, rounding is, too.
+    // If the tip was far away, rounding is large, too.
     constexpr double far = 1e-9;
     const bool isLocal = model.Baked->Settings.Method == HapticMethod::LocalSurface;
     const double bound = isLocal

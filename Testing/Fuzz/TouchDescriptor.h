@@ -12,8 +12,8 @@
 
 /**
  * The first byte is the length of a packet, which follows; the rest is a descriptor. The packet
- * goes to every codec. Aborts where a field lies outside its report, a value does not come back as
- * it was written, an axis or a current is out of its range, or a dialogue does not end.
+ * goes to every codec. Aborts if a field lies outside its report, a value does not come back as it
+ * was written, an axis or a current is out of its range, or a dialogue does not end.
  */
 void TouchDescriptor(const std::uint8_t* bytes, std::size_t size);
 

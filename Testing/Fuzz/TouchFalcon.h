@@ -11,10 +11,10 @@
 #include <cstdint>
 
 /**
- * Bytes choose transfers of any length, whole reports among garbage, times, forces, and what comes
- * back while firmware is loaded. Aborts where a position is not finite, a pose that is reached is
- * none, a motor gets more than the cap or force against the wish, homing is ready without its
- * conditions, or the loader sends what it should not.
+ * Bytes choose transfers of any length, whole reports among garbage, times, forces, and the answers
+ * while firmware is loaded. Aborts if a position is not finite, a reached pose is none, a motor
+ * gets more than the cap or a force that was not wanted, homing is ready without its conditions, or
+ * the loader sends something that it should not.
  */
 void TouchFalcon(const std::uint8_t* bytes, std::size_t size);
 

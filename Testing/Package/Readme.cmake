@@ -15,7 +15,7 @@ foreach (example IN ITEMS
   list(GET example 3 end)
   file(READ "${root}/${document}" text)
   file(READ "${root}/${file}" code)
-  # What counts is the code behind the includes, or what is added to an application.
+  # Only the code behind the includes counts, or the part that is added to an application.
   string(FIND "${code}" "${start}" from)
   string(SUBSTRING "${code}" ${from} -1 code)
   if (end)

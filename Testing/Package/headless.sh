@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Builds the module without rendering, and touches a volume from Python where there is no display.
+# Builds the module without rendering, and touches a volume from Python without a display.
 # usage: headless.sh SOURCE_DIR BUILD_DIR WRAP_PYTHON
 set -euo pipefail
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Builds the module inside another project's vtk_module_build(), the way VTK/Remote does; without the libraries of
-# devices, as somebody would who does not want them.
+# devices, which such a project may not want.
 # usage: superproject.sh SOURCE_DIR BUILD_DIR
 set -euo pipefail
 

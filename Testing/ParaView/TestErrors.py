@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is wrong with the input reaches the user in words with a cure, and nothing else happens."""
+"""A fault in the input reaches the user in words with a cure, and nothing else happens."""
 
 import math
 import os

@@ -64,7 +64,7 @@ arrays = rig.arrays_of(touch)
 assert numpy.linalg.norm(arrays["Force"], axis=1).max() > 0.3
 show_head(head, view)
 show_trace(touch, view)
-simple.Render(view)  # which resets the camera where it is the first
+simple.Render(view)  # which resets the camera if it is the first
 view.CameraPosition = [-260, -480, 150]
 view.CameraFocalPoint = [18, 0, -4]
 view.CameraViewUp = [0, 0, 1]

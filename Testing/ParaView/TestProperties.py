@@ -10,7 +10,7 @@ import numpy
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
 
-# What a property of the filter is instead, and what only C++ asks for.
+# Setters that a property of the filter replaces, or that only C++ asks for.
 ELSEWHERE = {"Property", "MethodByName", "VisibilityFrom"}
 FUNCTIONS = ("Stiffness", "Friction", "Viscosity", "SurfaceStrength", "Distinctness")
 

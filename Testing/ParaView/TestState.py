@@ -16,7 +16,7 @@ def build():
     volume = rig.read("Head.vti")
     simple.SetActiveSource(volume)
     touch = rig.VolumeHaptics(registrationName="touch", Input=volume, Path=path, KernelRadius=3)
-    # What the button Apply of the panel does, for the trace.
+    # The work of the panel's button Apply, for the trace.
     applied = [smtrace.PropertiesModified(proxy.SMProxy) for proxy in (path, touch)]
     path.BoxCorner, path.BoxSize = [-30, -5, 0], [30, 10, 105]
     touch.Scalars = ["POINTS", "HU"]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the VTK build says, for ParaView's filter to be compared with.
+"""The results of the VTK build, to be compared with ParaView's filter.
 
     reference.py FOLDER PHANTOM [HEAD_CT.mhd]
 
@@ -74,7 +74,7 @@ def touch(scene, volume, path, settings):
 
 
 def setters(cls, ancestor):
-    """What a class sets beyond its ancestor; of the choices that have a name each, only the whole."""
+    """The settings of a class beyond its ancestor; of choices that have a name each, only the whole."""
     names = [name[3:] for name in dir(cls) if name.startswith("Set") and not hasattr(ancestor, name)]
     return sorted(name for name in names if not any(name.startswith(other + "To") for other in names))
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests in ParaView share: the plugin, and traces as arrays.
+"""Shared by the tests in ParaView: the plugin, and traces as arrays.
 
-Every test is `pvbatch TestNAME.py PLUGIN REFERENCE_FOLDER SOURCE_FOLDER OUTPUT_FOLDER`, and ends with an exception where
+Every test is `pvbatch TestNAME.py PLUGIN REFERENCE_FOLDER SOURCE_FOLDER OUTPUT_FOLDER`, and ends with an exception if
 something is wrong.
 """
 
@@ -25,7 +25,7 @@ def is_first_rank():
 
 
 def classes():
-    """What reference.py says of the classes."""
+    """The classes as reference.py describes them."""
     with open(os.path.join(REFERENCE, "classes.json"), encoding="utf-8") as file:
         return json.load(file)
 

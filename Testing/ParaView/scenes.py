@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is touched, where and how, by the VTK build and by ParaView alike.
+"""The volumes, paths and settings of the VTK build and of ParaView alike.
 
 A scene is a file of the reference folder with a preset, an isovalue and a tip path: NAME.vti and NAMEPath.vtp. A method
 is a set of settings of vtkVolumeHapticsFilter, which are also the properties of the filter in ParaView.

@@ -25,7 +25,7 @@ def test_script_is_felt(window, root, monkeypatch):
     made, forces = [], []
 
     def show(plotter):
-        """What a user does: touches the middle of the head, presses, strokes, and closes the window."""
+        """The actions of a user: touches the middle of the head, presses, strokes, and closes the window."""
         pv_show(plotter, auto_close=False)
         haptics, interactor = made[0], plotter.iren.interactor
         x, y = (size // 2 for size in plotter.window_size)

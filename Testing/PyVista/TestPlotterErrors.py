@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What add_haptics() refuses: it names the input and the cure, and leaves the plotter as it was."""
+"""Bad input of add_haptics(): it names the input and the cure, and leaves the plotter as it was."""
 
 import numpy as np
 import pytest

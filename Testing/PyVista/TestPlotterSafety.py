@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""No force stays on that nobody has asked for, or sees the reason of: add_haptics() where something goes wrong."""
+"""No force stays on unasked, or without a visible reason: add_haptics() if something goes wrong."""
 
 import os
 import signal
@@ -72,7 +72,7 @@ def test_child_closes_its_copy(window, hands):
     hand.push()
     child = os.fork()
     if child == 0:
-        signal.alarm(30)  # where it waits for threads that there are not
+        signal.alarm(30)  # if it waits for threads that do not exist
         _plotting._close_all()  # as when the child exits
         os._exit(7)
     assert os.waitpid(child, 0) == (child, 7 << 8)

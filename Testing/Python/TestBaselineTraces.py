@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every method gives a hand that strokes the head phantom is what it was.
+"""Every method gives a hand that strokes the head phantom the same as before.
 
     python3 -m pytest TestBaselineTraces.py --write-baselines    # makes the baselines anew
 
@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataWriter
 from volumehaptics import vtkVolumeHapticsFilter
 
-SKIN = -300.0  # HU, where the phantom's skin is seen
+SKIN = -300.0  # HU, at which the phantom's skin is seen
 ARRAYS = ("Force", "Contact")
 # Baselines hold single precision; and vtkFlyingEdges3D's points, too.
 TOLERANCE = 1e-5
@@ -46,7 +46,7 @@ def make_stroke(top):
 
 
 def find_crown(image):
-    """Where the axis through the origin meets the skin from above (mm)."""
+    """The height at which the axis through the origin meets the skin from above (mm)."""
     scalars = image.GetPointData().GetScalars()
     for k in reversed(range(image.GetDimensions()[2])):
         point = image.FindPoint(0.0, 0.0, image.GetOrigin()[2] + k * image.GetSpacing()[2])

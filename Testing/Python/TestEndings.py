@@ -28,7 +28,7 @@ CRASHES = {
 
 
 def run(script):
-    """What a process of its own says, and how it ends."""
+    """The output of a process of its own, and its end."""
     no_core = lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     ended = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=60, preexec_fn=no_core,

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errors reach Python: as ErrorEvent where the data are wrong, as exceptions where a call is."""
+"""Errors reach Python: as ErrorEvent if the data are wrong, as exceptions if a call is."""
 
 import math
 

@@ -43,7 +43,7 @@ def press(device, z, holds):
 def test_child_lets_go_of_its_copy(device, way):
     child = os.fork()
     if child == 0:
-        signal.alarm(30)  # where it waits for threads that there are not
+        signal.alarm(30)  # if it waits for threads that do not exist
         getattr(device, way)()
         device.Close()
         del device

@@ -40,7 +40,7 @@ assert isinstance(touch.GetOutput(), vtk.vtkPolyData)
 
 
 def run(code):
-    """What a fresh interpreter prints, for which warnings are errors."""
+    """The output of a fresh interpreter, for which warnings are errors."""
     command = [sys.executable, "-W", "error", "-c", code]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     assert result.returncode == 0, f"{code}\n{result.stderr}"
@@ -68,7 +68,7 @@ for name in set(globals()) - before - {"before", "volumehaptics"}:
 assert touch is volumehaptics.touch
 assert {"arrays", "examples", "image", "path", "touch", "vtkHapticDevice"} <= set(dir(volumehaptics))
 """
-# As where there is none: importing a module that is None in there fails.
+# As if there is none: importing a module that is None in there fails.
 NO_NUMPY = """
 import sys
 sys.modules["numpy"] = None
@@ -83,7 +83,7 @@ except ImportError as error:
 """
 
 
-# As where another VTK is installed over the one that it was compiled with.
+# As if another VTK is installed over the one that it was compiled with.
 OTHER_VTK = """
 from vtkmodules import vtkCommonCore
 class Other(vtkCommonCore.vtkVersion):

@@ -76,7 +76,7 @@ def test_without_display_it_makes_pictures(fake, tmp_path):
     assert result.stdout.splitlines() == ["[head.vti]", "[--pictures]", "[explore-pictures]"]
     result = run(*arguments, "--pictures=there", DISPLAY="", PATH=str(tmp_path))
     assert result.stdout.splitlines() == ["[head.vti]", "[--pictures=there]"]
-    # On a screen of its own, where there can be one.
+    # On a screen of its own, if there can be one.
     make_program(tmp_path / "xvfb-run", "echo screen; shift 3; exec \"$@\"")
     result = run(*arguments, "--pictures", "there", DISPLAY="", PATH=str(tmp_path))
     assert result.stdout.splitlines() == ["screen", "[head.vti]", "[--pictures]", "[there]"]

@@ -53,7 +53,7 @@ def slab(dtype=float):
 
 
 def test_press_to_10_mm():
-    """T1: 1 N at 2 mm, 2 N at 4 mm and on to 10 mm, where the proxy is at 6 mm."""
+    """T1: 1 N at 2 mm, 2 N at 4 mm and on to 10 mm, with the proxy at 6 mm."""
     for dtype in (float, np.float32, np.int16, np.uint16, np.int32):
         haptics = touch(make_image(slab(dtype)), press(101))
         force = array(haptics, "Force")

@@ -7,7 +7,7 @@
 A seed decides everything but the time that passes, and runs in a process of its own, so that a crash and a hang are
 found out. Each call has to return, or to say an error: a text of some words, or Python's TypeError and the like. After
 each, the force of every device is finite and within its limit. Before it is made, a call is written to a journal, whose
-end is printed where something goes wrong; `--seed N` makes the same calls again, here.
+end is printed if something goes wrong; `--seed N` makes the same calls again, here.
 
 Methods and their arguments are read from the documentation of the wrapped classes: a new method is covered once it is
 wrapped. chaos_world.py has the rest of a scene: images, paths, functions, a window.
@@ -30,18 +30,18 @@ import time
 from pathlib import Path
 
 SLOWEST = 120.0  # s that one call may take, on a machine that does a lot else
-MEMORY = 4 << 30  # bytes beyond those of the beginning, of addresses; more is as where there is no more
+MEMORY = 4 << 30  # bytes beyond those of the beginning, of addresses; more is as if there is no more
 SHOWN = 25  # calls of the journal
 NONE = "^$"
 
-# What is not called, and why.
+# Functions that are not called, and why.
 EXCLUDED = {
     # vtkTypeMacro's: VTK compares with a null name, and NewInstance leaves an object without its owner.
     "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType", "IsA", "IsTypeOf", "NewInstance",
     "SafeDownCast",
 }
 
-# What is called of the superclasses: VTK's own methods are VTK's, but for those that every application calls.
+# Functions of the superclasses that are called: VTK's own methods are VTK's, except those that every application calls.
 INHERITED = {
     "vtkAlgorithm": ("Update", "Modified", "UpdateInformation", "GetOutputDataObject", "RemoveAllInputs"),
     "vtkProp": ("SetVisibility", "GetBounds", "GetRedrawMTime", "Modified"),
@@ -217,7 +217,7 @@ class Chaos:
                 raise Failed(f"{self.world.name(device)} sends {force} N, above its limit of {limit} N")
 
     def go_wrong(self, fault):
-        """What has to be found out."""
+        """Notes a fault that has to be found out."""
         self.write(f"going wrong: {fault}")
         if fault == "crash":
             os.kill(os.getpid(), signal.SIGSEGV)
@@ -260,7 +260,7 @@ def run_here(options):
 
 
 def run_seed(seed, calls, folder, *more):
-    """What went wrong with a seed, in a process and a folder of its own; empty where nothing did."""
+    """The faults of a seed, in a process and a folder of its own; empty if there are none."""
     place = Path(folder, f"seed-{seed}")
     place.mkdir(parents=True)
     journal = place / "journal.txt"
@@ -278,7 +278,7 @@ def run_seed(seed, calls, folder, *more):
 
 
 def run_seeds(seeds, calls, jobs, folder, *more):
-    """What went wrong, of each seed of which something did."""
+    """The faults of each seed that has some."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for trouble in pool.map(lambda seed: run_seed(seed, calls, folder, *more), seeds):
             if trouble:

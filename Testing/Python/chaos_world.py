@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the classes of chaos.py are used with: good, bad and missing images, paths, functions, matrices, a window."""
+"""Arguments for the classes of chaos.py: good, bad and missing images, paths, functions, matrices, a window."""
 
 import math
 import os
@@ -134,7 +134,7 @@ class World:
         self.window = None
 
     def take(self, thing):
-        """What a method gave comes back as an argument, and is changed."""
+        """The result of a method comes back as an argument, and is changed."""
         if hasattr(thing, "IsA") and not any(one is thing for one in self.things + self.fixed) and len(self.fixed) < 120:
             self.fixed.append(thing)
             self.call(thing)
@@ -173,7 +173,7 @@ class World:
         return chance.choice(WHOLE)
 
     def draw_act(self):
-        """What an application does beside: text and call."""
+        """Other actions of an application: text and call."""
         acts = [getattr(self, name) for name in sorted(dir(self)) if name.startswith("act_")]
         return self.random.choice(acts + 3 * [self.act_event, self.act_touch] + 2 * [self.act_style, self.act_trace])()
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests are told: where the package has to come from, and which version it is.
+"""The options of the tests: the place from which the package has to come, and its version.
 
 They run against a CMake build (ctest sets everything) and against an installed package:
 

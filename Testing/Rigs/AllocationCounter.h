@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Counts what the whole process allocates. Linking AllocationCounter.cxx replaces the allocator's
- * entry points: operator new always, malloc and its siblings where no sanitizer has taken them.
+ * Counts the allocations of the whole process. Linking AllocationCounter.cxx replaces the
+ * allocator's entry points: operator new always, malloc and its siblings if no sanitizer has taken
+ * them.
  */
 #ifndef AllocationCounter_h
 #define AllocationCounter_h
@@ -16,7 +17,7 @@ struct Allocations
 {
   /// Calls so far, of operator new and of malloc, calloc, realloc.
   std::size_t Calls = 0;
-  /// Bytes that operator new has handed out and nobody has given back.
+  /// Bytes that operator new has handed out and that were not given back.
   std::size_t LiveBytes = 0;
 };
 

@@ -62,7 +62,7 @@ std::vector<Point> Line(const Point& a, const Point& b, int steps);
 /// Remove all points and add one: a constant.
 void SetConstant(vtkPiecewiseFunction* function, double value);
 
-/// Entry of a point array of an output; fails the test where there is no such array.
+/// Entry of a point array of an output; fails the test if there is no such array.
 double Get(vtkPolyData* output, const char* array, vtkIdType tick, int component = 0);
 
 /// Whether points, lines and all point arrays of the first `ticks` ticks (all: -1) are the same to
@@ -88,7 +88,7 @@ protected:
   vtkNew<vtkVolumeHapticsFilter> Filter;
   vtkHapticProperty* const Property = this->Filter->GetProperty();
   MessageLog Log{ this->Filter };
-  /// VTK's executive complains, too, where a filter fails; that is not the filter's word.
+  /// If a filter fails, VTK's executive also reports an error; that one is not the filter's.
   MessageLog ExecutiveLog;
 };
 } // namespace apitest

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tests of HID descriptors share.
+ * Shared by the tests of HID descriptors.
  */
 #ifndef DescriptorRig_h
 #define DescriptorRig_h

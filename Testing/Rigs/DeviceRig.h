@@ -34,7 +34,7 @@ protected:
     this->Device->SetVolumeHaptics(this->Filter);
   }
 
-  /// The servo runs, with the tip where the ramp begins to be felt.
+  /// The servo runs, with the tip at the beginning of the ramp's force.
   void Begin(const char* id = "virtual")
   {
     this->Way.clear();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A disk that is full, for everybody's tests: where a file would become longer than RLIMIT_FSIZE,
- * write(2) gives EFBIG, as it gives ENOSPC on a full disk (setrlimit(2), SIGXFSZ in signal(7)).
+ * A full disk, for all tests: if a file would become longer than RLIMIT_FSIZE, write(2) gives
+ * EFBIG, as it gives ENOSPC on a full disk (setrlimit(2), SIGXFSZ in signal(7)).
  */
 #ifndef FullDisk_h
 #define FullDisk_h

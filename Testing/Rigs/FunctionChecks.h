@@ -63,7 +63,7 @@ inline double AllowedError(vtkPiecewiseFunction* function, double x)
   return rounding;
 }
 
-/// What the function gives at x, or a few roundings of x (or of its logarithm) beside it.
+/// The function's values at x, and a few roundings of x (or of its logarithm) beside it.
 inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, double x)
 {
   const double value = function->GetValue(x);

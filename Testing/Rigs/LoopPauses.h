@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a busy machine holds the servo loop up for longer than the watchdog allows (30 ms), the
- * proxy begins anew from the tip, which may be inside by then, and force rises from zero: what a
- * test led up to is gone, and it has to lead up to it once more.
+ * If a busy machine holds the servo loop up for longer than the watchdog allows (30 ms), the proxy
+ * begins again from the tip, which may be inside by then, and force rises from zero: the situation
+ * that a test has prepared is lost, and the test has to prepare it once more.
  */
 #ifndef LoopPauses_h
 #define LoopPauses_h

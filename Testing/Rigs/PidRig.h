@@ -14,7 +14,7 @@
 namespace hardwaretest
 {
 
-/** What differs between devices. */
+/** The differences between devices. */
 struct Stick
 {
   std::uint8_t FirstId = 0x11;

@@ -17,7 +17,7 @@
 namespace devicetest
 {
 
-/** What the test plays, and what it sees; one for all devices of the kind. */
+/** The test's input to all devices of the kind, and their output. */
 struct PlayedHardware
 {
   std::atomic<VolumeHaptics::DeviceStage> Stage{ VolumeHaptics::DeviceStage::Ready };

@@ -60,7 +60,7 @@ public:
   ServoState State;
   TickRecord Record;
 };
-/// A sphere of 1 mm that rests where it is expected.
+/// A sphere of 1 mm that rests at the expected position.
 class SurfaceTest : public testing::Test
 {
 protected:

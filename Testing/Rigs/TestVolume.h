@@ -33,7 +33,7 @@ public:
     this->View.Stride[2] = step * n[0] * n[1];
     if (!place)
     {
-      // new std::byte[] and not a vector: the block ends where the samples end.
+      // new std::byte[] and not a vector: the block ends with the samples.
       this->Memory.reset(new std::byte[Bytes(type, n, step)]());
       place = this->Memory.get();
     }

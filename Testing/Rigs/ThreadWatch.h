@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Counts what one thread allocates and locks. Linking ThreadWatch.cxx replaces operator new always,
- * and malloc and pthread_mutex_lock where no sanitizer has taken them.
+ * Counts the allocations and locks of one thread. Linking ThreadWatch.cxx replaces operator new
+ * always, and malloc and pthread_mutex_lock if no sanitizer has taken them.
  */
 #ifndef ThreadWatch_h
 #define ThreadWatch_h

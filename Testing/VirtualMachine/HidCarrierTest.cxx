@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What carries the models: a kernel that knows nothing of emulation lets hidapi talk to them.
+ * The carrier of the models: a kernel that knows nothing of emulation lets hidapi talk to them.
  */
 #include "Emulators/HidOverUsb.h"
 #include "Emulators/SmallModels.h"
@@ -39,7 +39,7 @@ TEST_P(HidCarrier, CarriesReports)
   EXPECT_EQ(hid_get_feature_report(device, back, 5), 5);
   EXPECT_EQ(std::memcmp(back, feature, 5), 0);
 
-  const int front = GetParam() ? 0 : 1; // an input report has its id in front where there are ids
+  const int front = GetParam() ? 0 : 1; // an input report has its id in front if there are ids
   {
     const RateOf rate("HID output and input", 1000);
     for (unsigned i = 0; i < 1000; ++i)

@@ -35,7 +35,7 @@ std::string NameOf(int port)
   return "1-" + std::to_string(port + 1);
 }
 
-/** The node of the device in a port; empty where the kernel has made none. */
+/** The node of the device in a port; empty if the kernel has made none. */
 std::string FindNode(const std::string& port)
 {
   std::error_code none;

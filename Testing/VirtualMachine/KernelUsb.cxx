@@ -31,7 +31,9 @@ std::string ReadLine(const std::filesystem::path& path)
   return line;
 }
 
-/** What is bound to the interface, usbfs for who has claimed it; "" for nothing. */
+/**
+ * The driver that is bound to the interface, usbfs for a program that has claimed it; "" for none.
+ */
 std::string BoundTo(const std::string& port)
 {
   std::error_code none;

@@ -4,8 +4,9 @@
 
 int main(int argc, char** argv)
 {
-  // What can't be on this kernel: it drops reports that are shorter than their descriptor says,
-  // before any program sees them; and its virtual hub is but one bus for devices of this speed.
+  // Tests that can't run on this kernel: it drops reports that are shorter than their descriptor
+  // says, before any program sees them; and its virtual hub is only one bus for devices of this
+  // speed.
   GTEST_FLAG_SET(
     filter, "-*.ShortReport:SpaceMouse.AReportOfAnotherModel*:FalconListing.InTheOrderOfThePorts");
   testing::InitGoogleTest(&argc, argv);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What carries the models: a kernel that knows nothing of emulation lets libusb talk to them.
+ * The carrier of the models: a kernel that knows nothing of emulation lets libusb talk to them.
  */
 #include "Emulators/SmallModels.h"
 #include "Emulators/VirtualUsb.h"

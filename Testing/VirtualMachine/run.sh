@@ -9,7 +9,7 @@
 # The other tests of emulated devices have umockdev in the place of the kernel; here libusb and hidapi talk to Debian's
 # own, down to its USB core, which gets the devices from vhci_hcd. Installs what is missing (a kernel is only unpacked,
 # in BUILD_DIR/virtual-machine), builds in BUILD_DIR (default build/test), boots without KVM, and runs for about ten
-# minutes; --gtest_filter=PATTERN chooses tests. The exit status is the test program's; 125 where it got none.
+# minutes; --gtest_filter=PATTERN chooses tests. The exit status is the test program's; 125 if it got none.
 # Messages of the kernel: BUILD_DIR/virtual-machine/kernel.log.
 set -euo pipefail
 
@@ -100,7 +100,7 @@ chmod +x "$files/init"
 
 echo "== Running in the machine"
 : > "$machine/status"
-# One processor: where two are emulated on a busy computer, each that wakes up the other waits for milliseconds.
+# One processor: if two are emulated on a busy computer, each that wakes up the other waits for milliseconds.
 timeout 3000 qemu-system-x86_64 -accel tcg -cpu max -smp 1 -m 1024 -nodefaults -no-reboot -display none \
   -kernel "$kernel/boot/vmlinuz-$version" -initrd "$machine/initramfs.gz" \
   -append "console=ttyS0 panic=-1" \

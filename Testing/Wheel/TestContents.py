@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the installed wheel holds: all that it needs besides VTK's wheel, and no place of the machine that built it."""
+"""The contents of the installed wheel: all that it needs besides VTK's wheel, and no path of the machine that built it."""
 
 import importlib.metadata
 import os
@@ -13,7 +13,7 @@ import pytest
 
 SITE = Path(os.environ["VOLUMEHAPTICS_BUILD"])
 PACKAGE = SITE / "volumehaptics"
-# What every Linux with Python and OpenGL has.
+# Libraries of every Linux with Python and OpenGL.
 SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libdl|libgcc_s|libm|libpthread|librt|libstdc\+\+)\.so\.\d+")
 
 
@@ -22,7 +22,7 @@ def binaries():
 
 
 def dynamic(path):
-    """(needed libraries, where they are looked for) of a program or library."""
+    """(needed libraries, folders in which they are searched) of a program or library."""
     text = subprocess.run(["readelf", "-d", path], check=True, capture_output=True, text=True).stdout
     needed = re.findall(r"\(NEEDED\).*\[(.*)\]", text)
     places = re.findall(r"\((?:RUNPATH|RPATH)\).*\[(.*)\]", text)
@@ -49,7 +49,7 @@ def test_finds_all_libraries_beside_it(path):
 
 
 def test_carries_the_libraries_of_devices():
-    """The kinds of devices that need libusb and hidapi are there, and say what is wrong where none is plugged in."""
+    """The kinds of devices that need libusb and hidapi are there, and tell the error if none is plugged in."""
     from volumehaptics import vtkHapticDevice
 
     carried = {path.name.split("-")[0] for path in SITE.glob("volumehaptics.libs/*")}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the wheel makes felt is what the build with the system's VTK does: $VOLUMEHAPTICS_REFERENCE_BUILD."""
+"""The wheel gives the same forces as the build with the system's VTK: $VOLUMEHAPTICS_REFERENCE_BUILD."""
 
 import json
 import os

@@ -14,7 +14,7 @@
 #   --picture FILE  a picture of the window while something is touched; takes imagemagick
 #   TITLE           of the window, or its beginning
 #
-# Ends with 77 where what it needs is not installed; Testing/run.sh installs it.
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
 for program in xvfb-run openbox xdotool wmctrl xprop

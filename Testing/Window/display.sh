@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What Examples/explore.sh asks the explorer before it opens a window: usage: display.sh PROGRAM. True on a screen, and
-# not where there is none, nor on one without GLX, as over a network.
+# The question of Examples/explore.sh to the explorer before it opens a window: usage: display.sh PROGRAM. True on a
+# screen; false without one, and on one without GLX, as over a network.
 set -euo pipefail
 
 if ! command -v xvfb-run > /dev/null

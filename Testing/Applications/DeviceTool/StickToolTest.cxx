@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle
- * where nobody has said how strong the stick is.
+ * volumehaptics-device with an emulated stick of 4 N at full scale: a gentle wall stays gentle if
+ * the strength of the stick was not set.
  */
 
 #include "Applications/DeviceTool/DeviceTool.h"
@@ -46,7 +46,7 @@ double PressedWith(std::vector<std::string> options, std::string& said)
 }
 } // namespace
 
-TEST(StickTool, PushesGentlyWhereNobodySaidHowStrongItIs)
+TEST(StickTool, PushesGentlyUntilItsStrengthIsSet)
 {
   std::string said;
   const double force = PressedWith({}, said);

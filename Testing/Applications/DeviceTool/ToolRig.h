@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device, what somebody types into it, and what it says.
+ * volumehaptics-device, the input that a user types, and its output.
  */
 #ifndef ToolRig_h
 #define ToolRig_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device with an emulated WoodenHaptics, whose zero somebody has to tell by pressing
+ * volumehaptics-device with an emulated WoodenHaptics, whose zero the user confirms by pressing
  * Enter.
  */
 
@@ -45,7 +45,7 @@ TEST_F(WoodenToolTest, HomesOneThatHasAZeroAnew)
   EXPECT_EQ(this->Model.GetPresets(), 2);
   EXPECT_EQ(this->Run({ "home", "wooden" }, ""), 1);
   EXPECT_NE(this->Errors.find("Enter was not pressed"), std::string::npos) << this->Errors;
-  EXPECT_EQ(this->Model.GetPresets(), 2) << "nobody said that the arm rests";
+  EXPECT_EQ(this->Model.GetPresets(), 2) << "the user has not confirmed that the arm rests";
 }
 
 TEST_F(WoodenToolTest, AsksAgainWhereTheZeroIsNotTaken)

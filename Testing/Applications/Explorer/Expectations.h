@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a test of the explorer found wrong so far: a program of VTK's test driver has no other way
- * to say it.
+ * The failures of a test of the explorer so far: a program of VTK's test driver has no other way to
+ * report them.
  */
 #ifndef Expectations_h
 #define Expectations_h

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the program prints and writes beside the pictures: the summary and the table of the trace.
+// The output of the program beside the pictures: the summary and the table of the trace.
 #include "Applications/Explorer/Report/TraceFiles.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Expectations.h"

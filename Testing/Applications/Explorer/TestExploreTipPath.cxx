@@ -36,8 +36,8 @@ void Motion(const Explore::Exploration& e, double& speed, double& acceleration)
   }
 }
 
-/// The tissues that an array of the trace names while in contact during a phase: `Value`, where the
-/// proxy is, or `SurfaceValue`, what it feels.
+/// The tissues that an array of the trace names while in contact during a phase: `Value` at the
+/// proxy, or `SurfaceValue`, which it feels.
 std::set<std::string> Touched(
   const Explore::Exploration& e, const std::string& phase, const char* array)
 {

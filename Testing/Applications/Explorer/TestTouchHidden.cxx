@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is not seen is not felt: with the soft tissue made invisible, the hand that touched the skin
+// Hidden tissue is not felt: with the soft tissue made invisible, the hand that touched the skin
 // goes through to the skull and rests there.
 #include "TouchedHead.h"
 
@@ -11,7 +11,7 @@
 
 namespace
 {
-/// What was felt at last; nothing where something is wrong.
+/// The last felt state; zero if something is wrong.
 struct Felt
 {
   double OnSkin = 0.0;

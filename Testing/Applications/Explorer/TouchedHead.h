@@ -28,7 +28,7 @@ struct TouchedHead
     this->Touch.Scene.Renderer->GetActiveCamera()->Zoom(2.2);
     this->Interactor->SetRenderWindow(this->Touch.Scene.Window);
     this->Interactor->SetInteractorStyle(this->Touch.Style);
-    // What a live servo says is never the same twice.
+    // The text of a live servo is never the same twice.
     this->Touch.Display->SetTextVisibility(0);
     this->Touch.Display->SetPlotVisibility(0);
   }

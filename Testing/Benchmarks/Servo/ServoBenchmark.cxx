@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the servo costs beyond the solver, and how well it keeps time on this machine.
+ * The servo's cost beyond the solver, and its punctuality on this machine.
  *
  * usage: volumehaptics-servo-benchmark [--seconds S]   (S a line of the table, 2 by default)
  */
@@ -25,7 +25,7 @@ using namespace coretest;
 namespace
 {
 
-/** Slides over the ramp, 0.1 m/s at 1 kHz. Gives a real-time priority back where it is told to. */
+/** Slides over the ramp, 0.1 m/s at 1 kHz. Returns a real-time priority if it is told to. */
 class Slide : public DeviceBackend
 {
 public:

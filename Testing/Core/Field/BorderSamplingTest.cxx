@@ -19,7 +19,7 @@ struct NaiveSample
   double Gradient[3];
 };
 
-/// What FieldSampler should say about a position; the gradient's position lies inside.
+/// The expected result of FieldSampler at a position; the gradient's position lies inside.
 NaiveSample Naive(const TestVolume& volume, GradientEstimator estimator, int r, const Vector3& p)
 {
   const bool spline = estimator == GradientEstimator::CubicBSpline;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a model needs beyond the image: under 1 MiB, and no more for a large image.
+ * The memory that a model needs beyond the image: under 1 MiB, and no more for a large image.
  */
 
 #include "Rigs/AllocationCounter.h"
@@ -17,7 +17,7 @@ using namespace coretest;
 namespace
 {
 constexpr std::size_t MiB = 1048576;
-/// What the allocator may add to a handful of blocks.
+/// Memory that the allocator may add to a handful of blocks.
 constexpr std::size_t Rounding = 8192;
 
 class ModelMemory : public testing::TestWithParam<std::tuple<GradientEstimator, int>>
@@ -29,7 +29,7 @@ protected:
     const std::size_t before = CountAllocations().LiveBytes;
     const auto model = std::make_unique<const HapticModel>(description);
     const std::size_t bytes = CountAllocations().LiveBytes - before;
-    // What the model says of itself is what it takes, but for the allocator's rounding.
+    // The model's own figure is the memory that it takes, up to the allocator's rounding.
     EXPECT_LE(model->GetMemorySize(), bytes);
     EXPECT_GE(model->GetMemorySize() + Rounding, bytes);
     return bytes;
@@ -47,7 +47,7 @@ TEST_P(ModelMemory, UnderOneMebibyteWhateverTheImage)
   const std::size_t small = this->Measure(description);
   EXPECT_LT(small, MiB);
 
-  // A model only borrows the samples; so far nobody reads them.
+  // A model only borrows the samples; so far nothing reads them.
   for (std::int64_t& n : description.View.Dimensions)
   {
     n = 2048;

@@ -75,7 +75,7 @@ TEST(SurfaceTree, ASphereThatTouchesTooManyTrianglesStaysOutside)
   hand.Lead({ 0.3, 0.2, 20.0 });
   EXPECT_TRUE(hand.Record.IsUnfinished);
   EXPECT_GE(hand.Proxy().Z, 30.0);
-  // And goes on where there is less to be looked at.
+  // And goes on if there are fewer boxes to look at.
   hand.Lead({ 0.3, 0.2, 60.0 });
   EXPECT_FALSE(hand.Record.IsUnfinished);
   EXPECT_EQ(Norm(hand.Record.Force), 0.0);

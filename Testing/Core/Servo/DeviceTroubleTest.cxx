@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What can happen to the back ends: frozen, unplugged, quenched, at their end.
+ * Troubles of the back ends: frozen, unplugged, quenched, at their end.
  */
 
 #include "Devices/Replay/ReplayDevice.h"

@@ -121,7 +121,7 @@ TEST_P(FadeOut, ComesByItselfWithoutAttentionAndHoldsUntilArmed)
   this->Hold(loop);
   this->Falling = 0;
   this->Limits.AttentionTime = 0.05;
-  loop->SetLimits(this->Limits); // nobody has been there since Arm
+  loop->SetLimits(this->Limits); // the owner has been silent since Arm
   ASSERT_TRUE(Eventually(
     [&]
     {
@@ -133,7 +133,7 @@ TEST_P(FadeOut, ComesByItselfWithoutAttentionAndHoldsUntilArmed)
   this->ExpectFade(GateReason::Unattended);
   this->Limits.AttentionTime = 60.0;
   loop->SetLimits(this->Limits);
-  this->Device.Frozen.store(false); // what is felt begins anew from the tip
+  this->Device.Frozen.store(false); // the force begins again from the tip
   loop->Arm();
   EXPECT_TRUE(Eventually([this] { return this->Device.Force.load() > 0.0; }));
 }

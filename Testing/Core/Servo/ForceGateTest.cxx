@@ -68,7 +68,7 @@ enum Event
   GapOn,         ///< samples are missing
   Force,         ///< a tick whose command is not zero
   NoForce,       ///< a tick whose command is zero
-  NoForceClosed, ///< the same, with the opening where it goes
+  NoForceClosed, ///< the same, with the opening at its target
   Events
 };
 
@@ -82,7 +82,7 @@ struct Row
 // clang-format off
 constexpr Row Table[] = {
   // Arm: no force, force, among others; Disarm, FadeOut, Hold; Release: early, at rest; Silence;
-  // NotReady, Lost; gap: over, on; command: force, zero, zero with the opening where it goes.
+  // NotReady, Lost; gap: over, on; command: force, zero, zero with the opening at its target.
   { "D", "rrr" "DDD" "DDD" "ND" "DD" "DDD" },
   { "Df", "rrr" "DNN" "NNN" "NN" "NN" "NND" },
   { "Ds", "rrr" "DNN" "NNN" "NN" "NN" "NNN" },
@@ -121,7 +121,7 @@ bool Has(const std::string& causes, char cause)
   return causes.find(cause) != std::string::npos;
 }
 
-/// The end of a tick, as SafetyStage reports it; the ramp stays where it is.
+/// The end of a tick, as SafetyStage reports it; the ramp stays unchanged.
 void Tick(ForceGate& gate, bool flows, bool isStale = false)
 {
   if (!gate.IsOpen())
@@ -168,7 +168,7 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
   }
   if (causes[0] == 'd' || (causes[0] == 'D' && causes.find_first_of("fs") != std::string::npos))
   {
-    gate.NoteNotReady(); // it leaves a fade where it is
+    gate.NoteNotReady(); // it leaves a fade unchanged
     Tick(gate, false);
   }
   else if (causes[0] == 'D')

@@ -50,7 +50,7 @@ struct Loop
   double ForceRate = 500.0;  ///< N/s
   std::size_t Delay = 0;     ///< ticks from the stage to the hand
   int Every = 1;             ///< ticks from one measured tip to the next
-  double Stiffness = 0.0;    ///< what the stage is told, N/m
+  double Stiffness = 0.0;    ///< for the stage, N/m
   double LargestGrowth = 0.0;
 
   /// Flies until it has touched and is free again; the energy that it leaves with.

@@ -59,7 +59,7 @@ TEST(LocalSurfaceFitter, IsNotNeededToStop)
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
-TEST(LocalSurfaceFitter, SleepsWhereNobodyAsks)
+TEST(LocalSurfaceFitter, SleepsWithoutRequests)
 {
   PlayedDevice device;
   ServoLoop loop(device, 1000.0);

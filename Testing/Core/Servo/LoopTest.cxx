@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The loop: when things take effect, and that force only flows where it may.
+ * The loop: when orders take effect, and that force flows only while it may.
  */
 
 #include "Rigs/PlayedDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Who keeps a model, and that nobody is left with one that is freed.
+ * The owners of a model, and that none of them keeps one that was freed.
  */
 
 #include "Core/Servo/ModelExchange.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the data are not there, the force fades, the proxy goes with the tip, and force comes back
- * the same way.
+ * If data are missing, the force fades, the proxy moves with the tip, and force comes back in the
+ * same way.
  */
 
 #include "GatedStage.h"
@@ -87,14 +87,14 @@ TEST_P(RegionFade, ATipThatTravelsInTheDarkComesBackWithoutAStep)
   EXPECT_TRUE(this->Servo.IsAwaiting());
   EXPECT_EQ(Norm(this->Command), 0.0);
   EXPECT_TRUE(IsSame(this->Record.Proxy, there)) << "the proxy went along";
-  // The data come to where the tip now is, inside the ball's volume or not: nothing is felt at
-  // first.
+  // The data come to the tip's present position, inside the ball's volume or not: at first nothing
+  // is felt.
   const auto next = this->MakeRegion(there, 24);
   CarryState(*this->Model, *next, this->State);
   this->Model = next;
   this->Step(there);
   EXPECT_LT(Norm(this->Command), 1e-9);
-  // Back to where the first region was, of which nothing is here now, and that comes again.
+  // Back to the first region, which is no longer here, and which comes again.
   this->Walk(there, here, 200);
   EXPECT_EQ(Norm(this->Command), 0.0);
   const auto last = this->MakeRegion(here, 24);

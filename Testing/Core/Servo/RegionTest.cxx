@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is felt in a region of a volume is what is felt in the whole, to the bit, also while one
- * region takes the place of another under a hand that presses.
+ * A region of a volume feels like the whole, to the bit, also while one region replaces another
+ * under a hand that presses.
  */
 
 #include "RegionRig.h"

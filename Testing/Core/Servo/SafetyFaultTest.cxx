@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What cuts the force, and holds it cut until the user arms again.
+ * Faults cut the force, and hold it cut until the user arms again.
  */
 
 #include "SafetyRig.h"

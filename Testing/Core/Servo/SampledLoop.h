@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a sampled spring goes unstable, by theory: stiffness k, sampled with period T, on a mass m
- * with damping b.
+ * The stiffness at which a sampled spring becomes unstable, by theory: stiffness k, sampled with
+ * period T, on a mass m with damping b.
  *
  * Over a period with the force f held, position and velocity become A (x, v) + B f with e =
  * exp(-bT/m), A = (1, (1 - e) m/b; 0, e), B = (T/b - (1 - e) m/b^2; (1 - e)/b). With f = -k x of
- * `delay` ticks ago, the loop is unstable where an eigenvalue of the whole is beyond 1.
+ * `delay` ticks ago, the loop is unstable if an eigenvalue of the whole is beyond 1.
  */
 #ifndef SampledLoop_h
 #define SampledLoop_h

@@ -108,7 +108,7 @@ struct Watcher
   }
 };
 
-/// Another volume, material, kernel, method and place each; nobody but the model owns the samples.
+/// Another volume, material, kernel, method and placement each; only the model owns the samples.
 std::shared_ptr<const HapticModel> MakeModel(int i)
 {
   const auto volume = std::make_shared<TestVolume>(MakeRamp(16 + i % 8));

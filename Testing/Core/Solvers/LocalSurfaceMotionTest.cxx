@@ -16,7 +16,7 @@ constexpr double Spring = 0.5; // N/mm
 const Vector3 Middle{ 20.0, 20.0, 20.0 };
 const LocalSurfaceShape Shapes[] = { LocalSurfaceShape::Plane, LocalSurfaceShape::Quadric };
 
-/// A box of 16 mm whose edges are as sharp as its blur: where a quadric bends most tightly.
+/// A box of 16 mm whose edges are as sharp as its blur: there a quadric bends most tightly.
 TestVolume MakeBox()
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * LOCAL_SURFACE where it is not flat: friction keeps to its cone, hollows hold, and thin walls do
- * not pull.
+ * LOCAL_SURFACE on shapes that are not flat: friction keeps to its cone, hollows hold, and thin
+ * walls do not pull.
  */
 
 #include "Rigs/LocalSurfaceRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the slow loop finds of surfaces that are known.
+ * The slow loop's results for known surfaces.
  */
 
 #include "Rigs/LocalSurfaceRig.h"
@@ -42,7 +42,7 @@ TEST(LocalSurface, OfABallBendsAsItDoesAndOfACavityTheOtherWay)
   {
     const TestVolume volume = MakeLocalBall(sign);
     const HapticModelDescription d = DescribeLocal(volume, 100.0, LocalSurfaceShape::Quadric);
-    // 2 mm from the surface, where the value is lower.
+    // 2 mm from the surface, on the side of lower values.
     const Vector3 out = { 0.6, 0.0, 0.8 };
     const Vector3 centre{ Middle, Middle, Middle };
     const LocalSurface found = Fit(d, centre + (BallRadius + 2.0 * sign) * out);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PRECISE where a tick is not enough, where the model changes under a resting hand, and
- * where its state is stored.
+ * Solver PRECISE if a tick is not enough, if the model changes under a resting hand, and if its
+ * state is stored.
  */
 
 #include "Core/Solvers/Precise/PreciseSolver.h"
@@ -74,11 +74,11 @@ TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.095 }, record);
-  // The hand is where the proxy can't have been; the proxy sets out from the air.
+  // The hand is at a position that the proxy can't have had; the proxy sets out from the air.
   state.Precise.ReachedTip = { 0.012, 0.012, 0.110 };
   Tick(model, state, { 0.012, 0.012, 0.110 }, record);
   EXPECT_LT(record.Proxy.Z, 0.103);
-  EXPECT_LT(Norm(record.Force), 1e-3) << "nobody has pressed";
+  EXPECT_LT(Norm(record.Force), 1e-3) << "the hand has not pressed";
   Tick(model, state, { 0.012, 0.012, 0.1101 }, record);
   EXPECT_NEAR(Norm(record.Force), 0.1, 2e-3) << "0.1 mm on 1000 N/m";
 }

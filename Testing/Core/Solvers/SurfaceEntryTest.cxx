@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the proxy of a surface begins when another method has felt the place before.
+ * The start of a surface's proxy when another method was used at that position before.
  */
 
 #include "Rigs/MeshScene.h"
@@ -23,7 +23,7 @@ protected:
     this->Scene.Settings.IsoValue = 1000.0;
     this->Scene.Settings.HasIsoSurface = true;
   }
-  /// Where a proxy (mm) goes when the method changes from another one.
+  /// The position that a proxy (mm) gets when the method changes from another one.
   Vector3 Enter(const Vector3& proxy, HapticMethod from = HapticMethod::ForceField)
   {
     HapticModelDescription other = this->Scene;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a sphere of 1 mm rests on faces, edges and corners that are known, with 500 N/m.
+ * The rest positions of a sphere of 1 mm on known faces, edges and corners, with 500 N/m.
  */
 
 #include "Rigs/SurfaceRig.h"

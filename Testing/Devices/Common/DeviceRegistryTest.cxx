@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Kinds of devices: which are known, how ids are read, and what is said where a device can't be
- * had.
+ * Kinds of devices: which are known, how ids are read, and the error if a device can't be opened.
  */
 
 #include "Devices/Common/DeviceRegistry.h"

@@ -16,7 +16,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** What a driver was asked for; outlives it. */
+/** The calls that a driver got; outlives it. */
 struct Calls
 {
   std::atomic<int> Connects{ 0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forces from the servo to a device's thread: when they flow, and that nobody waits for them.
+ * Forces from the servo to a device's thread: when they flow, and that neither waits for them.
  */
 
 #include "ExchangeRig.h"
@@ -46,7 +46,7 @@ TEST_F(ExchangeForce, ForceIsZeroUnlessReadyGivenAndNotQuenched)
   EXPECT_EQ(force(), 0.0);
 }
 
-TEST_F(ExchangeForce, AForceThatNobodyRenewsFades)
+TEST_F(ExchangeForce, AForceThatIsNotRenewedFades)
 {
   this->Exchange.SetCondition(DeviceStage::Ready, "");
   this->Take();

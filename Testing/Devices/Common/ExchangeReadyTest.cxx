@@ -11,7 +11,7 @@
 
 using namespace hardwaretest;
 
-TEST_F(ExchangeTest, WhoeverIsToldThatItIsReadyCanArmIt)
+TEST_F(ExchangeTest, ACallerWhoReadsReadyCanArmIt)
 {
   constexpr int rounds = 100000;
   std::atomic<int> begun{ 0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What passes between the servo and a device's thread: samples and conditions.
+ * Samples and conditions between the servo and a device's thread.
  */
 
 #include "ExchangeRig.h"
@@ -48,7 +48,7 @@ TEST_F(DeviceExchange, WhatIsLostStaysSoUntilItIsHomed)
 TEST_F(DeviceExchange, ASleepOfTheComputerIsALoss)
 {
   this->Exchange.SetCondition(DeviceStage::Ready, "");
-  Asleep = 1000; // what the two clocks are apart
+  Asleep = 1000; // the difference of the two clocks
   EXPECT_FALSE(this->Exchange.HasSlept());
   Asleep = 3600 * std::int64_t{ 1000000000 };
   EXPECT_TRUE(this->Exchange.HasSlept());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What goes over the wire, byte by byte, written by hand from the published protocol.
+ * The bytes on the wire, written by hand from the published protocol.
  */
 
 #include "Rigs/FalconRig.h"

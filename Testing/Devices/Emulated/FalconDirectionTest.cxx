@@ -41,8 +41,8 @@ protected:
     return { made[0], made[1], made[2] };
   }
   /**
-   * What the device got once a force has gone out: as it is wanted, or as much as it can. On a busy
-   * machine a force may have faded meanwhile, as one does that nobody renews.
+   * The force that the device got after one was sent: as it is wanted, or as much as it can give.
+   * On a busy machine a force that is not renewed may have faded meanwhile.
    */
   Numbers Realise(const Vector3& wanted)
   {

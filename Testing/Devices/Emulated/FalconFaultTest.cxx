@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What can go wrong with a device under force: it is lost, says why, gets zero, and resumes only
- * after it was homed.
+ * Faults of a device under force: it is lost, tells the reason, gets zero, and resumes only after
+ * it was homed.
  */
 
 #include "Rigs/FalconRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device that has no firmware yet: where the image comes from, and what can be wrong with it.
+ * A device that has no firmware yet: the source of the image, and its possible faults.
  */
 
 #include "Rigs/FalconRig.h"

@@ -17,7 +17,7 @@ namespace
 {
 constexpr double Stiffness = 500.0; // N/m, of the wall
 constexpr double Radius = 0.001;    // m, of the proxy on it
-constexpr double Middle = 0.125;    // m, where the wall is in the device's own frame
+constexpr double Middle = 0.125;    // m, the wall's position in the device's own frame
 
 class FalconSession : public FalconTest
 {
@@ -37,8 +37,8 @@ protected:
     this->Home();
   }
   /**
-   * The hand is beyond the wall (m) at x, y; the grip rests where its spring and the wall's are in
-   * balance.
+   * The hand is beyond the wall (m) at x, y; the grip rests at the balance of its spring and
+   * the wall's.
    */
   void PressAt(double x, double y, double beyond)
   {

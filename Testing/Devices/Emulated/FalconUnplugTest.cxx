@@ -30,7 +30,7 @@ protected:
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_EQ(this->Falcon.GetPackets(), packets) << "it does not come back by itself";
-    EXPECT_TRUE(this->IsAt(DeviceStage::Lost)) << "nobody waits for the hand";
+    EXPECT_TRUE(this->IsAt(DeviceStage::Lost)) << "no thread waits for the hand";
     EXPECT_TRUE(Has(this->GetText(), "Plug it in")) << this->GetText();
     ASSERT_TRUE(this->Device->Open(this->Error)) << this->Error;
     this->Home();

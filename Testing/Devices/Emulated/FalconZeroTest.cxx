@@ -30,7 +30,7 @@ protected:
 TEST_F(FalconZero, WhenTheServoStandsStill)
 {
   this->BeginForce();
-  // Nobody gives a force any more, and nobody says so.
+  // No force is given any more, and no order says so.
   EXPECT_TRUE(this->IsZero());
   const long packets = this->Falcon.GetPackets();
   EXPECT_TRUE(Eventually([&] { return this->Falcon.GetPackets() > packets + 20; }))

@@ -24,8 +24,8 @@ inline constexpr double Friction = 0.3;         ///< of the floor
 inline constexpr double FloorStiffness = 500.0; ///< N/m
 
 /**
- * The floor where the sphere's middle is at a height (m) along a direction of the device's, which
- * is out.
+ * A floor on which the sphere's middle is at a height (m) along a direction of the device's, which
+ * points outward.
  */
 class Floor
 {
@@ -97,8 +97,9 @@ public:
   }
 
   /**
-   * Leads a hand to the surface, and in until it feels what is expected. Where a busy machine let
-   * the servo stand still meanwhile, the force began anew from inside: once more.
+   * Leads a hand to the surface, and in until it feels the expected force. If a busy machine made
+   * the servo stand still meanwhile, the force has begun again from inside: then this tries once
+   * more.
    */
   template <typename Approach, typename Enter, typename IsFelt>
   bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What can go wrong with a stick: no force is left, and the text says why.
+ * Faults of a stick: no force is left, and the text tells the reason.
  */
 
 #include "StickRig.h"
@@ -86,7 +86,7 @@ TEST_F(PidFaults, AfterAWriteErrorEffectsEndByThemselves)
   EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
 }
 
-TEST_F(PidFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
+TEST_F(PidFaults, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
 {
   this->Model.Streams = true;
   ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;

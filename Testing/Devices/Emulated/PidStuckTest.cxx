@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A stick that takes nothing any more: the kernel waits for it with each report, and nobody else
- * shall.
+ * A stick that takes nothing any more: the kernel waits for it with each report, and no other
+ * thread may wait.
  */
 
 #include "Emulators/ModelClock.h"

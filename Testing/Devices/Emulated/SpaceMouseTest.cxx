@@ -34,7 +34,7 @@ protected:
   {
     return Eventually([&] { return Norm(this->State().Turn - turn) < 1e-9; });
   }
-  /// What the tip goes through while it is pushed and then let go.
+  /// The path of the tip while it is pushed and then released.
   Vector3 Go(const SpaceMouseModel::Counts& counts)
   {
     const Vector3 from = this->State().Record.Tip;

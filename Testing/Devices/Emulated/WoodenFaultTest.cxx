@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What can go wrong with a WoodenHaptics while a floor is felt: no force is left, and the text says
- * why.
+ * Faults of a WoodenHaptics while a floor is felt: no force is left, and the text tells the reason.
  */
 
 #include "WoodenRig.h"
@@ -33,7 +32,7 @@ protected:
     this->Model.SetGoal(rest);
     return Eventually([&] { return IsNear(this->Model.GetTip(), rest, 1e-4); });
   }
-  /// From where the hand is.
+  /// Begins at the hand's position.
   void FeelAgain()
   {
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -132,7 +131,7 @@ TEST_F(WoodenFaults, AZeroThatIsNotTakenIsAskedForAgain)
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
 }
 
-TEST_F(WoodenFaults, ForcesThatNobodyRenewsFadeAndQuenchIsAtOnce)
+TEST_F(WoodenFaults, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
 {
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitForText("rest pose"));

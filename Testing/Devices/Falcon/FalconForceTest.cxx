@@ -53,7 +53,7 @@ TEST(FalconForce, ScalesAllThreeTogether)
   // 4096/4848 of -1431 and of -3417.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 8.0, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
   EXPECT_EQ(FalconCommandsOf(jacobian, { -8.0, 0.0, 0.0 }), (FalconCounts{ 1209, -4096, 2887 }));
-  // What would wrap if it were cut to 16 bits.
+  // Commands that would wrap if they were cut to 16 bits.
   EXPECT_EQ(FalconCommandsOf(jacobian, { 1e9, 0.0, 0.0 }), (FalconCounts{ -1209, 4096, -2887 }));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Forward, inverse and Jacobian of the Falcon, where it reaches and where it does not.
+ * Forward, inverse and Jacobian of the Falcon, within its reach and beyond.
  */
 
 #include "FalconWorkspace.h"

@@ -39,7 +39,7 @@ TEST_F(FalconDoesNotLoad, WithoutAnImage)
   this->ExpectFault(FalconLoaderFault::NoImage);
 }
 
-TEST_F(FalconDoesNotLoad, WhenNobodyGreets)
+TEST_F(FalconDoesNotLoad, WhenTheLoaderDoesNotGreet)
 {
   this->Prepare();
   for (int i = 0; i < 100; ++i)

@@ -114,7 +114,7 @@ TEST_F(FalconLoads, AHundredGreetings)
   this->SpeedUp();
 }
 
-TEST_F(FalconLoads, BytesThatNobodyWaitsForAreNotTaken)
+TEST_F(FalconLoads, UnexpectedBytesAreNotTaken)
 {
   this->Receive(GreetingAnswer);
   this->Loader.TimeOut();

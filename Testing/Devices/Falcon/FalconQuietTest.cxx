@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the servo calls neither allocates nor locks, whatever the device sends.
+ * The functions that the servo calls neither allocate nor lock, whatever the device sends.
  */
 
 #include "Devices/Falcon/FalconHoming.h"

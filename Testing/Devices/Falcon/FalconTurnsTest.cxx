@@ -4,8 +4,8 @@
 /**
  * Host and device take turns, in played time. The device answers every packet in its order, each
  * answer a round after its packet and after the answer before: a serial line. Its faults are those
- * that libnifalcon/libnifalcon (commit f7c727a) copes with: an answer that only comes after the next
- * packet was sent (isFirmwareLoaded() in src/core/FalconFirmware.cpp), and none at all.
+ * that libnifalcon/libnifalcon (commit f7c727a) copes with: an answer that only comes after the
+ * next packet was sent (isFirmwareLoaded() in src/core/FalconFirmware.cpp), and none at all.
  */
 
 #include "Devices/Falcon/FalconTurns.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where a Falcon's grip can be.
+ * The positions that a Falcon's grip can have.
  */
 #ifndef FalconWorkspace_h
 #define FalconWorkspace_h

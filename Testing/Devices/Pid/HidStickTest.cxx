@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Sticks and wheels say where they are.
+ * The positions that sticks and wheels report.
  */
 
 #include "Devices/Pid/HidStick.h"

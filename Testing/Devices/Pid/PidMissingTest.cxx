@@ -20,7 +20,7 @@ std::string Refusal(const Bytes& bytes)
   EXPECT_FALSE(device.Map(Parsed(bytes), error));
   return error;
 }
-/// Puts one byte for another where they first follow each other.
+/// Replaces bytes by others at the first position at which they follow each other.
 Bytes Replace(Bytes bytes, const Bytes& from, const Bytes& to)
 {
   const auto at = std::search(bytes.begin(), bytes.end(), from.begin(), from.end());

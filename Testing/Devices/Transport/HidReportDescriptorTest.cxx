@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Descriptors say where the values of reports are.
+ * Descriptors tell the places of the values in reports.
  */
 
 #include "Rigs/DescriptorRig.h"

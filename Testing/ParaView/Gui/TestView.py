@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A device in a render view, without Qt: pvpython TestView.py PLUGIN VOLUME CASE.
 
-One view a process: where pvpython of ParaView 5.11 has closed a view, ProcessEvents() of the next one crashes, with or
+One view a process: if pvpython of ParaView 5.11 has closed a view, ProcessEvents() of the next one crashes, with or
 without this plugin.
 """
 

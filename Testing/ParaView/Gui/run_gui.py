@@ -3,7 +3,7 @@
 """Runs paraview with the dock window: run_gui.py PARAVIEW PLUGIN VOLUME OUTPUT_FOLDER.
 
 Gui.xml presses the buttons and moves the mouse, session.py checks in ParaView's own Python, step by step, and writes
-steps.txt. Needs a display. Exits with 77 where paraview can't open a window.
+steps.txt. Needs a display. Exits with 77 if paraview can't open a window.
 """
 
 import os
@@ -26,7 +26,7 @@ def skip(why):
 
 
 def replay(trace):
-    """The trace of Attach and Touch, in a ParaView of its own: the same pipeline, and nobody holds a device there."""
+    """The trace of Attach and Touch, in a ParaView of its own: the same pipeline, and no hand holds a device there."""
     script = os.path.join(OUTPUT, "replay.py")
     with open(trace, encoding="utf-8") as file, open(script, "w", encoding="utf-8") as out:
         out.write(f"from paraview import simple\nsimple.LoadPlugin({PLUGIN!r}, remote=False, ns=vars(simple))\n{file.read()}\n"

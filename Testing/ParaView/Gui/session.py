@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Gui.xml calls, step by step, in the Python of a running paraview."""
+"""The functions that Gui.xml calls, step by step, in the Python of a running paraview."""
 
 import os
 import re
@@ -43,13 +43,13 @@ class Session:
         return simple.GetActiveView().GetInteractor().GetInteractorStyle()
 
     def hands(self):
-        """What of this plugin is in the view."""
+        """The props of this plugin in the view."""
         renderer = simple.GetActiveView().SMProxy.GetClientSideObject().GetNonCompositedRenderer()
         names = [prop.GetClassName() for prop in renderer.GetViewProps()]
         return sorted(name for name in names if name.startswith("vtkHaptic"))
 
     def stop_trace(self):
-        """What the tool's Python trace has of the hand: how it is set up, and nothing of what it does and shows."""
+        """The hand in the tool's Python trace: its setup, but nothing that it does and shows."""
         trace = smtrace.stop_trace()
         found = re.findall(r"\b(Running|Armed|Recording|State|StatusText|TipPosition)\s*=", trace)
         assert not found, f"the trace sets {found}:\n{trace}"
@@ -110,7 +110,7 @@ class Session:
         tip = self.tip()
         way = sum((a - b) ** 2 for a, b in zip(tip, self.start)) ** 0.5
         assert way > 5, f"the mouse led the tip by {way} mm only"
-        # Where the machine stood still meanwhile, force was cut off, as it must: once more from outside.
+        # If the machine stood still meanwhile, force was cut off, as it must be: once more from outside.
         for _ in range(5):
             if self.force(device) > 0.5:
                 return

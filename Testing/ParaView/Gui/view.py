@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of a device in a render view share."""
+"""Shared by the tests of a device in a render view."""
 
 import sys
 import time
@@ -28,7 +28,7 @@ def make_link(view, device):
 
 
 def hands(view):
-    """What of this plugin is in a view."""
+    """The props of this plugin in a view."""
     props = view.SMProxy.GetClientSideObject().GetNonCompositedRenderer().GetViewProps()
     return sorted(prop.GetClassName() for prop in props if prop.GetClassName().startswith("vtkHaptic"))
 

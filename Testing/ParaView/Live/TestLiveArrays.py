@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a server of two ranks may hold: bits, which are refused and said, and a volume of which the first rank has nothing."""
+"""Data on a server of two ranks: bits, which are refused with an error, and a volume with no part on the first rank."""
 from paraview import simple
 
 import live

@@ -68,7 +68,7 @@ live.check(not any(" = 1" in line and "." + order + " " in line for line in scri
            "no order in a script")
 values = {p.get("name"): p.findall("Element") for p in ElementTree.parse(state).iter("Property")}
 live.check(values["VirtualTip"] and not any(values.get(order) for order in orders), "no order in a state")
-# Nor does a state arm that says so, whoever wrote it.
+# A state does not arm either, even if its file says so.
 text = open(state).read()
 tip = text.index('<Property name="VirtualTip"')
 forged = "".join('<Property name="%s" number_of_elements="1"><Element index="0" value="1"/></Property>' % order
@@ -85,7 +85,7 @@ device = again
 live.press(device, OUTSIDE, INSIDE)
 live.check(live.poll(device, lambda: felt() > 0.5), "and is felt as before")
 
-# What can't be is said, once, with its cure, and does not stop the hand.
+# Errors are reported once, with their cure, and do not stop the hand.
 simple.SetActiveSource(None)
 device.RecordingFile = "nowhere.xyz"
 device.Recording = 1

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the volume rendering hides is not felt, as long as the device follows it."""
+"""Voxels that the volume rendering hides are not felt, as long as the device follows it."""
 from paraview import simple
 
 import live
@@ -37,7 +37,7 @@ live.check(abs(felt() - seen) < 0.01, "nor is what has no opacity hidden", list(
 shown.SetRepresentationType("Volume")
 live.check(felt() == 0.0, "it is looked for at every poll", list(device.ComputedForce))
 
-# Of several components, the opacity is that of the touched one only where that one is shown.
+# Of several components, the opacity is that of the touched one only if that one is shown.
 vectors = simple.Calculator(Input=wavelet, Function="RTData*iHat + RTData*jHat + 1000*kHat", ResultArrayName="Vectors")
 touch = simple.VolumeHaptics(Input=vectors, Scalars=["POINTS", "Vectors"], Component=1)
 simple.Hide(wavelet, view)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of a live device in ParaView share."""
+"""Shared by the tests of a live device in ParaView."""
 import csv
 import os
 import shutil
@@ -31,7 +31,7 @@ def load_plugin(remote=False):
 
 
 def poll(device, condition, patience=PATIENCE, period=0.005):
-    """What a user interface's timer does, until something holds."""
+    """The work of a user interface's timer, until something holds."""
     end = time.time() + patience
     while time.time() < end:
         device.UpdatePipeline()
@@ -108,7 +108,7 @@ class Server:
                 self.port = int(line.strip().rsplit(":", 1)[1])
 
     def kill(self):
-        """As a crash does it: nobody says goodbye."""
+        """As a crash does it: without a goodbye."""
         try:
             os.killpg(self.process.pid, 9)
         except ProcessLookupError:

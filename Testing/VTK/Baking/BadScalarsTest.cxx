@@ -73,7 +73,7 @@ const BadImage BadScalars[] = {
   { "ComponentWithoutMemory",
     [](auto* image, auto* filter)
     {
-      // As where an application gave its own memory for one of two components.
+      // As if an application gave its own memory for one of two components.
       vtkNew<vtkSOADataArrayTemplate<float>> separate;
       separate->SetName("Density");
       separate->SetNumberOfComponents(2);

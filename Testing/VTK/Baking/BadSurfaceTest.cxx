@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What SURFACE_PROXY can't touch: one error that names the input and the cure.
+ * Surfaces that SURFACE_PROXY can't touch: one error that names the input and the cure.
  */
 
 #include "Rigs/ApiRig.h"

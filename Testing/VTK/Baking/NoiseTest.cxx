@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Distinctness set from the image's noise, where nobody has set one.
+ * Distinctness from the image's noise, if the user has not set one.
  */
 
 #include "Rigs/ApiRig.h"
@@ -153,7 +153,7 @@ TEST_F(Noise, ThatIsNotThereSetsNothing)
   property->DistinctnessFromNoiseOn();
   EXPECT_GT(this->FindStart(noisy), 0.0);
   property->GetDistinctness()->AddPoint(0.0, 1.0);
-  EXPECT_EQ(this->FindStart(noisy), 0.0) << "somebody has set one";
+  EXPECT_EQ(this->FindStart(noisy), 0.0) << "the user has set one";
 }
 
 TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)

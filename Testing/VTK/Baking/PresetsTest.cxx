@@ -20,7 +20,7 @@ struct Tissue
   double Stiffness, Friction, Viscosity, SurfaceStrength;
 };
 
-/// Bone starts a little above 300 HU, where contrast medium ends.
+/// Bone starts a little above 300 HU, the end of contrast medium.
 const Tissue Contrast[] = {
   { "air", -3000.0, -960.0, 0.0, 0.0, 0.0, 0.0 },
   { "lung", -950.0, -500.0, 80.0, 0.10, 0.05, 0.3 },

@@ -43,7 +43,8 @@ protected:
     this->Filter->SetPathData(this->Turn);
     this->Filter->SetIsoValue(100.0);
   }
-  /// How far (RMS) the proxy is from where a sphere on the ball has its centre, after the approach.
+  /// The distance (RMS) of the proxy from the right centre of a sphere on the ball, after the
+  /// approach.
   double Deviation(vtkPolyData* output, double proxyRadius)
   {
     double sum = 0.0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a volume property's opacities hide is not felt: surface strength and viscosity are zero
- * there and only there.
+ * Voxels that a volume property's opacities hide are not felt: surface strength and viscosity are
+ * zero there and only there.
  */
 
 #include "Rigs/ApiRig.h"
@@ -36,7 +36,7 @@ protected:
     this->Property->SetVisibilityFrom(this->Volume);
   }
 
-  /// 1 visible, 0 hidden, -1 where rounding decides. No function hides nothing.
+  /// 1 visible, 0 hidden, -1 if rounding decides. No function hides nothing.
   static int Look(vtkPiecewiseFunction* opacity, double x)
   {
     if (opacity->GetSize() == 0)

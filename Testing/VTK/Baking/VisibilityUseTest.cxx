@@ -24,7 +24,7 @@ protected:
     this->Opacity->AddPoint(700.0, 0.0);
     this->Opacity->AddPoint(701.0, 1.0);
     this->Volume->SetScalarOpacity(this->Opacity);
-    // Shows the material of where a tick begins, which is easier to tell.
+    // Shows the material at the beginning of a tick, which is easier to predict.
     this->Filter->SetSolverToPaper();
   }
 

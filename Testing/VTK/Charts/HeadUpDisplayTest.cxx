@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the head-up display plots and says.
+ * The plot and the text of the head-up display.
  */
 
 #include "Rigs/ScriptedStates.h"

@@ -13,7 +13,7 @@
 
 namespace emulated
 {
-inline constexpr double SkinHeight = 0.125; ///< m, where the skin is in the Falcon's own frame
+inline constexpr double SkinHeight = 0.125; ///< m, height of the skin in the Falcon's own frame
 
 class PhantomFalcon : public testing::Test
 {
@@ -44,9 +44,9 @@ protected:
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::READY)) << this->Device->GetStatusText();
   }
   /**
-   * From in front of the skin the hand goes on until it is so far (m) beyond, and feels it, in
-   * balance with its own spring. Where a busy machine left the device unwatched meanwhile, the
-   * force began anew from there: once more.
+   * From the front of the skin the hand goes on until it is so far (m) beyond, and feels it, in
+   * balance with its own spring. If a busy machine left the device unwatched meanwhile, the force
+   * has begun again from there: once more.
    */
   void Press(double x, double y, double beyond)
   {

@@ -18,7 +18,7 @@ using devicetest::Length;
 
 inline constexpr double SkinValue = -300.0; ///< HU, half-way between air and skin
 
-/** The filter on the phantom, and where its skin is on a line into the face. */
+/** The filter on the phantom, and the position of its skin on a line into the face. */
 class Phantom
 {
 public:

@@ -3,7 +3,7 @@
 
 /**
  * Two devices at once in one scene: each has its proxy on the same phantom, and neither notices
- * what becomes of the other.
+ * what happens to the other.
  */
 
 #include "Emulators/EmulatedHid.h"

@@ -76,7 +76,7 @@ void AddReporter(int signal)
 }
 } // namespace
 
-TEST_F(Endings, ByASignalThatNobodyHandles)
+TEST_F(Endings, ByASignalWithoutAHandler)
 {
   for (const int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS, SIGPIPE,
          SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ, SIGIO, SIGPWR, SIGSTKFLT,
@@ -272,7 +272,7 @@ TEST_F(Endings, OfAHandlerThatWasThereBefore)
   EXPECT_EQ(this->End(WriteToNowhere), 42);
   EXPECT_EQ(Lasting->Handled, 1);
   EXPECT_EQ(Lasting->ForceWhenHandled, 0.0);
-  EXPECT_EQ(Lasting->Address, nullptr) << "it is told where";
+  EXPECT_EQ(Lasting->Address, nullptr) << "it gets the address";
   Handle(SIGABRT, OnFatal);
   EXPECT_EQ(this->End([] { std::abort(); }), 42);
   EXPECT_EQ(Lasting->ForceWhenHandled, 0.0);

@@ -55,7 +55,7 @@ protected:
     }
     return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
   }
-  /// Force flows, on a slow servo: whoever does not wait for its next tick is too early.
+  /// Force flows, on a slow servo: code that does not wait for its next tick is too early.
   bool Activate()
   {
     Watched = this->Device;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the hand is given in a closed cycle: nothing by a proxy, and what the paper says against
+ * The energy that the hand gets in a closed cycle: none from a proxy, and the paper's objection to
  * force fields.
  */
 
@@ -27,7 +27,7 @@ protected:
   }
 };
 
-/// Five times round a circle of 3 mm, and back to where it began.
+/// Five times round a circle of 3 mm, and back to the beginning.
 std::vector<Point> Turns(double direction)
 {
   std::vector<Point> points;

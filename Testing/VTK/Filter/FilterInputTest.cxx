@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The samples are touched where they lie: nothing is copied, changed, or freed under way.
+ * The samples are touched in place: nothing is copied, changed, or freed under way.
  */
 
 #include "Rigs/ApiRig.h"

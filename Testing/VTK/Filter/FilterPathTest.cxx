@@ -109,8 +109,8 @@ TEST_F(FilterPath, SegmentsThatContinueOneAnotherAreOnePath)
 
 TEST_F(FilterPath, LinesThatMeetInSpaceAreOnePath)
 {
-  // Down and up again, and on: each of the three has points of its own, as where lines were
-  // appended. The second one begins off by a rounding of float.
+  // Down and up again, and on: each of the three has points of its own, as if lines were appended.
+  // The second one begins off by a rounding of float.
   const auto path = MakePath(
     { { 7, 7, 5 }, { 7, 7, 9 }, { 7, 7, 9.0000005 }, { 7, 7, 5 }, { 7, 7, 5 }, { 9, 7, 5 } });
   vtkNew<vtkCellArray> lines;

@@ -73,7 +73,7 @@ TEST_F(FilterPieces, TheFirstIsTheWholeTraceAndTheOthersAreEmpty)
       }
     }
   }
-  // Nobody reads a volume for an empty piece.
+  // No volume is read for an empty piece.
   for (const vtkIdType asked : cropper->Asked)
   {
     EXPECT_TRUE(asked == this->Image->GetNumberOfPoints() || asked == 0) << asked;

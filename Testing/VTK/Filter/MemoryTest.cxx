@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where memory runs out there is one error, and no end of the process.
+ * If memory runs out there is one error, and the process goes on.
  */
 
 #include "Rigs/ApiRig.h"
@@ -88,7 +88,7 @@ protected:
 
 TEST_F(Memory, OfALongPathIsNamedInBytes)
 {
-  // Two points, 20000 s apart: 20 million ticks of 24 bytes for where the tip is.
+  // Two points, 20000 s apart: 20 million ticks of 24 bytes for the positions of the tip.
   this->Filter->SetPathData(MakePath({ { 7, 7, 5 }, { 7, 7, 10 } }, { 0.0, 2e4 }));
   IsScarceFrom(64 << 20);
   this->ExpectError({ "not enough memory", "20000001 ticks", "port 1", "GB", "in pieces" });

@@ -21,7 +21,7 @@ namespace editortest
 using Editor = vtkHapticFunctionEditor;
 using Place = std::array<int, 2>;
 
-/// Where a viewport begins matters: the editor's is not the only one.
+/// The position of a viewport matters: the editor's is not the only one.
 class View
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What each of the functions has of its own: beyond the axis, empty, or not there.
+// The peculiarities of each function: beyond the axis, empty, or missing.
 #include "EditorMouse.h"
 
 #include "vtkAutoInit.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Above the surface: tip and proxy in one place, no force; where materials are read.
+// Above the surface: tip and proxy at one position, no force; the positions at which materials are
+// read.
 #include "ShownContact.h"
 
 VTK_MODULE_INIT(vtkRenderingFreeType)

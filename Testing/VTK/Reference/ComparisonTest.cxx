@@ -55,8 +55,9 @@ TEST(ReferenceComparison, EveryTickAgrees)
   std::cout << "worst relative difference of a tick: " << worst << std::endl;
 }
 
-// The same over whole walks, where differences could pile up. The material is gentle, for the
-// paper's tick can itself multiply a difference: its drag does where the stiffness falls steeply.
+// The same over whole walks, in which differences could pile up. The material is gentle, because
+// the paper's tick can itself multiply a difference: its drag does so if the stiffness falls
+// steeply.
 TEST(ReferenceComparison, EveryWalkAgrees)
 {
   double worst = 0.0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What white noise does to a gradient, against the weights that the kernel really has and against
- * the specification's formula for the ideal Gaussian.
+ * The effect of white noise on a gradient, against the weights that the kernel really has and
+ * against the documented formula for the ideal Gaussian.
  */
 
 #include "Random.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The hand must not feel where the volume stands, nor on which grid a linear field was sampled.
+ * The hand must not feel the placement of the volume, nor the grid on which a linear field was
+ * sampled.
  */
 
 #include "CompareTraces.h"
@@ -31,8 +32,8 @@ Trace MovedBack(const Trace& trace, const Mat3& rotation, const Vec3& translatio
 }
 } // namespace
 
-// The waves are long against the depth: where the tip is deeper than the surface is curved the
-// paper's solver chatters (T13), and chatter doubles any rounding at every tick.
+// The waves are long against the depth: if the tip is deeper than the surface's radius of
+// curvature, the paper's solver chatters (T13), and chatter doubles any rounding at every tick.
 TEST(Invariance, RigidMotionOfVolumeAndPath)
 {
   double worst = 0.0;
@@ -57,7 +58,7 @@ TEST(Invariance, RigidMotionOfVolumeAndPath)
 }
 
 // Other spacings change r = KernelRadius x the largest spacing, the reach of x_s and x_v, and so
-// which material is looked up: where the material varies the largest spacing has to stay.
+// which material is looked up: if the material varies, the largest spacing has to stay.
 TEST(Invariance, RegriddingALinearField)
 {
   double worst = 0.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What must hold at every tick whatever the scene, by the module's own trace arrays.
+ * The invariants of every tick in any scene, by the module's own trace arrays.
  */
 
 #include "CompareTraces.h"
@@ -18,7 +18,7 @@ namespace
 constexpr int Scenes = 80;
 constexpr int Ticks = 150;
 
-// What rounding leaves of a force: positions of some hundred mm, some thousand N/m.
+// The rounding error of a force: positions of some hundred mm, some thousand N/m.
 constexpr double Rounding = 1e-10;
 
 template <typename Check>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What stands in for a sample that is not a number.
+ * The replacement for a sample that is not a number.
  */
 
 #include "RandomScene.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the volume stands and on which grid a linear field was sampled must not be felt with solver
- * PRECISE either; and where the material is the same all over, a small motion of the tip changes
- * the force by no more than the spring's.
+ * With solver PRECISE, too, the placement of the volume and the grid on which a linear field was
+ * sampled must not be felt; and if the material is the same everywhere, a small motion of the tip
+ * changes the force by no more than the spring's.
  */
 
 #include "CompareTraces.h"

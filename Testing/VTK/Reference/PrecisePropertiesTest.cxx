@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What must hold at every tick of solver PRECISE in scenes no one would think of: more than 10^5
- * ticks of random volumes, materials and walks, with jumps and strayings out of the volume.
+ * The invariants of every tick of solver PRECISE in unlikely scenes: more than 10^5 ticks of random
+ * volumes, materials and walks, with jumps and excursions out of the volume.
  */
 
 #include "RandomScene.h"
@@ -18,7 +18,7 @@ namespace
 {
 constexpr int Scenes = 300;
 constexpr int Ticks = 400;
-// What rounding leaves of a force: positions of some hundred mm, some thousand N/m.
+// The rounding error of a force: positions of some hundred mm, some thousand N/m.
 constexpr double Rounding = 1e-9;
 
 /// Half of the scenes with a constant stiffness.

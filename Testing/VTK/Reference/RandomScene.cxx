@@ -72,7 +72,7 @@ void RandomVolume(
   const bool isUnsigned = scalarType == VTK_UNSIGNED_CHAR || scalarType == VTK_UNSIGNED_SHORT;
   const double amplitude = scalarType == VTK_UNSIGNED_CHAR ? 160.0 : 1000.0;
   const double offset = isUnsigned ? 0.6 * amplitude : random.Uniform(-300.0, 300.0);
-  // Saturation below makes the odd uniform region, where the gradient vanishes.
+  // Saturation below makes the odd uniform region, in which the gradient vanishes.
   const Field field = [&](const Vec3& world)
   {
     return std::max(offset - 0.6 * amplitude, offset + amplitude * smooth(world)) +
@@ -131,7 +131,7 @@ void RandomMaterial(Scene& scene, Random& random, Curves curves)
   const double steepest = 0.2 * (range[1] - range[0]) / std::min({ s[0], s[1], s[2] });
   vtkHapticProperty* p = scene.property;
   // A table's error is relative to the height of a function's piece, so curves neither rise from
-  // nothing, where that is a large part of the stiffness, nor to a million newtons.
+  // zero, because that error is then a large part of the stiffness, nor to a million newtons.
   const double floor = curves == Curves::Linear && random.Chance(0.2) ? 0.0 : 50.0;
   const bool huge = curves == Curves::Linear && random.Chance(0.1);
   RandomFunction(p->GetStiffness(), random, curves, range[0], range[1], floor, 1500.0);

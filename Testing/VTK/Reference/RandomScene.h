@@ -36,8 +36,8 @@ void RandomVolume(
 void RandomMaterial(Scene& scene, Random& random, Curves curves);
 
 /// Mild slopes between the ends of the scalar range and little depth: neither lets rounding grow.
-/// The paper's solver chatters where the tip is deeper than the surface is curved (T13), and its
-/// drag multiplies an error where the stiffness falls steeply.
+/// The paper's solver chatters if the tip is deeper than the surface's radius of curvature (T13),
+/// and its drag multiplies an error if the stiffness falls steeply.
 void GentleMaterial(Scene& scene, double low, double high);
 
 /// A smooth walk that presses, slides, jumps now and then and strays out of the volume.

@@ -22,7 +22,7 @@ public:
   /// V at a world position; outside the volume the value of the nearest border point.
   double Value(const Vec3& world) const;
 
-  /// grad V per world unit; 0 outside the volume and where a tap is not finite.
+  /// grad V per world unit; 0 outside the volume and if a tap is not finite.
   Vec3 Gradient(const Vec3& world) const;
 
   /// A gradient this small is rounding of the taps and counts as none.

@@ -94,7 +94,7 @@ TickRecord ProxyTick(const ReferenceField& field, Scene& scene, const Vec3& prox
   out.normalForce = fN;
   out.frictionForce = k * Norm(d - Dot(d, N) * N);
 
-  // Eq. 14: Coulomb drag towards where the tick began.
+  // Eq. 14: Coulomb drag towards the beginning of the tick.
   const Vec3 b = x0 - x;
   const double back = Norm(b);
   if (R / k < back)

@@ -14,7 +14,7 @@ static Vec3 FreeNormal(vtkImageData* image, const Trace* played, std::size_t tic
 {
   if (!played)
   {
-    // One that turns with the volume, for what is felt must not depend on where the volume stands.
+    // One that turns with the volume, because forces must not depend on the volume's placement.
     Vec3 axis;
     for (int row = 0; row < 3; ++row)
     {

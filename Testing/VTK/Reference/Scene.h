@@ -79,10 +79,10 @@ void SetMaterial(Scene& scene, double stiffness, double friction, double viscosi
 /// documented.
 Trace RunFilter(Scene& scene);
 
-/// Play the scene with the reference. Where the gradient vanishes the specification leaves the
-/// normal free although x_s and x_v depend on it: `played`, if given, says which one was taken, and
-/// the reference checks no more than that it is a unit vector. With `resume`, every tick starts at
-/// the proxy of the tick before in `played`, so that a tick is judged alone.
+/// Play the scene with the reference. If the gradient vanishes, the method leaves the normal free
+/// although x_s and x_v depend on it: `played`, if given, tells which one was taken, and the
+/// reference only checks that it is a unit vector. With `resume`, every tick starts at the proxy of
+/// the tick before in `played`, so that each tick is judged alone.
 Trace RunReference(Scene& scene, const Trace* played = nullptr, bool resume = false);
 } // namespace reference
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a region carries of the whole, and what is said where that is wrong.
+ * The facts about the whole that a region carries, and the errors if they are wrong.
  */
 
 #include "Rigs/BadImage.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What vtkHapticRegionPlanner makes of numbers, also of those that make no sense.
+ * The plans of vtkHapticRegionPlanner, also for numbers that make no sense.
  */
 
 #include "Rigs/ApiRig.h"

@@ -33,7 +33,7 @@ double ResidentMemory()
 class LongRunTest : public StyleTest
 {
 protected:
-  /// What the display, its text and its plot add to a frame with new states, in turns.
+  /// The time that the display, its text and its plot add to a frame with new states, in turns.
   void PrintCost(vtkHapticHeadUpDisplay* display)
   {
     double cost[4] = {};

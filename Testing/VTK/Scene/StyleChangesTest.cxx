@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the style hands to the servo: changed functions, and the workspace of a device that is not
- * the mouse.
+ * The changes that the style passes to the servo: functions, and the workspace of a device other
+ * than the mouse.
  */
 
 #include "StyleRig.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What disarms while the clutch is held has the last word: releasing the clutch does not bring
- * force back.
+ * An order to disarm while the clutch is held has the last word: releasing the clutch does not
+ * bring force back.
  */
 
 #include "Rigs/PlayedHardware.h"
@@ -27,7 +27,8 @@ protected:
     ASSERT_TRUE(this->IsArmed());
     this->Press("k");
     ASSERT_TRUE(this->Style->GetClutch());
-    // The style has not seen yet that it is disarmed: this must not count as somebody else's doing.
+    // The style has not seen yet that it is disarmed: this must not count as another caller's
+    // order.
     this->Style->UpdateHaptics();
     this->Run(5);
     ASSERT_FALSE(this->IsArmed());
@@ -91,7 +92,7 @@ TEST_F(StyleClutch, ADeviceThatWasStoppedMeanwhileStaysDisarmed)
   EXPECT_FALSE(this->IsArmed());
 }
 
-TEST_F(StyleClutch, NobodyArmsWhileItIsHeld)
+TEST_F(StyleClutch, NothingArmsWhileItIsHeld)
 {
   this->Device->Arm();
   this->Run(20);

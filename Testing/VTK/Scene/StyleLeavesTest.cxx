@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A style that leaves its interactor: no force without somebody who leads the tip, and nothing left
+ * A style that leaves its interactor: no force without a user who leads the tip, and nothing left
  * behind.
  */
 
@@ -37,7 +37,7 @@ TEST_F(StyleLeaves, DisarmsForAnotherStyle)
 
   this->Interactor->SetInteractorStyle(this->Style);
   this->Run(5);
-  EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "by the user, and nobody else";
+  EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "only the user may";
 }
 
 TEST_F(StyleLeaves, LeavesNoObserverWithoutTimers)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where the style or the editor keeps the program from looking after the hand, the force is off
- * meanwhile, and the head-up display says so before.
+ * If the style or the editor keeps the program busy, the force is off meanwhile, and the head-up
+ * display announces that.
  */
 
 #include "StyleRig.h"

@@ -37,7 +37,7 @@ protected:
     this->Device->UpdateState();
     this->Run(10);
   }
-  /// What the servo computes by now.
+  /// The force that the servo computes by now.
   void ExpectForce(double x, double y, double z)
   {
     const double* const force = this->Device->GetComputedForce();

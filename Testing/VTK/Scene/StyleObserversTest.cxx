@@ -171,7 +171,7 @@ TEST_F(StyleObservers, ArmNothingInADeviceThatIsTakenAway)
     this->ExpectLetGo("SetDevice");
     this->Device->Close();
   }
-  // Where an observer of that, in turn, takes the device away.
+  // If an observer of that, in turn, takes the device away.
   ASSERT_NO_FATAL_FAILURE(this->Start(false));
   this->Style->SetDevice(this->Device);
   this->Style->TouchModeOn();

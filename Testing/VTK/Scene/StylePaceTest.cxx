@@ -42,7 +42,7 @@ protected:
     for (int i = 0; Clock::now() < end; ++i)
     {
       between(i);
-      // What the hand did is to be felt before it is drawn.
+      // A motion of the hand has to be felt before it is drawn.
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
     }

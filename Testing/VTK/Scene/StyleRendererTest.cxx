@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a window has several renderers, the one that the application chose is touched, from the
- * first key on.
+ * If a window has several renderers, the one that the application chose is touched, from the first
+ * key on.
  */
 
 #include "StyleRig.h"

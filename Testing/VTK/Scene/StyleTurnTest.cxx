@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A device whose cap is turned turns the volume, and the hand stays where it is on the screen.
+ * A device whose cap is turned turns the volume, and the hand keeps its position on the screen.
  */
 
 #include "Rigs/PlayedHardware.h"

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Props that are told to draw where there is nothing to draw to, arrays that are not there, and
- * editors of absurd sizes.
+ * Props that are told to draw without a window, missing arrays, and editors of absurd sizes.
  */
 
 #include "Rigs/ApiRig.h"

@@ -28,7 +28,7 @@ protected:
     ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
     ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
   }
-  /// Nobody looks for a while; a loop that had no processor may need a longer one.
+  /// The program is silent for a while; a loop that had no processor may need a longer one.
   bool IsLetGo(std::chrono::milliseconds silence = std::chrono::milliseconds(400))
   {
     for (int i = 0; i < 5; ++i, silence *= 2)
@@ -45,7 +45,7 @@ protected:
 };
 } // namespace
 
-TEST_F(Attention, AForceThatNobodyLooksAfterFadesAndIsArmedAnew)
+TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
 {
   vtkNew<vtkTable> table;
   this->Press();
@@ -71,7 +71,7 @@ TEST_F(Attention, AForceThatNobodyLooksAfterFadesAndIsArmedAnew)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT) << "it does not resume by itself";
   this->Device->SetAttentionTime(60.0);
   this->Device->Arm();
-  // What is felt begins anew from the tip.
+  // The force begins again from the tip.
   ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   EXPECT_TRUE(this->WaitForce());

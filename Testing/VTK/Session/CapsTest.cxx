@@ -16,7 +16,7 @@ namespace
 class Caps : public Recording
 {
 protected:
-  /// The servo runs on a device with limits, with the tip where the ramp begins.
+  /// The servo runs on a device with limits, with the tip at the beginning of the ramp.
   void BeginWith(double stiffness, double damping, double friction)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -25,7 +25,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
-  /// What a material of 500 N/m makes of 2 mm.
+  /// The force of a material of 500 N/m at 2 mm.
   void ExpectComputed(double force)
   {
     SetConstant(this->Filter->GetProperty()->GetFriction(), 0.0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What the user may set, and what becomes of it.
+ * The limits that the user may set, and their effects.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -147,7 +147,7 @@ TEST_F(LongWork, NeedsNoAttention)
   EXPECT_TRUE(this->PressAgain()) << this->Device->GetStatusText();
 }
 
-TEST_F(LongWork, StaysWithoutForceIfSomebodyEndsItMeanwhile)
+TEST_F(LongWork, StaysWithoutForceIfACallerDisarmsMeanwhile)
 {
   for (const bool fades : { false, true })
   {

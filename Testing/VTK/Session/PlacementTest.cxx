@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a stylus is taken up, the proxy begins.
+ * The proxy begins at the position at which a stylus is taken up.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -19,7 +19,7 @@ TEST_F(DeviceTest, APlacedTipFeelsNothingOfTheWay)
   const auto isAt = [&](double z)
   { return this->Wait([&] { return this->Device->GetTipPosition()[2] == z; }); };
   ASSERT_TRUE(isAt(12.0));
-  EXPECT_EQ(this->Device->GetProxyPosition()[2], 12.0) << "nobody came from the origin";
+  EXPECT_EQ(this->Device->GetProxyPosition()[2], 12.0) << "the hand did not come from the origin";
   ASSERT_TRUE(this->Lead(7.0, 7.0, 13.0));
   EXPECT_NEAR(this->Device->GetProxyPosition()[2], 12.0, 1e-6) << "held";
   for (const double z : { 3.0, 10.0 })

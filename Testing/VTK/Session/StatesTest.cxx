@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A display gets every state once, in order, and where it was.
+/// A display gets every state once, in order, and with its position.
 
 #include "Rigs/RecordingRig.h"
 
@@ -85,7 +85,7 @@ TEST_F(States, ComeToEveryReader)
     EXPECT_GE(last, this->Last);
     this->Take(10);
   }
-  this->Device->DrainStates(nullptr, 1); // what is taken from now on is not kept for it
+  this->Device->DrainStates(nullptr, 1); // states from now on are not kept for it
   this->Take(10);
   this->Device->DrainStates(others, 1);
   const double first = others->GetNumberOfRows() ? others->GetValue(0, 1).ToDouble() : VTK_INT_MAX;
@@ -120,8 +120,7 @@ TEST_F(States, AreWhereTheDeviceWas)
   ASSERT_TRUE(this->WaitTicks(3));
   this->Device->DrainStates(this->Table);
   ASSERT_GT(this->Table->GetNumberOfRows(), 1);
-  // The hand rests: its distance from the axis of the turns, where they are not shifted, is a
-  // scale.
+  // The hand rests: its distance from the axis of the turns, if they are not shifted, is a scale.
   EXPECT_NEAR(this->At("Tip", 0, 0), 7.0, 1e-9);
   EXPECT_NEAR(this->At("Tip", 0, 2), 5.0, 1e-9);
   const vtkIdType last = this->Table->GetNumberOfRows() - 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Where a device stands, what it says, and when force flows.
+ * The status of a device, its text, and when force flows.
  */
 
 #include "Rigs/DeviceRig.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a setup has to bring back, as numbers to compare.
+ * The settings that a setup has to restore, as numbers to compare.
  */
 #ifndef SetupNumbers_h
 #define SetupNumbers_h

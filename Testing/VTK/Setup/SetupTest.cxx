@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What a setup saves comes back to the bit, in place, and nothing else changes.
+ * A setup restores all that it saved to the bit, in place, and changes nothing else.
  */
 
 #include "RandomSetup.h"

@@ -17,10 +17,10 @@ namespace
 
 /// As long as this lives, permissions count for this process even if it is root's, and it is in a
 /// folder that a user without rights could perhaps not enter.
-class NobodysRights
+class UnprivilegedUser
 {
 public:
-  explicit NobodysRights(const std::string& folder)
+  explicit UnprivilegedUser(const std::string& folder)
     : Before(std::filesystem::current_path())
     , WasRoot(geteuid() == 0)
   {
@@ -28,7 +28,7 @@ public:
     constexpr uid_t nobody = 65534;
     this->IsGood = !this->WasRoot || seteuid(nobody) == 0;
   }
-  ~NobodysRights()
+  ~UnprivilegedUser()
   {
     if (this->WasRoot)
     {
@@ -36,8 +36,8 @@ public:
     }
     std::filesystem::current_path(this->Before);
   }
-  NobodysRights(const NobodysRights&) = delete;
-  NobodysRights& operator=(const NobodysRights&) = delete;
+  UnprivilegedUser(const UnprivilegedUser&) = delete;
+  UnprivilegedUser& operator=(const UnprivilegedUser&) = delete;
   bool IsGood;
 
 private:
@@ -67,13 +67,13 @@ TEST_F(RecordingFailure, ShowsAtTheStart)
   chmod(this->In("mine.vtp").c_str(), 0444);
   {
     chmod(this->Folder.c_str(), 0777);
-    const NobodysRights rights(this->Folder);
+    const UnprivilegedUser rights(this->Folder);
     ASSERT_TRUE(rights.IsGood);
     this->ExpectNoStart("mine.vtp", "permissions");
   }
   chmod(this->Folder.c_str(), 0555);
   {
-    const NobodysRights rights(this->Folder);
+    const UnprivilegedUser rights(this->Folder);
     this->ExpectNoStart("new.vtp", "Choose another one");
   }
   EXPECT_EQ(Load(this->In("mine.vtp")), "good");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is no recording is refused, with one error and without force.
+ * A file that is no recording is refused, with one error and without force.
  */
 
 #include "ReplayRig.h"

@@ -57,7 +57,7 @@ protected:
     unlink(file.c_str());
     return reader->GetOutput();
   }
-  /// Replays a recording; true where it was refused.
+  /// Replays a recording; true if it was refused.
   bool Replay(vtkPolyData* recording)
   {
     this->FilterLog.Errors.clear();
