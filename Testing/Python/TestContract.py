@@ -36,7 +36,7 @@ FILTER = {
     "GetMethodNames": ("NextMethod",),
     "SetMethodByName": ("GetMethodNames", "false"),
     "NextMethod": ("GetMethodNames",),
-    "GetMethodText": ("people",),
+    "GetMethodText": ("users",),
     "SetIsoValue": ("isosurface", "Default 0"),
     "SetProxyRadius": ("world units", "0 (default)"),
     "SetForceShading": ("normals", "Default on"),
