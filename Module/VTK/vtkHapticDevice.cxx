@@ -191,10 +191,10 @@ void vtkHapticDevice::Stop()
 void vtkHapticDevice::Halt()
 {
   auto& d = *this->Internals;
-  d.Orders.Disarm(); // at once: writing a recording takes its time
+  d.Orders.Disarm(); // at once, because writing a recording takes time
   if (d.Recorder.IsUnderWay())
   {
-    d.Recorder.Stop(false); // there is no force any more, and perhaps no owner
+    d.Recorder.Stop(false); // the force is gone, and perhaps the owner as well
   }
   d.Session.Stop();
 }

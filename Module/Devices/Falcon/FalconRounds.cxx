@@ -102,7 +102,7 @@ void FalconRounds::Send(const FalconOrder& order) noexcept
   {
     this->Turns.Sent(this->SentAt);
   }
-  // Not before zero is on its way: a device that is ill may take seconds to answer.
+  // Only once zero is on its way: a faulty device may take seconds to answer.
   if (this->InStalled)
   {
     this->Usb.ClearHalt(FalconIn);

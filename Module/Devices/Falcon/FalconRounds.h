@@ -4,9 +4,9 @@
  * @file
  * The exchange of run packets with a Novint Falcon, at the servo's pace.
  *
- * A packet leaves as soon as the servo gives a force, but only when it is the host's turn
- * (FalconTurns.h); without a force one leaves every 2 ms, so that homing goes on and zero is
- * renewed. Receiving transfers are posted all the time. Everything is made before the first round.
+ * A packet is sent as soon as the servo gives a force, but only when it is the host's turn
+ * (FalconTurns.h). Without a force, one is sent every 2 ms, so that homing goes on and zero is
+ * renewed. Receiving transfers are always posted. Everything is allocated before the first round.
  */
 #ifndef FalconRounds_h
 #define FalconRounds_h
@@ -23,7 +23,7 @@ namespace VolumeHaptics
 class FalconRounds final : public UsbTransferOwner
 {
 public:
-  /** How long (ns) the device is left alone at most. */
+  /** The longest time (ns) without a packet. */
   static constexpr std::int64_t IdleTime = 2000000;
 
   /** Both outlive this. */
@@ -51,7 +51,7 @@ public:
   UsbOutcome GetTrouble() const noexcept { return this->Trouble; }
   ///@}
 
-  /** Whether to send now. */
+  /** Whether a packet should be sent now. */
   bool IsDue() noexcept;
   void Send(const FalconOrder& order) noexcept;
 
@@ -80,7 +80,7 @@ private:
   std::unique_ptr<Transfers> Flight;
   FalconStream Stream;
   FalconReport Report;
-  std::uint32_t DroppedBefore = 0; ///< when the last report came
+  std::uint32_t DroppedBefore = 0; ///< the count at the last report
   FalconTurns Turns;
   std::int64_t SentAt = 0;
   bool Woken = false;

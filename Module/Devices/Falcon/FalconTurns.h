@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whose turn it is between the host and a Novint Falcon, without a transport and without a clock.
+ * The turns of the host and a Novint Falcon, without a transport and without a clock.
  *
- * The device answers every packet by one report, and the host sends the next packet after that. If
- * an answer is late, the host has to send again without it, and then two answers are on their way.
- * A host that took the first of them for the answer to its latest packet would be one round behind
- * for good: it would read each position a round late. So after a missed answer the host drains the
- * line: once an answer comes, it sends nothing before the line has been silent for SilentTime. It
- * does so until as many answers have come as packets were sent, or for MostDoubts rounds, after
- * which what is missing counts as lost.
+ * The device answers every packet with one report, and the host sends the next packet after that.
+ * If an answer is late, the host has to send again without it, and then two answers are on their
+ * way. If the host took the first of them for the answer to its latest packet, it would be one
+ * round behind from then on, and would read each position a round late. So after a missed answer
+ * the host drains the line: once an answer comes, it sends nothing until the line has been silent
+ * for SilentTime. It does so until as many answers have come as packets were sent, or for
+ * MostDoubts rounds; missing answers then count as lost.
  *
  *   turns.Sent(now);
  *   ...
@@ -31,28 +31,29 @@ class FalconTurns
 public:
   ///@{
   /**
-   * How long (ns) an answer may take, and how long the line has to be silent to be drained. The
-   * device's own round takes about a millisecond, and the bus and its converter about two more.
+   * The longest time (ns) for an answer, and the time for which the line has to be silent to be
+   * drained. The device's own round takes about a millisecond, and the bus and its converter about
+   * two more.
    */
   static constexpr std::int64_t AnswerTime = 10000000;
   static constexpr std::int64_t SilentTime = 4000000;
   static constexpr int MostDoubts = 3;
   ///@}
 
-  /** A packet left (ns). */
+  /** Notes that a packet was sent (ns). */
   void Sent(std::int64_t now) noexcept;
-  /** So many reports came. */
+  /** Notes that reports came. */
   void Answered(std::int64_t now, int reports) noexcept;
-  /** The transfer failed: there is no answer to wait for. */
+  /** Notes that the transfer failed: there is no answer to wait for. */
   void Abandon() noexcept;
 
   /**
-   * Whether an answer is missed since the last call, or the packet itself is stuck in its transfer.
-   * After that the host may send again.
+   * Whether an answer was missed since the last call, or the packet itself is stuck in its
+   * transfer. After that the host may send again.
    */
   bool CheckMissed(std::int64_t now, bool isSending) noexcept;
   bool MaySend(std::int64_t now) noexcept;
-  /** When (ns) CheckMissed or MaySend will say something new, if nothing comes before. */
+  /** The time (ns) at which CheckMissed or MaySend changes if nothing comes before. */
   std::int64_t GetDeadline() const noexcept
   {
     return this->Since + (this->Turn == Side::Drain ? SilentTime : AnswerTime);
@@ -70,7 +71,7 @@ private:
 
   Side Turn = Side::Host;
   int Owed = 0;           ///< answers that have not come
-  int Doubts = 0;         ///< rounds in which the line will be drained at most
+  int Doubts = 0;         ///< the largest number of rounds that still drain the line
   std::int64_t Since = 0; ///< ns: the last packet or answer
 };
 

@@ -57,7 +57,7 @@ bool DeviceOrders::Start()
   {
     return false;
   }
-  // Observers of the progress may have started it, closed it or opened another one.
+  // Observers of the progress may have started it, closed it or opened another device.
   if (this->Session.IsRunning())
   {
     return true;
@@ -141,7 +141,8 @@ void DeviceOrders::Arm()
 
 void DeviceOrders::AnnounceDisarmed()
 {
-  // Observers that disarm it, as Stop, Close, Open and Home do, would else be called for ever.
+  // Without this guard, observers that disarm it (by Stop, Close, Open or Home) would be called
+  // forever.
   if (this->IsAnnouncing || !this->Device->HasObserver(vtkCommand::DisableEvent))
   {
     return;
@@ -172,8 +173,8 @@ void DeviceOrders::Home()
 
 void DeviceOrders::BeginLongWork(const char* what, double expectedSeconds)
 {
-  // Work that is as short as a slow frame needs no notice. The margin allows for a machine that is
-  // eight times slower than expected.
+  // Work as short as a slow frame needs no notice. The margin allows for a machine that is eight
+  // times slower than expected.
   constexpr double shortest = 0.25;
   constexpr double margin = 8.0;
   const double attention = this->Device->GetAttentionTime();

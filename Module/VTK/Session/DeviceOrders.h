@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Carries out what the owner of a vtkHapticDevice orders.
+ * Carries out the orders of a vtkHapticDevice's owner.
  */
 #ifndef DeviceOrders_h
 #define DeviceOrders_h
@@ -16,8 +16,8 @@ namespace VolumeHaptics
 {
 
 /**
- * See the functions of vtkHapticDevice. Errors are those of the device, and its observers are told:
- * they may stop it, close it, or let go of its last reference.
+ * See the functions of vtkHapticDevice. Errors are those of the device, and its observers are
+ * called: they may stop it, close it, or release its last reference.
  */
 class DeviceOrders
 {
@@ -31,7 +31,7 @@ public:
 
   bool Start();
   bool Publish();
-  /** Hands the servo that runs the limits of the device. */
+  /** Sends the device's limits to the running servo. */
   void SendLimits();
 
   void Arm();

@@ -80,7 +80,7 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
 {
   if (this->IsReplay)
   {
-    // A replay starts over. If its tips are in the world, it is placed as the device is now.
+    // A replay starts again. If its tips are in the world, it is placed as the device is now.
     std::vector<Vector3> tips = this->Replay.Tips;
     if (!this->Replay.InDeviceSpace)
     {
@@ -108,7 +108,7 @@ void DeviceSession::Stop()
 {
   if (this->Servo)
   {
-    // A process that ends meanwhile still ends the force.
+    // If the process ends during this, it still ends the force.
     this->Servo->End();
     ReleaseServo(this->Servo.get());
     this->Servo.reset();
@@ -214,7 +214,7 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   Copy(rotation * this->State.Command, this->Force);
   Copy(rotation * record.Force, this->ComputedForce);
   Copy(rotation * record.Normal, this->Normal);
-  // Fig. 4: on both sides of the proxy as the tick began.
+  // Fig. 4: on both sides of the proxy at the beginning of the tick.
   const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;
   const Vector3 reach = (model ? model->KernelLength : 0.0) * record.Normal;
   Copy(toWorld(start + reach), this->SurfacePosition);

@@ -41,12 +41,12 @@ public:
   /** The back end if it is the virtual one; else null. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
 
-  /** Starts the servo; the placement tells where a replay of world positions is. */
+  /** Starts the servo; the placement maps the world positions of a replay. */
   void Start(double rate, const SafetyLimits& limits, std::shared_ptr<const HapticModel> model,
     const Affine3& deviceToWorld);
   void Stop();
   bool IsRunning() const { return this->Servo != nullptr; }
-  /** False in a process that was forked from the one whose servo it is. */
+  /** False in a process that was forked from the one that the servo belongs to. */
   bool IsOurs() const { return !this->Servo || this->Servo->IsOurs(); }
   ///@{
   /** Null if the servo does not run. */
@@ -54,7 +54,7 @@ public:
   TickCollector* GetTicks() const { return this->Servo ? &this->Servo->GetTicks() : nullptr; }
   ///@}
 
-  /** Ticks per second of the servo that runs. */
+  /** Ticks per second of the running servo. */
   double GetRate() const { return this->Rate; }
 
   /** The owner is present: see vtkHapticDevice::SetAttentionTime. */
@@ -63,8 +63,9 @@ public:
   void FadeOut();
   ///@{
   /**
-   * Work of the owner's, long or not: see vtkHapticDevice::BeginLongWork. True if the force goes
-   * off with it, and if it may come back. Works nest and outlive the servo.
+   * Work of the owner, long or not: see vtkHapticDevice::BeginLongWork. BeginWork returns true if
+   * the force ends because of it, EndWork if the force may come back. Works nest and outlive the
+   * servo.
    */
   bool BeginWork(const std::string& what, bool isLong);
   bool EndWork();
@@ -84,7 +85,7 @@ public:
     }
   }
 
-  /** Takes the latest state; the placement is used if there is no model. */
+  /** Takes the latest state; without a model, the placement is used. */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
 
@@ -98,7 +99,7 @@ public:
   void RemoveReader(int reader);
   ///@}
 
-  /** As of the last Update. It refers to this object. */
+  /** The status as of the last Update. It refers to this object. */
   DeviceStatus GetStatus() const;
 
   ///@{
@@ -135,10 +136,10 @@ private:
   RecordedTips Replay;
   std::unique_ptr<ServoThreads> Servo;
   ServoSnapshot State;
-  bool ArmsAtStart = false; ///< ordered before the servo ran
+  bool ArmsAtStart = false; ///< Arm was ordered before the servo ran
   double Rate = 0.0;
   std::vector<Work> Works;
-  std::set<int> Readers; ///< of AddReader
+  std::set<int> Readers; ///< numbers of AddReader
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells people how a device stands, and the cure if something is wrong.
+ * The status of a device as a text, with the cure if there is a fault.
  */
 #ifndef DeviceStatus_h
 #define DeviceStatus_h
@@ -19,21 +19,21 @@ namespace VolumeHaptics
 struct DeviceStatus
 {
   bool IsOpen = false;
-  std::string Id;            ///< that was opened
+  std::string Id;            ///< the id that was opened
   DeviceCondition Condition; ///< of the open device
 
-  bool IsArmOrdered = false; ///< the last order was to arm, be it seen by the servo or not
-  std::string LongWork;      ///< that keeps the force off, such as "the volume is hashed"; or empty
+  bool IsArmOrdered = false; ///< the last order was to arm, even if the servo has not seen it yet
+  std::string LongWork;      ///< keeps the force off, such as "the volume is hashed"; or empty
 
-  /** The latest state; null if the servo does not run, and the rest then means nothing. */
+  /** The latest state; null unless the servo runs; the rest then means nothing. */
   const ServoSnapshot* State = nullptr;
   ServoLoop::Privilege RealTimePriority = ServoLoop::Privilege::Unknown;
   ServoLoop::Privilege LockedMemory = ServoLoop::Privilege::Unknown;
-  std::string RecordingTrouble; ///< why a recording gets no further; empty while all is well
+  std::string RecordingTrouble; ///< the reason if a recording has failed; else empty
 
-  /** As vtkHapticDevice::StatusType. */
+  /** A vtkHapticDevice::StatusType. */
   int FindType() const;
-  /** For vtkHapticDevice::GetStatusText. */
+  /** The text of vtkHapticDevice::GetStatusText. */
   std::string MakeText() const;
 
 private:

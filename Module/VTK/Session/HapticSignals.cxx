@@ -29,8 +29,8 @@ namespace
 {
 
 /**
- * For how long (ms) a process that ends waits for its devices at most. Servos whose loops hang
- * take 40; the rest is for a machine so busy that the watcher does not get to run.
+ * The longest time (ms) for which a process that ends waits for its devices. Servos whose loops
+ * hang take 40; the rest is for a machine so busy that the watcher does not run.
  */
 constexpr int LongestWait = 2000;
 

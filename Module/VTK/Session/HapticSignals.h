@@ -4,12 +4,12 @@
  * @file
  * Zero force when the process ends or stops.
  *
- * While a servo is guarded, every signal that would end or stop the process meets a handler of
- * ours first (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which a pipe
- * wakes, quenches every servo. SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGTSTP (Ctrl+Z) are sent
- * again by that thread, for what handled them before. At a crash (SIGSEGV, SIGABRT and the like),
- * the thread that it hit waits for the quenching, which takes milliseconds (2 s at most, if the
- * device's driver hangs or the machine is very busy), and then meets what was there before: another
+ * While a servo is guarded, every signal that would end or stop the process reaches a handler of
+ * this library first (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which
+ * a pipe wakes, quenches every servo. That thread sends SIGINT, SIGTERM, SIGHUP, SIGQUIT and
+ * SIGTSTP (Ctrl+Z) again, for the handlers from before. At a crash (SIGSEGV, SIGABRT and the like)
+ * the thread that crashed waits for the quenching. This takes milliseconds (2 s at most, if the
+ * device's driver hangs or the machine is very busy). Then it meets what was there before: another
  * handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM, SIGUSR1 and others
  * that seldom end a process are left alone if they are handled or ignored.
  *
@@ -27,10 +27,10 @@ namespace VolumeHaptics
 class ServoThreads;
 
 /**
- * From the owner's thread, when a servo starts and each time it is armed, since a signal that the
- * process outlives takes the guard away. A servo must be released before it is destroyed. Throws
- * std::system_error or std::bad_alloc when the process may have no more files, threads or memory: a
- * servo that is not guarded yet is not then, and must not be armed.
+ * Call it from the owner's thread, when a servo starts and each time it is armed, because a signal
+ * that the process survives removes the guard. A servo must be released before it is destroyed.
+ * Throws std::system_error or std::bad_alloc if the process may have no more files, threads or
+ * memory: a servo that was not guarded yet must then not be armed.
  */
 void GuardServo(ServoThreads* servo);
 void ReleaseServo(ServoThreads* servo);

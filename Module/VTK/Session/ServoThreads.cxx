@@ -9,12 +9,17 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How often the keeper looks, and how long the loop may be silent before it is quenched (ns). */
+/**
+ * The keeper's pause between two looks, and the longest silence of the loop before it is quenched
+ * (ns).
+ */
 constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;
-/** How often Quench looks whether the loop has got it (ns). */
+/** The pause between two looks of Quench at the loop (ns). */
 constexpr std::int64_t QuenchPoll = 200000;
-/** How long Hold waits for a fade (ns), which takes 50 ms and may begin late on a busy machine. */
+/**
+ * The longest wait of Hold for a fade (ns), which takes 50 ms and may begin late on a busy machine.
+ */
 constexpr std::int64_t LongestFade = 250000000;
 
 template <typename T>
@@ -49,9 +54,9 @@ void ServoThreads::End()
 {
   if (this->HasEnded.load() || !this->IsOurs())
   {
-    return; // the threads are gone, or those of the process that this one was forked from
+    return; // the threads are gone, or belong to the process from which this one was forked
   }
-  // Our own flags stop the threads; TerminateThread only joins them.
+  // These flags stop the threads; TerminateThread only joins them.
   this->Loop.RequestStop();
   this->Threader->TerminateThread(this->LoopThread);
   this->Threader->TerminateThread(this->FitterThread);
@@ -134,8 +139,8 @@ void ServoThreads::Quench(const std::vector<ServoThreads*>& servos) noexcept
   for (ServoThreads* servo : servos)
   {
     servo->Backend.Quench();
-    // A tick that is under way may still write a force after that. The second one from here has
-    // seen Disarm; a loop that does not get there does not write either.
+    // A running tick may still write a force after that. The second tick from now has seen Disarm;
+    // a loop that does not get that far does not write either.
     servo->QuenchedTick = servo->Loop.GetTickCount() + 2;
     servo->HasSeenQuench = false;
   }

@@ -4,8 +4,8 @@
  * @file
  * A running servo: the loop on a thread of its own, and two threads beside it.
  *
- * The fitter thread computes local surfaces. The keeper thread does what must neither be done in
- * the loop nor wait for the GUI: it collects the ticks of a recording or for a display, and
+ * The fitter thread computes local surfaces. The keeper thread does the work that must not run in
+ * the loop and must not wait for the GUI: it collects ticks for a recording or a display, and
  * quenches the device if the loop does not answer.
  */
 #ifndef ServoThreads_h
@@ -39,18 +39,18 @@ public:
 
   ServoLoop& GetLoop() { return this->Loop; }
   TickCollector& GetTicks() { return this->Ticks; }
-  /** False in a process that was forked from the one whose threads these are. */
+  /** False in a process that was forked from the one that the threads belong to. */
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   /**
-   * Lets the force fade (ServoLoop::Hold) and waits until it is gone, a quarter of a second at
-   * most.
+   * Lets the force fade (ServoLoop::Hold) and waits until it is gone, at most a quarter of a
+   * second.
    */
   void Hold() noexcept;
   /**
-   * From any thread: no force on the devices of all these once this returns, until they are armed
-   * again. Each is told before any is waited for, so that a loop that hangs delays none of the
-   * others; 40 ms at most, all together.
+   * From any thread: when this returns, the devices of all these servos have no force, until they
+   * are armed again. All of them get the order before the first is waited for, so that a loop that
+   * hangs does not delay the others; at most 40 ms for all together.
    */
   static void Quench(const std::vector<ServoThreads*>& servos) noexcept;
   /** Stops the loop, with zero force sent, and joins the threads, as the destructor does. */
@@ -62,7 +62,7 @@ private:
   static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
   void Keep();
   /**
-   * After Quench was begun: whether the device has got it, and no tick is under way that may still
+   * After Quench was begun: whether the device has got the order, and no running tick may still
    * write a force.
    */
   bool IsQuenched() noexcept;
@@ -71,7 +71,7 @@ private:
   ServoLoop Loop;
   TickCollector Ticks{ Loop };
   vtkNew<vtkMultiThreader> Threader;
-  const std::int64_t Process = ServoClock::GetProcess(); // whose threads they are
+  const std::int64_t Process = ServoClock::GetProcess(); // the process that the threads belong to
   int LoopThread = -1;
   int FitterThread = -1;
   int KeeperThread = -1;
@@ -79,8 +79,8 @@ private:
   std::atomic<bool> HasEnded{ false };
   ///@{
   /**
-   * Of Quench, which one thread at a time may call: the tick that sees it, and whether that has
-   * come.
+   * Used by Quench, which one thread at a time may call: the tick that sees the order, and whether
+   * it has come.
    */
   std::uint64_t QuenchedTick = 0;
   bool HasSeenQuench = false;

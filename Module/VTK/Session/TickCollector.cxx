@@ -45,7 +45,7 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
     this->Recording->AddModel(generation, model);
   }
   this->Models[generation] = std::move(model);
-  // Models must not pile up if states are not asked for.
+  // If no reader asks for states, models must not pile up either.
   for (auto& [id, reader] : this->Readers)
   {
     if (reader.Next < this->Forgotten && !this->States.empty())
@@ -86,7 +86,7 @@ std::vector<StateRow> TickCollector::TakeStates(int id)
   if (this->Readers.count(id) == 0)
   {
     const std::uint64_t generation = this->Loop.GetWrittenGeneration();
-    this->Drain(); // what is of other readers alone
+    this->Drain(); // takes the states that only other readers want
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Readers[id] = { this->Forgotten + this->States.size(), generation, generation };
     this->Loop.SetRecording(true);
@@ -117,7 +117,7 @@ void TickCollector::StopTaking(int id)
 
 const HapticModel* TickCollector::FindModel(std::uint64_t generation)
 {
-  // States come in order: what is older than this one is not asked for again.
+  // States come in order: no older ones will be asked for.
   this->Forget(generation);
   const auto found = this->Models.find(generation);
   return found == this->Models.end() ? nullptr : found->second.get();
@@ -138,7 +138,7 @@ void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
 std::unique_ptr<HapticRecording> TickCollector::StopRecording()
 {
   this->Loop.SetRecording(!this->Readers.empty());
-  // The tick that the loop is in belongs to it, too.
+  // The tick that runs now belongs to it, too.
   const std::uint64_t last = this->Loop.GetTickCount();
   for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)
   {

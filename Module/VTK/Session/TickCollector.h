@@ -23,7 +23,7 @@
 namespace VolumeHaptics
 {
 
-/** All functions are for the owner, except for Drain, which the keeper thread may call, too. */
+/** All functions are for the owner; the keeper thread may also call Drain. */
 class TickCollector
 {
 public:
@@ -33,22 +33,22 @@ public:
   {
   }
 
-  /** Hands the loop a model, and keeps it for as long as a state of its ticks may be read. */
+  /** Gives the loop a model, and keeps it for as long as a state of its ticks may be read. */
   void Publish(std::shared_ptr<const HapticModel> model);
-  /** The model that was published last; null before the first. */
+  /** The model that was last published; null before the first. */
   const HapticModel* GetLatestModel() const
   {
     return this->Models.empty() ? nullptr : this->Models.rbegin()->second.get();
   }
-  /** The model of a generation that the owner may still see in a state; null before the first. */
+  /** The model of a generation that the owner may still find in a state; null before the first. */
   const HapticModel* FindModel(std::uint64_t generation);
 
   ///@{
-  /** The recording, which was started, is filled by Drain until it is handed back. */
+  /** Takes over a recording that was started; Drain fills it until it is handed back. */
   void StartRecording(std::unique_ptr<HapticRecording> recording);
   std::unique_ptr<HapticRecording> StopRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
-  /** Why the recording that is under way got no further; empty while all is well. */
+  /** The reason if the recording has failed; empty while there is none. */
   std::string GetRecordingTrouble() const
   {
     return this->Recording ? this->Recording->GetTrouble() : std::string();
@@ -57,9 +57,9 @@ public:
 
   ///@{
   /**
-   * Every state since a reader's last call, oldest first, for a display that must not miss one; the
-   * first call begins to keep them, and StopTaking ends it. Readers do not take each other's. If
-   * one of them does not take for MostStates ticks, it loses the oldest.
+   * All states since a reader's last call, oldest first, for a display that must not miss one. The
+   * first call begins to keep them, and StopTaking ends that. Each reader gets all states. If a
+   * reader does not take them for MostStates ticks, it loses the oldest.
    */
   std::vector<StateRow> TakeStates(int reader);
   void StopTaking(int reader);
@@ -70,25 +70,25 @@ public:
   void Drain();
 
 private:
-  /** Lets go of the states that all readers have. Under the mutex. */
+  /** Drops the states that all readers have got. Call it under the mutex. */
   void ForgetStates();
-  /** Lets go of the models older than a generation that no reader can ask for any more. */
+  /** Drops the models of older generations, which no reader can ask for any more. */
   void Forget(std::uint64_t generation);
 
   ServoLoop& Loop;
   std::mutex Mutex; // between the owner and the keeper; the loop never takes it
   std::unique_ptr<HapticRecording> Recording;
-  std::uint64_t LostBefore = 0; // ticks, when the recording began
+  std::uint64_t LostBefore = 0; // ticks lost before the recording began
   struct Reader
   {
-    std::uint64_t Next = 0;            // how many states there were before the first to be taken
-    std::uint64_t TakenGeneration = 0; // of the last state that was taken
-    std::uint64_t FirstUntaken = 0;    // no state to be taken is of an older one
+    std::uint64_t Next = 0;            // the number of states before the first one to take
+    std::uint64_t TakenGeneration = 0; // generation of the last state taken
+    std::uint64_t FirstUntaken = 0;    // lower bound of the generations of states to take
   };
   std::map<int, Reader> Readers; // written by the owner, under the mutex
   std::deque<StateRow> States;
-  std::uint64_t Forgotten = 0; // how many states there were before those
-  /** The owner's: models by generation, from the one of the last state that was asked for. */
+  std::uint64_t Forgotten = 0; // the number of dropped states
+  /** Used by the owner: models by generation, from that of the last state asked for. */
   std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
 };
 

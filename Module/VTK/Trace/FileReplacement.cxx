@@ -26,7 +26,7 @@ int CreateBeside(const std::string& file, mode_t mode, std::string& name)
 {
   std::random_device random;
   int descriptor = -1;
-  constexpr int most = 100; // names; two of 64 bits are hardly ever the same
+  constexpr int most = 100; // names; two of 64 bits are hardly ever equal
   for (int i = 0; i < most && descriptor < 0 && (i == 0 || errno == EEXIST); ++i)
   {
     char text[40];
@@ -68,7 +68,7 @@ bool FileReplacement::Open(const std::string& file, std::string& error)
   this->Target = FollowLinks(file);
   struct stat status;
   const bool isOld = stat(this->Target.c_str(), &status) == 0;
-  constexpr mode_t everybody = 0666; // less what the user's mask takes
+  constexpr mode_t everybody = 0666; // the user's mask removes some of these
   this->Descriptor =
     CreateBeside(this->Target, isOld ? status.st_mode & 0600 : everybody, this->Temporary);
   if (this->Descriptor < 0)
@@ -122,7 +122,7 @@ bool FileReplacement::Finish(std::string& error)
   if (this->Descriptor >= 0)
   {
     this->Flush();
-    // A disk may be found full as late as here.
+    // Only here the disk may turn out to be full.
     if (this->Failure == 0)
     {
       this->Failure = SyncFile(this->Descriptor);
@@ -184,7 +184,7 @@ bool FileReplacement::Commit(std::string& error)
     {
       error = ExplainWriteError(this->Failure, this->Target) + " All of it is in " +
         Printable(this->Temporary) + ".";
-      this->IsThere = false; // it stays
+      this->IsThere = false; // the file stays
       return false;
     }
     this->Discard();

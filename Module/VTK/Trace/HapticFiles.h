@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Functions on files: reading without hanging, writing, names, and how errors name them.
+ * Functions on files: reading without hanging, writing, names, and texts for errors.
  */
 #ifndef HapticFiles_h
 #define HapticFiles_h
@@ -31,8 +31,8 @@ std::string GetFolder(const std::string& file);
 std::string ExplainWriteError(int number, const std::string& file);
 
 /**
- * False, with the reason and the cure, if a file can't be written, as far as that shows before
- * it is.
+ * False, with the reason and the cure, if a file can't be written, as far as that can be found out
+ * without writing.
  */
 bool CheckWritable(const std::string& file, std::string& error);
 
@@ -41,15 +41,15 @@ std::string DescribeError(int number);
 
 ///@{
 /**
- * open(2) and fsync(2), again if a signal interrupted them. A file system that has no fsync is
- * no error.
+ * open(2) and fsync(2), repeated if a signal interrupts them. A file system without fsync is no
+ * error.
  */
 int OpenFile(const std::string& file, int flags, mode_t mode = 0);
 int SyncFile(int descriptor);
 ///@}
-/** To read; opening a FIFO does not wait. Below zero, with errno, if that fails. */
+/** Opens a file to read; opening a FIFO does not wait. Below zero, with errno, if that fails. */
 int OpenToRead(const std::string& file);
-/** Takes the names in the folder of a file to the disk; 0, or the errno. */
+/** Writes the names in the folder of a file to the disk. Returns 0, or the errno. */
 int SyncFolder(const std::string& file);
 
 /** The file that links lead to, even if it does not exist yet. */
@@ -60,7 +60,7 @@ bool IsSameFile(int descriptor, const std::string& file);
 
 /**
  * Gives a new file the owner, the group and the permissions of another one, as far as the system
- * allows. False if the group is another one; that one then gets no permissions.
+ * allows. False if the group differs; the file's own group then gets no permissions.
  */
 bool TakePermissions(int descriptor, const struct stat& other);
 
@@ -76,7 +76,7 @@ bool CheckRegular(const std::string& file, std::string& error);
 bool ReadSmallFile(
   const std::string& file, std::size_t most, std::string& text, std::string& error);
 
-/** Writes all of it; 0, or the errno of what went wrong. */
+/** Writes all bytes. Returns 0, or the errno of the failure. */
 int WriteAll(int descriptor, const void* data, std::size_t size);
 
 } // namespace VolumeHaptics
