@@ -45,7 +45,7 @@ HapticDock::HapticDock(QWidget* parent)
   auto* const refresh = new QToolButton(panel);
   refresh->setObjectName("HapticRefresh");
   refresh->setIcon(this->style()->standardIcon(QStyle::SP_BrowserReload));
-  refresh->setToolTip(tr("Look for devices anew."));
+  refresh->setToolTip(tr("Look for devices again."));
   grid->addWidget(refresh, 0, 2);
 
   this->Attach = this->addButton(grid, 1, 0, "HapticAttach", tr("Attach"),

@@ -130,8 +130,9 @@ void vtkSMHapticDeviceProxy::LoseServer()
   {
     d.IsLost = true;
     d.Device->FadeOut();
-    d.Report.SetNotice("The server does not answer any more, and force was let go of. Connect to a "
-                       "server anew, and open the data there.");
+    d.Report.SetNotice(
+      "The server does not answer any more, so the force was taken away. Connect to a "
+      "server again, and open the data there.");
   }
 }
 

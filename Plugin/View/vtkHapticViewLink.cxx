@@ -25,7 +25,7 @@ namespace
 {
 constexpr const char* ViewClosed = "The view was closed. Attach the device to another one.";
 constexpr const char* DeviceDeleted =
-  "The haptic device was deleted. Attach anew with another one.";
+  "The haptic device was deleted. Attach again with another one.";
 } // namespace
 
 struct vtkHapticViewLink::vtkInternals
@@ -163,7 +163,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
       break;
     default:
       d.DeviceProxy = nullptr;
-      this->End("The connection was closed. Attach anew in another one.");
+      this->End("The connection was closed. Attach again in another one.");
   }
 }
 

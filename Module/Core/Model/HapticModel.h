@@ -27,7 +27,7 @@ class HapticModel
 {
 public:
   explicit HapticModel(const HapticModelDescription& description);
-  /** The volume of another model, with the device placed elsewhere. Bakes nothing anew. */
+  /** The volume of another model, with the device placed elsewhere. Bakes nothing again. */
   HapticModel(const HapticModel& other, const Affine3& deviceToWorld);
   HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3& deviceToWorld);
   HapticModel(const HapticModel&) = delete;

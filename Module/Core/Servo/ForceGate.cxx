@@ -57,7 +57,7 @@ void ForceGate::FadeOut() noexcept
 
 void ForceGate::SetHeld(bool held) noexcept
 {
-  // A fade that has begun goes on to zero: the force begins anew after it.
+  // A fade that has begun goes on to zero: the force begins again after it.
   const bool isHeld = held || (this->Held && !this->Rests);
   if (this->Held && !isHeld)
   {

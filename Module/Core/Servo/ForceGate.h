@@ -12,7 +12,7 @@
  * ------
  *
  *   Disarmed    no force, from the tick on in which it is entered
- *   Fault       the same; the reason says what is wrong, and stays until Arm
+ *   Fault       the same; the reason names the fault, and stays until Arm
  *   Fading      the share falls to 0 within FadeTime, after FadeOut or because the owner is silent
  *   Holding     the same for as long as it is held, for example during long work
  *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows

@@ -34,7 +34,7 @@ struct DeviceOptions
 struct DeviceListing
 {
   std::string Id;    ///< opens the device
-  std::string Name;  ///< for people: maker, product, and where it is plugged in
+  std::string Name;  ///< as the user sees it: maker, product, and its port
   std::string State; ///< "available", "in use", or the obstacle and its cure
 };
 

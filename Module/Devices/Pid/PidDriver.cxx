@@ -129,7 +129,7 @@ bool PidDriver::Prepare(const HidDeviceInfo& info, std::string& error)
 {
   if (!MapBoth(info, this->Device, this->Stick, error))
   {
-    error = info.GetLabel() + " can't be used: " + error + ". Plug it in anew.";
+    error = info.GetLabel() + " can't be used: " + error + ". Plug it in again.";
     return false;
   }
   return true;
@@ -165,7 +165,7 @@ void PidDriver::Work(HardwareExchange& exchange)
   {
     this->Lose(exchange,
       "does not report where it is any more. Look after its cable and its power, then Home() and "
-      "Arm() again; if that does not help, plug it in anew, then Open() and Start() it.");
+      "Arm() again; if that does not help, plug it in again, then Open() and Start() it.");
     return;
   }
   this->TellPlace(exchange);
@@ -195,7 +195,7 @@ void PidDriver::GoOnWithDialogue(HardwareExchange& exchange)
     case PidStep::Failed:
       this->Lose(exchange,
         ("can't be made ready. " + this->Dialogue->GetError() +
-          ". End other programs that use it and plug it in anew, then Open() and Start() it.")
+          ". End other programs that use it and plug it in again, then Open() and Start() it.")
           .c_str());
       break;
   }

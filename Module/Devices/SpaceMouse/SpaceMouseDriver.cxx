@@ -116,7 +116,7 @@ void SpaceMouseDriver::Listen(HardwareExchange& exchange)
     if (wrong)
     {
       const std::string text = std::string("sent ") + wrong +
-        ". It may be a model that is not known yet. Plug it in anew, then Open() and Start() it.";
+        ". It may be a model that is not known yet. Plug it in again, then Open() and Start() it.";
       this->Lose(exchange, text.c_str());
       return;
     }

@@ -164,7 +164,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
   {
     this->Lose(exchange,
       "does not answer. Look after its cable and its power, then Home() and Arm() again; if that "
-      "does not help, plug it in anew, then Open() and Start() it.");
+      "does not help, plug it in again, then Open() and Start() it.");
   }
   if (this->IsLost())
   {

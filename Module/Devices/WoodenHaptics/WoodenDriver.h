@@ -8,7 +8,7 @@
  * ms without one; its firmware removes currents that are not renewed for half a second. Homing
  * tells it that its arm is in the rest pose, from which it then counts. It never reports whether it
  * was told: after power-up all its counts are 0, and the only other thing it reports is its
- * calibration button. So it is calibrated anew whenever it is opened, and after every fault.
+ * calibration button. So it is calibrated whenever it is opened, and after every fault.
  *
  * A Polhem has the same firmware but another linkage, so it is refused.
  *

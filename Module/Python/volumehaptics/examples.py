@@ -41,7 +41,7 @@ def phantom() -> vtkImageData:
     """
     reader = vtkXMLImageDataReader()
     if not reader.CanReadFile(phantom_file()):
-        raise RuntimeError(f"{phantom_file()} can't be read. Cure: install the package anew.")
+        raise RuntimeError(f"{phantom_file()} can't be read. Cure: install the package again.")
     reader.SetFileName(phantom_file())
     reader.Update()
     return reader.GetOutput()

@@ -26,7 +26,7 @@ const char* Explain(GateReason fault)
       return "Force cut off: the device was lost. Once it is back, with Home() or with Open() and "
              "Start(), Arm() again.";
     case GateReason::Unattended:
-      return "Force let go of: the program did not call the device for longer than AttentionTime. "
+      return "Force faded out: the program did not call the device for longer than AttentionTime. "
              "Arm() again. If the program is often busy for that long, raise AttentionTime.";
     default:
       return "";

@@ -143,7 +143,7 @@ TEST_P(PidRefusals, AreSaid)
   ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
   EXPECT_TRUE(this->Bench.WaitForText(this->GetParam().Text)) << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
-  EXPECT_TRUE(Has(this->Bench.Text(), "plug it in anew, then Open() and Start() it"));
+  EXPECT_TRUE(Has(this->Bench.Text(), "plug it in again, then Open() and Start() it"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PidRefusals,

@@ -16,7 +16,7 @@
  * surface nearby, finds none. N is the normal of the gradient kernel, turned to the side on which V
  * rises or falls.
  *
- * Everything is in world units, so that surfaces stay in place when the device is placed anew.
+ * Everything is in world units, so that surfaces stay in place when the device is placed again.
  */
 #ifndef LocalSurfaceFit_h
 #define LocalSurfaceFit_h

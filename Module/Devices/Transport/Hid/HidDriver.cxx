@@ -150,7 +150,7 @@ bool HidDriver::Write(
   this->Lose(exchange,
     this->Gone ? Unplugged
                : "does not take what is sent to it. Look after its cable, then Home() and Arm() "
-                 "again; if that does not help, plug it in anew, then Open() and Start() it.");
+                 "again; if that does not help, plug it in again, then Open() and Start() it.");
   return false;
 }
 

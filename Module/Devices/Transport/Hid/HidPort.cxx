@@ -69,7 +69,7 @@ bool HidPort::Open(const HidDeviceInfo& info, std::string& error)
   if (!this->Device)
   {
     error = info.GetLabel() + " can't be opened (" + ErrorOf(nullptr) +
-      "). Plug it in anew and open it again.";
+      "). Plug it in again, then open it.";
     this->Claim.Release();
     return false;
   }

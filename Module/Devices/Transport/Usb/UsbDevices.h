@@ -37,7 +37,7 @@ struct UsbProduct
 {
   std::uint16_t Vendor;
   std::uint16_t Product;
-  const char* Name; ///< for people: maker and product
+  const char* Name; ///< as the user sees it: maker and product
 };
 
 /** Null, with the reason, if the system's USB can't be reached. */
@@ -46,7 +46,7 @@ UsbContext MakeUsbContext(std::string& error);
 /** The devices of a product, in the order of their bus and of the ports on the way to them. */
 std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct& product);
 
-/** Such as "Novint Falcon (USB bus 1, port 2.4)", for people. */
+/** The name that the user sees, such as "Novint Falcon (USB bus 1, port 2.4)". */
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
