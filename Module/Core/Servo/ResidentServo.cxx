@@ -30,7 +30,9 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   }
   gate.NoteData(this->IsOut ? 0.0 : there, period);
   const double opening = gate.GetOpening();
-  this->Awaits = !model.Resident.IsWhole() && (this->IsOut || (opening < 1.0 && !gate.IsClosing()));
+  // An opening that rises after a fade or a hold does not wait for data.
+  const bool isLess = opening < 1.0 && !gate.IsClosing() && (this->Awaits || there < 1.0);
+  this->Awaits = !model.Resident.IsWhole() && (this->IsOut || isLess);
   if (!this->IsOut)
   {
     VolumeHaptics::Tick(model, state, tip, record, result);

@@ -124,4 +124,26 @@ TEST_P(RegionFade, ARegionThatIsElsewhereEndsWhatIsFelt)
   EXPECT_EQ(Norm(this->Record.Force), 0.0);
 }
 
+TEST_P(RegionFade, AFadeOrAHoldWithTheDataThereWaitsForNone)
+{
+  const auto expectNoWait = [this](double opening)
+  {
+    for (int i = 0; i < 200; ++i)
+    {
+      this->Step(TipOf(0));
+      ASSERT_FALSE(this->Servo.IsAwaiting()) << "in tick " << i;
+    }
+    EXPECT_EQ(this->Stage.Gate.GetOpening(), opening);
+  };
+  this->Stage.Gate.FadeOut();
+  expectNoWait(1.0); // down, and up again without force
+  EXPECT_FALSE(this->Stage.Gate.IsOpen());
+  this->Stage.Arm();
+  expectNoWait(1.0);
+  this->Stage.Gate.SetHeld(true);
+  expectNoWait(0.0);
+  this->Stage.Gate.SetHeld(false);
+  expectNoWait(1.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, RegionFade, testing::ValuesIn(MethodCases), NameOf);
