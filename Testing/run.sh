@@ -30,17 +30,21 @@ source "$root/CMake/install-packages.sh"
 source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev \
-  libumockdev-dev umockdev python3-pytest openbox xdotool wmctrl x11-utils
+  libumockdev-dev umockdev python3-pytest openbox xdotool wmctrl x11-utils \
+  python3-venv python3-dev libgl-dev debian-archive-keyring
 
 jobs=$(nproc)
-# Without a display, or with the user's: tests always render off to the side. A live servo cuts the force off, as it
-# must, when the machine stands still for 30 ms: if nothing but tests of one failed, they are run once more, alone.
+wheel_dir=$(dirname "$build_dir")/wheel
+
+# usage: run_tests BUILD_DIR JOBS [OPTION OF CTEST...]
+# Tests always render off to the side, whether or not there is a display. A live servo cuts the force off, as it must,
+# when the machine stands still for 30 ms: if only tests of one fail, they are run once more, alone.
 run_tests()
 {
   local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.]Emulated|ParaView|VTK[.](Charts|Emulated|'
   live+='Endings|Scene|Session|Setup|Trace))[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
-  with_own_screen ctest "${on[@]}" -j "$jobs" "${@:2}" && return
+  with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then
     return 1
   fi
@@ -69,31 +73,42 @@ test_paraview()
     cmake -S "$root" --preset paraview -B "$plugin_dir" \
     -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
   cmake --build "$plugin_dir" -j "$jobs"
-  run_tests "$plugin_dir" -R '^VolumeHaptics[.]ParaView[.]'
+  run_tests "$plugin_dir" "$((2 * jobs))" -L '^paraview$'
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
 }
 
-# The wheel beside VTK's own, whose traces are compared with those of the build in $build_dir.
-test_wheel()
+# The wheel takes a minute of waiting for packages, which the other builds fill: it is built beside them, in a group of
+# processes that ends with this one. All that it needs of Debian is installed above, since there is one dpkg.
+start_wheel()
 {
-  local folder status=0
-  folder=$(dirname "$build_dir")/wheel
-  echo "== The wheel in $folder"
+  echo "== The wheel in $wheel_dir, beside the following"
+  mkdir -p "$wheel_dir"
   # Unnamed types of one file look like a header's if several are compiled at once.
   CXXFLAGS="-Wall -Wextra -Werror -Wno-subobject-linkage" \
-    "$root/CMake/wheel/build.sh" "$folder" /usr/bin/python3 || status=$?
-  if [ $status -eq 3 ]; then
-    echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it was not tested !!!!" >&2
-    return 0
-  fi
-  [ $status -eq 0 ] || return $status
-  with_own_screen "$root/Testing/Wheel/test.sh" "$folder" "$build_dir" /usr/bin/python3
+    setsid "$root/CMake/wheel/build.sh" "$wheel_dir" /usr/bin/python3 > "$wheel_dir/build.log" 2>&1 &
+  wheel=$!
+  trap 'kill -- -"$wheel" 2> /dev/null || true' EXIT
 }
 
+wait_for_wheel()
+{
+  local status=0
+  echo "== The wheel in $wheel_dir"
+  wait "$wheel" || status=$?
+  trap - EXIT
+  cat "$wheel_dir/build.log"
+  if [ $status -eq 3 ]; then
+    echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it is not tested !!!!" >&2
+    return 0
+  fi
+  return $status
+}
+
+start_wheel
 "$root/Testing/lint.sh"
 
 echo "== Building in $build_dir"
-cmake -S "$root" --preset release -B "$build_dir"
+cmake -S "$root" --preset release -B "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir"
 cmake --build "$build_dir" -j "$jobs"
 
 echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
@@ -101,10 +116,10 @@ cmake -S "$root" --preset asan -B "$build_dir-sanitize" \
   -DVolumeHaptics_WRAP_PYTHON="$([ $full = yes ] && echo ON || echo OFF)"
 if [ $full = yes ]; then
   cmake --build "$build_dir-sanitize" -j "$jobs"
-  run_tests "$build_dir-sanitize" -LE package
+  run_tests "$build_dir-sanitize" "$jobs" -LE package
 else
   cmake --build "$build_dir-sanitize" -j "$jobs" --target VolumeHapticsSanitizerTests
-  run_tests "$build_dir-sanitize" -R '^VolumeHaptics[.](Core|Devices)[.]'
+  run_tests "$build_dir-sanitize" "$jobs" -R '^VolumeHaptics[.](Core|Devices)[.]'
 fi
 
 echo "== Building with the thread sanitizer in $build_dir-thread"
@@ -113,10 +128,10 @@ export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequ
 if [ $full = yes ]; then
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
   # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
-  run_tests "$build_dir-thread" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Scene|Session|Setup|Trace)[.])'
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Scene|Session|Setup|Trace)[.])'
 else
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsLoopTests
-  run_tests "$build_dir-thread" -R '^VolumeHaptics[.]Core[.]Servo'
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo'
 fi
 unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 
@@ -132,7 +147,11 @@ if [ $full = yes ]; then
 fi
 
 test_paraview
-test_wheel
+wait_for_wheel
 
+# Those with a device in real time wait more than they compute; of the others some wait, too.
 echo "== Tests"
-run_tests "$build_dir"
+status=0
+run_tests "$build_dir" "$((4 * jobs))" -L '^device$' || status=$?
+run_tests "$build_dir" "$((2 * jobs))" -LE '^device$' || status=$?
+exit $status

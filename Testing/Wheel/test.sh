@@ -2,66 +2,81 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs a wheel as its users do and runs the Python tests against it.
+# A step of the wheel's tests, which CTest runs in order (label wheel): installs the wheel as its users do, and runs
+# Python tests against it.
 #
-# usage: Testing/Wheel/test.sh FOLDER REFERENCE_BUILD PYTHON
+# usage: Testing/Wheel/test.sh FOLDER REFERENCE_BUILD PYTHON STEP ENVIRONMENT [ARGUMENT...]
 #
-# FOLDER is what CMake/wheel/build.sh made, and new virtual environments are put there: one with VTK alone, one with
-# PyVista. REFERENCE_BUILD is a build with the system's VTK, whose traces the wheel's have to equal.
+#   install    makes a new ENVIRONMENT in FOLDER with the wheel, and the packages that ARGUMENT names
+#   pytest     runs pytest there, with the arguments
+#   uninstall  removes the wheel, which has to leave and to take nothing else
+#
+# FOLDER is what CMake/wheel/build.sh made. REFERENCE_BUILD is a build with the system's VTK, whose traces the wheel's
+# have to equal. Exits with 77 if there is no wheel of the present sources.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=$(cd "$1" && pwd)
-reference=$(cd "$2" && pwd)
+case ${1:-} in
+  -h | --help) sed -n '5,17s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+esac
+folder=$(realpath -m "$1")
+reference=$(realpath "$2")
 python=$3
-wheel=$(ls "$folder"/volumehaptics-*.whl)
+step=$4
+environment=$folder/$5
+shift 5
+
+wheel=$(find "$folder" -maxdepth 1 -name 'volumehaptics-*.whl' 2> /dev/null || true)
+if [[ -z $wheel ]]; then
+  echo "SKIPPED: there is no wheel in $folder. Build it: CMake/wheel/build.sh '$folder' $python"
+  exit 77
+fi
+newer=$(find "$root"/{Module,CMake,CMakeLists.txt,CMakePresets.json,pyproject.toml} -type f -not -name '*.pyc' \
+  -newer "$wheel" -print -quit)
+if [[ -n $newer ]]; then
+  echo "SKIPPED: $wheel is older than $newer. Build it anew: CMake/wheel/build.sh '$folder' $python"
+  exit 77
+fi
 unset PYTHONPATH
 export PIP_FIND_LINKS=$folder/sdk PIP_DISABLE_PIP_VERSION_CHECK=1
 
-# The files of an environment's packages, but for what Python compiled on its own.
+# The files of the environment's packages, but for those that Python compiled on its own.
 list_packages()
 {
-  "$1/bin/python" - << 'EOF'
+  "$environment/bin/python" - << 'EOF'
 import pathlib, sysconfig
 site = pathlib.Path(sysconfig.get_path("purelib"))
 print(*sorted(str(path.relative_to(site)) for path in site.rglob("*") if path.suffix != ".pyc"), sep="\n")
 EOF
 }
 
-# A new environment NAME with the wheel and the packages REQUIREMENT...
-make_environment()
-{
-  rm -rf "${folder:?}/$1"
-  "$python" -m venv "$folder/$1"
-  "$folder/$1/bin/pip" install -q "${@:2}" "$wheel"
-  VOLUMEHAPTICS_BUILD=$("$folder/$1/bin/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
-  VOLUMEHAPTICS_VERSION=$("$folder/$1/bin/pip" show volumehaptics | sed -n 's/^Version: //p')
-  export VOLUMEHAPTICS_BUILD VOLUMEHAPTICS_VERSION VOLUMEHAPTICS_REFERENCE_BUILD=$reference
-}
-
-# From elsewhere, so that nothing of the repository is imported by accident.
-run_pytest()
-{
-  (cd "$folder" && "$folder/$1/bin/python" -m pytest -q -p no:cacheprovider "${@:2}")
-}
-
-echo "== $(basename "$wheel") beside VTK alone"
-make_environment with-vtk pytest
-run_pytest with-vtk "$root/Testing/Python" -ra
-run_pytest with-vtk "$root/Testing/Wheel" -s
-
-echo "== Uninstalled, it leaves nothing"
-list_packages "$folder/with-vtk" > "$folder/installed.txt"
-"$folder/with-vtk/bin/pip" uninstall -q -y volumehaptics
-list_packages "$folder/with-vtk" > "$folder/uninstalled.txt"
-grep -c '^volumehaptics' "$folder/installed.txt"
-if grep '^volumehaptics' "$folder/uninstalled.txt" ||
-  ! diff <(grep -v '^volumehaptics' "$folder/installed.txt") "$folder/uninstalled.txt"; then
-  echo "$(basename "$wheel") left or took the above" >&2
-  exit 1
-fi
-
-echo "== $(basename "$wheel") beside PyVista"
-make_environment with-pyvista pytest pyvista
-run_pytest with-pyvista "$root/Testing/Python"
-run_pytest with-pyvista "$root/Testing/PyVista"
+case $step in
+  install)
+    rm -rf "${environment:?}"
+    "$python" -m venv "$environment"
+    "$environment/bin/pip" install -q "$@" "$wheel"
+    ;;
+  pytest)
+    VOLUMEHAPTICS_BUILD=$("$environment/bin/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
+    VOLUMEHAPTICS_VERSION=$("$environment/bin/pip" show volumehaptics | sed -n 's/^Version: //p')
+    export VOLUMEHAPTICS_BUILD VOLUMEHAPTICS_VERSION VOLUMEHAPTICS_REFERENCE_BUILD=$reference
+    # From elsewhere, so that nothing of the repository is imported by accident.
+    cd "$folder"
+    exec "$environment/bin/python" -m pytest -q -p no:cacheprovider "$@"
+    ;;
+  uninstall)
+    list_packages > "$folder/installed.txt"
+    "$environment/bin/pip" uninstall -q -y volumehaptics
+    list_packages > "$folder/uninstalled.txt"
+    grep -c '^volumehaptics' "$folder/installed.txt"
+    if grep '^volumehaptics' "$folder/uninstalled.txt" ||
+      ! diff <(grep -v '^volumehaptics' "$folder/installed.txt") "$folder/uninstalled.txt"; then
+      echo "$(basename "$wheel") left or took the above" >&2
+      exit 1
+    fi
+    ;;
+  *)
+    echo "$0: unknown step $step; try --help" >&2
+    exit 2
+    ;;
+esac
