@@ -39,16 +39,30 @@ def press(device, z, holds):
         time.sleep(0.002)
 
 
+def lag(device):
+    """By how much the servo's ticks are behind the clock (s): more after each pause of the machine."""
+    device.UpdateState()
+    return device.GetTime() - device.GetTick() / device.GetServoRate()
+
+
 @pytest.mark.parametrize("way", ("Stop", "Close", "Disarm"))
 def test_child_lets_go_of_its_copy(device, way):
-    child = os.fork()
-    if child == 0:
-        signal.alarm(30)  # if it waits for threads that do not exist
-        getattr(device, way)()
-        device.Close()
-        del device
-        os._exit(7)
-    assert os.waitpid(child, 0) == (child, 7 << 8)
-    tick = device.GetTick()
-    press(device, 11.5, lambda: device.GetTick() > tick + 100)
+    for _ in range(5):
+        before = lag(device)
+        child = os.fork()
+        if child == 0:
+            signal.alarm(30)  # if it waits for threads that do not exist
+            getattr(device, way)()
+            device.Close()
+            del device
+            os._exit(7)
+        assert os.waitpid(child, 0) == (child, 7 << 8)
+        tick = device.GetTick()
+        press(device, 11.5, lambda tick=tick: device.GetTick() > tick + 100)
+        if lag(device) < before + 0.02:
+            break
+        # The machine stood still, so that the force began anew at the tip, as it must: once more from outside.
+        device.Arm()
+        press(device, 10, lambda: abs(device.GetTipPosition()[2] - 10) < 1e-6)
+        press(device, 11.5, lambda: device.GetForce()[2] < -0.7)
     assert device.GetStatus() == vtkHapticDevice.ACTIVE and device.GetForce()[2] < -0.7
