@@ -10,9 +10,10 @@
  *                      FirmwareFile after it was plugged in, and is homed by hand.
  *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand each
  *                      time it is opened. The Polhem is refused, since its geometry is different.
- *   pid[:VVVV:PPPP]    force-feedback wheels and other devices of one axis (HID usage page 0x0F),
- *                      through hidapi, by USB vendor and product (hexadecimal). Set
- *                      NewtonsPerFullScale to their force. Sticks of two axes are refused: their
+ *   pid[:VVVV:PPPP]    force-feedback wheels and sticks (HID usage page 0x0F), through hidapi, by
+ *                      USB vendor and product (hexadecimal). Set NewtonsPerFullScale to their
+ *                      force. Sticks of two axes are refused unless their firmware is known (an
+ *                      OpenFFBoard with version 1.16.5 or later, ArduinoJoystickWithFFBLibrary):
  *                      firmwares disagree on the direction of the force along the second axis.
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
@@ -110,13 +111,15 @@ public:
 
   ///@{
   /**
-   * The force (N) of a force-feedback wheel at full scale, -100 to 100; only the first number is
-   * used. That is x: devices of two axes are refused. No device reports its force: measure it with
-   * a spring scale. A negative number reverses the direction, 0 gives no force. Firmwares differ in
-   * the direction, so try it gently first (volumehaptics-device test): if the wall pulls the hand
-   * in, give a negative number. A number that is too small gives too much force. Default 100, more
-   * than nearly all devices have, so that none pushes harder than was asked for; weaker ones are
-   * hardly felt until this is set. Takes effect with Open.
+   * The force (N) of a force-feedback device at full scale, -100 to 100, along its axes x and y. A
+   * second number of 0 says that only the first axis has a motor, as that of a wheel: then the tip
+   * moves along x only, and pedals do not move it. Wheels often have a descriptor of two axes.
+   * No device reports its force: measure it with a spring scale. A negative number reverses the
+   * direction; a first number of 0 gives no force. Firmwares differ in the direction, so try it
+   * gently first (volumehaptics-device test): if the wall pulls the hand in, give a negative
+   * number. A number that is too small gives too much force. Default 100, more than nearly all
+   * devices have, so that none pushes harder than was asked for; weaker ones are hardly felt until
+   * this is set. Takes effect with Open.
    */
   void SetNewtonsPerFullScale(double x, double y);
   void SetNewtonsPerFullScale(const double newtons[2]) VTK_SIZEHINT(2);

@@ -17,7 +17,8 @@ ID is what list shows: falcon[:N], wooden[:N], pid[:VVVV:PPPP], spacemouse[:N]; 
 
   --firmware FILE     the image for a Novint Falcon that has none (else $VOLUMEHAPTICS_FALCON_FIRMWARE)
   --homing-time S     how long each step of homing may take (120)
-  --newtons X         a force-feedback wheel's force at full scale, N; negative reverses it (100)
+  --newtons X[,Y]     a force-feedback device's force at full scale along its axes, N; negative reverses it (100);
+                      Y is 0 if only the first axis has a motor, as that of a wheel
   --axis x|y|z        across which the wall of test stands (z; x for a stick or a wheel)
   --rate HZ           ticks of the servo per second, 100 to 10000 (1000)
   --seconds S         end after that time (monitor, test: when interrupted; record: 10)

@@ -30,6 +30,8 @@ public:
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
   bool HasSecondAxis() const noexcept { return this->Axes.size() > 1; }
+  /** For a device whose second axis has no motor: it may be a pedal's. State::Axes[1] stays 0. */
+  void UseOneAxis() { this->Axes.resize(1); }
 
   /**
    * Reads a packet, with the report id in front if the device uses ids. Returns nullptr, or the

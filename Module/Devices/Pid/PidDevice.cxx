@@ -137,6 +137,15 @@ void PidDevice::Choose(HidReport& report, const Slot& slot) noexcept
   PidDevice::Put(report, slot, slot.Value);
 }
 
+// Of a bit; OpenFFBoard's descriptor of one axis says that the only value is 0.
+void PidDevice::SwitchOn(HidReport& report, const Slot& slot) noexcept
+{
+  if (slot.Known)
+  {
+    WriteRaw(slot.Field, report.Payload(), report.Size, 1);
+  }
+}
+
 bool PidDevice::IsChosen(const Slot& slot, const std::uint8_t* payload, std::size_t size) noexcept
 {
   std::int64_t value = 0;
@@ -186,17 +195,11 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
   // By the direction if there is one, as in Linux. If the axes' bits are set instead, firmwares
   // disagree about the meaning of the direction.
-  if (this->DirectionEnable.Known)
-  {
-    PidDevice::Put(report, this->DirectionEnable, 1);
-  }
-  else
-  {
-    PidDevice::Put(report, this->AxisEnable[axis], 1);
-  }
-  // Polar, clockwise from the north; as in Linux, the field's range is the whole circle, whatever
-  // its unit.
-  const double circle = axis == 0 ? 0.25 : 0.5;
+  const bool hasDirection = this->DirectionEnable.Known && !this->HasShares;
+  PidDevice::SwitchOn(report, hasDirection ? this->DirectionEnable : this->AxisEnable[axis]);
+  // Polar, clockwise from the north; as in Linux, the field's range is the whole circle,
+  // whatever its unit. Of shares, it is the whole axis.
+  const double circle = this->HasShares ? 1.0 : axis == 0 ? 0.25 : 0.0;
   const HidField& field = this->Direction.Field;
   PidDevice::Put(report, this->Direction,
     field.LogicalMinimum +

@@ -53,11 +53,10 @@ public:
   bool HasDeviceGain() const noexcept { return this->Gain.Known; }
   /** 2 if the second axis can be told from the first, else 1. */
   int GetNumberOfAxes() const noexcept { return this->Axes; }
-  /**
-   * For a device without a second axis that a hand could move: a wheel with the descriptor of a
-   * stick.
-   */
+  /** For a device without a motor on its second axis, although its descriptor has one. */
   void UseOneAxis() noexcept { this->Axes = 1; }
+  /** Its directions are shares of the axis that is enabled: see PidFirmware. */
+  void UseShares() noexcept { this->HasShares = true; }
 
   ///@{
   /** Reports to send. The device numbers the blocks of its effects from 1; axes are 0 and 1. */
@@ -65,12 +64,9 @@ public:
   HidReport FullGain() const noexcept;
   HidReport CreateConstant() const noexcept;
   /**
-   * A constant effect from 90 degrees for axis 0, from 180 for axis 1. A direction is the side from
-   * which the force comes, here as in DirectInput and in Linux' hid-pidff.c: a positive magnitude
-   * pushes an axis towards its negative end. OpenFFBoard does the same (EffectsCalculator.cpp,
-   * commit 160af910). ArduinoJoystickWithFFBLibrary pushes the other way than its own springs do
-   * (YukMingLaw's Joystick.cpp, commit ed86e27, and roger-hujin's FFB.cpp, commit 46d8a8c): such
-   * devices need a NewtonsPerFullScale below zero.
+   * A constant effect from 90 degrees for axis 0, from 0 for axis 1: a positive magnitude pushes to
+   * the left, or towards the hand, where a force comes from its direction (see PidFirmware).
+   * Firmwares of angles of 8 bits leak 0.6 % of axis 0 into axis 1, and nothing the other way.
    */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;
@@ -116,6 +112,7 @@ private:
   static HidReport Begin(const Shape& shape) noexcept;
   static void Put(HidReport& report, const Slot& slot, std::int64_t value) noexcept;
   static void Choose(HidReport& report, const Slot& slot) noexcept;
+  static void SwitchOn(HidReport& report, const Slot& slot) noexcept;
   static bool IsChosen(const Slot& slot, const std::uint8_t* payload, std::size_t size) noexcept;
 
   Shape ControlShape, Gain, Create, Effect, Constant, Operation, Pool, Load;
@@ -126,6 +123,7 @@ private:
   Slot ConstantBlock, Magnitude, OperationBlock, Start, Stop, Loops;
   Slot Simultaneous, LoadBlock, Success, Full, LoadError;
   int Axes = 1;
+  bool HasShares = false;
 };
 
 } // namespace VolumeHaptics

@@ -18,22 +18,16 @@ namespace
 
 /** With so many repeated packets in a row, the stick sends reports at a rate of its own. */
 constexpr int RepeatsOfStream = 20;
-
-bool MapBoth(const HidDeviceInfo& info, PidDevice& device, HidStick& stick, std::string& error)
-{
-  HidReportDescriptor descriptor;
-  const bool isMapped = info.ReadDescriptor(descriptor, error) && device.Map(descriptor, error) &&
-    stick.Map(descriptor, error);
-  if (isMapped && !stick.HasSecondAxis())
-  {
-    device.UseOneAxis();
-  }
-  return isMapped;
-}
+/** ns: a longer pause before a packet that says the same again is chance. */
+constexpr std::int64_t LongestReminder = 250000000;
+/** In gaps between repeats: two of them did not come. */
+constexpr double MissedGaps = 2.5;
 
 const char* const TwoAxes =
   "it has two axes, and firmwares disagree on the direction of the force along the second one, "
-  "which could push the hand away. Use a wheel, or another device of one axis";
+  "which could push the hand away. If only the first axis has a motor, as that of a wheel, set the "
+  "second NewtonsPerFullScale to 0. Else use a stick of which the directions are known, such as an "
+  "OpenFFBoard with firmware 1.16.5 or later";
 
 } // namespace
 
@@ -58,28 +52,51 @@ bool PidDriver::ReadNumbers(const std::string& id, Numbers& numbers)
   return isWhole;
 }
 
+bool PidDriver::Mapping::Read(const HidDeviceInfo& info, bool usesSecond, std::string& error)
+{
+  HidReportDescriptor descriptor;
+  if (!info.ReadDescriptor(descriptor, error) || !this->Device.Map(descriptor, error) ||
+    !this->Stick.Map(descriptor, error))
+  {
+    return false;
+  }
+  this->Firmware = FindPidFirmware(info, descriptor);
+  if (this->Firmware.HasShares)
+  {
+    this->Device.UseShares();
+  }
+  const bool isTwo =
+    usesSecond && this->Device.GetNumberOfAxes() > 1 && this->Stick.HasSecondAxis();
+  if (!isTwo)
+  {
+    this->Device.UseOneAxis();
+    this->Stick.UseOneAxis();
+  }
+  this->Objection = isTwo && !this->Firmware.IsKnown ? TwoAxes : this->Firmware.Objection;
+  return true;
+}
+
 bool PidDriver::IsPid(const HidDeviceInfo& info, std::string& objection)
 {
-  PidDevice device;
-  HidStick stick;
+  Mapping mapping;
   std::string error;
-  const bool isPid = MapBoth(info, device, stick, error);
-  objection = isPid && device.GetNumberOfAxes() > 1 ? TwoAxes : "";
+  const bool isPid = mapping.Read(info, true, error);
+  objection = mapping.Objection;
   return isPid;
 }
 
 PidDriver::PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale)
   : HidDriver("A force-feedback stick")
   , Wanted(numbers)
+  , NewtonsPerFullScale(newtonsPerFullScale)
 {
-  this->Settings.NewtonsPerFullScale = newtonsPerFullScale;
 }
 
 DeviceLimits PidDriver::GetLimits() const
 {
-  const std::array<double, 2>& full = this->Settings.NewtonsPerFullScale;
+  const std::array<double, 2>& full = this->NewtonsPerFullScale;
   DeviceLimits limits;
-  limits.MaximumForce = this->Device.GetNumberOfAxes() > 1
+  limits.MaximumForce = this->Map.Device.GetNumberOfAxes() > 1
     ? std::min(std::abs(full[0]), std::abs(full[1]))
     : std::abs(full[0]);
   limits.MaximumSpeed = FastestStick;
@@ -95,13 +112,12 @@ std::vector<HidDeviceInfo> PidDriver::Choose(std::string& error) const
   {
     const bool isNamed =
       info.Vendor == this->Wanted.Vendor && info.ProductId == this->Wanted.Product;
-    PidDevice device;
-    HidStick stick;
-    if ((this->Wanted.Any || isNamed) && MapBoth(info, device, stick, reason))
+    Mapping mapping;
+    if ((this->Wanted.Any || isNamed) && mapping.Read(info, this->UsesSecondAxis(), reason))
     {
-      if (device.GetNumberOfAxes() > 1)
+      if (!mapping.Objection.empty())
       {
-        error = info.GetLabel() + " can't be used: " + TwoAxes + ".";
+        error = info.GetLabel() + " can't be used: " + mapping.Objection + ".";
       }
       else
       {
@@ -127,10 +143,16 @@ std::vector<HidDeviceInfo> PidDriver::Choose(std::string& error) const
 
 bool PidDriver::Prepare(const HidDeviceInfo& info, std::string& error)
 {
-  if (!MapBoth(info, this->Device, this->Stick, error))
+  this->Map = Mapping();
+  if (!this->Map.Read(info, this->UsesSecondAxis(), error))
   {
     error = info.GetLabel() + " can't be used: " + error + ". Plug it in again.";
     return false;
+  }
+  for (std::size_t axis = 0; axis < this->NewtonsPerFullScale.size(); ++axis)
+  {
+    this->Settings.NewtonsPerFullScale[axis] =
+      this->Map.Firmware.Sign * this->NewtonsPerFullScale[axis];
   }
   return true;
 }
@@ -138,12 +160,14 @@ bool PidDriver::Prepare(const HidDeviceInfo& info, std::string& error)
 void PidDriver::Begin(HardwareExchange& exchange, bool)
 {
   this->Stream.reset();
-  this->Dialogue.emplace(this->Device, this->Settings);
+  this->Dialogue.emplace(this->Map.Device, this->Settings);
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   this->State = {};
-  this->State.Axes = { unknown, this->Stick.HasSecondAxis() ? unknown : 0.0 };
+  this->State.Axes = { unknown, this->Map.Stick.HasSecondAxis() ? unknown : 0.0 };
   this->IsReady = false;
   this->LastSize = this->Repeats = 0;
+  this->LongestGap = 0;
+  this->LastPacketTime = ServoClock::Now();
   this->LastRound = ServoClock::Now();
   this->Drain();
   this->Tell(exchange, DeviceStage::Homing, "is being made ready.");
@@ -161,7 +185,9 @@ void PidDriver::Work(HardwareExchange& exchange)
   {
     return;
   }
-  if (this->IsSilent(hasNews) && this->Repeats > RepeatsOfStream)
+  const auto silence = static_cast<double>(ServoClock::Now() - this->LastPacketTime);
+  if (this->IsSilent(hasNews) && this->Repeats > RepeatsOfStream &&
+    silence > MissedGaps * static_cast<double>(this->LongestGap))
   {
     this->Lose(exchange,
       "does not report where it is any more. Look after its cable and its power, then Home() and "
@@ -187,7 +213,7 @@ void PidDriver::GoOnWithDialogue(HardwareExchange& exchange)
       this->Fetch(report);
       break;
     case PidStep::Ready:
-      this->Stream.emplace(this->Device, this->Settings, *this->Dialogue);
+      this->Stream.emplace(this->Map.Device, this->Settings, *this->Dialogue);
       this->LastRound = ServoClock::Now();
       this->IsSilent(true);
       this->Tell(exchange, DeviceStage::Homing, "has not said yet where it is: move it a little.");
@@ -223,7 +249,7 @@ bool PidDriver::Listen(HardwareExchange& exchange)
     }
     hasNews = true;
     const char* const wrong =
-      this->Stick.Decode(bytes.data(), static_cast<std::size_t>(size), this->State);
+      this->Map.Stick.Decode(bytes.data(), static_cast<std::size_t>(size), this->State);
     if (wrong)
     {
       const std::string text = std::string("sent ") + wrong +
@@ -231,9 +257,12 @@ bool PidDriver::Listen(HardwareExchange& exchange)
       this->Lose(exchange, text.c_str());
       return hasNews;
     }
-    const bool repeats = size == this->LastSize &&
+    const std::int64_t gap = ServoClock::Now() - this->LastPacketTime;
+    this->LastPacketTime += gap;
+    const bool repeats = size == this->LastSize && gap < LongestReminder &&
       std::equal(bytes.begin(), bytes.begin() + size, this->LastPacket.begin());
     this->Repeats = std::min(this->Repeats + (repeats ? 1 : 0), RepeatsOfStream + 1);
+    this->LongestGap = repeats ? std::max(this->LongestGap, gap) : this->LongestGap;
     this->LastPacket = bytes;
     this->LastSize = size;
   }
@@ -263,12 +292,11 @@ void PidDriver::SendForces(HardwareExchange& exchange)
   double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
   this->LastRound = now;
   const Vector3 force = exchange.GetForce();
-  // HID's y axis points towards the hand, and a positive magnitude pushes towards the negative end
-  // of an axis.
-  const std::array<double, 2> magnitudes{ -force.X, force.Y };
+  // A positive magnitude pushes to the left, and towards the hand.
+  const std::array<double, 2> magnitudes{ -force.X, -force.Y };
   // For each axis its start, if that is due, and its magnitude.
   HidReport report;
-  for (int i = 0; i < 2 * this->Device.GetNumberOfAxes(); ++i)
+  for (int i = 0; i < 2 * this->Map.Device.GetNumberOfAxes(); ++i)
   {
     if (!this->Stream->Next(elapsed, magnitudes, report) || !this->Send(exchange, report))
     {
@@ -286,10 +314,10 @@ bool PidDriver::Send(HardwareExchange& exchange, const HidReport& report) noexce
 
 void PidDriver::Rest() noexcept
 {
-  const HidReport stop = this->Device.Control(PidUsage::StopAllEffects);
-  for (int axis = 0; this->Stream && axis < this->Device.GetNumberOfAxes(); ++axis)
+  const HidReport stop = this->Map.Device.Control(PidUsage::StopAllEffects);
+  for (int axis = 0; this->Stream && axis < this->Map.Device.GetNumberOfAxes(); ++axis)
   {
-    const HidReport zero = this->Device.SetConstant(this->Dialogue->GetBlock(axis), 0.0, 1.0);
+    const HidReport zero = this->Map.Device.SetConstant(this->Dialogue->GetBlock(axis), 0.0, 1.0);
     this->Port.Write(zero.Bytes.data(), zero.Size + 1);
   }
   this->Port.Write(stop.Bytes.data(), stop.Size + 1);
@@ -298,7 +326,7 @@ void PidDriver::Rest() noexcept
 void PidDriver::End() noexcept
 {
   this->Rest();
-  const HidReport reset = this->Device.Control(PidUsage::DeviceReset);
+  const HidReport reset = this->Map.Device.Control(PidUsage::DeviceReset);
   this->Port.Write(reset.Bytes.data(), reset.Size + 1);
 }
 

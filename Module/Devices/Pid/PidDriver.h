@@ -4,25 +4,25 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
- * Only devices of one axis, such as wheels, get forces. Published firmwares disagree on the
- * direction in which an effect pushes the second axis of a stick: OpenFFBoard's of 2021 (commit
- * 021d967) gives y the share of x; that of 2024 takes another angle for each axis whose bit is set,
- * and pushes y backwards if none is. All sticks of two axes are refused, even those that only use
- * directions.
+ * Of a stick with two axes, both are used if its firmware is known (PidFirmware.h), since firmwares
+ * do not agree about which way an effect pushes the second one. Others are refused, unless the
+ * user says with a second NewtonsPerFullScale of 0 that only the first axis has a motor.
  *
- * A stick's axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way;
- * HID's own y axis points towards the hand. Its effects end by themselves within 0.1 s of the
- * host's last report. Many sticks send nothing while they rest, so the last position stays valid. A
- * stick that repeats its reports is not one of these: if it falls silent, it is lost.
+ * The axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's
+ * own y axis points towards the hand. Of a device of one axis the tip moves along x only: the
+ * second axis may be a pedal. Effects end by themselves within 0.1 s of the host's last report.
+ * Many sticks send nothing while they rest, so the last position stays valid. Others repeat their
+ * reports, such as OpenFFBoard every 0.1 s, and are lost if two repeats do not come.
  *
- * The kernel's own PID driver uses the same device: while a game does so, the two disturb each
- * other.
+ * The kernel's own PID driver has the same device. If a game uses that meanwhile, the two disturb
+ * each other. Why this goes by hidraw and not by that driver: Documentation/devices.md.
  */
 #ifndef PidDriver_h
 #define PidDriver_h
 
 #include "Devices/Pid/HidStick.h"
 #include "Devices/Pid/PidDialogue.h"
+#include "Devices/Pid/PidFirmware.h"
 #include "Devices/Transport/Hid/HidDriver.h"
 
 #include <optional>
@@ -57,6 +57,19 @@ public:
   DeviceLimits GetLimits() const override;
 
 private:
+  /** How a device is driven, as far as its descriptor and its names tell. */
+  struct Mapping
+  {
+    PidDevice Device;
+    HidStick Stick;
+    PidFirmware Firmware;
+    std::string Objection; ///< why it gets no forces although it could; empty: it does
+
+    /** False, with what is missing, if it is no force-feedback device. */
+    bool Read(const HidDeviceInfo& info, bool usesSecond, std::string& error);
+  };
+
+  bool UsesSecondAxis() const noexcept { return this->NewtonsPerFullScale[1] != 0.0; }
   std::vector<HidDeviceInfo> Choose(std::string& error) const override;
   bool Prepare(const HidDeviceInfo& info, std::string& error) override;
   void Begin(HardwareExchange& exchange, bool isAnew) override;
@@ -72,9 +85,9 @@ private:
   bool Send(HardwareExchange& exchange, const HidReport& report) noexcept;
 
   const Numbers Wanted;
-  PidSettings Settings;
-  PidDevice Device;
-  HidStick Stick;
+  const std::array<double, 2> NewtonsPerFullScale;
+  PidSettings Settings; ///< with the firmware's sign
+  Mapping Map;
 
   std::optional<PidDialogue> Dialogue;
   std::optional<PidStream> Stream; ///< once the dialogue is over
@@ -83,6 +96,8 @@ private:
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;
   int Repeats = 0; ///< packets that equal the one before
+  std::int64_t LastPacketTime = 0;
+  std::int64_t LongestGap = 0; ///< ns, before a packet that repeats the one before
   std::int64_t LastRound = 0;
 };
 

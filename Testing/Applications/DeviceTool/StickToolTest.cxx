@@ -9,7 +9,7 @@
 #include "Applications/DeviceTool/DeviceTool.h"
 #include "Emulators/EmulatedHid.h"
 #include "Emulators/ModelClock.h"
-#include "Emulators/StickModel.h"
+#include "Emulators/OpenFfboardModel.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace
 /// The largest force (N) on a hand that presses into the wall and comes back, and what was said.
 double PressedWith(std::vector<std::string> options, std::string& said)
 {
-  StickModel model;
+  OpenFfboardModel model;
   model.Streams = true;
   const EmulatedHid hid(model);
   std::atomic<double> largest{ 0.0 };

@@ -57,7 +57,7 @@ TEST(HidClaim, ADeviceIsHeldByOneAlone)
 
 TEST(HidClaim, TheSecondOfTwoSticksIsOpenedWhereTheFirstIsInUse)
 {
-  StickModel models[2];
+  OpenFfboardModel models[2];
   const EmulatedHid first(models[0]);
   const EmulatedHid second(models[1]);
   DeviceOptions options;
@@ -92,7 +92,7 @@ TEST(HidClaim, IdsThatOpenNothing)
 
 TEST(HidClaim, WithoutPermissionTheRuleIsSaid)
 {
-  StickModel model;
+  OpenFfboardModel model;
   EmulatedHid hid(model);
   hid.SetPermissions(0);
   // Of this thread alone: root may open everything.

@@ -16,7 +16,7 @@ namespace
 class PidFaults : public Pid
 {
 protected:
-  void Break(StickFault fault)
+  void Break(FfbFault fault)
   {
     ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
     ASSERT_NO_FATAL_FAILURE(this->Feel());
@@ -30,7 +30,7 @@ protected:
 
 struct Refusal
 {
-  StickFault Fault;
+  FfbFault Fault;
   const char* Text;
 };
 class PidRefusals
@@ -42,18 +42,18 @@ class PidRefusals
 
 TEST_F(PidFaults, ShortReport)
 {
-  this->Break(StickFault::ShortReport);
+  this->Break(FfbFault::ShortReport);
   this->Bench.ExpectLost("sent a report that is shorter than the device's descriptor says");
   EXPECT_TRUE(this->IsQuiet());
 }
 
 TEST_F(PidFaults, PlacesThatNoHandReachesAreOverSpeed)
 {
-  this->Break(StickFault::None);
+  this->Break(FfbFault::None);
   SafetyLimits limits = QuickLimits();
   limits.MaximumSpeed = this->Bench.Device->GetLimits().MaximumSpeed;
   this->Bench->SetLimits(limits);
-  this->Model.Fault = StickFault::Garbage;
+  this->Model.Fault = FfbFault::Garbage;
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::OverSpeed));
   EXPECT_TRUE(this->IsQuiet());
 }
@@ -68,19 +68,31 @@ TEST_F(PidFaults, AStickThatReportedAllTheTimeMayNotFallSilent)
   this->Bench->Arm();
   this->Model.SetGoal(Wall + 0.01, 0.0);
   ASSERT_TRUE(Eventually([&] { return this->Model.GetForce()[0] < -1.0; }));
-  this->Model.Fault = StickFault::Silence;
+  this->Model.Fault = FfbFault::Silence;
   this->Bench.ExpectLost("does not report where it is any more");
   EXPECT_TRUE(this->IsQuiet());
-  this->Model.Fault = StickFault::None;
+  this->Model.Fault = FfbFault::None;
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   this->Bench->Arm();
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::None));
 }
 
+TEST_F(PidFaults, AStickThatOnlySaysNewsIsAskedToBeMovedAndMayRest)
+{
+  this->Model.OnlySaysNews = true;
+  ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("move it a little")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  this->Model.SetGoal(Wall - 0.005, 0.0);
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  EXPECT_TRUE(this->Bench.WaitForTicks(3000));
+  EXPECT_TRUE(this->Bench.WaitForFault(GateReason::None));
+}
+
 TEST_F(PidFaults, AfterAWriteErrorEffectsEndByThemselves)
 {
-  this->Break(StickFault::WriteError);
+  this->Break(FfbFault::WriteError);
   this->Bench.ExpectLost("does not take what is sent to it");
   EXPECT_TRUE(Eventually([&] { return this->Model.CountPlaying() == 0; }));
   EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
@@ -96,9 +108,9 @@ TEST_F(PidFaults, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
     DeviceSample sample;
     this->Bench.Device->Read(0.001, sample);
     this->Bench.Device->Write({ 0.5, 0.0, 0.0 });
-    // To the right, from the left. Block 1, and -1250 of 10000 for 0.5 N of 4 N.
+    // To the right, from the left. Block 1, and -4096 of 32767 for 0.5 N of 4 N.
     return this->Model.GetForce()[0] > 0.4 &&
-      this->Model.GetLast(5) == std::vector<std::uint8_t>{ 5, 1, 0x1E, 0xFB };
+      this->Model.GetLast(5) == std::vector<std::uint8_t>{ 5, 1, 0x00, 0xF0 };
   };
   EXPECT_TRUE(Eventually(push));
   EXPECT_TRUE(this->IsQuiet()) << "the servo fell silent";
@@ -107,34 +119,6 @@ TEST_F(PidFaults, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
   EXPECT_TRUE(Eventually(push));
   this->Bench.Device->Quench();
   EXPECT_TRUE(this->IsQuiet());
-}
-
-TEST(PidSticks, OfTwoAxesAreRefusedBeforeAnythingIsSent)
-{
-  for (const bool hasAxisBits : { true, false })
-  {
-    SCOPED_TRACE(hasAxisBits ? "axes that can be enabled" : "directions alone");
-    StickModel model(2, hasAxisBits);
-    const EmulatedHid hid(model);
-    const std::vector<DeviceListing> all = ListDevices();
-    ASSERT_EQ(all.size(), 1U);
-    EXPECT_EQ(all[0].Id, "pid:1209:ffb0");
-    EXPECT_TRUE(Has(all[0].State, "refused: it has two axes")) << all[0].State;
-    for (const char* id : { "pid", "pid:1209:ffb0" })
-    {
-      const std::string error = ErrorOf(id);
-      EXPECT_TRUE(Has(error, ("FFB Stick (" + hid.GetNode() + ") can't be used").c_str())) << error;
-      EXPECT_TRUE(Has(error, "two axes")) << error;
-      EXPECT_TRUE(Has(error, "Use a wheel, or another device of one axis")) << error;
-    }
-    EXPECT_EQ(model.GetResets(), 0);
-    // A wheel beside it is opened.
-    StickModel wheel;
-    const EmulatedHid second(wheel);
-    HidBench bench;
-    ASSERT_TRUE(bench.Open("pid")) << bench.Error;
-    EXPECT_TRUE(Has(bench.Device->GetName(), second.GetNode().c_str())) << bench.Device->GetName();
-  }
 }
 
 TEST_P(PidRefusals, AreSaid)
@@ -147,5 +131,5 @@ TEST_P(PidRefusals, AreSaid)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PidRefusals,
-  testing::Values(Refusal{ StickFault::NoBlockLoad, "does not say whether it has made the effect" },
-    Refusal{ StickFault::FullPool, "has no room for another effect" }));
+  testing::Values(Refusal{ FfbFault::NoBlockLoad, "does not say whether it has made the effect" },
+    Refusal{ FfbFault::FullPool, "has no room for another effect" }));

@@ -7,7 +7,7 @@
  */
 
 #include "Emulators/ModelClock.h"
-#include "Emulators/StickModel.h"
+#include "Emulators/OpenFfboardModel.h"
 #include "HidRig.h"
 
 #include <cerrno>
@@ -16,14 +16,14 @@ using namespace emulated;
 
 namespace
 {
-class StuckStick : public StickModel
+class StuckStick : public OpenFfboardModel
 {
 public:
   int Output(const std::uint8_t* report, int size) override
   {
     if (!this->IsStuck)
     {
-      return StickModel::Output(report, size);
+      return OpenFfboardModel::Output(report, size);
     }
     ++this->Refused;
     std::this_thread::sleep_for(std::chrono::milliseconds(700));

@@ -16,15 +16,16 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
   const std::vector<DeviceListing> all = ListDevices();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].Id, "pid:1209:ffb0");
-  EXPECT_EQ(all[0].Name, "Emulated FFB Wheel (" + this->Hid.GetNode() + ")");
+  EXPECT_EQ(all[0].Name, "Emulated FFBoard F407VG (" + this->Hid.GetNode() + ")");
   EXPECT_EQ(all[0].State, "available");
   ASSERT_TRUE(this->Bench.Open("pid:1209:FFB0", this->Options)) << this->Bench.Error;
-  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, StickModel::FullScale);
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, FfbHandle::FullScale);
   EXPECT_EQ(ListDevices()[0].State, "in use");
   ASSERT_NO_FATAL_FAILURE(this->Feel());
-  // To the byte: block 1, constant, 100 ms, full gain, Direction Enable, 90 degrees of a circle of
-  // 255; started once; full gain of the device.
-  EXPECT_EQ(this->Model.GetLast(2), (Bytes{ 2, 1, 1, 100, 0, 255, 2, 64, 0 }));
+  // To the byte: block 1, constant, 100 ms, full gain, Direction Enable, 90.00 degrees; started
+  // once; full gain of the device.
+  EXPECT_EQ(this->Model.GetLast(1),
+    (Bytes{ 1, 1, 1, 100, 0, 0, 0, 0, 0, 0, 0, 255, 0, 4, 0x28, 0x23, 0, 0, 0, 0, 0, 0 }));
   EXPECT_EQ(this->Model.GetLast(10)[2], 1);
   EXPECT_EQ(this->Model.GetLast(13), (Bytes{ 13, 255 }));
   EXPECT_EQ(this->Model.GetResets(), 2);
@@ -55,5 +56,5 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
   this->Bench.Device->Close();
   EXPECT_EQ(this->Model.CountEffects(), 0);
   EXPECT_EQ(this->Model.GetLast(5)[2] | this->Model.GetLast(5)[3], 0);
-  EXPECT_EQ(this->Model.GetLast(12), (Bytes{ 12, 4 }));
+  EXPECT_EQ(this->Model.GetLast(12), (Bytes{ 12, 8 }));
 }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated stick, a wall to the right of its middle, and a hand that is led into it.
+ * An emulated wheel, a wall to the right of its middle, and a hand that is led into it.
  */
 #ifndef StickRig_h
 #define StickRig_h
 
 #include "Emulators/ModelClock.h"
-#include "Emulators/StickModel.h"
+#include "Emulators/OpenFfboardModel.h"
 #include "HidRig.h"
 
 #include <gtest/gtest.h>
@@ -22,14 +22,11 @@ inline const Matrix3 ToTheLeft = Matrix3::FromColumns({ 0, 0, -1 }, { 0, 1, 0 },
 class Pid : public testing::Test
 {
 protected:
-  Pid() { this->Options.NewtonsPerFullScale = { StickModel::FullScale, StickModel::FullScale }; }
+  // Its second axis has no motor.
+  Pid() { this->Options.NewtonsPerFullScale = { FfbHandle::FullScale, 0.0 }; }
 
   void Feel()
   {
-    // The stick only says what is new.
-    ASSERT_TRUE(this->Bench.WaitForText("move it a little")) << this->Bench.Text();
-    EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
-    this->Model.SetGoal(Wall - 0.005, 0.0);
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
     this->Bench.Start(this->Ground.Model);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
@@ -48,7 +45,7 @@ protected:
       << this->Model.GetForce()[0];
   }
 
-  StickModel Model;
+  OpenFfboardModel Model;
   EmulatedHid Hid{ this->Model };
   ModelClock Clock{ [this] { this->Model.Step(); } };
   Floor Ground{ -Wall, ToTheLeft };

@@ -5,7 +5,7 @@
 # ../CMakeLists.txt for umockdev, ../../VirtualMachine/CMakeLists.txt for a kernel of its own.
 set(libusb_tests FalconBytes FalconDirection FalconFault FalconFirmware FalconHomingAgain FalconListing FalconPanel
   FalconSession FalconSleep FalconUnplug FalconZero)
-set(hidapi_tests HidClaim HidTogether Pid PidFault SpaceMouse SpaceMouseFault Wooden WoodenFault)
+set(hidapi_tests HidClaim HidTogether Pid PidFault PidFirmware SpaceMouse SpaceMouseFault Wooden WoodenFault)
 # For umockdev only: a kernel of its own has its own test of permissions and its own pace, and it does not tell the
 # device that a program has closed it.
 set(umockdev_libusb_tests FalconLate FalconPermission FalconTries)

@@ -43,6 +43,19 @@ TEST(HidStick, SaysWhereItIsAndWhatIsHeld)
   EXPECT_EQ(state.Axes[1], 0.0);
 }
 
+TEST(HidStick, WithOneAxisTheSecondOneSaysNothing)
+{
+  HidStick stick;
+  std::string error;
+  ASSERT_TRUE(stick.Map(Parsed(Stick), error)) << error;
+  stick.UseOneAxis();
+  EXPECT_FALSE(stick.HasSecondAxis());
+  HidStick::State state;
+  EXPECT_EQ(Take(stick, { 0x01, 0x00, 0x00, 0xFF, 0x7F, 0x00, 0xC0 }, state), nullptr);
+  EXPECT_EQ(state.Axes[0], 1.0);
+  EXPECT_EQ(state.Axes[1], 0.0);
+}
+
 TEST(HidStick, RefusesOtherLengthsWithAReason)
 {
   HidStick stick;

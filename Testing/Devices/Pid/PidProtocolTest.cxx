@@ -22,11 +22,11 @@ TEST(PidProtocol, FillsReportsToTheByte)
   EXPECT_EQ(Wire(device.FullGain()), (Bytes{ 0x14, 0xFF }));
   EXPECT_EQ(Wire(device.CreateConstant()), (Bytes{ 0x18, 0x01, 0x00, 0x00 }));
   EXPECT_EQ(device.CreateConstant().Kind, HidReportKind::Feature);
-  // Block 5, constant, 100 ms, full gain, Direction Enable and no axis' bit, and 90 or 180 degrees.
+  // Block 5, constant, 100 ms, full gain, Direction Enable and no axis' bit, and 90 or 0 degrees.
   EXPECT_EQ(Wire(device.SetEffect(5, 0, 0.1)),
     (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x40, 0x00 }));
   EXPECT_EQ(Wire(device.SetEffect(6, 1, 0.05)),
-    (Bytes{ 0x11, 0x06, 0x01, 0x32, 0x00, 0xFF, 0x04, 0x80, 0x00 }));
+    (Bytes{ 0x11, 0x06, 0x01, 0x32, 0x00, 0xFF, 0x04, 0x00, 0x00 }));
   EXPECT_EQ(Wire(device.Operate(5, PidUsage::EffectStart)), (Bytes{ 0x13, 0x05, 0x01, 0x01 }));
   EXPECT_EQ(Wire(device.Operate(5, PidUsage::EffectStop)), (Bytes{ 0x13, 0x05, 0x03, 0x01 }));
   EXPECT_EQ(Wire(device.AskPool()), (Bytes{ 0x16, 0x00, 0x00, 0x00 }));
@@ -52,7 +52,16 @@ TEST(PidProtocol, GoesByDirectionsWhereAxesCannotBeEnabled)
   const PidDevice device = Mapped(stick);
   EXPECT_EQ(device.GetNumberOfAxes(), 2);
   EXPECT_EQ(Wire(device.SetEffect(5, 1, 0.1)),
-    (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x80, 0x00 }));
+    (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x04, 0x00, 0x00 }));
+}
+
+TEST(PidProtocol, OfSharesItTakesTheWholeAxis)
+{
+  PidDevice device = Mapped({});
+  device.UseShares();
+  // The bit of x, no Direction Enable, and the end of the range.
+  EXPECT_EQ(Wire(device.SetEffect(5, 0, 0.1)),
+    (Bytes{ 0x11, 0x05, 0x01, 0x64, 0x00, 0xFF, 0x01, 0xFF, 0x00 }));
 }
 
 TEST(PidProtocol, HasTheAxesThatItUses)

@@ -48,8 +48,8 @@ TEST(BadDescriptor, UnpairedItems)
 
 TEST(BadDescriptor, SizesThatDoNotFit)
 {
-  ExpectError(Fields(0, 1), 13, "a report size of 0 bits; 1 to 32 are possible");
-  ExpectError(Fields(33, 1), 13, "a report size of 33 bits");
+  ExpectError(Fields(0, 1), 13, "a report size of 0 bits; 1 to 256 are possible");
+  ExpectError({ 0x05, 0x01, 0x76, 0x01, 0x01, 0x95, 0x01, 0x91, 0x02 }, 7, "257 bits");
   ExpectError({ 0x77, 0xFF, 0xFF, 0xFF, 0xFF, 0x95, 0x01, 0x91, 0x02 }, 7, "4294967295 bits");
   ExpectError(Fields(1, 65535), 13, "a report count of 65535 makes the report longer than 4096");
   ExpectError(Fields(1, 65535, 0x01), 13, "a report count of 65535");

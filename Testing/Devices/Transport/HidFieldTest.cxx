@@ -80,6 +80,18 @@ TEST(HidField, ExcessIsClampedAndNeverTurnsTheSign)
   EXPECT_EQ(report[0], 0x01);
 }
 
+TEST(HidField, RawBitsGoBeyondTheLogicalRange)
+{
+  Report report{ 0xF7 };
+  EXPECT_TRUE(WriteValue(Field(3, 1, 0, 0), report.data(), report.size(), 1));
+  EXPECT_EQ(report[0], 0xF7);
+  EXPECT_TRUE(WriteRaw(Field(3, 1, 0, 0), report.data(), report.size(), 1));
+  EXPECT_EQ(report[0], 0xFF);
+  EXPECT_TRUE(WriteRaw(Field(2, 2, 0, 0), report.data(), report.size(), 0x14));
+  EXPECT_EQ(report[0], 0xF3);
+  EXPECT_FALSE(WriteRaw(Field(41, 8, 0, 0), report.data(), report.size(), 1));
+}
+
 TEST(HidField, OutsideTheLogicalRangeThereIsNoValue)
 {
   const Report report{ 0x00, 0x07 };

@@ -67,6 +67,18 @@ TEST(HidReportDescriptor, PopBringsBackWhatWasPushed)
   EXPECT_EQ(d.GetReportSize(HidReportKind::Feature, 1), 1U);
 }
 
+TEST(HidReportDescriptor, FieldsOfMoreBitsThanANumberHasTakeUpTheirBits)
+{
+  // A vendor's two fields of 64 bits, and one of 8 behind them.
+  const HidReportDescriptor d =
+    Parsed({ 0x06, 0x00, 0xFF, 0x85, 0x01, 0x15, 0x00, 0x25, 0x04, 0x75, 0x40, 0x95, 0x02, 0x09,
+      0x05, 0x09, 0x06, 0x91, 0x02, 0x75, 0x08, 0x95, 0x01, 0x09, 0x07, 0x91, 0x02 });
+  ASSERT_EQ(d.GetFields().size(), 1U);
+  EXPECT_EQ(d.GetFields()[0].Usage, MakeHidUsage(0xFF00, 7));
+  EXPECT_EQ(d.GetFields()[0].BitOffset, 128U);
+  EXPECT_EQ(d.GetReportSize(HidReportKind::Output, 1), 17U);
+}
+
 TEST(HidReportDescriptor, AMaximumIsSignedWhereTheMinimumIs)
 {
   // Physical 0 to 255 in a byte, unit seconds times 10^-3, logical 0 to 65535 in two bytes.

@@ -52,14 +52,14 @@ bool ReadValue(const HidField& field, const std::uint8_t* payload, std::size_t s
     value <= field.LogicalMaximum;
 }
 
-bool WriteValue(
+bool WriteRaw(
   const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept
 {
   if (!Fits(field, size))
   {
     return false;
   }
-  const auto bits = static_cast<std::uint64_t>(ClampToField(field, value));
+  const auto bits = static_cast<std::uint64_t>(value);
   for (unsigned bit = 0; bit < field.BitSize; ++bit)
   {
     const std::size_t at = std::size_t{ field.BitOffset } + bit;
@@ -68,6 +68,12 @@ bool WriteValue(
       (bits >> bit & 1) != 0 ? payload[at / 8] | mask : payload[at / 8] & ~mask);
   }
   return true;
+}
+
+bool WriteValue(
+  const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept
+{
+  return Fits(field, size) && WriteRaw(field, payload, size, ClampToField(field, value));
 }
 
 } // namespace VolumeHaptics

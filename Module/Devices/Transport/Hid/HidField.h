@@ -74,6 +74,13 @@ bool ReadValue(const HidField& field, const std::uint8_t* payload, std::size_t s
   std::int64_t& value) noexcept;
 
 /**
+ * Writes the lowest bits of the value, whatever the logical range, and leaves all other bits.
+ * False, with nothing written, if the payload is too short.
+ */
+bool WriteRaw(
+  const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept;
+
+/**
  * Writes the clamped value and leaves all other bits. False, with nothing written, if the payload
  * is too short.
  */

@@ -129,10 +129,10 @@ bool HidItemReader::Fields(HidReportKind kind, const Item& item)
   {
     return this->Fail("a report without an id where others have one");
   }
-  if (g.ReportSize < 1 || g.ReportSize > 32)
+  if (g.ReportSize < 1 || g.ReportSize > HidReportDescriptor::MaximumBits)
   {
     return this->Fail("fields with a report size of " + std::to_string(g.ReportSize) +
-      " bits; 1 to 32 are possible");
+      " bits; 1 to " + std::to_string(HidReportDescriptor::MaximumBits) + " are possible");
   }
   std::uint32_t& bits = this->Result.ReportBits[{ kind, g.ReportId }];
   const std::uint64_t end = bits + std::uint64_t{ g.ReportCount } * g.ReportSize;
@@ -144,8 +144,9 @@ bool HidItemReader::Fields(HidReportKind kind, const Item& item)
   }
   const std::uint32_t start = bits;
   bits = static_cast<std::uint32_t>(end);
-  // Data without a usage is padding, too: its meaning is unknown.
-  if ((item.Data & constant) != 0 || this->Locals.List.empty())
+  // Data without a usage is padding, too: its meaning is unknown. So is a field of more bits than
+  // a number has here, such as OpenFFBoard's 64 of a vendor's own.
+  if ((item.Data & constant) != 0 || this->Locals.List.empty() || g.ReportSize > 32)
   {
     return true;
   }

@@ -5,10 +5,11 @@
  * The reports of a HID device as the device describes them, after the HID 1.11 specification,
  * 6.2.2.
  *
- * Long items and reserved ones are skipped. Constant fields (padding) take up their bits and are
- * not listed. Of alternatives between delimiters the first one counts. Any bytes are accepted,
- * because a device can be broken or hostile. Parsing allocates, within limits, and belongs outside
- * the servo loop; the functions that read and write fields are in HidField.h.
+ * Long items and reserved ones are skipped. Constant fields (padding) and fields of more than 32
+ * bits take up their bits and are not listed. Of alternatives between delimiters the first one
+ * counts. Any bytes are accepted, because a device can be broken or hostile. Parsing allocates,
+ * within limits, and belongs outside the servo loop; the functions that read and write fields are
+ * in HidField.h.
  */
 #ifndef HidReportDescriptor_h
 #define HidReportDescriptor_h
@@ -46,6 +47,7 @@ public:
   static constexpr int MaximumDepth = 32;           ///< of collections, and of pushed states
   static constexpr std::size_t MaximumFields = 4096;
   static constexpr std::size_t MaximumUsages = 1024;       ///< ranges for one main item
+  static constexpr std::uint32_t MaximumBits = 256;        ///< of a field, as for Linux
   static constexpr std::uint32_t MaximumReportSize = 4096; ///< bytes of a payload
   ///@}
 
