@@ -46,7 +46,10 @@ void FfbHandle::Step()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Hand.Step(1e-3, this->Push());
   ++this->Time;
-  this->Report();
+  if (this->Time % this->ReportPeriod == 0)
+  {
+    this->Report();
+  }
 }
 
 void FfbHandle::Report()
@@ -61,7 +64,7 @@ void FfbHandle::Report()
     y = static_cast<std::int16_t>(this->Noise >> 16) / 32768.0;
   }
   const Bytes report = this->BuildReport(x, y);
-  const bool isReminder = ++this->SinceSent > this->GetReminderTime();
+  const bool isReminder = (this->SinceSent += this->ReportPeriod) > this->GetReminderTime();
   const bool isDue = this->Streams || (isReminder && !this->OnlySaysNews);
   if (fault == FfbFault::ShortReport)
   {

@@ -59,9 +59,13 @@ public:
 
   std::atomic<FfbFault> Fault{ FfbFault::None };
   ///@{
-  /** Unlike the published firmware: it reports in every millisecond, or only what is new. */
+  /**
+   * Unlike the published firmware: it reports in every millisecond, or only what is new, or it
+   * looks for news less often than in every millisecond.
+   */
   std::atomic<bool> Streams{ false };
   std::atomic<bool> OnlySaysNews{ false };
+  std::atomic<int> ReportPeriod{ 1 }; ///< ms
   ///@}
   std::atomic<int> Buttons{ 0 };
 

@@ -14,6 +14,7 @@
 #include "Core/Math/Vector3.h"
 #include "Core/Model/ForceCaps.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -31,26 +32,50 @@ struct DeviceLimits
   double MaximumSpeed = 0.0;
   double Damping = 0.0;         ///< N s/m, the device's own friction b; 0 if it is not known
   double WorkspaceRadius = 0.0; ///< m
+  /// m: a device that reports only what is new is silent unless it moves by this; 0 if it also
+  /// reports at rest
+  double LeastMotion = 0.0;
 };
 
+/** The round trip (s) for which devices state the largest stiffness and damping that they hold. */
+constexpr double StatedRoundTrip = 1e-3;
+
 /**
- * The largest stiffness and damping that a device holds at a tick period (s): its own limits, and
- * a stiffness of 2 b / period, above which a sampled spring feeds energy in.
+ * The largest stiffness and damping that a device holds if forces are late by a round trip of T (s,
+ * LoopTiming.h): its own limits, and a stiffness of 2 b / T, above which a sampled spring feeds
+ * energy in. If b is not known, that which the device states stands for it: b = k T / 2 with its
+ * largest k and the T of StatedRoundTrip. The largest damping falls with 1 / T, too.
  */
-inline ForceCaps CapsOf(const DeviceLimits& limits, double period) noexcept
+inline ForceCaps CapsOf(const DeviceLimits& limits, double roundTrip) noexcept
 {
-  const double sampled = 2.0 * limits.Damping / period;
-  return { TighterCap(limits.MaximumStiffness, sampled), limits.MaximumDamping };
+  const double share = std::min(1.0, StatedRoundTrip / roundTrip);
+  const double stated = (limits.Damping > 0.0 ? 1.0 : share) * limits.MaximumStiffness;
+  const double sampled = 2.0 * limits.Damping / roundTrip;
+  return { TighterCap(stated, sampled), share * limits.MaximumDamping };
 }
+
+/** A force that the device has taken: which one, and when. Times are in ns of ServoClock. */
+struct TakenForce
+{
+  /// DeviceSample::Time of the measurement that it answers; 0: the device can't tell; -1: none yet
+  std::int64_t Of = 0;
+  std::int64_t At = 0;
+};
 
 /** The report of a device in a tick. */
 struct DeviceSample
 {
   Vector3 Tip;               ///< m
   std::uint32_t Buttons = 0; ///< bit 0 is the main one
-  bool Fresh = false;        ///< measured since the last Read
-  bool Begins = false;       ///< the stylus is taken up here; earlier positions mean nothing
-  Vector3 Turn; ///< rad/s: how fast the hand asks the view to turn; zero for most devices
+  bool Fresh = false;        ///< news: measured since the last Read
+  /// Since the last Read, the device has shown that it is there and has nothing new to say: the tip
+  /// is known to be where it was. For devices that are silent at rest; Fresh says as much.
+  bool Alive = false;
+  bool Begins = false; ///< the stylus is taken up here; earlier positions mean nothing
+  Vector3 Turn;        ///< rad/s: how fast the hand asks the view to turn; zero for most devices
+  /// ns of ServoClock: when Tip was measured, or else, when the computer got it; 0 stands for Read
+  std::int64_t Time = 0;
+  TakenForce Taken; ///< the last one; of a device that can't tell, when Write returned counts
 };
 
 enum class DeviceState : std::uint8_t

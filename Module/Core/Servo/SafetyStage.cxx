@@ -46,7 +46,7 @@ Vector3 SafetyStage::Retreat(
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
   const Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
   Vector3 next = last - ClampNorm(last, rate * input.Period);
-  if (input.Fresh)
+  if (input.Fresh || input.Alive)
   {
     // The position of the hand is known again: it gets no push that is not wanted there.
     const double norm = Norm(last);
@@ -60,7 +60,8 @@ Vector3 SafetyStage::Retreat(
 double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
 {
   // After a late wake-up the next one comes early, but the device has moved for a whole period.
-  const double time = std::max(this->SampleAge, input.Period);
+  const double measured = input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge;
+  const double time = std::max(measured, input.Period);
   const double speed = this->HasTip && time > 0.0 ? Norm(input.Tip - this->LastTip) / time : 0.0;
   this->LastTip = input.Tip;
   this->HasTip = true;
@@ -71,15 +72,20 @@ bool SafetyStage::FollowSamples(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
   this->SampleAge += input.Elapsed;
+  this->Silence += input.Elapsed;
   const bool finite = IsFinite(input.Force) && IsFinite(input.Tip);
   double speed = 0.0;
-  this->Stale = this->SampleAge > limits.WatchdogTime;
+  this->Stale = this->Silence > limits.WatchdogTime;
   // A gap counts even if a fresh sample ends it: the hand was not watched meanwhile.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {
     speed = this->MeasureSpeed(input);
     this->SampleAge = 0.0;
+  }
+  if ((input.Fresh || input.Alive) && finite)
+  {
+    this->Silence = 0.0;
     this->Stale = false;
   }
   if (input.Lost)

@@ -6,7 +6,8 @@
  *
  * In the order in which a force passes:
  * 1. A force or a tip that is not finite gives zero and a fault.
- * 2. A tip that is faster than the limit gives zero and a fault.
+ * 2. A tip that is faster than the limit gives zero and a fault. Its speed is that between two
+ *    measurements, by their own times.
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
  * 4. The share that the gate lets through is taken (ForceGate.h).
  * 5. The growth of the force is limited (the slew limit, GrowthLimit.h). A force may fall at once.
@@ -16,7 +17,7 @@
  * The share is applied before the slew limit, so that no force that is sent grows faster than this
  * limit allows. A fault and disarming cut the force at once.
  *
- * Without fresh samples for WatchdogTime the force retreats: the last force falls to zero at
+ * Without news, and without a sign that the device is alive, for WatchdogTime the force retreats: the last force falls to zero at
  * MaximumForceRate, or faster, so that it is gone after 20 ms. A retreat goes on to zero even if
  * samples come back. It then also stays below the part of the wanted force along its direction, so
  * that it never pushes a hand that has moved on. After the loop itself stood still for
@@ -57,7 +58,13 @@ struct SafetyInput
   double Period = 1e-3;   ///< s, nominal, for the slew limit and the ramp
   double Elapsed = 0.0;   ///< s since the last tick, measured
   bool Fresh = false;     ///< the tip was measured for this tick
-  bool Lost = false;      ///< the device is gone
+  bool Alive = false;     ///< the tip is known to be where it was: see DeviceSample
+  /**
+   * s, in which a fresh tip has come here, by the device's own times; 0 if these are not known.
+   * Without them it is the time since the last fresh one.
+   */
+  double MotionTime = 0.0;
+  bool Lost = false; ///< the device is gone
 };
 
 class SafetyStage
@@ -86,7 +93,8 @@ private:
 
   GrowthLimit Growth;
   Vector3 LastTip;
-  double SampleAge = 0.0; ///< s
+  double SampleAge = 0.0; ///< s, of the last fresh one
+  double Silence = 0.0;   ///< s, without a sign of the device
   bool HasTip = false;
   bool Stale = false;
 };

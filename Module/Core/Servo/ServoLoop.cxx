@@ -23,6 +23,7 @@ constexpr std::int64_t RateWindow = 100000000;
 ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
   : Backend(backend)
   , Period(static_cast<std::int64_t>(ServoClock::NanosecondsPerSecond / rate + 0.5))
+  , Timing(backend.GetLimits().LeastMotion)
   , Trace(TraceCapacity)
 {
 }
@@ -115,17 +116,17 @@ void ServoLoop::FollowAttention(std::int64_t now) noexcept
   }
 }
 
-void ServoLoop::TickOnce(std::int64_t start, double elapsed) noexcept
+void ServoLoop::TickOnce(std::int64_t woken, std::int64_t start, double elapsed) noexcept
 {
   const double period = static_cast<double>(this->Period) / ServoClock::NanosecondsPerSecond;
-  const DeviceSample sample = this->ReadDevice(period);
+  const DeviceSample sample = this->ReadDevice(woken, period);
   this->PlaceProxy(sample, elapsed);
   this->Touch(sample, period);
   this->SendForce(sample, period, elapsed);
   this->Tell(start);
 }
 
-DeviceSample ServoLoop::ReadDevice(double period) noexcept
+DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   DeviceSample sample;
@@ -133,6 +134,8 @@ DeviceSample ServoLoop::ReadDevice(double period) noexcept
   s.Device = this->Backend.Read(period, sample);
   s.Buttons = sample.Buttons;
   s.Turn = sample.Turn;
+  sample.Time = sample.Time == 0 ? woken : sample.Time;
+  this->MotionTime = this->Timing.NoteSample(sample, woken);
   if (s.Device == DeviceState::NotReady)
   {
     // The user has to arm with the device ready: force never begins by itself.
@@ -201,10 +204,20 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.Period = period;
   input.Elapsed = elapsed;
   input.Fresh = sample.Fresh;
+  input.Alive = sample.Alive;
+  input.MotionTime = this->MotionTime;
   // A loss that Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   s.Command = this->Safety.Apply(input, this->Limits.Read(), this->Gate);
   this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
+  if (sample.Taken.Of != 0)
+  {
+    this->Timing.NoteTaken(sample.Taken);
+  }
+  else if (sample.Fresh)
+  {
+    this->Timing.NoteTaken({ sample.Time, ServoClock::Now() });
+  }
   // Only after the device has got it.
   this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
   if (this->WriteLost)
@@ -266,7 +279,7 @@ void ServoLoop::Run() noexcept
     this->FollowCommands();
     this->FollowAttention(woken);
     this->TickOnce(
-      woken - begin, static_cast<double>(woken - last) / ServoClock::NanosecondsPerSecond);
+      woken, woken - begin, static_cast<double>(woken - last) / ServoClock::NanosecondsPerSecond);
     const std::int64_t done = ServoClock::Now();
     this->CountTime(planned, woken, done);
     last = woken;

@@ -21,6 +21,7 @@
 #include "Core/Servo/DeviceBackend.h"
 #include "Core/Servo/ForceGate.h"
 #include "Core/Servo/LocalSurfaceFitter.h"
+#include "Core/Servo/LoopTiming.h"
 #include "Core/Servo/MemoryLock.h"
 #include "Core/Servo/ModelExchange.h"
 #include "Core/Servo/ResidentServo.h"
@@ -173,6 +174,8 @@ public:
   {
     return this->MissedTicks.load(std::memory_order_relaxed);
   }
+  /** How old positions are in the forces: how the device is read and written, not the ticks. */
+  const LoopTiming& GetTiming() const noexcept { return this->Timing; }
   double GetTickRate() const noexcept { return this->TickRate.load(std::memory_order_relaxed); }
   void ResetStatistics() noexcept { this->ResetRequested.store(true, std::memory_order_release); }
   ///@}
@@ -226,9 +229,12 @@ private:
   void FollowCommands() noexcept;
   void FollowAttention(std::int64_t now) noexcept;
   ///@{
-  /** A tick, and its steps in their order. Times in ns since the loop started, durations in s. */
-  void TickOnce(std::int64_t start, double elapsed) noexcept;
-  DeviceSample ReadDevice(double period) noexcept;
+  /**
+   * A tick, and its steps in their order. `woken` is in ns of ServoClock, `start` in ns since the
+   * loop started, durations are in s.
+   */
+  void TickOnce(std::int64_t woken, std::int64_t start, double elapsed) noexcept;
+  DeviceSample ReadDevice(std::int64_t woken, double period) noexcept;
   void PlaceProxy(const DeviceSample& sample, double elapsed) noexcept;
   void Touch(const DeviceSample& sample, double period) noexcept;
   void SendForce(const DeviceSample& sample, double period, double elapsed) noexcept;
@@ -250,6 +256,7 @@ private:
   std::atomic<bool> AtRest{ false };
   std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bits an ArmOrder
   std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
+  LoopTiming Timing;                          // written by the servo
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<ServoSnapshot> Latest;
   TraceRing<ServoSnapshot> Trace;
@@ -262,6 +269,7 @@ private:
   bool HasSample = false; ///< a fresh sample has come since the start
   ForceGate Gate;
   SafetyStage Safety;
+  double MotionTime = 0.0; ///< s: SafetyInput::MotionTime
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
   bool WriteLost = false;

@@ -78,7 +78,9 @@ void HardwareExchange::Begin() noexcept
   this->Quenched.store(true);
   this->IsUnderWay = false;
   this->TimesReadySeen = this->TimesReady.load();
+  this->TimeSeen = 0;
   this->Samples.Update();
+  this->TakenForces.Write({ -1, 0 });
   this->Forces.Update();
   this->SleptBefore = this->Asleep();
   for (int again = 0; again < 3; ++again)
@@ -188,26 +190,47 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
     this->IsUnderWay = false;
     return DeviceState::NotReady;
   }
-  const bool isNew = this->Samples.Update();
-  if (isNew || this->IsUnderWay)
+  const bool isTold = this->Samples.Update();
+  if (isTold || this->IsUnderWay)
   {
     // Buttons stay pressed and turns go on in ticks between two samples.
     sample = this->Samples.Read();
+    const bool isNew = isTold && (sample.Time != this->TimeSeen || !this->IsUnderWay);
+    this->TimeSeen = sample.Time;
     sample.Fresh = isNew;
+    sample.Alive = isTold;
     // The zero may have changed, so the positions from before mean nothing.
     sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
     this->IsUnderWay = true;
   }
+  this->TakenForces.Update();
+  sample.Taken = this->TakenForces.Read();
   return DeviceState::Running;
 }
 
 DeviceState HardwareExchange::Give(const Vector3& force) noexcept
 {
-  this->Forces.Write({ force, ServoClock::Now(), this->TimesReadySeen });
+  this->Forces.Write({ force, ServoClock::Now(), this->TimesReadySeen, this->TimeSeen });
   this->Quenched.store(false, std::memory_order_release);
   this->WakeUp();
   return this->Stage.load(std::memory_order_acquire) == DeviceStage::Lost ? DeviceState::Lost
                                                                           : DeviceState::Running;
+}
+
+void HardwareExchange::Tell(const DeviceSample& sample) noexcept
+{
+  this->Told = sample;
+  this->Told.Time = sample.Time == 0 ? ServoClock::Now() : sample.Time;
+  this->Samples.Write(this->Told);
+}
+
+void HardwareExchange::NoteTaken() noexcept
+{
+  const std::int64_t of = this->Forces.Read().Of;
+  if (of != 0)
+  {
+    this->TakenForces.Write({ of, ServoClock::Now() });
+  }
 }
 
 void HardwareExchange::Quench() noexcept

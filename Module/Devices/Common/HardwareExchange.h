@@ -85,6 +85,11 @@ public:
   /** The force to send now (N): zero unless the device is ready and the servo alive. */
   Vector3 GetForce() noexcept;
   /**
+   * The device has that force: it took what was sent, or held the same one already. By this the
+   * servo measures how old positions are in the forces (LoopTiming.h).
+   */
+  void NoteTaken() noexcept;
+  /**
    * A file descriptor that becomes readable with a force, a stop or a homing request; below zero if
    * the system has none. ClearWake makes it wait for the next one.
    */
@@ -94,11 +99,17 @@ public:
 
   ///@{
   /**
-   * Called by the device's thread: its news. Samples are passed on only while the device is ready,
-   * so tell one before the stage becomes Ready. The first one then has Begins set, because the hand
-   * may have moved before.
+   * Called by the device's thread: its news. A sample is a new measurement, of now unless its Time
+   * says when; one with the Time of the last is the same as Confirm. Samples are passed on only
+   * while the device is ready, so tell one before the stage becomes Ready. The first one then has
+   * Begins set, because the hand may have moved before.
    */
-  void Tell(const DeviceSample& sample) noexcept { this->Samples.Write(sample); }
+  void Tell(const DeviceSample& sample) noexcept;
+  /**
+   * The device has nothing new to tell and was seen to be alive: the sample told last is where the
+   * tip is now. Only after a Tell since Begin.
+   */
+  void Confirm() noexcept { this->Samples.Write(this->Told); }
   /**
    * Texts are cut to the condition's size. Lost stays until TakeHomeRequest or Begin, even if
    * another stage is set, so that nothing resumes by itself.
@@ -120,6 +131,7 @@ private:
     Vector3 Force;
     std::int64_t Time = 0;
     std::uint32_t TimesReady = 0; ///< the last value that the servo saw
+    std::int64_t Of = 0;          ///< Time of the last sample that the servo got
   };
   void WakeUp() noexcept;
 
@@ -128,9 +140,12 @@ private:
   std::int64_t SleptBefore = 0; ///< used by the device's thread
   bool IsUnderWay = false; ///< used by the servo: it took a sample since the device became ready
   std::uint32_t TimesReadySeen = 0;           ///< used by the servo
+  std::int64_t TimeSeen = 0;                  ///< used by the servo: of the last sample
+  DeviceSample Told;                          ///< used by the device's thread: the last one
   std::atomic<std::uint32_t> TimesReady{ 0 }; ///< how often the device became ready
   TripleBuffer<DeviceSample> Samples;
   TripleBuffer<TimedForce> Forces;
+  TripleBuffer<TakenForce> TakenForces;
   TripleBuffer<DeviceCondition> Conditions;
   std::atomic<DeviceStage> Stage{ DeviceStage::Lost };
   std::atomic<bool> Quenched{ true };

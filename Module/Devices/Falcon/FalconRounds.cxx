@@ -32,6 +32,7 @@ bool FalconRounds::Transfers::AreFlying() const noexcept
 
 FalconRounds::FalconRounds(UsbInterface& usb, HardwareExchange& exchange)
   : Usb(usb)
+  , Exchange(exchange)
   , Events(usb, exchange)
   , Flight(std::make_unique<Transfers>(usb, *this))
 {
@@ -143,6 +144,10 @@ void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noex
   {
     // There is no answer to wait for: zero goes out at once.
     this->Turns.Abandon();
+  }
+  if (isOut && outcome == UsbOutcome::Done)
+  {
+    this->Exchange.NoteTaken();
   }
   if (isOut || outcome != UsbOutcome::Done)
   {

@@ -76,6 +76,7 @@ private:
   void Finish() noexcept;
 
   UsbInterface& Usb;
+  HardwareExchange& Exchange;
   UsbEvents Events;
   std::unique_ptr<Transfers> Flight;
   FalconStream Stream;

@@ -70,6 +70,17 @@ bool HidStick::Map(const HidReportDescriptor& descriptor, std::string& error)
   return true;
 }
 
+double HidStick::GetStep() const noexcept
+{
+  double step = 1.0;
+  for (const HidField& axis : this->Axes)
+  {
+    const auto range = static_cast<double>(axis.LogicalMaximum - axis.LogicalMinimum);
+    step = std::min(step, 1.0 / range);
+  }
+  return step;
+}
+
 const char* HidStick::Decode(
   const std::uint8_t* bytes, std::size_t size, State& state) const noexcept
 {

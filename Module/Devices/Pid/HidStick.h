@@ -29,6 +29,8 @@ public:
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
+  /** The smallest step of an axis that it tells, as a share of its logical range. */
+  double GetStep() const noexcept;
   bool HasSecondAxis() const noexcept { return this->Axes.size() > 1; }
   /** For a device whose second axis has no motor: it may be a pedal's. State::Axes[1] stays 0. */
   void UseOneAxis() { this->Axes.resize(1); }

@@ -160,13 +160,15 @@ bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidRepo
   {
     age += elapsed;
   }
+  this->Silence += elapsed;
+  const bool isSignDue = this->Silence >= SignTime;
   // Twice within a duration, so that one report may be late.
   const double due = 0.5 * this->Settings.Duration;
   for (int axis = 0; axis < axes; ++axis)
   {
     if (this->Ages[axis] >= due)
     {
-      this->Ages[axis] = 0.0;
+      this->Ages[axis] = this->Silence = 0.0;
       report = this->Device.Operate(this->Blocks[axis], PidUsage::EffectStart);
       return true;
     }
@@ -176,8 +178,9 @@ bool PidStream::Next(double elapsed, const std::array<double, 2>& force, HidRepo
     const int axis = (this->Turn + i) % axes;
     const HidReport magnitude = this->Device.SetConstant(
       this->Blocks[axis], force[axis], this->Settings.NewtonsPerFullScale[axis]);
-    if (magnitude.Bytes != this->Last[axis])
+    if (magnitude.Bytes != this->Last[axis] || isSignDue)
     {
+      this->Silence = 0.0;
       this->Last[axis] = magnitude.Bytes;
       this->Turn = (axis + 1) % axes;
       report = magnitude;

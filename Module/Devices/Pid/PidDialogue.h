@@ -82,11 +82,14 @@ private:
 
 /**
  * The reports of the servo, one after the other: each axis is restarted before its effect ends, and
- * gets a new magnitude if it has changed. No allocation, no exception.
+ * gets a new magnitude if it has changed. If nothing else was sent for SignTime, a magnitude is sent
+ * again: the device shows that it is alive by taking it. No allocation, no exception.
  */
 class PidStream
 {
 public:
+  static constexpr double SignTime = 0.01; ///< s
+
   /** The device has to outlive this, and the dialogue has to be ready. */
   PidStream(const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue);
 
@@ -102,7 +105,8 @@ private:
   std::array<std::int64_t, 2> Blocks{};
   std::array<double, 2> Ages{}; ///< s since the last start
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{}; ///< magnitudes sent
-  int Turn = 0; ///< the axis whose turn is next
+  double Silence = 0.0; ///< s since anything was sent
+  int Turn = 0;         ///< the axis whose turn is next
 };
 
 } // namespace VolumeHaptics

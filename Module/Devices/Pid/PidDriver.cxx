@@ -22,6 +22,8 @@ constexpr int RepeatsOfStream = 20;
 constexpr std::int64_t LongestReminder = 250000000;
 /** In gaps between repeats: two of them did not come. */
 constexpr double MissedGaps = 2.5;
+/** And after so many, the tip is not known to be at its last place any more. */
+constexpr double LateGaps = 1.5;
 
 const char* const TwoAxes =
   "it has two axes, and firmwares disagree on the direction of the force along the second one, "
@@ -101,6 +103,7 @@ DeviceLimits PidDriver::GetLimits() const
     : std::abs(full[0]);
   limits.MaximumSpeed = FastestStick;
   limits.WorkspaceRadius = Travel;
+  limits.LeastMotion = 2.0 * Travel * this->Map.Stick.GetStep();
   return limits;
 }
 
@@ -194,8 +197,17 @@ void PidDriver::Work(HardwareExchange& exchange)
       "Arm() again; if that does not help, plug it in again, then Open() and Start() it.");
     return;
   }
-  this->TellPlace(exchange);
-  this->SendForces(exchange);
+  if (hasNews)
+  {
+    this->TellPlace(exchange);
+  }
+  const bool isLate =
+    this->Repeats > RepeatsOfStream && silence > LateGaps * static_cast<double>(this->LongestGap);
+  if (this->SendForces(exchange) && this->IsReady && !isLate)
+  {
+    // It has just taken a report, so it is alive, and would have said if it had moved.
+    exchange.Confirm();
+  }
 }
 
 void PidDriver::GoOnWithDialogue(HardwareExchange& exchange)
@@ -286,7 +298,7 @@ void PidDriver::TellPlace(HardwareExchange& exchange)
   }
 }
 
-void PidDriver::SendForces(HardwareExchange& exchange)
+bool PidDriver::SendForces(HardwareExchange& exchange)
 {
   const std::int64_t now = ServoClock::Now();
   double elapsed = static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond;
@@ -296,14 +308,22 @@ void PidDriver::SendForces(HardwareExchange& exchange)
   const std::array<double, 2> magnitudes{ -force.X, -force.Y };
   // For each axis its start, if that is due, and its magnitude.
   HidReport report;
+  bool isAlive = false;
   for (int i = 0; i < 2 * this->Map.Device.GetNumberOfAxes(); ++i)
   {
-    if (!this->Stream->Next(elapsed, magnitudes, report) || !this->Send(exchange, report))
+    if (!this->Stream->Next(elapsed, magnitudes, report))
     {
-      return;
+      break;
     }
+    if (!this->Send(exchange, report))
+    {
+      return false;
+    }
+    isAlive = true;
     elapsed = 0.0;
   }
+  exchange.NoteTaken();
+  return isAlive;
 }
 
 bool PidDriver::Send(HardwareExchange& exchange, const HidReport& report) noexcept

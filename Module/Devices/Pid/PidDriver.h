@@ -11,7 +11,8 @@
  * The axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's
  * own y axis points towards the hand. Of a device of one axis the tip moves along x only: the
  * second axis may be a pedal. Effects end by themselves within 0.1 s of the host's last report.
- * Many sticks send nothing while they rest, so the last position stays valid. Others repeat their
+ * Many sticks send nothing while they rest, so the last position stays valid: such a stick shows
+ * that it is alive by the reports that it takes, one every 10 ms at least. Others repeat their
  * reports, such as OpenFFBoard every 0.1 s, and are lost if two repeats do not come.
  *
  * The kernel's own PID driver has the same device. If a game uses that meanwhile, the two disturb
@@ -81,7 +82,8 @@ private:
   void Fetch(HidReport& report);
   bool Listen(HardwareExchange& exchange);
   void TellPlace(HardwareExchange& exchange);
-  void SendForces(HardwareExchange& exchange);
+  /** Whether the device has taken a report. */
+  bool SendForces(HardwareExchange& exchange);
   bool Send(HardwareExchange& exchange, const HidReport& report) noexcept;
 
   const Numbers Wanted;

@@ -84,6 +84,7 @@ void SpaceMouseDriver::Begin(HardwareExchange& exchange, bool)
   this->Drain();
   this->State = {};
   this->Tip = {};
+  this->Told = {};
   this->LastRound = this->LastMotion = ServoClock::Now();
   exchange.Tell({});
   this->Tell(exchange, DeviceStage::Ready, "");
@@ -144,7 +145,19 @@ void SpaceMouseDriver::Move(HardwareExchange& exchange)
   sample.Tip = this->Tip;
   sample.Buttons = this->State.Buttons;
   sample.Turn = FullTurn * TurnAxes(axes[3], axes[4], axes[5]);
-  exchange.Tell(sample);
+  // A mouse that is let go says nothing. Where the tip stays is known all the same: nothing but this
+  // moves it.
+  const bool isNew = !IsIdentical(sample.Tip, this->Told.Tip) ||
+    sample.Buttons != this->Told.Buttons || !IsIdentical(sample.Turn, this->Told.Turn);
+  if (isNew)
+  {
+    this->Told = sample;
+    exchange.Tell(sample);
+  }
+  else
+  {
+    exchange.Confirm();
+  }
 }
 
 void SpaceMouseDriver::Light(bool on) noexcept

@@ -52,6 +52,7 @@ private:
   bool IsLit = false;
   SpaceMouse::State State;
   Vector3 Tip;
+  DeviceSample Told; ///< the last one
   std::int64_t LastRound = 0;
   std::int64_t LastMotion = 0;
 };

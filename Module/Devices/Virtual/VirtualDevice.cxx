@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Virtual/VirtualDevice.h"
 
+#include "Core/Servo/ServoClock.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,7 @@ bool VirtualDevice::Open(std::string&)
   this->Frozen.store(false);
   this->Velocity = {};
   this->Queue = {};
+  this->Time = ServoClock::Now();
   return true;
 }
 
@@ -83,6 +86,9 @@ void VirtualDevice::Integrate(double period, const Vector3& force) noexcept
 
 DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
 {
+  this->Period = std::llround(period * ServoClock::NanosecondsPerSecond);
+  this->Time += this->Period;
+  sample.Taken = this->Taken;
   if (this->Orders.Update())
   {
     this->Target = this->Orders.Read().Target;
@@ -116,6 +122,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
   sample.Tip = { measure(this->Position.X), measure(this->Position.Y), measure(this->Position.Z) };
   sample.Buttons = this->Buttons.load(std::memory_order_relaxed);
   sample.Fresh = true;
+  sample.Time = this->Time;
   return DeviceState::Running;
 }
 
@@ -126,6 +133,7 @@ DeviceState VirtualDevice::Write(const Vector3& force) noexcept
   this->Queue[this->QueueHead % length] = force;
   this->QueueHead = (this->QueueHead + 1) % length;
   const Vector3& acting = this->Queue[this->QueueHead];
+  this->Taken = { this->Time - (length - 1) * this->Period, this->Time };
   this->Acting[0].store(acting.X, std::memory_order_relaxed);
   this->Acting[1].store(acting.Y, std::memory_order_relaxed);
   this->Acting[2].store(acting.Z, std::memory_order_relaxed);

@@ -95,6 +95,9 @@ private:
   Vector3 Velocity;
   std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
   int QueueHead = 0;
+  std::int64_t Time = 0;   ///< ns, simulated: a period a tick, however late the ticks are
+  std::int64_t Period = 0; ///< ns
+  TakenForce Taken{ -1, 0 };
   Vector3 Target;
   std::uint64_t PlacesDone = 0; ///< 0: it was never taken up
 };

@@ -174,8 +174,11 @@ void WoodenDriver::Work(HardwareExchange& exchange)
   {
     const std::array<double, 3> angles = this->Device.ComputeAngles(this->Input.Counts);
     const Vector3 force = ToArm(exchange.GetForce());
-    this->Send(
-      exchange, WoodenHaptics::EncodeCurrents(this->Device.ComputeCurrents(angles, force)));
+    const auto currents = this->Device.ComputeCurrents(angles, force);
+    if (this->Send(exchange, WoodenHaptics::EncodeCurrents(currents)))
+    {
+      exchange.NoteTaken();
+    }
   }
 }
 
@@ -260,12 +263,12 @@ bool WoodenDriver::IsAtRest() const noexcept
   return isAtRest;
 }
 
-void WoodenDriver::Send(HardwareExchange& exchange, const WoodenHaptics::Packet& packet)
+bool WoodenDriver::Send(HardwareExchange& exchange, const WoodenHaptics::Packet& packet)
 {
   std::uint8_t report[LongestReport]{};
   std::copy(packet.begin(), packet.end(), report);
   this->LastSent = ServoClock::Now();
-  this->Write(exchange, report, 1 + this->OutputSize);
+  return this->Write(exchange, report, 1 + this->OutputSize);
 }
 
 void WoodenDriver::Rest() noexcept

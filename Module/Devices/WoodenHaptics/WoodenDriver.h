@@ -60,7 +60,7 @@ private:
   void FollowPhase(HardwareExchange& exchange);
   void FollowHand(HardwareExchange& exchange);
   bool IsAtRest() const noexcept;
-  void Send(HardwareExchange& exchange, const WoodenHaptics::Packet& packet);
+  bool Send(HardwareExchange& exchange, const WoodenHaptics::Packet& packet);
 
   const int Number;
   const WoodenHaptics Device;

@@ -7,6 +7,7 @@
  */
 
 #include "Rigs/FalconRig.h"
+#include "Rigs/ReadTimes.h"
 
 using namespace emulated;
 
@@ -72,6 +73,18 @@ TEST_P(FalconBreaks, AndGetsZero)
   EXPECT_TRUE(this->StaysAtZero(20)) << "not before the grip was out";
   this->Home();
   EXPECT_TRUE(this->Feels({ 0.0, 0.0, 2.0 }));
+}
+
+TEST_F(FalconTest, ADeviceThatHangsFallsSilentAtOnce)
+{
+  this->MakeReady();
+  devicetest::ReadTimes times(*this->Device);
+  times.Run(0.5);
+  EXPECT_GT(times.Fresh, 10);
+  EXPECT_EQ(times.Signs, 0) << "it reports at rest, too";
+  EXPECT_GT(times.Timing.GetRoundTrip(), 0.0);
+  this->Falcon.Break(FalconFault::Silence, Forever);
+  EXPECT_TRUE(times.FallsSilent(1.0, 0.05));
 }
 INSTANTIATE_TEST_SUITE_P(, FalconBreaks, testing::ValuesIn(Fatal), NameOf);
 

@@ -5,6 +5,7 @@
  * Faults of a WoodenHaptics while a floor is felt: no force is left, and the text tells the reason.
  */
 
+#include "Rigs/ReadTimes.h"
 #include "WoodenRig.h"
 
 using namespace emulated;
@@ -65,6 +66,20 @@ TEST_F(WoodenFaults, SilenceAndBackByHoming)
   this->Bench.Device->Home();
   this->FeelAgain();
   EXPECT_EQ(this->Model.GetPresets(), 2);
+}
+
+TEST_F(WoodenFaults, ADeviceThatHangsFallsSilentAtOnce)
+{
+  ASSERT_TRUE(this->Bench.Open("wooden:0")) << this->Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  this->Bench.Stop();
+  devicetest::ReadTimes times(*this->Bench.Device);
+  times.Run(0.5);
+  EXPECT_GT(times.Fresh, 10);
+  EXPECT_EQ(times.Signs, 0) << "it reports at rest, too";
+  EXPECT_GT(times.Timing.GetRoundTrip(), 0.0);
+  this->Model.Fault = WoodenFault::Silence;
+  EXPECT_TRUE(times.FallsSilent(1.0, 0.05));
 }
 
 TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)

@@ -110,8 +110,8 @@ TEST(PidStream, StartsAgainInTimeAndSendsOnlyWhatChanged)
   EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01)[7][3], 0x64);
   PidStream stream(device, settings, dialogue);
   HidReport report;
-  EXPECT_FALSE(stream.Next(0.02, { 0.0, 0.0 }, report));
-  EXPECT_TRUE(stream.Next(0.02, { 1.0, 1.0 }, report));
+  EXPECT_FALSE(stream.Next(0.009, { 0.0, 0.0 }, report));
+  EXPECT_TRUE(stream.Next(0.031, { 1.0, 1.0 }, report));
   EXPECT_EQ(Wire(report), (Bytes{ 0x12, 0x07, 0xC4, 0x09 }));
   EXPECT_TRUE(stream.Next(0.0, { 2.0, 1.0 }, report));
   EXPECT_EQ(Wire(report), (Bytes{ 0x12, 0x08, 0x3C, 0xF6 })) << "no axis waits for the other";
@@ -122,4 +122,19 @@ TEST(PidStream, StartsAgainInTimeAndSendsOnlyWhatChanged)
   EXPECT_TRUE(stream.Next(0.0, { 2.0, 1.0 }, report));
   EXPECT_EQ(Wire(report), (Bytes{ 0x12, 0x07, 0x88, 0x13 }));
   EXPECT_FALSE(stream.Next(0.0, { 2.0, 1.0 }, report));
+}
+
+TEST(PidStream, SendsSomethingEvery10MsByWhichTheDeviceShowsThatItIsAlive)
+{
+  const PidDevice device = Mapped({});
+  PidDialogue dialogue(device, {});
+  EXPECT_EQ(Talk(dialogue, 0, Pool, 0x01)[7][3], 0x64);
+  PidStream stream(device, {}, dialogue);
+  HidReport report;
+  int silence = 0;
+  for (int ms = 0; ms < 1000; ++ms)
+  {
+    silence = stream.Next(0.001, { 0.5, 0.5 }, report) ? 0 : silence + 1;
+    EXPECT_LE(silence, 10) << ms;
+  }
 }

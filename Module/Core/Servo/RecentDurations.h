@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An upper and a typical figure of the latest durations of a kind: written by one thread, read by
+ * any, without waiting.
+ *
+ * Of the last Capacity durations, and of those no more than make a second together: their 95th
+ * percentile, which a few late wake-ups of a busy machine do not move, and their median. Both are
+ * found anew with every Stride-th duration.
+ */
+#ifndef RecentDurations_h
+#define RecentDurations_h
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+class RecentDurations
+{
+public:
+  static constexpr std::size_t Capacity = 256;
+  static constexpr std::size_t Stride = 16;
+  static constexpr std::int64_t Window = 1000000000; ///< ns, that they make together at most
+
+  ///@{
+  /** The one writer's side. The first figures come with the Stride-th duration (ns). */
+  void Add(std::int64_t nanoseconds) noexcept;
+  void Reset() noexcept;
+  ///@}
+
+  ///@{
+  /** In ns; 0 as long as it is not known. */
+  std::int64_t GetUpper() const noexcept { return this->Upper.load(std::memory_order_relaxed); }
+  std::int64_t GetTypical() const noexcept { return this->Typical.load(std::memory_order_relaxed); }
+  ///@}
+
+private:
+  void Find() noexcept;
+
+  std::array<std::int64_t, Capacity> Last{}; ///< a ring
+  std::array<std::int64_t, Capacity> Sorted{};
+  std::uint64_t Count = 0; ///< of all so far
+  std::atomic<std::int64_t> Upper{ 0 };
+  std::atomic<std::int64_t> Typical{ 0 };
+};
+
+} // namespace VolumeHaptics
+
+#endif
