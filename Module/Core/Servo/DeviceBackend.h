@@ -35,6 +35,7 @@ struct DeviceLimits
   /// m: a device that reports only what is new is silent unless it moves by this; 0 if it also
   /// reports at rest
   double LeastMotion = 0.0;
+  unsigned ForceAxes = 7; ///< bit i: it can push along axis i
 };
 
 /** The round trip (s) for which devices state the largest stiffness and damping that they hold. */
@@ -123,6 +124,17 @@ public:
   virtual DeviceLimits GetLimits() const = 0;
   /** At any time, from the owner's thread. */
   virtual DeviceCondition GetCondition() { return {}; }
+  /**
+   * A name that this very device keeps, on any computer and at any port, such as its kind and serial
+   * number, once it is open. Under it the user's confirmations and calibrations are remembered.
+   * Empty for a back end whose signs and newtons are right by themselves: they are never checked.
+   */
+  virtual std::string GetIdentity() const { return {}; }
+  /**
+   * The newtons that the device really gives for each newton that it is asked for, as the user has
+   * measured it. From then on forces and limits are true newtons.
+   */
+  virtual void SetForceScale(double) noexcept {}
   /**
    * Looks for the zero of the encoders again, for example after they lost it: NotReady until then.
    */

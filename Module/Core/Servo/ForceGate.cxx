@@ -16,6 +16,7 @@ void ForceGate::Settle() noexcept
     this->State = this->Ending != End::None ? GateState::Fading
       : this->Held                          ? GateState::Holding
       : this->Retreats                      ? GateState::Retreating
+      : this->Unconfirmed                   ? GateState::Confirming
       : this->Ramp < 1.0                    ? GateState::Ramping
                                             : GateState::Armed;
   }
@@ -69,6 +70,18 @@ void ForceGate::SetHeld(bool held) noexcept
   this->Settle();
 }
 
+void ForceGate::SetUnconfirmed(bool unconfirmed) noexcept
+{
+  if (this->Unconfirmed && !unconfirmed)
+  {
+    // The hand moved on while it did not feel the volume.
+    this->Restarts = true;
+    this->Ramp = 0.0;
+  }
+  this->Unconfirmed = unconfirmed;
+  this->Settle();
+}
+
 void ForceGate::NoteSilence() noexcept
 {
   if (this->IsOpen() && !this->Held)
@@ -116,6 +129,11 @@ void ForceGate::NoteGap(bool isStale, bool flows) noexcept
 
 double ForceGate::Pass(double step) noexcept
 {
+  if (this->Unconfirmed)
+  {
+    this->Share = this->Ramp = 0.0;
+    return this->Opening;
+  }
   this->Share = this->Opening * this->Ramp;
   this->Ramp = std::min(1.0, this->Ramp + step);
   return this->Share;
@@ -168,6 +186,8 @@ GateReason ForceGate::GetReason() const noexcept
       return GateReason::LongWork;
     case GateState::Retreating:
       return GateReason::NoSamples;
+    case GateState::Confirming:
+      return GateReason::Confirming;
     case GateState::Ramping:
     case GateState::Armed:
       if (this->Data < 1.0)

@@ -16,10 +16,11 @@
  *   Fading      the share falls to 0 within FadeTime, after FadeOut or because the owner is silent
  *   Holding     the same for as long as it is held, for example during long work
  *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows
+ *   Confirming  the volume is not felt: small pushes find out the device's signs (SignCheck.h)
  *   Ramping     the share rises from 0 to 1 over SafetyLimits::RampTime
  *   Armed       the whole force flows, as far as the data are there
  *
- * The last five are *open*. A hold may begin in any state and outlives all orders, and samples may
+ * The last six are *open*. A hold may begin in any state and outlives all orders, and samples may
  * be missing during a fade. So the gate remembers each cause, and its open state is the first in
  * the list whose cause exists. Holding and Retreating are states of their own because the force
  * ends differently than in Fading, and comes back by itself.
@@ -35,6 +36,8 @@
  *   FadeOut                   - (e)       - (e)          Fading
  *   SetHeld(true)             - (f)       - (f)          Holding, unless Fading
  *   SetHeld(false)            - (b, f)    - (b, f)       open (b, g)
+ *   SetUnconfirmed(true)      - (f)       - (f)          Confirming, unless one above it
+ *   SetUnconfirmed(false)     - (b, f)    - (b, f)       open (b); the ramp begins at 0
  *   NoteSilence               -           -              Fading, unless held
  *   NoteNotReady              -           Disarmed (d)   Disarmed
  *   NoteFault                 -           -              Fault
@@ -63,7 +66,8 @@
  * Share
  * -----
  *
- * While the gate is open and the force does not retreat: share = opening * ramp. Else 0.
+ * While the gate is open and the force does not retreat: share = opening * ramp. Else 0. While it
+ * is unconfirmed, the ramp stays at 0, and the opening is the share of the pushes.
  */
 #ifndef ForceGate_h
 #define ForceGate_h
@@ -81,11 +85,12 @@ enum class GateState : std::uint8_t
   Fading,
   Holding,
   Retreating,
-  Fault
+  Fault,
+  Confirming
 };
 
 /**
- * Why the share is not 1. The array Reason of recordings has these numbers, Fault the first five.
+ * Why the share is not 1. The arrays Reason and Fault of recordings have these numbers.
  */
 enum class GateReason : std::uint8_t
 {
@@ -99,12 +104,16 @@ enum class GateReason : std::uint8_t
   LongWork,   ///< held by the owner
   NoSamples,  ///< no sample came within SafetyLimits::WatchdogTime
   NoData,     ///< some samples of the volume around the tip are missing (Residency.h)
-  Rising      ///< after Arm, a hold, a gap or missing data
+  Rising,     ///< after Arm, a hold, a gap or missing data
+  Confirming, ///< small pushes find out the device's signs
+  Unmoved,    ///< a fault: the pushes moved the tip too little, or it moved by itself
+  WrongSign   ///< a fault: the device moves against the force
 };
 
 constexpr bool IsFault(GateReason reason) noexcept
 {
-  return reason >= GateReason::NotFinite && reason <= GateReason::Unattended;
+  return (reason >= GateReason::NotFinite && reason <= GateReason::Unattended) ||
+    reason == GateReason::Unmoved || reason == GateReason::WrongSign;
 }
 /** The fault that needs Arm; None if there is none. */
 constexpr GateReason FindFault(GateState state, GateReason reason) noexcept
@@ -129,6 +138,8 @@ public:
   void Disarm() noexcept;
   void FadeOut() noexcept;
   void SetHeld(bool held) noexcept;
+  /** Whether the device's signs have yet to be confirmed. */
+  void SetUnconfirmed(bool unconfirmed) noexcept;
   ///@}
 
   ///@{
@@ -143,8 +154,8 @@ public:
   ///@{
   /**
    * Called by SafetyStage, in this order: a fault; a gap, that is, missing samples; then one of
-   * Pass (which returns the share and raises the ramp by a step), NoteRetreat and Cut; and last
-   * whether force flows to the device.
+   * Pass (which returns the share, of the pushes if there are some, and raises the ramp by a step),
+   * NoteRetreat and Cut; and last whether force flows to the device.
    */
   void NoteFault(GateReason fault) noexcept;
   void NoteGap(bool isStale, bool flows) noexcept;
@@ -171,6 +182,7 @@ public:
    * Whether the last force falls to zero by itself, or has done so, because samples are missing.
    */
   bool IsRetreating() const noexcept { return this->Retreats; }
+  bool IsUnconfirmed() const noexcept { return this->Unconfirmed; }
   /** Whether the gate is held and no force flows. */
   bool IsAtRest() const noexcept { return this->Rests; }
 
@@ -194,6 +206,7 @@ private:
   GateReason Cause = GateReason::Ordered; ///< the reason in Disarmed and Fault
   End Ending = End::None;
   bool Held = false;
+  bool Unconfirmed = false;
   bool Rests = false;
   bool Retreats = false;
   bool Retreated = false; ///< Retreats at the end of the last tick

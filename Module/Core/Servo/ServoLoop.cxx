@@ -89,6 +89,13 @@ void ServoLoop::FollowCommands() noexcept
         break;
     }
   }
+  // After the orders: it was required before Arm.
+  if (const unsigned axes = this->ConfirmAxes.exchange(0, std::memory_order_acq_rel))
+  {
+    this->SignAxes = axes;
+    this->Signs.Begin(axes, this->ConfirmForce.load(std::memory_order_relaxed));
+    this->Gate.SetUnconfirmed(true);
+  }
   if (this->ResetRequested.exchange(false, std::memory_order_acq_rel))
   {
     this->TickCost.Reset();
@@ -190,16 +197,58 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   }
 }
 
+/** The push of the check of the device's signs, while the gate waits for its verdict. */
+Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
+{
+  const bool isUnderWay =
+    this->Gate.GetState() == GateState::Confirming && this->Gate.GetOpening() == 1.0;
+  if (!isUnderWay || sample.Begins)
+  {
+    this->Signs.Interrupt();
+    return {};
+  }
+  if (this->Signs.GetVerdict().Result != SignResult::Pending)
+  {
+    // Armed again after a verdict that was not the one wanted.
+    this->Signs.Begin(this->SignAxes, this->ConfirmForce.load(std::memory_order_relaxed));
+  }
+  const Vector3 push = this->Signs.Step(sample.Tip, sample.Fresh || sample.Alive, elapsed);
+  switch (this->Signs.GetVerdict().Result)
+  {
+    case SignResult::Pending:
+      break;
+    case SignResult::Confirmed:
+      this->Gate.SetUnconfirmed(false);
+      break;
+    case SignResult::Wrong:
+      this->Gate.NoteFault(GateReason::WrongSign);
+      break;
+    case SignResult::NoMotion:
+    case SignResult::Restless:
+      this->Gate.NoteFault(GateReason::Unmoved);
+      break;
+  }
+  return push;
+}
+
 void ServoLoop::SendForce(const DeviceSample& sample, double period, double elapsed) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   const HapticModel* const model = this->Current->Model.get();
   SafetyInput input;
-  input.Force = s.Record.Force;
-  input.Stiffness = s.Record.Stiffness;
-  input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
-  // If data are missing, the force is that of an earlier tick.
-  input.Drag = model && !s.Awaiting ? FindDrag(*model, s.Before.PreviousTip, s.Record) : Vector3{};
+  if (this->Gate.IsUnconfirmed())
+  {
+    input.Force = this->Confirm(sample, elapsed);
+  }
+  else
+  {
+    input.Force = s.Record.Force;
+    input.Stiffness = s.Record.Stiffness;
+    input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
+    // If data are missing, the force is that of an earlier tick.
+    input.Drag =
+      model && !s.Awaiting ? FindDrag(*model, s.Before.PreviousTip, s.Record) : Vector3{};
+  }
   input.Tip = sample.Tip;
   input.Period = period;
   input.Elapsed = elapsed;
@@ -236,6 +285,7 @@ void ServoLoop::Tell(std::int64_t start) noexcept
   s.Reason = this->Gate.GetReason();
   s.Share = this->Gate.GetShare();
   s.Stale = this->Safety.IsStale();
+  s.Signs = this->Signs.GetVerdict();
   this->Latest.Write(s);
   this->WrittenGeneration.store(s.Generation, std::memory_order_release);
   if (this->Recording.load(std::memory_order_acquire))

@@ -27,6 +27,7 @@
 #include "Core/Servo/ResidentServo.h"
 #include "Core/Servo/SafetyStage.h"
 #include "Core/Servo/ServoTick.h"
+#include "Core/Servo/SignCheck.h"
 #include "Core/Servo/TimeHistogram.h"
 #include "Core/Servo/TraceRing.h"
 #include "Core/Servo/TripleBuffer.h"
@@ -55,6 +56,7 @@ struct ServoSnapshot
   double Share = 0.0;                      ///< the share of Record.Force that the gate let through
   double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
   DeviceState Device = DeviceState::Running;
+  SignVerdict Signs; ///< of the check since RequireConfirmation
 
   bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
   GateReason GetFault() const noexcept { return FindFault(this->Gate, this->Reason); }
@@ -140,6 +142,17 @@ public:
    * then holds until Arm.
    */
   void Attend() noexcept;
+
+  /**
+   * From the next tick on the volume is not felt until the loop, once it is armed, has found out
+   * that the device moves with the force (SignCheck.h). By the owner, before Arm; `axes` and
+   * `force` (N) are those of DeviceLimits.
+   */
+  void RequireConfirmation(unsigned axes, double force) noexcept
+  {
+    this->ConfirmForce.store(force, std::memory_order_relaxed);
+    this->ConfirmAxes.store(axes, std::memory_order_release);
+  }
 
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
 
@@ -237,6 +250,7 @@ private:
   DeviceSample ReadDevice(std::int64_t woken, double period) noexcept;
   void PlaceProxy(const DeviceSample& sample, double elapsed) noexcept;
   void Touch(const DeviceSample& sample, double period) noexcept;
+  Vector3 Confirm(const DeviceSample& sample, double elapsed) noexcept;
   void SendForce(const DeviceSample& sample, double period, double elapsed) noexcept;
   void Tell(std::int64_t start) noexcept;
   ///@}
@@ -257,6 +271,8 @@ private:
   std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bits an ArmOrder
   std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
   LoopTiming Timing;                          // written by the servo
+  std::atomic<unsigned> ConfirmAxes{ 0 };     // of RequireConfirmation, until the loop has seen it
+  std::atomic<double> ConfirmForce{ 0.0 };
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<ServoSnapshot> Latest;
   TraceRing<ServoSnapshot> Trace;
@@ -270,6 +286,8 @@ private:
   ForceGate Gate;
   SafetyStage Safety;
   double MotionTime = 0.0; ///< s: SafetyInput::MotionTime
+  SignCheck Signs;
+  unsigned SignAxes = 0; ///< to be confirmed
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
   bool WriteLost = false;

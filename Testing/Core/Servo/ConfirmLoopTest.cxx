@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The loop with a device whose signs have yet to be confirmed: the volume is felt only after the
+ * tip has moved with the force.
+ */
+
+#include "Rigs/HeldDevice.h"
+#include "Rigs/PlayedDevice.h"
+
+using namespace servotest;
+
+namespace
+{
+signtest::Hand MakeHand()
+{
+  signtest::Hand hand;
+  hand.Stiffness = 100.0;
+  hand.Damping = 3.0;
+  hand.TremorSize = 0.0;
+  return hand;
+}
+
+/// In a hand that holds it in the ramp, where the volume pushes.
+class HandheldDevice : public PlayedDevice
+{
+public:
+  explicit HandheldDevice(double sign)
+    : Held(MakeHand(), { sign, 1.0, 1.0 }, 1)
+  {
+  }
+  DeviceState Read(double period, DeviceSample& sample) noexcept override
+  {
+    const DeviceState state = PlayedDevice::Read(period, sample);
+    this->Held.Move({ this->Sent.X, this->Sent.Y, this->Sent.Z }, period);
+    const signtest::Triple& x = this->Held.GetPlace();
+    sample.Tip = Vector3{ 0.012 + x[0], 0.012 + x[1], 0.012 + x[2] };
+    return state;
+  }
+  DeviceState Write(const Vector3& force) noexcept override
+  {
+    this->Sent = force;
+    this->MostAcross.store(std::max(this->MostAcross.load(), std::hypot(force.Y, force.Z)));
+    return PlayedDevice::Write(force);
+  }
+  std::atomic<double> MostAcross{ 0.0 }; ///< N, that is no push along x
+
+private:
+  signtest::HeldDevice Held;
+  Vector3 Sent;
+};
+
+class Confirm : public testing::Test
+{
+protected:
+  /// Armed, with the signs along x to be confirmed; waits until the gate confirms no more.
+  ServoSnapshot Check(HandheldDevice& device, RunningLoop& loop)
+  {
+    loop->Publish(this->Model);
+    loop->RequireConfirmation(1, 8.0);
+    loop->Arm();
+    EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Confirming; }));
+    EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate != GateState::Confirming; }));
+    static_cast<void>(device);
+    return this->Look(loop);
+  }
+  const ServoSnapshot& Look(RunningLoop& loop)
+  {
+    loop->ReadState();
+    return loop->GetState();
+  }
+
+  TestVolume Volume = MakeRamp();
+  std::shared_ptr<const HapticModel> Model = std::make_shared<HapticModel>(Describe(this->Volume));
+};
+} // namespace
+
+TEST_F(Confirm, TheVolumeIsFeltOnceTheTipMovedWithTheForce)
+{
+  HandheldDevice device(1.0);
+  RunningLoop loop(device, 1000.0);
+  const ServoSnapshot after = this->Check(device, loop);
+  EXPECT_EQ(after.Signs.Result, SignResult::Confirmed);
+  EXPECT_NE(after.Gate, GateState::Fault);
+  EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Armed; }));
+  // Armed once more, it is not checked again.
+  loop->Disarm();
+  EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Disarmed; }));
+  loop->Arm();
+  EXPECT_TRUE(Eventually([&] { return this->Look(loop).Gate == GateState::Armed; }));
+}
+
+TEST_F(Confirm, AWrongSignIsAFaultAndOnlySmallPushesWereGiven)
+{
+  HandheldDevice device(-1.0);
+  RunningLoop loop(device, 1000.0);
+  const ServoSnapshot after = this->Check(device, loop);
+  EXPECT_EQ(after.Signs.Result, SignResult::Wrong);
+  EXPECT_EQ(after.Signs.Axis, 0);
+  EXPECT_EQ(after.Gate, GateState::Fault);
+  EXPECT_EQ(after.GetFault(), GateReason::WrongSign);
+  EXPECT_EQ(device.MostAcross.load(), 0.0) << "the volume was never felt";
+  EXPECT_LE(device.LargestForce.load(), 0.8);
+  const std::uint64_t from = device.Writes.load() + 2;
+  EXPECT_TRUE(Eventually([&] { return device.Writes.load() > from + 300; }));
+  EXPECT_LE(device.LastPush.load(), from);
+}
