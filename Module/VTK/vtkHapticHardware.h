@@ -8,7 +8,7 @@
  *
  *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
  *                      FirmwareFile after it was plugged in, and is homed by hand.
- *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 5 N. Calibrated by hand each
+ *   wooden[:N]         WoodenHaptics, through hidapi. 3 in and out, 2.5 N. Calibrated by hand each
  *                      time it is opened. The Polhem is refused, since its geometry is different.
  *   pid[:VVVV:PPPP]    force-feedback wheels and sticks (HID usage page 0x0F), through hidapi, by
  *                      USB vendor and product (hexadecimal). Set NewtonsPerFullScale to their

@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A six-axis mouse: what its cap is pushed and turned by, in counts, repeated while it is held.
+ * A six-axis mouse: its cap is pushed and turned by counts, which it repeats while it is held.
+ *
+ * Which models there are, that of most y is towards the hand and z down and of some y is up and z
+ * away from the hand, and the numbers of the Enterprise's keys: FreeSpacenav/spacenavd, src/dev.c,
+ * commit bac572a (usbdb, bnhack_sment(), where the kernel's code of a key is 255 more than its
+ * number in the report). Lengths of the reports: that file does not say them, since it listens to
+ * evdev; they are 3Dconnexion's, as other public drivers have them.
  */
 #ifndef SpaceMouseModel_h
 #define SpaceMouseModel_h
@@ -22,16 +28,34 @@ class SpaceMouseModel : public HidModel
 public:
   using Counts = std::array<std::int16_t, 6>; ///< pushes along its axes, turns about them
 
-  /** Older ones send pushes and turns one after the other. */
+  enum class Kind : std::uint8_t
+  {
+    Navigator, ///< sends pushes and turns one after the other
+    PlusXt,    ///< so does this; its y is up
+    Compact,
+    Enterprise ///< keys of numbers up to 176
+  };
+
+  explicit SpaceMouseModel(Kind kind)
+    : Model(kind)
+    , IsOld(kind == Kind::Navigator || kind == Kind::PlusXt)
+  {
+  }
   explicit SpaceMouseModel(bool isOld)
-    : IsOld(isOld)
+    : SpaceMouseModel(isOld ? Kind::Navigator : Kind::Compact)
   {
   }
   std::uint16_t GetVendor() const override { return this->IsOld ? 0x046D : 0x256F; }
-  std::uint16_t GetProduct() const override { return this->IsOld ? 0xC626 : 0xC635; }
+  std::uint16_t GetProduct() const override
+  {
+    constexpr std::uint16_t products[] = { 0xC626, 0xC603, 0xC635, 0xC633 };
+    return products[static_cast<int>(this->Model)];
+  }
   std::string GetName() const override
   {
-    return this->IsOld ? "SpaceNavigator" : "SpaceMouse Compact";
+    constexpr const char* names[] = { "SpaceNavigator", "SpaceMouse Plus XT", "SpaceMouse Compact",
+      "SpaceMouse Enterprise" };
+    return names[static_cast<int>(this->Model)];
   }
   std::vector<std::uint8_t> GetReportDescriptor() const override
   {
@@ -39,12 +63,14 @@ public:
       0x09, 0x35, 0x95, 0x06, 0x81, 0x06, 0xC0 };
     const std::vector<std::uint8_t> twice{ 0x09, 0x30, 0x09, 0x31, 0x09, 0x32, 0x95, 0x03, 0x81,
       0x06, 0xC0, 0xA1, 0x00, 0x85, 0x02, 0x09, 0x33, 0x09, 0x34, 0x09, 0x35, 0x81, 0x06, 0xC0 };
-    // A multi-axis controller: axes, 16 buttons in report 3, the light in report 4.
+    // A multi-axis controller: axes, 16 or 176 buttons in report 3, the light in report 4.
+    const std::uint8_t buttons = this->Model == Kind::Enterprise ? 176 : 16;
     std::vector<std::uint8_t> all{ 0x05, 0x01, 0x09, 0x08, 0xA1, 0x01, 0xA1, 0x00, 0x85, 0x01, 0x16,
       0xA2, 0xFE, 0x26, 0x5E, 0x01, 0x75, 0x10 };
     const std::vector<std::uint8_t> rest{ 0xA1, 0x02, 0x85, 0x03, 0x05, 0x09, 0x19, 0x01, 0x29,
-      0x10, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xC0, 0x05, 0x08, 0x09,
-      0x4B, 0xA1, 0x02, 0x85, 0x04, 0x95, 0x01, 0x91, 0x02, 0x75, 0x07, 0x91, 0x03, 0xC0, 0xC0 };
+      buttons, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, buttons, 0x81, 0x02, 0xC0, 0x05, 0x08,
+      0x09, 0x4B, 0xA1, 0x02, 0x85, 0x04, 0x95, 0x01, 0x91, 0x02, 0x75, 0x07, 0x91, 0x03, 0xC0,
+      0xC0 };
     const std::vector<std::uint8_t>& axes = this->IsOld ? twice : six;
     all.insert(all.end(), axes.begin(), axes.end());
     all.insert(all.end(), rest.begin(), rest.end());
@@ -82,6 +108,16 @@ public:
     const std::uint8_t report[3]{ 3, buttons, 0 };
     this->Input(report, 3);
   }
+  /** The Enterprise's: the key of a number, 1 to 176, alone; 0 lets go. */
+  void PressKey(int number)
+  {
+    std::uint8_t report[23]{ 3 };
+    if (number > 0)
+    {
+      report[1 + (number - 1) / 8] = static_cast<std::uint8_t>(1 << (number - 1) % 8);
+    }
+    this->Input(report, 23);
+  }
   void SendRaw(const std::vector<std::uint8_t>& report)
   {
     this->Input(report.data(), static_cast<int>(report.size()));
@@ -110,6 +146,7 @@ private:
     this->Input(bytes + 6, 7);
   }
 
+  const Kind Model;
   const bool IsOld;
   std::mutex Guard;
   Counts Held{};

@@ -3,6 +3,8 @@
 
 #include "WoodenModel.h"
 
+#include "HidItems.h"
+
 #include <cerrno>
 #include <cmath>
 #include <thread>
@@ -76,8 +78,9 @@ void Follow(const Triple& tip, Triple& angles)
 }
 } // namespace
 
-WoodenModel::WoodenModel(std::string name)
-  : Name(std::move(name))
+WoodenModel::WoodenModel(Board board, std::string name)
+  : Controller(board)
+  , Name(std::move(name))
 {
   this->PowerUp();
 }
@@ -96,9 +99,12 @@ void WoodenModel::PowerUp()
 
 std::vector<std::uint8_t> WoodenModel::GetReportDescriptor() const
 {
-  // A page of the vendor's own; 14 bytes each way, no ids.
-  return { 0x06, 0xAB, 0xFF, 0x0A, 0x00, 0x02, 0xA1, 0x01, 0x75, 0x08, 0x15, 0x00, 0x26, 0xFF, 0x00,
-    0x95, 0x0E, 0x09, 0x01, 0x81, 0x02, 0x95, 0x0E, 0x09, 0x02, 0x91, 0x02, 0xC0 };
+  // A page of the vendor's own, bytes each way, no ids: the same for both boards.
+  HidItems items;
+  const auto bytes = static_cast<unsigned>(this->GetPacketSize());
+  items.Page(0xFFAB).Usage(0x0200).Open(HidItems::ApplicationCollection).Logical(0, 255);
+  items.Usage(1).Fields(8, bytes).Input().Usage(2).Fields(8, bytes).Output();
+  return items.Close().Get();
 }
 
 int WoodenModel::Output(const std::uint8_t* report, int size)
@@ -115,7 +121,7 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
   this->Last.assign(report, report + size);
   const auto word = [report](int w)
   { return static_cast<std::int16_t>(report[1 + 2 * w] | report[2 + 2 * w] << 8); };
-  if (size == 15 && report[0] == 0)
+  if (size == 1 + this->GetPacketSize() && report[0] == 0)
   {
     ++this->Packets;
     for (int j = 0; j < 3; ++j)
@@ -127,7 +133,9 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
       ++this->Presets;
       this->LastPreset = this->Last;
     }
-    if (word(3) == 1 && !this->IgnoresPresets)
+    const bool isMissed = word(3) == 1 && this->MissedPresets > 0;
+    this->MissedPresets -= isMissed ? 1 : 0;
+    if (word(3) == 1 && !this->IgnoresPresets && !isMissed)
     {
       this->Button = false;
       for (int j = 0; j < 3; ++j)
@@ -145,7 +153,7 @@ int WoodenModel::Output(const std::uint8_t* report, int size)
 
 void WoodenModel::SendCounts()
 {
-  std::uint8_t report[14]{};
+  std::uint8_t report[64]{};
   const WoodenFault fault = this->Fault;
   for (int j = 0; j < 3; ++j)
   {
@@ -159,7 +167,7 @@ void WoodenModel::SendCounts()
   report[12] = this->Button ? 1 : 0;
   if (fault != WoodenFault::Silence)
   {
-    this->Input(report, fault == WoodenFault::ShortReport ? 7 : 14);
+    this->Input(report, fault == WoodenFault::ShortReport ? 7 : this->GetPacketSize());
   }
 }
 

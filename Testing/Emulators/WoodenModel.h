@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A WoodenHaptics of 2015 as its firmware and its mechanics show it, written from what is
- * published.
+ * A WoodenHaptics of 2015 as its firmware and its mechanics show it, written from published source.
  *
- * The packets are those of the mbed firmware with 14-byte reports (WoodenHapticsHID and its copy
- * for Polhem, by Forsslund Systems, 2019-09-10, "Polhem USB HID interface"): all counts are 0 when
- * power comes; `info` is the flag of the calibration button, 0 until that is pressed, and cleared
- * by command 1; command 1 takes the attributes as the first three counts and the currents as the
- * others, and no current flows meanwhile; after 0.5 s without a packet the motors are off.
+ * The packets of 14 bytes, the watchdog and the calibration button are those of the mbed firmware
+ * (Forsslund Systems, 2019-09-10, "Polhem USB HID interface based on the woodenhapitcs hid";
+ * forsslund/haptikfabrikenapi, firmware/main.cpp, commit a72d87e): all counts are 0 when power
+ * comes; `info` is the flag of the calibration button, 0 until that is pressed, and cleared by
+ * command 1; command 1 takes the attributes as the first three counts and the currents as the
+ * others, and no current flows meanwhile; of packets that wait it takes the last one; after 0.5 s
+ * without a packet the motors are off. It sends a packet for each that it gets.
+ *
+ * Name, numbers and report descriptor are mbed's defaults (WoodenHaptics/woody-experimental, commit
+ * 726e186, mbed-code/WoodenHapticsHID/USBDevice/USBHID/USBHID.h and USBHID.cpp), or those of PJRC's
+ * raw HID for Teensy, with packets of 64 bytes; no firmware for a Teensy with these packets is
+ * public, so there the rest is an assumption.
  */
 #ifndef WoodenModel_h
 #define WoodenModel_h
@@ -41,10 +47,19 @@ enum class WoodenFault
 class WoodenModel : public HidModel
 {
 public:
-  explicit WoodenModel(std::string name = "WoodenHaptics");
+  enum class Board : std::uint8_t
+  {
+    Mbed,
+    Teensy
+  };
+  explicit WoodenModel(Board board = Board::Mbed)
+    : WoodenModel(board, board == Board::Mbed ? "HID DEVICE" : "Teensyduino RawHID")
+  {
+  }
+  WoodenModel(Board board, std::string name);
 
-  std::uint16_t GetVendor() const override { return 0x16C0; }
-  std::uint16_t GetProduct() const override { return 0x0486; }
+  std::uint16_t GetVendor() const override { return this->IsMbed() ? 0x1234 : 0x16C0; }
+  std::uint16_t GetProduct() const override { return this->IsMbed() ? 0x0006 : 0x0486; }
   std::string GetName() const override { return this->Name; }
   std::vector<std::uint8_t> GetReportDescriptor() const override;
   int Output(const std::uint8_t* report, int size) override;
@@ -64,12 +79,16 @@ public:
   int GetPackets() const { return this->Packets; }
   std::atomic<WoodenFault> Fault{ WoodenFault::None };
   std::atomic<bool> IgnoresPresets{ false };
-  std::atomic<bool> Button{ false }; ///< was pressed, and no preset has come since
+  std::atomic<int> MissedPresets{ 0 }; ///< as many are followed at once by another packet
+  std::atomic<bool> Button{ false };   ///< was pressed, and no preset has come since
 
 private:
+  bool IsMbed() const { return this->Controller == Board::Mbed; }
+  int GetPacketSize() const { return this->IsMbed() ? 14 : 64; }
   Triple ComputeForce() const;
   void SendCounts();
 
+  const Board Controller;
   const std::string Name;
   mutable std::mutex Guard;
   EmulatedHand Hand;

@@ -13,14 +13,26 @@ namespace
 constexpr std::uint16_t Logitech = 0x046D;
 constexpr std::uint16_t Connexion = 0x256F;
 
-// SpaceTraveler, SpacePilot, SpaceNavigator, SpaceExplorer, SpaceNavigator for Notebooks,
-// SpacePilot Pro, SpaceMouse Pro: under Logitech's number, whose other products are mostly
-// unrelated.
-constexpr std::uint16_t Older[] = { 0xC623, 0xC625, 0xC626, 0xC627, 0xC628, 0xC629, 0xC62B };
-// SpaceMouse Wireless (cable, receiver), Pro Wireless (cable, receiver), Enterprise, Compact, Pro
-// Wireless and Wireless by Bluetooth, the universal receiver.
-constexpr std::uint16_t Newer[] = { 0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC635, 0xC638, 0xC63A,
-  0xC652 };
+// SpaceMouse Plus XT, CADman, SpaceMouse Classic, Spaceball 5000, SpaceTraveler, SpacePilot,
+// SpaceNavigator, SpaceExplorer, SpaceNavigator for Notebooks, SpacePilot Pro, SpaceMouse Pro,
+// NuLOOQ: under Logitech's number, whose products are mostly other ones.
+constexpr std::uint16_t Older[] = { 0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627,
+  0xC628, 0xC629, 0xC62B, 0xC640 };
+// SpaceMouse Wireless (cable, receiver), Pro Wireless (cable, receiver), Enterprise, Compact,
+// Module, Pro Wireless and Wireless by Bluetooth, the universal receiver.
+constexpr std::uint16_t Newer[] = { 0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC635, 0xC636, 0xC638,
+  0xC63A, 0xC652 };
+constexpr std::uint16_t WithAxisUp[] = { 0xC603, 0xC606, 0xC640 };
+
+/** A key of the Enterprise: its number, and the bit that stands for it. */
+struct HighKey
+{
+  std::size_t Number;
+  unsigned Bit;
+};
+// Enter, Delete, Tab, Space, V1, V2, V3, "11", "12".
+constexpr HighKey HighKeys[] = { { 36, 27 }, { 37, 28 }, { 175, 29 }, { 176, 30 }, { 103, 31 },
+  { 104, 9 }, { 105, 11 }, { 77, 6 }, { 78, 7 } };
 
 enum ReportId : std::uint8_t
 {
@@ -37,14 +49,23 @@ void ReadAxes(const std::uint8_t* bytes, int first, int count, SpaceMouse::State
     state.Axes[first + a] = SpaceMouse::Scale(counts);
   }
 }
+
+template <typename List>
+bool Contains(const List& list, std::uint16_t product) noexcept
+{
+  return std::find(std::begin(list), std::end(list), product) != std::end(list);
+}
 } // namespace
 
 bool SpaceMouse::IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept
 {
-  const auto* newer = std::find(std::begin(Newer), std::end(Newer), product);
-  const auto* older = std::find(std::begin(Older), std::end(Older), product);
-  return (vendor == Connexion && newer != std::end(Newer)) ||
-    (vendor == Logitech && older != std::end(Older));
+  return (vendor == Connexion && Contains(Newer, product)) ||
+    (vendor == Logitech && Contains(Older, product));
+}
+
+bool SpaceMouse::HasAxisUp(std::uint16_t vendor, std::uint16_t product) noexcept
+{
+  return vendor == Logitech && Contains(WithAxisUp, product);
 }
 
 double SpaceMouse::Scale(int counts) noexcept
@@ -88,6 +109,12 @@ const char* SpaceMouse::Decode(const std::uint8_t* bytes, std::size_t size, Stat
       for (std::size_t b = 0; b < std::min(size - 1, buttonBytes); ++b)
       {
         state.Buttons |= std::uint32_t{ bytes[1 + b] } << 8 * b;
+      }
+      for (const HighKey& key : HighKeys)
+      {
+        const std::size_t at = 1 + (key.Number - 1) / 8;
+        const bool isHeld = at < size && (bytes[at] >> (key.Number - 1) % 8 & 1) != 0;
+        state.Buttons |= isHeld ? 1U << key.Bit : 0U;
       }
       return nullptr;
     default:

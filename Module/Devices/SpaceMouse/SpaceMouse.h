@@ -38,6 +38,11 @@ public:
    * keyboards.
    */
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
+  /**
+   * Whether its y axis is up and its z axis away from the hand. Of most devices y is towards the
+   * hand and z down.
+   */
+  static bool HasAxisUp(std::uint16_t vendor, std::uint16_t product) noexcept;
 
   /**
    * Reads a packet, with the report id in front. Returns nullptr, or the reason for refusing the

@@ -22,12 +22,12 @@ constexpr std::uint8_t ButtonReport = 3;
 constexpr std::uint16_t DesktopPage = 0x01;
 
 /**
- * From the device's axes to the tip's: right, towards the hand, down become right, up, towards the
- * hand.
+ * From the device's axes to the tip's, which are right, up, towards the hand: from right, towards
+ * the hand, down, or from right, up, away from the hand.
  */
-Vector3 TurnAxes(double x, double y, double z)
+Vector3 TurnAxes(bool isAxisUp, double x, double y, double z)
 {
-  return { x, -z, y };
+  return isAxisUp ? Vector3{ x, y, -z } : Vector3{ x, -z, y };
 }
 
 } // namespace
@@ -76,6 +76,7 @@ bool SpaceMouseDriver::Prepare(const HidDeviceInfo& info, std::string&)
     : 0;
   this->LightSize = std::min(this->LightSize, static_cast<std::size_t>(LongestReport - 1));
   this->IsLit = false;
+  this->IsAxisUp = SpaceMouse::HasAxisUp(info.Vendor, info.ProductId);
   return true;
 }
 
@@ -139,12 +140,12 @@ void SpaceMouseDriver::Move(HardwareExchange& exchange)
     this->State.Axes = {};
   }
   const std::array<double, 6>& axes = this->State.Axes;
-  this->Tip += (FullSpeed * elapsed) * TurnAxes(axes[0], axes[1], axes[2]);
+  this->Tip += (FullSpeed * elapsed) * TurnAxes(this->IsAxisUp, axes[0], axes[1], axes[2]);
   this->Tip = ClampNorm(this->Tip, Radius);
   DeviceSample sample;
   sample.Tip = this->Tip;
   sample.Buttons = this->State.Buttons;
-  sample.Turn = FullTurn * TurnAxes(axes[3], axes[4], axes[5]);
+  sample.Turn = FullTurn * TurnAxes(this->IsAxisUp, axes[3], axes[4], axes[5]);
   // A mouse that is let go says nothing. Where the tip stays is known all the same: nothing but this
   // moves it.
   const bool isNew = !IsIdentical(sample.Tip, this->Told.Tip) ||

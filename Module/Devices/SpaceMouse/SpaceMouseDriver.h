@@ -50,6 +50,7 @@ private:
   const int Number;
   std::size_t LightSize = 0; ///< bytes of the report that switches the light; 0: no light
   bool IsLit = false;
+  bool IsAxisUp = false; ///< the device's y; else its z is down
   SpaceMouse::State State;
   Vector3 Tip;
   DeviceSample Told; ///< the last one

@@ -14,9 +14,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** All devices with this controller's board have the same numbers. */
+///@{
+/** All devices with one of these controllers have its numbers, and most have its name. */
+constexpr std::uint16_t MbedVendor = 0x1234;
+constexpr std::uint16_t MbedProduct = 0x0006;
+constexpr const char* MbedName = "hid device";
 constexpr std::uint16_t TeensyVendor = 0x16C0;
 constexpr std::uint16_t TeensyProduct = 0x0486;
+constexpr const char* TeensyName = "teensyduino rawhid";
+///@}
 /** The board's second interface carries its log and has the same name. */
 constexpr std::uint16_t LogPage = 0xFFC9;
 
@@ -26,10 +32,16 @@ constexpr std::int64_t SendPeriod = 2000000;
  * s. After a longer pause the hand was not watched: the kernel may not have kept all packets.
  */
 constexpr double LateRound = 0.03;
+/** s. The firmware only takes the last of the packets that wait, which may not be this one. */
+constexpr double PresetPeriod = 0.1;
 
 constexpr const char* AskForRest =
   "has to be told where its arm is: put the arm into its rest pose, hold it still, and press "
   "Home().";
+constexpr const char* AskForConsent =
+  "has the name and numbers of its board, which other devices have, too, a Polhem among them. "
+  "Nothing was sent to it. If it is a WoodenHaptics, put the arm into its rest pose, hold it "
+  "still, and press Home().";
 constexpr const char* AskAgain = ", then press Home() and put the arm into its rest pose.";
 
 ///@{
@@ -48,14 +60,40 @@ Vector3 ToArm(const Vector3& device)
 }
 ///@}
 
-/** Whether it has the controller's numbers, and this word in its name, in upper or lower case. */
+bool IsMbed(const HidDeviceInfo& info)
+{
+  return info.Vendor == MbedVendor && info.ProductId == MbedProduct;
+}
+
+bool IsTeensy(const HidDeviceInfo& info)
+{
+  return info.Vendor == TeensyVendor && info.ProductId == TeensyProduct &&
+    info.UsagePage != LogPage;
+}
+
+/** Whether it has a controller's numbers, and this word in its name, in upper or lower case. */
 bool IsNamed(const HidDeviceInfo& info, const char* word)
 {
   std::string product = info.Product;
   std::transform(product.begin(), product.end(), product.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return info.Vendor == TeensyVendor && info.ProductId == TeensyProduct &&
-    info.UsagePage != LogPage && product.find(word) != std::string::npos;
+  return (IsMbed(info) || IsTeensy(info)) && product.find(word) != std::string::npos;
+}
+
+/** Whether it says of itself that it is a WoodenHaptics. No published firmware does. */
+bool SaysWhatItIs(const HidDeviceInfo& info)
+{
+  return IsNamed(info, "woodenhaptics");
+}
+
+/** Whether it has the packets of the published firmware: other programs of this board differ. */
+bool HasPacketsOfMbed(const HidDeviceInfo& info)
+{
+  HidReportDescriptor descriptor;
+  std::string reason;
+  return !info.ReadDescriptor(descriptor, reason) ||
+    (descriptor.GetReportSize(HidReportKind::Input, 0) == WoodenHaptics::PacketSize &&
+      descriptor.GetReportSize(HidReportKind::Output, 0) == WoodenHaptics::PacketSize);
 }
 
 double Since(std::int64_t time)
@@ -73,7 +111,9 @@ WoodenDriver::WoodenDriver(int number)
 
 bool WoodenDriver::IsWooden(const HidDeviceInfo& info)
 {
-  return IsNamed(info, "woodenhaptics") && !IsNamed(info, "polhem");
+  const bool isBoard = (IsMbed(info) && IsNamed(info, MbedName) && HasPacketsOfMbed(info)) ||
+    (IsTeensy(info) && IsNamed(info, TeensyName));
+  return (SaysWhatItIs(info) || isBoard) && !IsNamed(info, "polhem");
 }
 
 bool WoodenDriver::IsPolhem(const HidDeviceInfo& info)
@@ -93,8 +133,8 @@ std::vector<HidDeviceInfo> WoodenDriver::Choose(std::string& error) const
       ? others.front().GetLabel() +
         " can't be used: its linkage, encoders and rest pose are not those of a WoodenHaptics, so "
         "that positions and forces would be wrong. Plug in a WoodenHaptics instead."
-      : "No WoodenHaptics is plugged in. Plug it in and switch it on; its product name has to "
-        "contain \"WoodenHaptics\", since other devices have the same USB ids, 16c0:0486.";
+      : "No WoodenHaptics is plugged in. Plug it in and switch it on; it is known by its board: "
+        "USB ids 1234:0006 and the name \"HID DEVICE\", or 16c0:0486 and \"Teensyduino RawHID\".";
     return {};
   }
   return { devices[static_cast<std::size_t>(this->Number)] };
@@ -120,22 +160,33 @@ bool WoodenDriver::Prepare(const HidDeviceInfo& info, std::string& error)
       "firmware of WoodenHaptics.";
     return false;
   }
+  this->HasConsent = SaysWhatItIs(info);
+  this->Now = Phase::Asking;
   return true;
 }
 
 void WoodenDriver::Begin(HardwareExchange& exchange, bool isAnew)
 {
-  if (!isAnew && this->Now == Phase::Waiting)
+  const bool isHeld = this->Now == Phase::Waiting || this->Now == Phase::Consent;
+  if (!isAnew && isHeld)
   {
+    this->HasConsent = true;
     this->Now = Phase::Presetting;
-    this->PresetBegin = ServoClock::Now();
+    this->LastRound = ServoClock::Now();
+    this->PresetBegin = this->LastPreset = ServoClock::Now();
     this->Tell(exchange, DeviceStage::Homing, "is being told that its arm is in the rest pose.");
     this->Send(exchange, this->Device.EncodeCalibration());
     return;
   }
-  this->Now = Phase::Asking;
   this->HasTip = false;
   this->Drain();
+  if (!this->HasConsent)
+  {
+    this->Now = Phase::Consent;
+    this->Tell(exchange, DeviceStage::Homing, AskForConsent);
+    return;
+  }
+  this->Now = Phase::Asking;
   this->LastRound = ServoClock::Now();
   this->LastSent = 0;
   this->Tell(exchange, DeviceStage::Homing, "is asked where its arm is.");
@@ -143,6 +194,14 @@ void WoodenDriver::Begin(HardwareExchange& exchange, bool isAnew)
 
 void WoodenDriver::Work(HardwareExchange& exchange)
 {
+  if (this->Now == Phase::Consent)
+  {
+    // Whatever it says means nothing yet.
+    std::uint8_t ignored[LongestReport];
+    this->Read(exchange, ignored, 1);
+    this->IsSilent(true);
+    return;
+  }
   const bool isLate = Since(this->LastRound) > LateRound;
   this->LastRound = ServoClock::Now();
   this->HasTip = this->HasTip && !isLate;
@@ -170,7 +229,12 @@ void WoodenDriver::Work(HardwareExchange& exchange)
   {
     return;
   }
-  if (hasNews || ServoClock::Now() - this->LastSent >= SendPeriod)
+  if (this->Now == Phase::Presetting && Since(this->LastPreset) > PresetPeriod)
+  {
+    this->LastPreset = ServoClock::Now();
+    this->Send(exchange, this->Device.EncodeCalibration());
+  }
+  else if (hasNews || ServoClock::Now() - this->LastSent >= SendPeriod)
   {
     const std::array<double, 3> angles = this->Device.ComputeAngles(this->Input.Counts);
     const Vector3 force = ToArm(exchange.GetForce());
@@ -273,6 +337,10 @@ bool WoodenDriver::Send(HardwareExchange& exchange, const WoodenHaptics::Packet&
 
 void WoodenDriver::Rest() noexcept
 {
+  if (!this->HasConsent)
+  {
+    return;
+  }
   const std::uint8_t zeros[LongestReport]{};
   this->Port.Write(zeros, 1 + this->OutputSize);
 }

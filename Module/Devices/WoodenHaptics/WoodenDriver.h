@@ -10,7 +10,18 @@
  * was told: after power-up all its counts are 0, and the only other thing it reports is its
  * calibration button. So it is calibrated whenever it is opened, and after every fault.
  *
- * A Polhem has the same firmware but another linkage, so it is refused.
+ * Published firmwares do not say that they are a WoodenHaptics: mbed's enumerates as 1234:0006 "HID
+ * DEVICE" with packets of 14 bytes (WoodenHaptics/woody-experimental, mbed-code/WoodenHapticsHID,
+ * commit 726e186: the defaults of USBDevice/USBHID), Teensy's as 16c0:0486 "Teensyduino RawHID", as
+ * other programs of these boards do. So nothing is sent to such a device before the user has
+ * confirmed with Home() that it is one.
+ *
+ * A Polhem has the same firmware but another linkage, so it is refused if its name tells it.
+ *
+ * Published bills of materials have motors of 0.0259 and of 0.0603 N m/A, and current controllers
+ * of 3 A and of 6 A at full scale. What is asked may arrive up to four times as strong, so the
+ * limits are half of those of the weakest build, and the default force, which is half of that again,
+ * stays within 5 N in all of them.
  *
  * The device's space is that of all devices: x to the right, y up, z towards the hand. These are y,
  * z and x of WoodenHaptics.h, with the arm reaching towards the user. Not verified on a device.
@@ -39,11 +50,12 @@ public:
   static bool IsWooden(const HidDeviceInfo& info);
   /** A related device with another geometry, which this driver does not support. */
   static bool IsPolhem(const HidDeviceInfo& info);
-  DeviceLimits GetLimits() const override { return { 5.0, 1000.0, 0.0, 2.5, 0.0, 0.10 }; }
+  DeviceLimits GetLimits() const override { return { 2.5, 500.0, 0.0, 2.5, 0.0, 0.10 }; }
 
 private:
   enum class Phase : std::uint8_t
   {
+    Consent,    ///< sends nothing: waits until the user says with Home() what it is
     Asking,     ///< waits for the first packet
     Waiting,    ///< waits until the hand has put the arm into its rest pose and asks for homing
     Presetting, ///< waits until the encoders read the rest pose
@@ -74,6 +86,8 @@ private:
   std::int64_t LastRound = 0;
   std::int64_t LastSent = 0;
   std::int64_t PresetBegin = 0;
+  std::int64_t LastPreset = 0;
+  bool HasConsent = false; ///< to send anything
 };
 
 } // namespace VolumeHaptics

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 using namespace VolumeHaptics;
 
@@ -110,8 +112,22 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
     return rules.find("\n" + cure.substr(begin, end - begin) + "\n") != std::string::npos;
   };
   EXPECT_TRUE(has("usb", 0x0403, 0xcb48));
+  EXPECT_TRUE(has("hidraw", 0x1234, 0x0006));
   EXPECT_TRUE(has("hidraw", 0x16c0, 0x0486));
-  EXPECT_TRUE(has("hidraw", 0x1209, 0xffb0));
+  // JacKeTUs/universal-pidff, hid-ids.h, commit 9b7760c; the first three are boards.
+  const std::pair<int, std::vector<int>> wheels[] = { { 0x2341, { 0x8036, 0x8037 } },
+    { 0x1b4f, { 0x9206, 0x9204 } }, { 0x1209, { 0xffb0 } },
+    { 0x2433, { 0xf300, 0xf301, 0xf303, 0xf306 } },
+    { 0x346e, { 0x0005, 0x0015, 0x0004, 0x0014, 0x0002, 0x0012, 0x0006, 0x0016, 0x0000, 0x0010 } },
+    { 0x3416, { 0x0301, 0x0302 } }, { 0x0483, { 0xa355 } }, { 0x045b, { 0x58f9, 0x5968, 0x59d7 } },
+    { 0x11ff, { 0x3245, 0x1212, 0x1112, 0x1211, 0x2141 } } };
+  for (const auto& [vendor, products] : wheels)
+  {
+    for (const int product : products)
+    {
+      EXPECT_TRUE(has("hidraw", vendor, product)) << std::hex << vendor << ":" << product;
+    }
+  }
   int mice = 0;
   for (const int vendor : { 0x046d, 0x256f })
   {

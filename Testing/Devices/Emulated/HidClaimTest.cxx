@@ -12,21 +12,38 @@
 
 using namespace emulated;
 
-TEST(HidClaim, OnlyTheProductsNameTellsAWoodenHaptics)
+TEST(HidClaim, ABoardIsListedAndHearsNothingBeforeTheUserSaysThatItIsAWoodenHaptics)
 {
-  WoodenModel other("Teensyduino RawHID");
-  const EmulatedHid otherHid(other);
-  EXPECT_TRUE(ListDevices().empty());
-  EXPECT_TRUE(Has(ErrorOf("wooden"), "No WoodenHaptics is plugged in. Plug it in"));
-  WoodenModel named("woodenhaptics v2015");
-  const EmulatedHid hid(named);
-  ASSERT_EQ(ListDevices().size(), 1U);
-  EXPECT_TRUE(Has(ListDevices()[0].Name, "woodenhaptics v2015"));
+  using Board = WoodenModel::Board;
+  {
+    WoodenModel other(Board::Teensy, "Some keyboard");
+    const EmulatedHid hid(other);
+    EXPECT_TRUE(ListDevices().empty());
+    EXPECT_TRUE(Has(ErrorOf("wooden"), "No WoodenHaptics is plugged in. Plug it in"));
+  }
+  for (const Board board : { Board::Mbed, Board::Teensy })
+  {
+    WoodenModel model(board);
+    const EmulatedHid hid(model);
+    ASSERT_EQ(ListDevices().size(), 1U);
+    EXPECT_EQ(ListDevices()[0].Id, "wooden:0");
+    HidBench bench;
+    ASSERT_TRUE(bench.Open("wooden")) << bench.Error;
+    ASSERT_TRUE(bench.WaitForText("If it is a WoodenHaptics")) << bench.Text();
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Homing) << "it may be silent";
+    bench.Device->Close();
+    EXPECT_EQ(model.GetPackets(), 0);
+    ASSERT_TRUE(bench.Open("wooden")) << bench.Error;
+    ASSERT_TRUE(bench.WaitForText("rest pose"));
+    bench.Device->Home();
+    EXPECT_TRUE(bench.WaitFor(DeviceStage::Ready)) << bench.Text();
+  }
 }
 
 TEST(HidClaim, APolhemIsRefusedAsItHasAnotherGeometry)
 {
-  WoodenModel polhem("Polhem USB HID");
+  WoodenModel polhem(WoodenModel::Board::Teensy, "Polhem USB HID");
   const EmulatedHid hid(polhem);
   EXPECT_TRUE(ListDevices().empty());
   const std::string error = ErrorOf("wooden");
@@ -87,7 +104,7 @@ TEST(HidClaim, IdsThatOpenNothing)
   const EmulatedHid hid(model);
   EXPECT_TRUE(Has(ErrorOf("wooden:1"), "no WoodenHaptics with this number. Count from 0"));
   EXPECT_TRUE(
-    Has(ErrorOf("pid:16c0:0486"), "can't be used: No force feedback with this HID device"));
+    Has(ErrorOf("pid:1234:0006"), "can't be used: No force feedback with this HID device"));
 }
 
 TEST(HidClaim, WithoutPermissionTheRuleIsSaid)

@@ -128,3 +128,43 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
 }
 
 INSTANTIATE_TEST_SUITE_P(OldAndNew, SpaceMice, testing::Bool());
+
+TEST(SpaceMouseModels, AnOlderOnesUpIsUpAndTheEnterprisesKeysAreHeld)
+{
+  using Kind = SpaceMouseModel::Kind;
+  for (const Kind kind : { Kind::Navigator, Kind::PlusXt, Kind::Compact, Kind::Enterprise })
+  {
+    SpaceMouseModel model(kind);
+    const EmulatedHid hid(model);
+    const ModelClock clock([&model] { model.Step(); });
+    HidBench bench;
+    ASSERT_TRUE(bench.Open("spacemouse")) << model.GetName() << ": " << bench.Error;
+    ASSERT_TRUE(bench.WaitFor(DeviceStage::Ready));
+    const auto sampleWhere = [&bench](auto&& holds)
+    {
+      return Eventually(
+        [&]
+        {
+          DeviceSample sample;
+          bench.Device->Read(0.001, sample);
+          return holds(sample);
+        });
+    };
+    // Up, then towards the hand.
+    const bool isUp = kind == Kind::PlusXt;
+    const std::int16_t less = -350;
+    model.Push(isUp ? SpaceMouseModel::Counts{ 0, 350, 0, 0, 0, 0 }
+                    : SpaceMouseModel::Counts{ 0, 0, less, 0, 0, 0 });
+    EXPECT_TRUE(sampleWhere([](const DeviceSample& s) { return s.Tip.Y > 0.02; }));
+    model.Push(isUp ? SpaceMouseModel::Counts{ 0, 0, less, 0, 0, 0 }
+                    : SpaceMouseModel::Counts{ 0, 350, 0, 0, 0, 0 });
+    EXPECT_TRUE(sampleWhere([](const DeviceSample& s) { return s.Tip.Z > 0.02; }));
+    if (kind == Kind::Enterprise)
+    {
+      model.PressKey(176); // Space
+      EXPECT_TRUE(sampleWhere([](const DeviceSample& s) { return s.Buttons == 1U << 30; }));
+      model.PressKey(0);
+      EXPECT_TRUE(sampleWhere([](const DeviceSample& s) { return s.Buttons == 0; }));
+    }
+  }
+}

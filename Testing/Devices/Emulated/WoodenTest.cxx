@@ -17,8 +17,7 @@ TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   this->Bench.Start(this->Ground.Model);
   this->Bench->Arm();
-  const int packets = this->Model.GetPackets();
-  ASSERT_TRUE(Eventually([&] { return this->Model.GetPackets() > packets + 200; }));
+  ASSERT_TRUE(this->Bench.WaitForTicks(200));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
   EXPECT_TRUE(
     Has(this->Bench.Text(), "put the arm into its rest pose, hold it still, and press Home()"));
@@ -33,15 +32,35 @@ TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
   EXPECT_TRUE(this->Bench.WaitForText("rest pose")) << this->Bench.Text();
 }
 
+TEST_F(Wooden, AZeroThatAnotherPacketOvertakesIsToldAgain)
+{
+  this->Model.MissedPresets = 2;
+  ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("rest pose"));
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_EQ(this->Model.GetPresets(), 3);
+}
+
+TEST_F(Wooden, OneThatSaysWhatItIsIsAskedAtOnce)
+{
+  WoodenModel named(WoodenModel::Board::Teensy, "woodenhaptics v2015");
+  const EmulatedHid hid(named);
+  HidBench bench;
+  ASSERT_TRUE(bench.Open("wooden:1")) << bench.Error;
+  EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  EXPECT_GT(named.GetPackets(), 0);
+}
+
 TEST_F(Wooden, FromPluggingInToFeelingAgain)
 {
   const std::vector<DeviceListing> all = ListDevices();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].Id, "wooden:0");
-  EXPECT_EQ(all[0].Name, "Emulated WoodenHaptics (" + this->Hid.GetNode() + ")");
+  EXPECT_EQ(all[0].Name, "Emulated HID DEVICE (" + this->Hid.GetNode() + ")");
   EXPECT_EQ(all[0].State, "available");
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
-  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 5.0);
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 2.5);
   EXPECT_EQ(ListDevices()[0].State, "in use");
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_EQ(this->Model.GetPresets(), 1);

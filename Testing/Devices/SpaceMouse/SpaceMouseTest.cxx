@@ -35,10 +35,32 @@ TEST(SpaceMouse, OlderModelsSendPushesAndTurnsInTurn)
   EXPECT_EQ(state.Axes, (Axes{ 1.0, -1.0, 0.0, 0.0, 0.0, -1.0 }));
   EXPECT_EQ(Take({ 0x03, 0x01, 0x40 }, state), nullptr);
   EXPECT_EQ(state.Buttons, 0x4001U);
-  EXPECT_EQ(Take({ 0x03, 0x00, 0x00, 0x00, 0x80, 0xFF, 0xFF }, state), nullptr);
-  EXPECT_EQ(state.Buttons, 0x80000000U) << "the first 32";
+  EXPECT_EQ(Take({ 0x03, 0x00, 0x00, 0x00, 0x80, 0x07, 0xFF }, state), nullptr);
+  EXPECT_EQ(state.Buttons, 0x80000000U) << "the first 32, and the Enterprise's";
   EXPECT_EQ(Take({ 0x03, 0x02 }, state), nullptr);
   EXPECT_EQ(state.Buttons, 2U);
+}
+
+TEST(SpaceMouse, EachKeyOfTheEnterpriseHasABitOfItsOwn)
+{
+  // By their numbers: menu, fit, T, R, F, roll, isometric; 1 to 10; Esc, Alt, Shift, Ctrl, lock;
+  // Enter, Delete; 11, 12; V1, V2, V3; Tab, Space.
+  const int keys[] = { 1, 2, 3, 5, 6, 9, 11, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26,
+    27, 36, 37, 77, 78, 103, 104, 105, 175, 176 };
+  std::uint32_t all = 0;
+  for (const int key : keys)
+  {
+    SpaceMouse::State state;
+    Bytes report(23, 0);
+    report[0] = 3;
+    report[1 + (key - 1) / 8] = static_cast<std::uint8_t>(1 << (key - 1) % 8);
+    EXPECT_EQ(Take(report, state), nullptr);
+    EXPECT_NE(state.Buttons, 0U) << key;
+    EXPECT_EQ(state.Buttons & (state.Buttons - 1), 0U) << key;
+    EXPECT_EQ(state.Buttons & all, 0U) << key;
+    EXPECT_TRUE(key > 32 || state.Buttons == 1U << (key - 1)) << key;
+    all |= state.Buttons;
+  }
 }
 
 TEST(SpaceMouse, NewerModelsSendSixAxesTogether)
@@ -98,13 +120,20 @@ TEST(SpaceMouse, NothingJumpsAtTheDeadZone)
 
 TEST(SpaceMouse, OnlyTheListCounts)
 {
-  for (const std::uint16_t product : { 0xC62E, 0xC632, 0xC633, 0xC638, 0xC63A, 0xC652 })
+  for (const std::uint16_t product :
+    { 0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC635, 0xC636, 0xC638, 0xC63A, 0xC652 })
   {
     EXPECT_TRUE(SpaceMouse::IsKnown(0x256F, product));
     EXPECT_FALSE(SpaceMouse::IsKnown(0x046D, product));
   }
-  EXPECT_TRUE(SpaceMouse::IsKnown(0x046D, 0xC626));
-  EXPECT_FALSE(SpaceMouse::IsKnown(0x256F, 0xC626));
+  for (const std::uint16_t product : { 0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626,
+         0xC627, 0xC628, 0xC629, 0xC62B, 0xC640 })
+  {
+    EXPECT_TRUE(SpaceMouse::IsKnown(0x046D, product));
+    EXPECT_FALSE(SpaceMouse::IsKnown(0x256F, product));
+    const bool isUp = product == 0xC603 || product == 0xC606 || product == 0xC640;
+    EXPECT_EQ(SpaceMouse::HasAxisUp(0x046D, product), isUp);
+  }
   // Numbers that neither list has.
   EXPECT_FALSE(SpaceMouse::IsKnown(0x256F, 0xC650));
   EXPECT_FALSE(SpaceMouse::IsKnown(0x256F, 0xC668));
