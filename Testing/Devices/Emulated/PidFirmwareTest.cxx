@@ -106,6 +106,24 @@ TEST(PidFirmware, AnArduinoStickIsPushedTheRightWayAlongBothAxes)
   ExpectEachDirection(bench, true, 0.03);
 }
 
+TEST(PidFirmware, AnArduinoWithAnotherProgramIsNotTakenForTheLibrary)
+{
+  class OtherProgram : public OpenFfboardModel
+  {
+  public:
+    std::uint16_t GetVendor() const override { return 0x2341; }
+    std::uint16_t GetProduct() const override { return 0x8036; }
+    std::string GetName() const override { return "Arduino Leonardo"; }
+  };
+  {
+    Bench<OtherProgram> bench(FfbHandle::FullScale);
+    const std::string error = ErrorOf("pid", bench.Options);
+    EXPECT_TRUE(Has(error, "two axes")) << error;
+  }
+  Bench<OtherProgram> wheel(0.0);
+  ExpectEachDirection(wheel, false, 0.01);
+}
+
 TEST(PidFirmware, AnArduinoWheelIsPushedTheRightWay)
 {
   Bench<ArduinoFfbModel> bench(0.0, 1);
