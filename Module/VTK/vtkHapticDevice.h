@@ -26,10 +26,11 @@
  * those that it installs later run first. Stiffness and ForceFieldDamping are capped at what the
  * device can hold.
  *
- * Zero force can't be sent on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of another
- * program, loss of power, a crash in the thread that talks to the device, a crash that leaves the
- * heap locked if the device's library needs it, or a stack overflow in a thread other than the
- * owner's. A device without a watchdog of its own then keeps its last force: see vtkHapticHardware.
+ * A program can't send zero force on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of
+ * another program, loss of power, a crash in the thread that talks to the device, a crash that
+ * leaves the heap locked if the device's library needs it, or a stack overflow in a thread other
+ * than the owner's. Then the device's own watchdog ends the force, or a guard process: see
+ * vtkHapticHardware.
  *
  * While the owner's thread is busy with long work, the force is off: see BeginLongWork, which
  * StartRecording and Publish call by themselves for large volumes. If the program does not call the

@@ -24,8 +24,12 @@
  *
  * If the program can't send zero force any more, for example after SIGKILL (see vtkHapticDevice),
  * only the watchdog of the device itself ends the force: WoodenHaptics ends it after half a second,
- * a wheel within a tenth of a second. No watchdog is known for the Falcon: it may keep its last
- * force until it is switched off.
+ * a wheel within a tenth of a second. No watchdog is known for the Falcon. On Linux a process of
+ * its own, the program volumehaptics-guard, talks to it, and sends zero force within 50 ms if this
+ * program is gone or stands still. Open fails if the guard can't be started. The environment
+ * variable VOLUMEHAPTICS_GUARD names the guard if it is not near this library; "off" uses the
+ * device without one: then, as on other systems, the Falcon may keep its last force until it is
+ * switched off.
  *
  * On Linux a user needs permission for the device. The installed udev rules,
  * 70-volume-haptics.rules, grant it to the user who is logged in at the computer. If they are

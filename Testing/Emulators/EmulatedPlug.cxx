@@ -120,6 +120,20 @@ void EmulatedUsb::Plug::Unplug()
   umockdev_testbed_remove_device(Testbed(), this->Path.c_str());
 }
 
+void EmulatedUsb::Plug::ForgetProgram()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Owner != nullptr)
+  {
+    this->Owner = nullptr;
+    // They are not let go of: they belong to a client that may be gone.
+    this->Waiting.clear();
+    this->Ended.clear();
+    this->SetReady(false);
+    this->Model.Released();
+  }
+}
+
 EmulatedUsb::EmulatedUsb(UsbModel& model, const std::string& port)
   : Model(model)
   , Port(port)
@@ -148,6 +162,11 @@ void EmulatedUsb::PlugIn()
 void EmulatedUsb::Unplug()
 {
   this->Plugs.back()->Unplug();
+}
+
+void EmulatedUsb::ForgetProgram()
+{
+  this->Plugs.back()->ForgetProgram();
 }
 
 std::string EmulatedUsb::GetNode() const

@@ -23,6 +23,7 @@ public:
   Plug(UsbModel& model, const std::string& port, int address);
 
   void Unplug();
+  void ForgetProgram();
   bool IsGone() const { return this->Gone; }
   std::string GetFile() const { return this->File; }
 

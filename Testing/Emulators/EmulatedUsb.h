@@ -48,6 +48,12 @@ public:
   /** Whether a program has claimed interface 0. */
   bool IsClaimed() const;
 
+  /**
+   * The program that had it was killed. umockdev does not tell if it broke off in the middle of an
+   * answer.
+   */
+  void ForgetProgram();
+
 private:
   class Plug;
   UsbModel& Model;

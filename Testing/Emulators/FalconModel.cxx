@@ -237,6 +237,10 @@ void FalconModel::TakePacket()
   }
   this->Lights = payload(13);
   ++this->Packets;
+  if (this->Commands != Numbers{})
+  {
+    this->LastPush = { this->Packets, std::chrono::steady_clock::now() };
+  }
   this->InStep = this->Pending.empty() && this->Replies.empty() ? this->InStep + 1 : 0;
   if (!this->Late.empty())
   {

@@ -33,6 +33,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace emulated
 {
@@ -93,6 +94,8 @@ public:
   int GetLights() const;       ///< of the last packet
   long GetPackets() const;
   double TakeLargestCommand(); ///< since the last call
+  /** The number of the last packet with a command that was not zero, and when it came. */
+  std::pair<long, std::chrono::steady_clock::time_point> GetLastPush() const;
   std::vector<std::uint8_t> GetImage() const;
   void SetImageSize(std::size_t bytes); ///< below which an image does not run
   bool IsRunning() const;
@@ -128,6 +131,7 @@ private:
   int Buttons = 0;
   int Lights = 0;
   long Packets = 0;
+  std::pair<long, std::chrono::steady_clock::time_point> LastPush{};
   FalconFault Fault = FalconFault::None;
   int FaultyPackets = 0;
   int Baud = 0;

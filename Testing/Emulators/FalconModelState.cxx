@@ -107,6 +107,12 @@ double FalconModel::TakeLargestCommand()
   return std::exchange(this->LargestCommand, 0.0);
 }
 
+std::pair<long, std::chrono::steady_clock::time_point> FalconModel::GetLastPush() const
+{
+  const Lock lock(this->Mutex);
+  return this->LastPush;
+}
+
 std::vector<std::uint8_t> FalconModel::GetImage() const
 {
   const Lock lock(this->Mutex);

@@ -64,7 +64,8 @@ allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Pid/Pid
   Devices/SpaceMouse/SpaceMouseKind.h Devices/WoodenHaptics/WoodenKind.h)
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
-allow(Devices/Falcon ${device_basis} Devices/Common Devices/Transport/Usb)
+allow(Devices/Guard ${device_basis} Devices/Common)
+allow(Devices/Falcon ${device_basis} Devices/Common Devices/Guard Devices/Transport/Usb)
 allow(Devices/Pid ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/SpaceMouse ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/WoodenHaptics ${device_basis} Devices/Common Devices/Transport/Hid)
@@ -81,6 +82,7 @@ allow(VTK/Setup Core/Model VTK/Baking VTK/Trace)
 # The programs see what any other project sees: the public classes. Only the explorer's report is drawn and written by
 # private classes that the library uses, too.
 allow(Applications/DeviceTool)
+allow(Applications/Guard Devices/Falcon Devices/Guard)
 set(explorer Applications/Explorer)
 set(report VTK/Charts/HapticForceChart.h VTK/Charts/HapticForceTable.h)
 allow(${explorer} ${report})

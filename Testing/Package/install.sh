@@ -36,6 +36,11 @@ case $from_vendor in
   *) echo "vendor-device did not run" >&2; exit 1 ;;
 esac
 "$prefix/bin/volumehaptics-device" list
+# It says what it is for, and that it is not to be started by hand.
+if "$prefix/bin/volumehaptics-guard" 2>"$work/guard.txt" || ! grep -q 'zero force' "$work/guard.txt"; then
+  echo "the guard of devices is not installed" >&2
+  exit 1
+fi
 rules=$(find "$prefix" -path '*/udev/rules.d/70-volume-haptics.rules')
 [ -n "$rules" ] || { echo "the udev rules are not installed" >&2; exit 1; }
 

@@ -36,7 +36,7 @@ require_packages cmake ninja-build g++ libvtk9-dev libgtest-dev pkg-config libus
 
 echo "== Building in $build_dir"
 cmake -S "$root" --preset dev -B "$build_dir"
-cmake --build "$build_dir" --target VolumeHapticsVirtualMachineTest
+cmake --build "$build_dir" --target VolumeHapticsVirtualMachineTest volumehaptics-guard
 program=$build_dir/bin/VolumeHapticsVirtualMachineTest
 
 machine=$(mkdir -p "$build_dir/virtual-machine" && cd "$build_dir/virtual-machine" && pwd)
@@ -64,7 +64,8 @@ rm -rf "$files"
 mkdir -p "$files"/{bin,dev,proc,run,sys,tmp,modules}
 cp /bin/busybox "$files/bin"
 cp "$program" "$files/bin/test-program"
-ldd "$program" | sed -n 's/.*=> \(\/[^ ]*\) .*/\1/p; s/^\t\(\/[^ ]*\) .*/\1/p' | sort -u |
+cp "$build_dir/bin/volumehaptics-guard" "$files/bin"
+ldd "$program" "$build_dir/bin/volumehaptics-guard" | sed -n 's/.*=> \(\/[^ ]*\) .*/\1/p; s/^\t\(\/[^ ]*\) .*/\1/p' | sort -u |
   while read -r library; do
     install -D "$library" "$files$library"
   done

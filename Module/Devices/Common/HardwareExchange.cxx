@@ -82,10 +82,10 @@ void HardwareExchange::Begin() noexcept
   this->Samples.Update();
   this->TakenForces.Write({ -1, 0 });
   this->Forces.Update();
-  this->SleptBefore = this->Asleep();
+  this->SleptBefore = this->ReadAsleep();
   for (int again = 0; again < 3; ++again)
   {
-    this->SleptBefore = std::max(this->SleptBefore, this->Asleep());
+    this->SleptBefore = std::max(this->SleptBefore, this->ReadAsleep());
   }
   this->ClearWake();
   this->Stage.store(DeviceStage::Homing, std::memory_order_release);
@@ -160,7 +160,7 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
 
 bool HardwareExchange::HasSlept() noexcept
 {
-  const std::int64_t slept = this->Asleep();
+  const std::int64_t slept = this->ReadAsleep();
   const bool has = slept - this->SleptBefore > ShortestSleep;
   // If this thread is held up between the two clocks, it sees too little sleep, and would count the
   // rest as a new one.

@@ -8,6 +8,9 @@
  * positions to the servo and takes forces from it through single-producer buffers: the servo never
  * waits, and the device always gets the latest force. A force that the servo stops renewing falls
  * to zero.
+ *
+ * If this lies in memory that two processes share, that thread may be in the other process
+ * (Devices/Guard): this holds values, atomics and a file descriptor of the same number in both.
  */
 #ifndef HardwareExchange_h
 #define HardwareExchange_h
@@ -32,8 +35,11 @@ public:
 
   using Clock = std::int64_t (*)();
 
-  /** `asleep` tells how long (ns) the computer has been asleep since it was started. */
-  explicit HardwareExchange(Clock asleep = &HardwareExchange::GetTimeAsleep);
+  /**
+   * `asleep` tells how long (ns) the computer has been asleep since it was started; null stands for
+   * GetTimeAsleep, which has another address in another process.
+   */
+  explicit HardwareExchange(Clock asleep = nullptr);
   ~HardwareExchange();
   HardwareExchange(const HardwareExchange&) = delete;
   HardwareExchange& operator=(const HardwareExchange&) = delete;
@@ -134,6 +140,10 @@ private:
     std::int64_t Of = 0;          ///< Time of the last sample that the servo got
   };
   void WakeUp() noexcept;
+  std::int64_t ReadAsleep() const noexcept
+  {
+    return this->Asleep != nullptr ? this->Asleep() : GetTimeAsleep();
+  }
 
   const Clock Asleep;
   int Wake = -1;

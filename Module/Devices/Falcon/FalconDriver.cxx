@@ -8,6 +8,9 @@
 #include "Devices/Falcon/FalconRounds.h"
 #include "Devices/Falcon/FalconSerial.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace VolumeHaptics
@@ -17,6 +20,7 @@ namespace
 
 /** Packets, 50 ms each. If none is answered, the device has no firmware. */
 constexpr int ProbePackets = 5;
+constexpr double MicrosecondsPerSecond = 1e6;
 constexpr std::int64_t QuietTime = 20000000; // ns
 
 const char* const GoneText =
@@ -37,6 +41,28 @@ FalconDriver::FalconDriver(int number, DeviceOptions options)
   , Options(std::move(options))
   , Name(FalconProduct.Name)
 {
+}
+
+std::vector<std::string> FalconDriver::MakeWords(int number, const DeviceOptions& options)
+{
+  // Integers are written alike in all languages. Centuries are as good as for ever.
+  const double time = std::clamp(options.HomingTime, 0.0, 1e9) * MicrosecondsPerSecond;
+  return { "falcon", std::to_string(number), std::to_string(std::llround(time)),
+    options.FirmwareFile };
+}
+
+std::unique_ptr<HardwareDriver> FalconDriver::MakeFromWords(
+  const std::vector<std::string>& words, std::string& error)
+{
+  if (words.size() != 4 || words[0] != "falcon")
+  {
+    error = "This is not a Novint Falcon.";
+    return nullptr;
+  }
+  DeviceOptions options;
+  options.HomingTime = std::atof(words[2].c_str()) / MicrosecondsPerSecond;
+  options.FirmwareFile = words[3];
+  return std::make_unique<FalconDriver>(std::atoi(words[1].c_str()), options);
 }
 
 DeviceLimits FalconDriver::GetLimits() const

@@ -22,6 +22,13 @@ public:
   /** `number` is the device's number in FindUsbDevices. */
   FalconDriver(int number, DeviceOptions options);
 
+  ///@{
+  /** The same as words on a command line, there and back. Null, with the reason. */
+  static std::vector<std::string> MakeWords(int number, const DeviceOptions& options);
+  static std::unique_ptr<HardwareDriver> MakeFromWords(
+    const std::vector<std::string>& words, std::string& error);
+  ///@}
+
   std::string GetName() const override { return this->Name; }
   DeviceLimits GetLimits() const override;
   /** If the firmware does not run, the image has to exist; Serve loads it. */

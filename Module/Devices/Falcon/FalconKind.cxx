@@ -4,6 +4,9 @@
 
 #include "Devices/Common/DeviceRegistry.h"
 #include "Devices/Falcon/FalconDriver.h"
+#if defined(__linux__)
+#include "Devices/Guard/GuardedDevice.h"
+#endif
 
 namespace VolumeHaptics
 {
@@ -34,7 +37,15 @@ std::unique_ptr<DeviceBackend> MakeFalcon(
   {
     return nullptr;
   }
-  return std::make_unique<HardwareDevice>(std::make_unique<FalconDriver>(number, options));
+  auto driver = std::make_unique<FalconDriver>(number, options);
+#if defined(__linux__)
+  if (!IsGuardOff())
+  {
+    // It has no watchdog of its own.
+    return GuardedDevice::Make(std::move(driver), FalconDriver::MakeWords(number, options), error);
+  }
+#endif
+  return std::make_unique<HardwareDevice>(std::move(driver));
 }
 
 } // namespace

@@ -8,5 +8,5 @@ set(libusb_tests FalconBytes FalconDirection FalconFault FalconFirmware FalconHo
 set(hidapi_tests HidClaim HidTogether Pid PidFault PidFirmware SpaceMouse SpaceMouseFault Wooden WoodenFault)
 # For umockdev only: a kernel of its own has its own test of permissions and its own pace, and it does not tell the
 # device that a program has closed it.
-set(umockdev_libusb_tests FalconLate FalconPermission FalconTries)
+set(umockdev_libusb_tests FalconGuard FalconGuardEnds FalconLate FalconPermission FalconTries)
 set(umockdev_hidapi_tests PidStuck PidTime)

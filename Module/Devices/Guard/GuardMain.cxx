@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Guard/GuardMain.h"
+
+#include "Core/Servo/ServoClock.h"
+#include "Devices/Guard/GuardMemory.h"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+enum Argument
+{
+  Layout = 1,
+  Memory,
+  Link,
+  Parent,
+  FirstWord
+};
+
+/**
+ * What the program had open is not for its guard to hold: a pipe would not end with the program.
+ */
+void CloseOthers(std::vector<int> kept)
+{
+#if defined(SYS_close_range)
+  std::sort(kept.begin(), kept.end());
+  unsigned int from = STDERR_FILENO + 1;
+  for (const int descriptor : kept)
+  {
+    const auto end = static_cast<unsigned int>(descriptor);
+    if (end > from)
+    {
+      syscall(SYS_close_range, from, end - 1, 0u);
+    }
+    from = std::max(from, end + 1);
+  }
+  syscall(SYS_close_range, from, ~0u, 0u);
+#endif
+}
+
+/** Signals for all threads from here on; a file descriptor that SIGTERM makes readable. */
+int TakeSignals()
+{
+  // Before there are threads. A crash still ends the process.
+  ServoClock::BlockSignals();
+  sigset_t term;
+  sigemptyset(&term);
+  sigaddset(&term, SIGTERM);
+  return signalfd(-1, &term, SFD_CLOEXEC);
+}
+
+/**
+ * Waits for the end of the program, in any way: the link hangs up when its last file descriptor is
+ * closed, by exit or exec, and a process that is gone makes its own descriptor readable even if a
+ * child of it still holds the link.
+ */
+void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange)
+{
+  int process = -1;
+#if defined(SYS_pidfd_open)
+  process = static_cast<int>(syscall(SYS_pidfd_open, parent, 0u));
+#endif
+  // It may have died before its descriptor was opened, and its number may be another's by now.
+  const bool isGone = getppid() != parent;
+  std::array<pollfd, 3> watched{ { { link, 0, 0 }, { process, POLLIN, 0 },
+    { signals, POLLIN, 0 } } };
+  while (!isGone && poll(watched.data(), watched.size(), -1) <= 0)
+  {
+  }
+  exchange.RequestStop();
+}
+
+bool Answer(int link, char sign, const std::string& text)
+{
+  const std::string line = sign + text + '\n';
+  return send(link, line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size());
+}
+
+void Serve(HardwareDriver& driver, HardwareExchange& exchange)
+{
+  try
+  {
+    driver.Serve(exchange);
+  }
+  catch (const std::exception& e)
+  {
+    exchange.SetCondition(DeviceStage::Lost, e.what());
+  }
+}
+
+} // namespace
+
+int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker& make)
+{
+  if (arguments.size() <= FirstWord)
+  {
+    std::fputs("volumehaptics-guard is started by the library that needs it: it talks to a haptic "
+               "device, and sends zero force when the program that uses the device ends or stands "
+               "still.\n",
+      stderr);
+    return 2;
+  }
+  const int memoryDescriptor = std::atoi(arguments[Memory].c_str());
+  const int link = std::atoi(arguments[Link].c_str());
+  const int signals = TakeSignals();
+  std::string error;
+  static GuardMemory memory; // threads use it until the process is gone
+  if (arguments[Layout] != GuardMemory::GetLayout())
+  {
+    Answer(link, '-',
+      "The guard of the device is of another version than this library. Install "
+      "both anew, from the same package.");
+    return 1;
+  }
+  if (!memory.Adopt(memoryDescriptor, error))
+  {
+    Answer(link, '-', error);
+    return 1;
+  }
+  HardwareExchange& exchange = memory.GetExchange();
+  CloseOthers({ memoryDescriptor, link, signals, exchange.GetWakeDescriptor() });
+  const int parent = std::atoi(arguments[Parent].c_str());
+  std::thread([=, &exchange] { WaitForParent(link, parent, signals, exchange); }).detach();
+
+  const std::unique_ptr<HardwareDriver> driver =
+    make({ arguments.begin() + FirstWord, arguments.end() }, error);
+  if (!driver || !driver->Connect(error))
+  {
+    Answer(link, '-', error);
+    return 1;
+  }
+  if (Answer(link, '+', driver->GetName()))
+  {
+    ServoClock::RaisePriority();
+    // As far as the user may: without it a page may have to be read from the disk first.
+    mlockall(MCL_CURRENT);
+    Serve(*driver, exchange);
+  }
+  driver->Disconnect();
+  return 0;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The guard's own side: what its program does between its first line and its last.
+ */
+#ifndef GuardMain_h
+#define GuardMain_h
+
+#include "Devices/Common/HardwareDevice.h"
+
+#include <functional>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** Makes a driver of the words of GuardedDevice. Null, with the reason. */
+using GuardedDriverMaker = std::function<std::unique_ptr<HardwareDriver>(
+  const std::vector<std::string>& words, std::string& error)>;
+
+/**
+ * Serves one device for the program that has started this process, until that program asks for the
+ * end, or is gone. Returns the exit status.
+ */
+int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker& make);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The memory that a program and its guard share: an exchange, and nothing else.
+ *
+ * It has no name in the file system. The guard gets it as an inherited file descriptor, and it goes
+ * away with the last of the two processes.
+ */
+#ifndef GuardMemory_h
+#define GuardMemory_h
+
+#include "Devices/Common/HardwareExchange.h"
+
+namespace VolumeHaptics
+{
+
+class GuardMemory
+{
+public:
+  GuardMemory() = default;
+  ~GuardMemory();
+  GuardMemory(const GuardMemory&) = delete;
+  GuardMemory& operator=(const GuardMemory&) = delete;
+
+  /**
+   * The program's side: new memory with an exchange that was never used. It takes the place of the
+   * old one, whose address stays the same, so that a guard of before reaches nothing any more.
+   * False, with the reason.
+   */
+  bool Renew(std::string& error);
+  /** The guard's side: the memory behind an inherited file descriptor. False, with the reason. */
+  bool Adopt(int descriptor, std::string& error);
+
+  /** Below zero without memory. */
+  int GetDescriptor() const noexcept { return this->Descriptor; }
+  HardwareExchange& GetExchange() noexcept { return *this->Exchange; }
+
+  /** What both sides have to agree on: a guard of another build refuses to begin. */
+  static std::string GetLayout();
+
+private:
+  bool Map(int descriptor, std::string& error);
+  void End() noexcept;
+
+  int Descriptor = -1;
+  void* Address = nullptr;
+  HardwareExchange* Exchange = nullptr;
+  bool IsOwner = false; ///< the program's, which made the exchange
+};
+
+} // namespace VolumeHaptics
+
+#endif

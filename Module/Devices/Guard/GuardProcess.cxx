@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Guard/GuardProcess.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+const char* const Variable = "VOLUMEHAPTICS_GUARD";
+const char* const ProgramName = "volumehaptics-guard";
+/** ms: opening a device that answers nothing takes a few seconds. */
+constexpr int OpeningTime = 20000;
+constexpr int MostFoldersUp = 6;
+
+const char* const Cure =
+  "Set the environment variable VOLUMEHAPTICS_GUARD to the path of volumehaptics-guard, which is "
+  "installed with this library; or set it to \"off\" to use the device without a guard, which then "
+  "may keep its last force if this program is killed or stopped.";
+
+/** In or above the folder of a file, or in a folder "bin" there; empty if it is not. */
+std::string FindNear(const std::filesystem::path& file)
+{
+  std::error_code ignored;
+  std::filesystem::path folder = std::filesystem::canonical(file, ignored).parent_path();
+  for (int up = 0; up <= MostFoldersUp && !folder.empty(); ++up, folder = folder.parent_path())
+  {
+    for (const std::filesystem::path& program :
+      { folder / ProgramName, folder / "bin" / ProgramName })
+    {
+      if (std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0)
+      {
+        return program.string();
+      }
+    }
+  }
+  return {};
+}
+
+/** Signals and file descriptors as a new program expects them. */
+class SpawnSettings
+{
+public:
+  SpawnSettings()
+  {
+    posix_spawn_file_actions_init(&this->Actions);
+    posix_spawnattr_init(&this->Attributes);
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&this->Attributes, &signals);
+    sigfillset(&signals);
+    posix_spawnattr_setsigdefault(&this->Attributes, &signals);
+    // A group of its own: Ctrl+C and Ctrl+Z in a terminal go to the program, not to its guard.
+    posix_spawnattr_setpgroup(&this->Attributes, 0);
+    posix_spawnattr_setflags(
+      &this->Attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    posix_spawn_file_actions_addopen(&this->Actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&this->Actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  }
+  ~SpawnSettings()
+  {
+    posix_spawn_file_actions_destroy(&this->Actions);
+    posix_spawnattr_destroy(&this->Attributes);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+
+  /** The new program inherits it, under the same number. */
+  void Pass(int descriptor)
+  {
+    posix_spawn_file_actions_adddup2(&this->Actions, descriptor, descriptor);
+  }
+
+  posix_spawn_file_actions_t Actions{};
+  posix_spawnattr_t Attributes{};
+};
+
+} // namespace
+
+std::string FindGuardProgram(std::string& error)
+{
+  if (const char* const named = std::getenv(Variable); named != nullptr && *named != '\0')
+  {
+    if (access(named, X_OK) != 0)
+    {
+      error = std::string("The guard of the device can't be started: \"") + named + "\" (" +
+        std::strerror(errno) + "). " + Cure;
+      return {};
+    }
+    return named;
+  }
+  Dl_info info{};
+  std::string program;
+  if (dladdr(reinterpret_cast<const void*>(&FindGuardProgram), &info) != 0)
+  {
+    program = FindNear(info.dli_fname);
+  }
+  // This library may be part of the program itself, which is known by its first argument only.
+  program = program.empty() ? FindNear("/proc/self/exe") : program;
+  if (!program.empty())
+  {
+    return program;
+  }
+  error = std::string("The guard of the device, the program ") + ProgramName +
+    ", is neither beside this library nor in a folder \"bin\" near it. " + Cure;
+  return {};
+}
+
+bool IsGuardOff()
+{
+  const char* const named = std::getenv(Variable);
+  return named != nullptr && std::strcmp(named, "off") == 0;
+}
+
+GuardProcess::~GuardProcess()
+{
+  std::string ignored;
+  this->End(ignored);
+}
+
+bool GuardProcess::Start(GuardMemory& memory, const std::vector<std::string>& device,
+  std::string& name, std::string& error)
+{
+  int links[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, links) != 0)
+  {
+    error = std::string("The guard of the device can't be started: ") + std::strerror(errno) + ".";
+    return false;
+  }
+  this->Link = links[0];
+  const bool isSpawned = this->Spawn(memory, device, links[1], error);
+  close(links[1]);
+  if (!isSpawned || !this->ReadAnswer(name, error))
+  {
+    std::string ignored;
+    this->End(ignored);
+    return false;
+  }
+  return true;
+}
+
+bool GuardProcess::Spawn(
+  GuardMemory& memory, const std::vector<std::string>& device, int itsLink, std::string& error)
+{
+  std::string program = FindGuardProgram(error);
+  if (program.empty())
+  {
+    return false;
+  }
+  SpawnSettings settings;
+  settings.Pass(memory.GetDescriptor());
+  settings.Pass(memory.GetExchange().GetWakeDescriptor());
+  settings.Pass(itsLink);
+  std::vector<std::string> words = { ProgramName, GuardMemory::GetLayout(),
+    std::to_string(memory.GetDescriptor()), std::to_string(itsLink), std::to_string(getpid()) };
+  words.insert(words.end(), device.begin(), device.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+  {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  const int result = posix_spawn(&this->Process, program.c_str(), &settings.Actions,
+    &settings.Attributes, pointers.data(), environ);
+  if (result != 0)
+  {
+    this->Process = -1;
+    error = "The guard of the device, \"" + program + "\", can't be started (" +
+      std::strerror(result) + "). " + Cure;
+  }
+  return result == 0;
+}
+
+bool GuardProcess::ReadAnswer(std::string& name, std::string& error)
+{
+  // One line: '+' and the name, or '-' and what is wrong.
+  std::string answer;
+  const std::int64_t end = ServoClock::Now() + OpeningTime * ServoClock::Millisecond;
+  pollfd watched = { this->Link, POLLIN, 0 };
+  while (answer.empty() || answer.back() != '\n')
+  {
+    const auto left = static_cast<int>((end - ServoClock::Now()) / ServoClock::Millisecond);
+    const int ready = left > 0 ? poll(&watched, 1, left) : 0;
+    if (ready < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    char byte = 0;
+    if (ready <= 0 || recv(this->Link, &byte, 1, 0) != 1)
+    {
+      std::string how = "does not answer";
+      if (ready > 0)
+      {
+        this->End(how);
+        how += " before it had the device";
+      }
+      error = "The guard of the device " + how + ". " + Cure;
+      return false;
+    }
+    answer += byte;
+  }
+  (answer.front() == '+' ? name : error) = answer.substr(1, answer.size() - 2);
+  return answer.front() == '+';
+}
+
+bool GuardProcess::HasEnded(int time) const noexcept
+{
+  pollfd watched = { this->Link, 0, 0 }; // a hangup is always told
+  return this->Link < 0 || (poll(&watched, 1, time) > 0 && watched.revents != 0);
+}
+
+bool GuardProcess::End(std::string& how)
+{
+  how = "ended";
+  bool isWell = true;
+  if (this->Process > 0)
+  {
+    if (!this->HasEnded(0))
+    {
+      kill(this->Process, SIGKILL);
+    }
+    int status = 0;
+    pid_t result = 0;
+    do
+    {
+      result = waitpid(this->Process, &status, 0);
+    } while (result < 0 && errno == EINTR);
+    // The program may have asked the system not to keep it, or have taken it itself.
+    isWell = result != this->Process || (WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    if (!isWell)
+    {
+      how = WIFSIGNALED(status)
+        ? std::string("was ended by a signal (") + strsignal(WTERMSIG(status)) + ")"
+        : "ended with the status " + std::to_string(WEXITSTATUS(status));
+    }
+    this->Process = -1;
+  }
+  if (this->Link >= 0)
+  {
+    close(this->Link);
+    this->Link = -1;
+  }
+  return isWell;
+}
+
+void GuardProcess::Abandon() noexcept
+{
+  this->Process = -1;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The guard as a process of its own: found, started, waited for.
+ */
+#ifndef GuardProcess_h
+#define GuardProcess_h
+
+#include "Devices/Guard/GuardMemory.h"
+
+#include <sys/types.h>
+
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * The guard's program: what the environment variable VOLUMEHAPTICS_GUARD names, else
+ * volumehaptics-guard in or above the folder of this library, or in a folder "bin" there. Empty,
+ * with the reason and the cure.
+ */
+std::string FindGuardProgram(std::string& error);
+
+/** Whether the user wants devices without a guard: VOLUMEHAPTICS_GUARD=off. */
+bool IsGuardOff();
+
+class GuardProcess
+{
+public:
+  GuardProcess() = default;
+  /** Ends it. */
+  ~GuardProcess();
+  GuardProcess(const GuardProcess&) = delete;
+  GuardProcess& operator=(const GuardProcess&) = delete;
+
+  /**
+   * Starts it and waits until it has the device: then its name for people. False, with the reason
+   * and the cure. The device is what the guard makes a driver of.
+   */
+  bool Start(GuardMemory& memory, const std::vector<std::string>& device, std::string& name,
+    std::string& error);
+
+  /** Whether it has ended; waits for that for a time (ms). */
+  bool HasEnded(int time) const noexcept;
+  /**
+   * Kills it if it goes on. Whether it had ended by itself, as it does when it is asked to; and how
+   * it ended, in words.
+   */
+  bool End(std::string& how);
+  /** In a forked child: the process is the parent's. */
+  void Abandon() noexcept;
+
+private:
+  bool Spawn(
+    GuardMemory& memory, const std::vector<std::string>& device, int itsLink, std::string& error);
+  bool ReadAnswer(std::string& name, std::string& error);
+
+  pid_t Process = -1;
+  int Link = -1;
+};
+
+} // namespace VolumeHaptics
+
+#endif

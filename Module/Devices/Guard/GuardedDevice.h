@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A device that a guard talks to: a small process of its own, which outlives this one.
+ *
+ * A device without a watchdog keeps its last force if the program that talks to it dies, or is
+ * stopped. So the program does not talk to it: the guard does, and the two share an exchange
+ * (HardwareExchange.h) in memory. To the servo that is the same as a thread of its own: it neither
+ * waits nor locks. A force that is not renewed within 50 ms becomes zero in the guard, whatever the
+ * reason; if the program is gone, by whatever end, the guard is told by the system, sends zero at
+ * once, lets go of the device and ends.
+ *
+ *   program                          guard (volumehaptics-guard)
+ *   servo ---- force ---> exchange ---> driver ---> device
+ *         <--- sample ---          <---        <---
+ *   socket, hangs up at the end of either side
+ *
+ * If the guard itself ends, the device is Lost, and this process sends zero in its place. If it is
+ * stopped (SIGSTOP), no sample is fresh any more, and the servo's own watchdog stops the force, of
+ * which the device hears nothing: leave the guard alone.
+ */
+#ifndef GuardedDevice_h
+#define GuardedDevice_h
+
+#include "Devices/Common/HardwareDevice.h"
+#include "Devices/Guard/GuardProcess.h"
+
+namespace VolumeHaptics
+{
+
+class GuardedDevice final : public DeviceBackend
+{
+public:
+  /**
+   * The guard gets the words of the device on its command line, and makes a driver of them. The
+   * driver here says the limits, and is connected only if the guard has ended: that connecting
+   * sends zero is up to it. Null, with the reason.
+   */
+  static std::unique_ptr<GuardedDevice> Make(
+    std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words, std::string& error);
+  ~GuardedDevice() override;
+
+  bool Open(std::string& error) override;
+  void Close() override;
+  std::string GetName() const override { return this->Name; }
+  DeviceLimits GetLimits() const override { return this->Driver->GetLimits(); }
+  DeviceCondition GetCondition() override;
+  void Home() noexcept override;
+  void SetLights(int lights) noexcept override;
+
+  DeviceState Read(double period, DeviceSample& sample) noexcept override;
+  DeviceState Write(const Vector3& force) noexcept override;
+  void Quench() noexcept override;
+  bool IsAtRest() const noexcept override;
+
+private:
+  enum class Side : std::uint8_t
+  {
+    Guard,  ///< has the device
+    Rescue, ///< the guard has ended, and zero is being sent from here
+    None    ///< that is done
+  };
+
+  GuardedDevice(std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words);
+  void Watch();
+  void Rescue() noexcept;
+  bool IsForked() const noexcept;
+  HardwareExchange& GetExchange() noexcept { return this->Memory->GetExchange(); }
+
+  std::unique_ptr<HardwareDriver> Driver;
+  const std::vector<std::string> Words;
+  std::string Name;
+  std::unique_ptr<GuardMemory> Memory;
+  GuardProcess Guard;
+  std::thread Watcher;
+  std::int64_t Process = 0;       ///< whose guard it is
+  bool IsAbandoned = false;       ///< in a forked child
+  DeviceCondition EndedCondition; ///< once the guard does not have the device any more
+  std::atomic<Side> HasDevice{ Side::Guard };
+  std::atomic<bool> IsClosing{ false };
+};
+
+} // namespace VolumeHaptics
+
+#endif

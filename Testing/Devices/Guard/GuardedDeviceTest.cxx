@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A device behind a guard, as its owner and the servo see it. The guard is a real process, its
+ * device is played: PlayedGuard.cxx. How the guard outlives a program:
+ * Emulated/FalconGuardTest.cxx.
+ */
+
+#include "Devices/Guard/GuardedDevice.h"
+#include "Rigs/Eventually.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace VolumeHaptics;
+using devicetest::Eventually;
+
+namespace
+{
+
+/** Counts how often zero would be sent from here. */
+class Rescuer : public HardwareDriver
+{
+public:
+  explicit Rescuer(std::atomic<int>& count)
+    : Count(count)
+  {
+  }
+  std::string GetName() const override { return "not open"; }
+  DeviceLimits GetLimits() const override
+  {
+    DeviceLimits limits;
+    limits.MaximumForce = 3.0;
+    return limits;
+  }
+  bool Connect(std::string&) override
+  {
+    // As if the system took its time.
+    return ++this->Count >= 3;
+  }
+  void Serve(HardwareExchange&) override {}
+  void Disconnect() noexcept override {}
+
+private:
+  std::atomic<int>& Count;
+};
+
+class Guarded : public testing::Test
+{
+protected:
+  Guarded()
+  {
+    setenv("VOLUMEHAPTICS_GUARD", VOLUME_HAPTICS_PLAYED_GUARD, 1);
+    this->Make("echo");
+  }
+  void Make(const std::string& way)
+  {
+    this->Device =
+      GuardedDevice::Make(std::make_unique<Rescuer>(this->Rescues), { way }, this->Error);
+  }
+  bool IsAt(DeviceStage stage)
+  {
+    return Eventually([&] { return this->Device->GetCondition().Stage == stage; });
+  }
+  std::string GetText() { return this->Device->GetCondition().Text.data(); }
+  pid_t GetGuard() const
+  {
+    const std::string name = this->Device->GetName();
+    return std::atoi(name.substr(name.rfind(' ') + 1).c_str());
+  }
+  void OpenIt()
+  {
+    ASSERT_TRUE(this->Device->Open(this->Error)) << this->Error;
+    ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
+    ASSERT_GT(this->GetGuard(), 1);
+  }
+  /** The device gets a force, and says so. */
+  bool Feels(const Vector3& force)
+  {
+    return Eventually(
+      [&]
+      {
+        this->Device->Read(0.001, this->Sample);
+        this->Device->Write(force);
+        return Norm(this->Sample.Tip - force) == 0.0;
+      });
+  }
+
+  std::atomic<int> Rescues{ 0 };
+  std::unique_ptr<GuardedDevice> Device;
+  std::string Error;
+  DeviceSample Sample;
+};
+
+} // namespace
+
+TEST_F(Guarded, IsTheSameToTheServo)
+{
+  EXPECT_EQ(this->Device->GetName(), "not open");
+  EXPECT_EQ(this->Device->GetLimits().MaximumForce, 3.0);
+  for (int again = 0; again < 3; ++again)
+  {
+    this->OpenIt();
+    EXPECT_NE(this->GetGuard(), getpid());
+    EXPECT_TRUE(this->Feels({ 1.0, 2.0, 3.0 + again }));
+    this->Device->SetLights(5);
+    EXPECT_TRUE(Eventually(
+      [&] {
+        return this->Feels({ 1.0, 0.0, 0.0 }) && this->Sample.Buttons == 5;
+      }));
+    this->Device->Home();
+    EXPECT_TRUE(Eventually([&] { return this->GetText() == "homed"; }));
+    this->Device->Quench();
+    EXPECT_TRUE(Eventually([&] { return this->Device->IsAtRest(); }));
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        this->Device->Read(0.001, this->Sample);
+        return Norm(this->Sample.Tip) == 0.0;
+      }));
+    this->Device->Close();
+    this->Device->Close();
+  }
+  EXPECT_EQ(this->Rescues, 0);
+}
+
+TEST_F(Guarded, AForceThatIsNotRenewedFades)
+{
+  this->OpenIt();
+  ASSERT_TRUE(this->Feels({ 1.0, 2.0, 3.0 }));
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      this->Device->Read(0.001, this->Sample);
+      return Norm(this->Sample.Tip) == 0.0;
+    }));
+}
+
+TEST_F(Guarded, SaysWhyItCantBeOpened)
+{
+  this->Make("refuse");
+  EXPECT_FALSE(this->Device->Open(this->Error));
+  EXPECT_EQ(this->Error, "The played device is refused.");
+  this->Make("throw");
+  ASSERT_TRUE(this->Device->Open(this->Error));
+  ASSERT_TRUE(this->IsAt(DeviceStage::Lost));
+  EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
+}
+
+TEST_F(Guarded, IsLostWithItsGuardAndGetsZeroFromHere)
+{
+  for (const int signal : { SIGKILL, SIGTERM })
+  {
+    this->Rescues = 0;
+    this->OpenIt();
+    ASSERT_TRUE(this->Feels({ 1.0, 0.0, 0.0 }));
+    const pid_t guard = this->GetGuard();
+    ASSERT_GT(guard, 1) << "0 and below would be many processes";
+    kill(guard, signal);
+    ASSERT_TRUE(this->IsAt(DeviceStage::Lost));
+    EXPECT_NE(this->GetText().find("guard process"), std::string::npos) << this->GetText();
+    EXPECT_EQ(this->Device->Read(0.001, this->Sample), DeviceState::Lost);
+    EXPECT_EQ(this->Device->Write({ 1.0, 0.0, 0.0 }), DeviceState::Lost);
+    EXPECT_TRUE(Eventually([&] { return this->Device->IsAtRest(); }));
+    EXPECT_EQ(this->Rescues, 3) << "tried until it was possible";
+    this->Device->Home();
+    EXPECT_EQ(this->Device->GetCondition().Stage, DeviceStage::Lost);
+  }
+  this->OpenIt();
+  EXPECT_TRUE(this->Feels({ 1.0, 0.0, 0.0 }));
+}
+
+TEST_F(Guarded, IsTheParentsAfterAFork)
+{
+  this->OpenIt();
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    this->Device->Home();
+    const bool isRefused =
+      !this->Device->Open(this->Error) && this->Error.find("forked") != std::string::npos;
+    this->Device.reset();
+    _exit(isRefused ? 0 : 3);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(this->Feels({ 1.0, 0.0, 0.0 }));
+  EXPECT_EQ(this->GetText(), "") << "the child did not ask the parent's device to home";
+}
+
+TEST_F(Guarded, OfAnotherVersionIsRefused)
+{
+  // As if an older library had started it: there is nothing behind the descriptors.
+  const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 echo");
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(WEXITSTATUS(std::system(VOLUME_HAPTICS_PLAYED_GUARD " 2> /dev/null")), 2);
+}
