@@ -463,6 +463,10 @@ vtkHapticDeviceStatisticMacro(
 vtkHapticDeviceStatisticMacro(vtkIdType, MissedTicks, (), GetMissedTicks());
 vtkHapticDeviceStatisticMacro(vtkIdType, AbsentTicks, (), GetAbsentTicks());
 vtkHapticDeviceStatisticMacro(vtkIdType, UnfinishedTicks, (), GetUnfinishedTicks());
+vtkHapticDeviceStatisticMacro(double, ReportPeriod, (), GetTiming().GetReportPeriod());
+vtkHapticDeviceStatisticMacro(double, RoundTripTime, (), GetTiming().GetRoundTrip());
+vtkHapticDeviceStateMacro(double, StiffnessCap, GetCaps().Stiffness);
+vtkHapticDeviceStateMacro(double, DampingCap, GetCaps().Damping);
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::ResetStatistics()

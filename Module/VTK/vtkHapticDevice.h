@@ -380,6 +380,22 @@ public:
   void ResetStatistics();
   ///@}
 
+  ///@{
+  /**
+   * Time as the device has it, measured over the last second or so: the time (s) from one report
+   * that brings news to the next, and the round trip T (s), which is that time plus twice what a
+   * force needs to get to the device; 95 % of both are shorter. 0 as long as they are not known, or
+   * while the servo does not run. T caps the stiffness (N/m), k <= 2 b / T with the device's
+   * friction b, and the damping (N s/m). UpdateState follows T: it publishes lower caps at once, if
+   * T has grown by a fifth, and higher ones 2 s later and while nothing is felt. The caps are those
+   * that are felt, MaximumStiffness of the filter included; 0 does not cap.
+   */
+  double GetReportPeriod();
+  double GetRoundTripTime();
+  double GetStiffnessCap();
+  double GetDampingCap();
+  ///@}
+
 protected:
   vtkHapticDevice();
   ~vtkHapticDevice() override;

@@ -158,14 +158,6 @@ bool vtkVolumeHapticsFilter::ReadPlacement(
 }
 
 //------------------------------------------------------------------------------
-VolumeHaptics::ForceCaps vtkVolumeHapticsFilter::Tighten(
-  const VolumeHaptics::ForceCaps& deviceCaps) const
-{
-  return { VolumeHaptics::TighterCap(this->MaximumStiffness, deviceCaps.Stiffness),
-    deviceCaps.Damping };
-}
-
-//------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
   vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps,
   vtkMatrix4x4* deviceToWorld, std::string& error)
@@ -198,7 +190,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
     }
   }
   options.Description.Settings.TickPeriod = tickPeriod;
-  options.Description.Settings.Caps = this->Tighten(deviceCaps);
+  options.Description.Settings.Caps.Stiffness = this->MaximumStiffness;
+  options.Description.DeviceCaps = deviceCaps;
   options.Surfaces = this->Surfaces.get();
   options.Noise = this->Noise.get();
   options.Regions = this->Regions.get();
@@ -269,19 +262,18 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
     vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0." << hint);
     return nullptr;
   }
-  // If only the device has moved, as it does with every frame while it follows the camera, the
-  // baked volume is shared.
+  // If only the device has moved, as it does with every frame while it follows the camera, or holds
+  // more or less than before, the baked volume is shared.
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
   const vtkMTimeType time = std::max({ this->GetMTime(), image->GetMTime(),
     scalars ? scalars->GetMTime() : 0, surface ? surface->GetMTime() : 0 });
   VolumeHaptics::Affine3 placement;
   auto model = this->LastBaked.lock();
-  const bool isCurrent = model && time == this->LastBakedTime &&
-    model->Baked->Settings.TickPeriod == 1.0 / rate &&
-    model->Baked->Settings.Caps == this->Tighten(deviceCaps);
+  const bool isCurrent =
+    model && time == this->LastBakedTime && model->Baked->Settings.TickPeriod == 1.0 / rate;
   if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
   {
-    model = std::make_shared<const VolumeHaptics::HapticModel>(*model, placement);
+    model = std::make_shared<const VolumeHaptics::HapticModel>(*model, placement, deviceCaps);
   }
   else if (error.empty())
   {
@@ -379,7 +371,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   const bool readable = !path || ReadTipPath(path, period, tips, error);
   std::string imageError;
   std::shared_ptr<const HapticModel> model = this->BakeImage(
-    image, tips.IsRecording ? tips.TickPeriod : period, tips.Caps, nullptr, imageError);
+    image, tips.IsRecording ? tips.TickPeriod : period, ForceCaps{}, nullptr, imageError);
   if (!model || !readable)
   {
     error = model ? error : imageError;

@@ -174,7 +174,6 @@ private:
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
     std::string& error);
-  VolumeHaptics::ForceCaps Tighten(const VolumeHaptics::ForceCaps& deviceCaps) const;
 
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;

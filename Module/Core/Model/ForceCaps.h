@@ -33,6 +33,11 @@ inline double TighterCap(double a, double b) noexcept
   return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
 }
 
+inline ForceCaps TighterCaps(const ForceCaps& a, const ForceCaps& b) noexcept
+{
+  return { TighterCap(a.Stiffness, b.Stiffness), TighterCap(a.Damping, b.Damping) };
+}
+
 } // namespace VolumeHaptics
 
 #endif

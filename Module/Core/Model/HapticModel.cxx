@@ -23,17 +23,21 @@ Vector3 MakeFallbackNormal(const Matrix3& indexToDevice)
 } // namespace
 
 HapticModel::HapticModel(const HapticModelDescription& description)
-  : HapticModel(std::make_shared<const BakedVolume>(description), description.DeviceToWorld)
+  : HapticModel(std::make_shared<const BakedVolume>(description), description.DeviceToWorld,
+      description.DeviceCaps)
 {
 }
 
-HapticModel::HapticModel(const HapticModel& other, const Affine3& deviceToWorld)
-  : HapticModel(other.Baked, deviceToWorld)
+HapticModel::HapticModel(
+  const HapticModel& other, const Affine3& deviceToWorld, const ForceCaps& deviceCaps)
+  : HapticModel(other.Baked, deviceToWorld, deviceCaps)
 {
 }
 
-HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3& deviceToWorld)
+HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3& deviceToWorld,
+  const ForceCaps& deviceCaps)
   : Baked(std::move(baked))
+  , Caps(TighterCaps(this->Baked->Settings.Caps, deviceCaps))
   , DeviceToWorld(deviceToWorld)
   , WorldToDevice(Inverse(deviceToWorld))
   , DeviceToIndex(Compose(Inverse(this->Baked->IndexToWorld), deviceToWorld))

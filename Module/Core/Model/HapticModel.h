@@ -27,9 +27,12 @@ class HapticModel
 {
 public:
   explicit HapticModel(const HapticModelDescription& description);
-  /** The volume of another model, with the device placed elsewhere. Bakes nothing again. */
-  HapticModel(const HapticModel& other, const Affine3& deviceToWorld);
-  HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3& deviceToWorld);
+  ///@{
+  /** The volume of another model, with another device or placed elsewhere. Bakes nothing again. */
+  HapticModel(const HapticModel& other, const Affine3& deviceToWorld, const ForceCaps& deviceCaps);
+  HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3& deviceToWorld,
+    const ForceCaps& deviceCaps);
+  ///@}
   HapticModel(const HapticModel&) = delete;
   HapticModel& operator=(const HapticModel&) = delete;
 
@@ -37,6 +40,8 @@ public:
   static constexpr double MinimumStiffness = 1e-3;
 
   const std::shared_ptr<const BakedVolume> Baked;
+  /** The tighter caps of the user and the device: no stiffness and no damping is felt above them. */
+  const ForceCaps Caps;
 
   const Affine3 DeviceToWorld;
   const Affine3 WorldToDevice;

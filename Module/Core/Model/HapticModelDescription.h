@@ -39,6 +39,7 @@ struct HapticModelDescription
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   Affine3 IndexToWorld;                ///< not singular
   Affine3 DeviceToWorld;               ///< a similarity, world units per metre
+  ForceCaps DeviceCaps;                ///< the user's are in Settings
   GradientEstimator Estimator = GradientEstimator::Gaussian;
   int KernelRadius = 2; ///< voxels
   HapticMaterial Material;

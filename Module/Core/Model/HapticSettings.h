@@ -60,8 +60,8 @@ struct HapticSettings
   HapticSolver Solver = HapticSolver::Precise;
   ContactAlignment Alignment = ContactAlignment::Distinctness;
   SurfaceSide Side = SurfaceSide::Higher;
-  double TickPeriod = 1e-3; ///< s
-  ForceCaps Caps;
+  double TickPeriod = 1e-3;       ///< s
+  ForceCaps Caps;                 ///< of the user; the device has its own: HapticModel::Caps
   double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
   double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m

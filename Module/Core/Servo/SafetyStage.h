@@ -11,7 +11,7 @@
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
  * 4. The share that the gate lets through is taken (ForceGate.h).
  * 5. The growth of the force is limited (the slew limit, GrowthLimit.h). A force may fall at once.
- * Stiffness and damping are capped in the computation of the force: see HapticSettings::Caps. Joint
+ * Stiffness and damping are capped in the computation of the force: see HapticModel::Caps. Joint
  * commands are scaled down together, by the back end: SaturateTogether.
  *
  * The share is applied before the slew limit, so that no force that is sent grows faster than this

@@ -140,7 +140,7 @@ inline void ReadMaterials(const HapticModel& model, const Vector3& index, const 
   point.GradientMagnitude = surface.GradientMagnitude;
   point.SurfaceValue = values.Ahead;
   point.MediumValue = values.Behind;
-  point.Stiffness = Capped(inside[0], model.Baked->Settings.Caps.Stiffness);
+  point.Stiffness = Capped(inside[0], model.Caps.Stiffness);
   point.Friction = inside[1];
   point.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
   point.Viscosity = outside[3] * (outside[4] * distinct[1]);
@@ -154,7 +154,7 @@ inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noex
   point = MaterialPoint{};
   point.Normal = model.FallbackNormal;
   point.SurfaceValue = point.MediumValue = iso;
-  point.Stiffness = Capped(material[0], model.Baked->Settings.Caps.Stiffness);
+  point.Stiffness = Capped(material[0], model.Caps.Stiffness);
   point.Friction = material[1];
   return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
 }

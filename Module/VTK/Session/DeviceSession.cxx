@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/DeviceSession.h"
 
+#include "Core/Servo/ServoClock.h"
 #include "Devices/Common/DeviceRegistry.h"
 #include "Devices/Replay/ReplayDevice.h"
 #include "VTK/Session/HapticSignals.h"
@@ -67,6 +68,7 @@ void DeviceSession::Close()
     this->Backend.reset();
   }
   this->Virtual = nullptr;
+  this->RoundTrip.Reset();
   ++this->Opening;
   // The order to arm is for this device, not for the next one.
   this->ArmsAtStart = false;
@@ -219,7 +221,37 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   const Vector3 reach = (model ? model->KernelLength : 0.0) * record.Normal;
   Copy(toWorld(start + reach), this->SurfacePosition);
   Copy(toWorld(start - reach), this->MediumPosition);
+  this->FollowRoundTrip();
   return true;
+}
+
+ForceCaps DeviceSession::FindCaps(double rate) const
+{
+  return CapsOf(this->GetLimits(), std::max(1.0 / rate, this->RoundTrip.Get()));
+}
+
+ForceCaps DeviceSession::GetCaps() const
+{
+  const HapticModel* const model = this->Servo ? this->Servo->GetTicks().GetLatestModel() : nullptr;
+  return model ? model->Caps : ForceCaps{};
+}
+
+void DeviceSession::FollowRoundTrip()
+{
+  const double measured = this->Servo->GetLoop().GetTiming().GetRoundTrip();
+  const bool isFelt = Norm(this->State.Record.Force) > 0.0;
+  const double counted = measured > 0.0 ? std::max(measured, 1.0 / this->Rate) : 0.0;
+  if (!this->RoundTrip.Follow(counted, ServoClock::Now(), isFelt))
+  {
+    return;
+  }
+  TickCollector& ticks = this->Servo->GetTicks();
+  const HapticModel* const model = ticks.GetLatestModel();
+  const ForceCaps caps = this->FindCaps(this->Rate);
+  if (model && !(TighterCaps(model->Baked->Settings.Caps, caps) == model->Caps))
+  {
+    ticks.Publish(std::make_shared<const HapticModel>(*model, model->DeviceToWorld, caps));
+  }
 }
 
 void DeviceSession::DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader)
@@ -279,6 +311,9 @@ DeviceStatus DeviceSession::GetStatus() const
     status.State = &this->State;
     status.RealTimePriority = this->Servo->GetLoop().GetRealTimePriority();
     status.LockedMemory = this->Servo->GetLoop().GetLockedMemory();
+    status.ReportPeriod = this->Servo->GetLoop().GetTiming().GetReportPeriod();
+    status.RoundTrip = this->Servo->GetLoop().GetTiming().GetRoundTrip();
+    status.Caps = this->GetCaps();
     status.RecordingTrouble = this->Servo->GetTicks().GetRecordingTrouble();
   }
   return status;

@@ -7,6 +7,7 @@
 #ifndef DeviceSession_h
 #define DeviceSession_h
 
+#include "Core/Servo/RoundTripInUse.h"
 #include "Devices/Common/DeviceKind.h"
 #include "Devices/Virtual/VirtualDevice.h"
 #include "VTK/Session/DeviceStatus.h"
@@ -53,6 +54,11 @@ public:
   ServoLoop* GetLoop() const { return this->Servo ? &this->Servo->GetLoop() : nullptr; }
   TickCollector* GetTicks() const { return this->Servo ? &this->Servo->GetTicks() : nullptr; }
   ///@}
+
+  /** The caps of the device for the round trip in use, or a period of the rate (Hz). */
+  ForceCaps FindCaps(double rate) const;
+  /** The caps of the model that is felt: those of the user, too. All 0 without a model. */
+  ForceCaps GetCaps() const;
 
   /** Ticks per second of the running servo. */
   double GetRate() const { return this->Rate; }
@@ -122,6 +128,8 @@ private:
   };
   /** The outermost work that is long; null if there is none. */
   const Work* FindLongWork() const;
+  /** Publishes the last model with other caps if the measured round trip asks for it. */
+  void FollowRoundTrip();
   /** Whether the last order was to arm, even if the servo has not seen it yet. */
   bool IsArmOrdered() const
   {
@@ -138,6 +146,7 @@ private:
   ServoSnapshot State;
   bool ArmsAtStart = false; ///< Arm was ordered before the servo ran
   double Rate = 0.0;
+  RoundTripInUse RoundTrip;
   std::vector<Work> Works;
   std::set<int> Readers; ///< numbers of AddReader
 };

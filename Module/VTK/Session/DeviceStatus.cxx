@@ -6,6 +6,8 @@
 
 #include "vtkHapticDevice.h"
 
+#include <cstdio>
+
 namespace VolumeHaptics
 {
 namespace
@@ -62,6 +64,25 @@ std::string DescribeShare(const ServoSnapshot& state)
   const std::string reason = DescribeReason(state.Gate, state.Reason);
   return " " + std::to_string(static_cast<int>(100.0 * state.Share)) + " % of the force passes" +
     (reason.empty() ? "." : " (" + reason + ").");
+}
+
+/** Times and caps as far as they are known. */
+std::string DescribeTiming(const DeviceStatus& status)
+{
+  std::string text;
+  char part[100];
+  if (status.RoundTrip > 0.0)
+  {
+    std::snprintf(part, sizeof(part), " It reports every %.1f ms, round trip %.1f ms.",
+      1e3 * status.ReportPeriod, 1e3 * status.RoundTrip);
+    text += part;
+  }
+  if (status.Caps.Stiffness > 0.0)
+  {
+    std::snprintf(part, sizeof(part), " Stiffness is at most %.0f N/m.", status.Caps.Stiffness);
+    text += part;
+  }
+  return text;
 }
 
 const char* DescribePrivilege(ServoLoop::Privilege privilege)
@@ -141,7 +162,7 @@ std::string DeviceStatus::DescribeDevice() const
       ? " The data around the tip are awaited: the force fades."
       : " The data around the tip are awaited: no force until then.";
   }
-  text += DescribeShare(*this->State) + std::string(" Real-time priority ") +
+  text += DescribeShare(*this->State) + DescribeTiming(*this) + " Real-time priority " +
     DescribePrivilege(this->RealTimePriority) + ", locking of the servo's own memory " +
     DescribePrivilege(this->LockedMemory) + ".";
   return text;

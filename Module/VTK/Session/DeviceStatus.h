@@ -29,6 +29,9 @@ struct DeviceStatus
   const ServoSnapshot* State = nullptr;
   ServoLoop::Privilege RealTimePriority = ServoLoop::Privilege::Unknown;
   ServoLoop::Privilege LockedMemory = ServoLoop::Privilege::Unknown;
+  double ReportPeriod = 0.0; ///< s, measured; 0: not known
+  double RoundTrip = 0.0;    ///< s, measured; 0: not known
+  ForceCaps Caps;
   std::string RecordingTrouble; ///< the reason if a recording has failed; else empty
 
   /** A vtkHapticDevice::StatusType. */

@@ -52,7 +52,7 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
   {
     const LongWork work(this->Device, "the surface is meshed",
       this->Device->IsRunning() ? HapticBaker(filter).EstimateTime() : 0.0);
-    const ForceCaps caps = CapsOf(this->Session.GetLimits(), 1.0 / rate);
+    const ForceCaps caps = this->Session.FindCaps(rate);
     model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
     this->MadeTime = FindChangeTime(filter);
   }

@@ -36,11 +36,14 @@ struct RecordingBegin
 {
   std::array<double, ServoStateSize> State;
   double TickPeriod; ///< s
-  double Caps[2];    ///< N/m and N s/m
 };
 
-/** DeviceToWorld, row by row. */
-using PlacementRow = std::array<double, 16>;
+/** The device that a generation of ticks has. */
+struct PlacementRow
+{
+  std::array<double, 16> Matrix; ///< DeviceToWorld, row by row
+  std::array<double, 2> Caps;    ///< N/m and N s/m
+};
 
 /** Ticks in a group, except in the last one. */
 constexpr std::size_t GroupSize = 256;

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 
 /** The last byte counts the changes of this format. */
 constexpr char JournalMark[16] = { 'V', 'o', 'l', 'u', 'm', 'e', 'H', 'a', 'p', 't', 'i', 'c', 's',
-  'J', '\0', '\1' };
+  'J', '\0', '\2' };
 
 constexpr std::uint32_t AboutChunk =
   0x41744856; // no chunk begins with zeros, as a file after a power cut may

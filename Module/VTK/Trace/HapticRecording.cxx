@@ -20,10 +20,13 @@ namespace
 /** The writer's pause between two looks for ticks (ns): a group takes 25 ms at 10 kHz. */
 constexpr std::int64_t WriterPeriod = 10000000;
 
-PlacementRow ToRow(const Affine3& map)
+PlacementRow ToRow(const HapticModel& model)
 {
+  const Affine3& map = model.DeviceToWorld;
   const double offset[3] = { map.Offset.X, map.Offset.Y, map.Offset.Z };
-  PlacementRow m{ { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 } };
+  PlacementRow placement{ { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 },
+    { model.Caps.Stiffness, model.Caps.Damping } };
+  std::array<double, 16>& m = placement.Matrix;
   for (std::size_t row = 0; row < 3; ++row)
   {
     m[4 * row] = map.Linear.Row[row].X;
@@ -31,7 +34,7 @@ PlacementRow ToRow(const Affine3& map)
     m[4 * row + 2] = map.Linear.Row[row].Z;
     m[4 * row + 3] = offset[row];
   }
-  return m;
+  return placement;
 }
 
 } // namespace
@@ -117,14 +120,13 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
   const bool isFirst = this->LastPlacement < 0;
   if (isFirst)
   {
-    const HapticSettings& settings = model.Baked->Settings;
-    this->Begin.reset(new RecordingBegin{ ToNumbers(snapshot.Before), settings.TickPeriod,
-      { settings.Caps.Stiffness, settings.Caps.Damping } });
+    this->Begin.reset(
+      new RecordingBegin{ ToNumbers(snapshot.Before), model.Baked->Settings.TickPeriod });
   }
   // A placement for every generation, even if it is equal: the servo carries its state across each.
   if (isFirst || snapshot.Generation != this->PlacedGeneration)
   {
-    this->NewPlacements.push_back(ToRow(model.DeviceToWorld));
+    this->NewPlacements.push_back(ToRow(model));
     this->PlacedGeneration = snapshot.Generation;
     ++this->LastPlacement;
   }

@@ -26,7 +26,8 @@ constexpr const char* Placement = "Placement";         ///< point array: tuple o
 constexpr const char* Renewed = "Renewed";             ///< point array: 1 if a local surface came
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
 constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
-constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap
+constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap;
+                                                       ///< of all placements, or of each
 constexpr const char* InitialState = "InitialState";   ///< field array: the ServoState
 } // namespace RecordingNames
 
@@ -41,8 +42,8 @@ struct TipPath
   std::vector<bool> Enabled;    ///< per tick
   std::vector<bool> Renewed;    ///< per tick
   ServoState InitialState;
-  double TickPeriod = 0.0; ///< s, of the recorded servo
-  ForceCaps Caps;          ///< of the recorded device
+  double TickPeriod = 0.0;     ///< s, of the recorded servo
+  std::vector<ForceCaps> Caps; ///< of the recorded device, per placement
 };
 
 /**

@@ -309,6 +309,21 @@ bool JournalReader::ForEachChunk(std::uint32_t kind, const std::function<bool(co
   return true;
 }
 
+bool JournalReader::ReadCaps(std::vector<double>& caps)
+{
+  caps.clear();
+  bool areSame = true;
+  const bool isRead = this->ForEachPlacement(
+    [&](const PlacementRow& row)
+    {
+      caps.insert(caps.end(), row.Caps.begin(), row.Caps.end());
+      areSame = areSame && std::equal(row.Caps.begin(), row.Caps.end(), caps.begin());
+    });
+  caps.resize(areSame ? std::min(caps.size(), std::tuple_size<decltype(PlacementRow::Caps)>::value)
+                      : caps.size());
+  return isRead;
+}
+
 bool JournalReader::ForEachPlacement(const std::function<void(const PlacementRow&)>& visit)
 {
   return this->ForEachChunk(PlacementsChunk,

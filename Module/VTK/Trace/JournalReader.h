@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -54,6 +55,11 @@ public:
   std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
   std::uint64_t GetLostTicks() const { return this->Lost; }
 
+  /**
+   * The caps of all placements one after the other; only those of one if all are the same. False if
+   * reading failed.
+   */
+  bool ReadCaps(std::vector<double>& caps);
   ///@{
   /** Visits one after the other; false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);

@@ -101,8 +101,8 @@ void RecordedPathReader::ReadBegin()
 {
   vtkDataArray* const state = this->FindField(RecordingNames::InitialState, ServoStateSize, 1);
   vtkDataArray* const period = this->FindField(RecordingNames::TickPeriod, 1, 1);
-  vtkDataArray* const caps = this->FindField(RecordingNames::Caps, 2, 1);
-  if (!state || !period || !caps)
+  this->ReadCaps();
+  if (!state || !period)
   {
     return;
   }
@@ -115,10 +115,23 @@ void RecordedPathReader::ReadBegin()
   this->Require(
     this->Result.TickPeriod >= ShortestPeriod && this->Result.TickPeriod <= LongestPeriod,
     RecordingNames::TickPeriod, 0, "between a microsecond and a second");
-  this->Result.Caps = { caps->GetComponent(0, 0), caps->GetComponent(0, 1) };
+}
+
+void RecordedPathReader::ReadCaps()
+{
+  vtkDataArray* const found = this->Path->GetFieldData()->GetArray(RecordingNames::Caps);
+  const auto placements = static_cast<vtkIdType>(this->Result.Placements.size());
+  const bool isOfEach = found && found->GetNumberOfTuples() == placements;
+  vtkDataArray* const caps = this->FindField(RecordingNames::Caps, 2, isOfEach ? placements : 1);
   const auto isCap = [](double cap) { return cap >= 0.0 && std::isfinite(cap); };
-  this->Require(isCap(this->Result.Caps.Stiffness) && isCap(this->Result.Caps.Damping),
-    RecordingNames::Caps, 0, "two numbers of 0 or more");
+  for (vtkIdType i = 0; caps && i < placements; ++i)
+  {
+    const vtkIdType tuple = isOfEach ? i : 0;
+    const ForceCaps cap{ caps->GetComponent(tuple, 0), caps->GetComponent(tuple, 1) };
+    this->Require(isCap(cap.Stiffness) && isCap(cap.Damping), RecordingNames::Caps, tuple,
+      "two numbers of 0 or more");
+    this->Result.Caps.push_back(cap);
+  }
 }
 
 void RecordedPathReader::ReadTicks()

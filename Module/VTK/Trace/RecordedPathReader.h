@@ -41,6 +41,7 @@ private:
   vtkDataArray* FindField(const char* name, int components, vtkIdType tuples);
   void Require(bool holds, const char* array, vtkIdType tuple, const char* wanted);
   void ReadPlacements();
+  void ReadCaps();
   void ReadBegin();
   void ReadTicks();
 

@@ -205,7 +205,7 @@ private:
     this->WriteNumbers(
       RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
     this->WriteNumbers(RecordingNames::TickPeriod, begin ? &begin->TickPeriod : nullptr, 1);
-    this->WriteNumbers(RecordingNames::Caps, begin ? begin->Caps : nullptr, 2);
+    this->WriteCaps();
     const auto lost = static_cast<std::int64_t>(this->Journal.GetLostTicks());
     this->BeginArray(NameOf(ColumnType::Int64), "LostTicks", 1, 1);
     this->WriteBlock(&lost, sizeof(lost));
@@ -216,25 +216,35 @@ private:
     this->WriteText("Units", RecordingUnits);
     this->WriteText("VolumeHash", about.VolumeHash);
   }
+  void WriteCaps()
+  {
+    std::vector<double> caps;
+    this->Require(this->Journal.ReadCaps(caps));
+    this->BeginArray(
+      "Float64", RecordingNames::Caps, 2, static_cast<std::int64_t>(caps.size() / 2));
+    this->WriteBlock(caps.data(), caps.size() * sizeof(double));
+    this->File.Write("\n</DataArray>\n");
+  }
   void WritePlacements()
   {
     const std::uint64_t count = this->Journal.GetNumberOfPlacements();
     this->BeginArray(
       "Float64", RecordingNames::DeviceToWorld, 16, static_cast<std::int64_t>(count));
-    InlineArray array(this->File, count * sizeof(PlacementRow), GroupSize * sizeof(PlacementRow));
-    std::vector<PlacementRow> rows;
+    using Matrix = decltype(PlacementRow::Matrix);
+    InlineArray array(this->File, count * sizeof(Matrix), GroupSize * sizeof(Matrix));
+    std::vector<Matrix> rows;
     std::string block;
     const auto write = [&]
     {
       block.clear();
-      this->Compressor.Compress(rows.data(), rows.size() * sizeof(PlacementRow), block);
+      this->Compressor.Compress(rows.data(), rows.size() * sizeof(Matrix), block);
       array.WriteBlock(block);
       rows.clear();
     };
     this->Require(this->Journal.ForEachPlacement(
       [&](const PlacementRow& row)
       {
-        rows.push_back(row);
+        rows.push_back(row.Matrix);
         rows.size() == GroupSize ? write() : void();
       }));
     rows.empty() ? void() : write();

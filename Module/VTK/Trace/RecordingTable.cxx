@@ -143,13 +143,15 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
     file.Write(Json::valueToQuotedString(Printable(text).c_str()));
   };
   const RecordingBegin* const begin = journal.GetBegin();
-  numbers(RecordingNames::Caps, begin ? begin->Caps : nullptr, 2, true);
+  std::vector<double> caps;
+  const bool areCapsRead = journal.ReadCaps(caps);
+  numbers(RecordingNames::Caps, caps.data(), caps.size(), true);
   words("DeviceId", journal.GetAbout().DeviceId);
   key(RecordingNames::DeviceToWorld);
   file.Write("[");
   NumberList placements(file);
   const bool isRead = journal.ForEachPlacement(
-    [&](const PlacementRow& row) { placements.Add(row.data(), row.size()); });
+    [&](const PlacementRow& row) { placements.Add(row.Matrix.data(), row.Matrix.size()); });
   file.Write("]");
   numbers(RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
   const auto lost = static_cast<double>(journal.GetLostTicks());
@@ -159,7 +161,7 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
   words("Units", RecordingUnits);
   words("VolumeHash", journal.GetAbout().VolumeHash);
   file.Write("\n}\n");
-  return isRead;
+  return isRead && areCapsRead;
 }
 
 } // namespace VolumeHaptics

@@ -26,7 +26,8 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(
   const int placement = this->Path.PlacementOf[i];
   if (i == 0 || placement != this->Path.PlacementOf[i - 1])
   {
-    auto moved = std::make_shared<const HapticModel>(*model, this->Path.Placements[placement]);
+    auto moved = std::make_shared<const HapticModel>(
+      *model, this->Path.Placements[placement], this->Path.Caps[placement]);
     if (i > 0)
     {
       CarryState(*model, *moved, this->State);

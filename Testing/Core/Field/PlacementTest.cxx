@@ -92,7 +92,7 @@ TEST(Placement, MovedModelIsTheModelBakedThere)
   auto origin = std::make_unique<const HapticModel>(description);
   description.DeviceToWorld = { 700.0 * Slanted(), { 7.0, -30.0, 11.0 } };
   const HapticModel baked(description);
-  const HapticModel moved(*origin, description.DeviceToWorld);
+  const HapticModel moved(*origin, description.DeviceToWorld, {});
   EXPECT_EQ(moved.KernelLength, baked.KernelLength);
   EXPECT_EQ(&moved.Baked->Materials, &origin->Baked->Materials) << "nothing is baked anew";
   origin.reset();
@@ -115,7 +115,7 @@ TEST(Placement, TheProxyStaysWhereItIsInTheWorld)
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Rich(volume);
   const HapticModel before(description);
-  const HapticModel after(before, { 500.0 * Slanted(), { 1.0, 2.0, 3.0 } });
+  const HapticModel after(before, { 500.0 * Slanted(), { 1.0, 2.0, 3.0 } }, {});
   ServoState state;
   state.Proxy = { 0.01, 0.012, 0.013 };
   state.Enabled = true;

@@ -108,7 +108,8 @@ TEST(LocalSurface, DoesNotDependOnWhereTheDeviceIsPlaced)
   const double s = std::sqrt(0.5);
   const HapticModel moved(model,
     { { { { 300.0 * s, 300.0 * s, 0.0 }, { -300.0 * s, 300.0 * s, 0.0 }, { 0.0, 0.0, 300.0 } } },
-      { 1.1, 2.2, 3.3 } });
+      { 1.1, 2.2, 3.3 } },
+    {});
   const LocalSurfaceRequest request{ { 32.1, 25.3, 27.7 }, { -1.0, 0.5, 0.2 }, {} };
   const LocalSurface a = FitLocalSurface(model, request);
   const LocalSurface b = FitLocalSurface(moved, request);

@@ -104,6 +104,44 @@ TEST_F(Caps, OfTheDampingAreFeltAndReplayed)
   }
 }
 
+TEST_F(Caps, FollowTheMeasuredRoundTrip)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  EXPECT_EQ(this->Device->GetRoundTripTime(), 0.0);
+  EXPECT_EQ(this->Device->GetStiffnessCap(), 0.0);
+  this->Device->SetVirtualLimits(8.0, 0.0, 20.0, 0.1);
+  this->Device->SetVirtualDynamics(0.0, 0.0, 0.0, 0.0, 2);
+  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_TRUE(this->WaitTicks(40));
+  this->Device->UpdateState();
+  EXPECT_NEAR(this->Device->GetReportPeriod(), 1e-3, 1e-9);
+  EXPECT_NEAR(this->Device->GetRoundTripTime(), 5e-3, 1e-9) << "two ticks of delay, twice";
+  EXPECT_NEAR(this->Device->GetStiffnessCap(), 40.0, 1e-6) << "2 b / T";
+  EXPECT_NEAR(this->Device->GetDampingCap(), 4.0, 1e-6);
+  EXPECT_NE(this->Device->GetStatusText().find("round trip 5.0 ms. Stiffness is at most 40 N/m."),
+    std::string::npos)
+    << this->Device->GetStatusText();
+  this->ExpectComputed(-0.08);
+  EXPECT_NEAR(this->Device->GetStiffnessCap(), 40.0, 1e-6) << "after Publish(), too";
+}
+
+TEST_F(Caps, ThatChangeDuringARecordingAreReplayed)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->SetVirtualLimits(8.0, 0.0, 0.0, 0.1);
+  this->Device->SetVirtualDynamics(0.0, 0.0, 0.0, 0.0, 2);
+  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  ASSERT_TRUE(this->Device->Start());
+  EXPECT_NEAR(this->Device->GetStiffnessCap(), 200.0, 1e-6) << "nothing was measured yet";
+  this->StartRecording();
+  this->Wander(80);
+  EXPECT_NEAR(this->Device->GetStiffnessCap(), 40.0, 1e-6);
+  this->ExpectSame(0.05);
+  EXPECT_EQ(this->Recorded->GetFieldData()->GetArray("Caps")->GetNumberOfTuples(),
+    this->Recorded->GetFieldData()->GetArray("DeviceToWorld")->GetNumberOfTuples());
+}
+
 TEST_F(Caps, AreSetBetweenOpenAndStart)
 {
   this->Device->SetVirtualLimits(8.0, 0.0, 0.0, 0.0);

@@ -124,20 +124,26 @@ TEST_F(Recorder, KeepsEveryPlacement)
     ServoSnapshot tick = this->Source.Next();
     tick.Generation = static_cast<std::uint64_t>(i) + 2;
     recording.AddModel(tick.Generation,
-      std::make_shared<const HapticModel>(*this->Model,
+      std::make_shared<const HapticModel>(
+        *this->Model,
         [i]
         {
           Affine3 map;
           map.Linear = 1000.0 * Matrix3{};
           map.Offset.X = i;
           return map;
-        }()));
+        }(),
+        ForceCaps{ static_cast<double>(1 + i), 0.5 }));
     this->Push(recording, tick);
   }
   this->Finish(recording);
   const auto trace = Read(this->File);
   vtkDataArray* const matrices = trace->GetFieldData()->GetArray("DeviceToWorld");
   ASSERT_EQ(matrices->GetNumberOfTuples(), moves);
+  vtkDataArray* const caps = trace->GetFieldData()->GetArray("Caps");
+  ASSERT_EQ(caps->GetNumberOfTuples(), moves);
+  EXPECT_EQ(caps->GetComponent(moves - 1, 0), moves);
+  EXPECT_EQ(caps->GetComponent(moves - 1, 1), 0.5);
   for (int i = 0; i < moves; ++i)
   {
     EXPECT_EQ(matrices->GetComponent(i, 3), i);

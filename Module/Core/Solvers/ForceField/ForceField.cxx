@@ -17,8 +17,7 @@ Vector3 FindFieldDamping(
   const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
 {
   const Vector3 velocity = (1.0 / model.Baked->Settings.TickPeriod) * (record.Tip - previousTip);
-  const double damping =
-    Law::Capped(model.Baked->Settings.ForceFieldDamping, model.Baked->Settings.Caps.Damping);
+  const double damping = Law::Capped(model.Baked->Settings.ForceFieldDamping, model.Caps.Damping);
   return -damping * velocity;
 }
 
