@@ -227,6 +227,14 @@ bool GuardProcess::HasEnded(int time) const noexcept
   return this->Link < 0 || (poll(&watched, 1, time) > 0 && watched.revents != 0);
 }
 
+bool GuardProcess::HasStopped() const noexcept
+{
+  siginfo_t info{};
+  return this->Process > 0 &&
+    waitid(P_PID, static_cast<id_t>(this->Process), &info, WSTOPPED | WNOHANG) == 0 &&
+    info.si_pid == this->Process;
+}
+
 bool GuardProcess::End(std::string& how)
 {
   how = "ended";

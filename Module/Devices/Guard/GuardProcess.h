@@ -44,6 +44,8 @@ public:
 
   /** Whether it has ended; waits for that for a time (ms). */
   bool HasEnded(int time) const noexcept;
+  /** Whether it was stopped by a signal since the last call. */
+  bool HasStopped() const noexcept;
   /**
    * Kills it if it goes on. Whether it had ended by itself, as it does when it is asked to; and how
    * it ended, in words.

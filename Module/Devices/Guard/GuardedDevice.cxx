@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int LookTime = 100; // ms
+constexpr int LookTime = 20; // ms
 constexpr int RescueAttempts = 50;
 /** Zero is sent and the device closed within a second, even if it does not answer. */
 constexpr std::int64_t EndTime = 5000 * ServoClock::Millisecond;
@@ -87,7 +87,8 @@ void GuardedDevice::Watch()
 {
   ServoClock::BlockSignals();
   std::int64_t end = 0;
-  while (!this->Guard.HasEnded(LookTime) && (end == 0 || ServoClock::Now() < end))
+  while (!this->Guard.HasEnded(LookTime) && !this->Guard.HasStopped() &&
+    (end == 0 || ServoClock::Now() < end))
   {
     end = end == 0 && this->IsClosing.load() ? ServoClock::Now() + EndTime : end;
   }

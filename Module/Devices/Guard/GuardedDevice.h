@@ -16,9 +16,8 @@
  *         <--- sample ---          <---        <---
  *   socket, hangs up at the end of either side
  *
- * If the guard itself ends, the device is Lost, and this process sends zero in its place. If it is
- * stopped (SIGSTOP), no sample is fresh any more, and the servo's own watchdog stops the force, of
- * which the device hears nothing: leave the guard alone.
+ * If the guard itself ends, the device is Lost, and this process sends zero in its place. A guard
+ * that is stopped (SIGSTOP) is ended for that.
  */
 #ifndef GuardedDevice_h
 #define GuardedDevice_h

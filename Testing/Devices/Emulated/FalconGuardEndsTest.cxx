@@ -52,6 +52,14 @@ protected:
     ASSERT_TRUE(this->Feels({ 0.0, 0.0, 2.0 }));
     ASSERT_GT(FindGuard(), 1);
   }
+  /** Killed or stopped, which is no end that it sees coming. */
+  void BreakOff(int signal)
+  {
+    const pid_t guard = FindGuard();
+    Signal(guard, signal);
+    EXPECT_TRUE(Eventually([=] { return FindGuard() != guard; }));
+    this->Usb.ForgetProgram();
+  }
   void ExpectLostUntilOpenedAgain()
   {
     this->ExpectLost("guard process");
@@ -85,10 +93,14 @@ protected:
 TEST_F(FalconGuardEnds, Killed)
 {
   this->BeginForce();
-  const pid_t guard = FindGuard();
-  Signal(guard, SIGKILL);
-  EXPECT_TRUE(Eventually([=] { return FindGuard() != guard; }));
-  this->Usb.ForgetProgram();
+  this->BreakOff(SIGKILL);
+  this->ExpectLostUntilOpenedAgain();
+}
+
+TEST_F(FalconGuardEnds, Stopped)
+{
+  this->BeginForce();
+  this->BreakOff(SIGSTOP);
   this->ExpectLostUntilOpenedAgain();
 }
 

@@ -155,7 +155,7 @@ TEST_F(Guarded, SaysWhyItCantBeOpened)
 
 TEST_F(Guarded, IsLostWithItsGuardAndGetsZeroFromHere)
 {
-  for (const int signal : { SIGKILL, SIGTERM })
+  for (const int signal : { SIGKILL, SIGTERM, SIGSTOP })
   {
     this->Rescues = 0;
     this->OpenIt();
