@@ -66,8 +66,76 @@ bool vtkHapticDevice::Open(const char* id)
     vtkErrorMacro(<< Printable(error));
     return false;
   }
+  this->TellMemoryTrouble();
   this->TakeLimits();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::TellMemoryTrouble()
+{
+  const std::string trouble = this->Internals->Session.TakeMemoryTrouble();
+  if (!trouble.empty())
+  {
+    vtkErrorMacro(<< Printable(trouble));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::GetSignsConfirmed()
+{
+  return this->IsOpen() && !this->Internals->Session.NeedsConfirmation();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::ForgetConfirmation()
+{
+  auto& session = this->Internals->Session;
+  if (!session.IsOpen() || session.IsRunning())
+  {
+    vtkErrorMacro("ForgetConfirmation() is for an open device whose servo does not run: Open() it "
+                  "and Stop() it first.");
+    return;
+  }
+  session.ForgetConfirmation();
+  this->TellMemoryTrouble();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::CalibrateForce(double scale)
+{
+  auto& session = this->Internals->Session;
+  if (!session.IsRemembered() || session.IsRunning())
+  {
+    vtkErrorMacro(
+      "CalibrateForce() is for an open real device that gives force and whose servo does "
+      "not run: Open() it and Stop() it first.");
+    return false;
+  }
+  if (!(scale >= DeviceFacts::LeastScale && scale <= DeviceFacts::MostScale))
+  {
+    vtkErrorMacro(<< "The device can't give " << scale << " N for each newton: the scale has to be "
+                  << DeviceFacts::LeastScale << " to " << DeviceFacts::MostScale
+                  << ". Measure it again.");
+    return false;
+  }
+  session.SetForceScale(scale);
+  this->TakeLimits();
+  this->TellMemoryTrouble();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetForceScale()
+{
+  return this->Internals->Session.GetFacts().Scale;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticDevice::GetCalibrationText()
+{
+  const auto& session = this->Internals->Session;
+  return session.IsRemembered() ? session.GetFacts().DescribeScale() : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -263,7 +331,9 @@ std::string vtkHapticDevice::GetStatusText()
 bool vtkHapticDevice::UpdateState()
 {
   this->Internals->Recorder.TellTrouble();
-  return this->Internals->Session.Update(this->Internals->Models.GetPlacement());
+  const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
+  this->TellMemoryTrouble();
+  return isNew;
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticHardware.h"
 
+#include "Devices/Common/DeviceMemory.h"
 #include "Devices/Common/DeviceRegistry.h"
 #include "VTK/Session/HapticDeviceSettings.h"
 
@@ -64,11 +65,16 @@ void vtkHapticHardware::ListDevices(vtkTable* devices)
   const auto ids = add("Id");
   const auto names = add("Name");
   const auto states = add("State");
+  const auto forces = add("Force");
   for (const DeviceListing& device : ListAll())
   {
     ids->InsertNextValue(device.Id);
     names->InsertNextValue(device.Name);
     states->InsertNextValue(device.State);
+    std::string error;
+    forces->InsertNextValue(device.Identity.empty()
+        ? std::string()
+        : DeviceMemory::Read(device.Identity, error).DescribeScale());
   }
 }
 

@@ -76,8 +76,9 @@ public:
   ///@{
   /**
    * The ids that Open accepts now, "virtual" first; "replay:FILE" is not among them. ListDevices
-   * overwrites a table with the columns Id, Name (maker, product, and where it is plugged in) and
-   * State: "available", "in use", or the obstacle and the cure. Each call looks again.
+   * overwrites a table with the columns Id, Name (maker, product, and where it is plugged in),
+   * State: "available", "in use", or the obstacle and the cure; and Force: "calibrated 0.83 on
+   * 2026-11-22" or "uncalibrated", empty for devices without force. Each call looks again.
    */
   static vtkStringArray* EnumerateDevices();
   static void ListDevices(vtkTable* devices);

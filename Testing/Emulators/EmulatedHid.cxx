@@ -192,6 +192,14 @@ void EmulatedHid::PlugIn()
   // The kernel gives numbers anew, but umockdev does not; the second one has two digits.
   static std::atomic<int> next{ 9 };
   const int number = next++;
+  char identity[40];
+  std::snprintf(identity, sizeof(identity), ":%04x:%04x:SN%d", this->Model.GetVendor(),
+    this->Model.GetProduct(), number);
+  for (const char* const reversed : { "", "-x", "-y", "-x-y" })
+  {
+    RememberConfirmed(std::string("pid") + identity + reversed);
+  }
+  RememberConfirmed(std::string("wooden") + identity);
   plug->Node = "/dev/hidraw" + std::to_string(number);
   char* root = umockdev_testbed_get_root_dir(Testbed());
   plug->File = root + plug->Node;

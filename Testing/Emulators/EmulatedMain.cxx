@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include <sys/prctl.h>
@@ -15,6 +17,12 @@ UMockdevTestbed* Testbed()
 {
   static UMockdevTestbed* const testbed = umockdev_testbed_new();
   return testbed;
+}
+
+void RememberConfirmed(const std::string& identity)
+{
+  std::ofstream(std::getenv("VOLUMEHAPTICS_DEVICES"), std::ios::app)
+    << identity << " confirmed=2026-11-01\n";
 }
 } // namespace emulated
 
@@ -45,6 +53,10 @@ int main(int argc, char** argv)
     RemoveTestbed();
     return 77;
   }
+  char* const root = umockdev_testbed_get_root_dir(emulated::Testbed());
+  setenv("VOLUMEHAPTICS_DEVICES", (std::string(root) + "/devices.txt").c_str(), 1);
+  g_free(root);
+  emulated::RememberConfirmed("falcon"); // the model has no serial number
   // umockdev sleeps for no time after every call, which takes as long as the kernel's timer slack.
   prctl(PR_SET_TIMERSLACK, 1UL);
   const int result = RUN_ALL_TESTS();

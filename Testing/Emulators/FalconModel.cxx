@@ -247,6 +247,10 @@ void FalconModel::TakePacket()
     this->Send(std::exchange(this->Late, {}));
   }
   this->Force = FalconMotorForce(this->Grip.Place, this->Commands);
+  for (double& force : this->Force)
+  {
+    force *= this->MotorSign;
+  }
   this->Grip.Step(this->Force);
   const Numbers counts = FalconEncoderCounts(this->Grip.Place);
   this->FindZero(counts, (this->Lights & HomeBit) != 0);

@@ -86,6 +86,8 @@ public:
   void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
+  /** Of all motors: 1, or -1 if they are wired the other way round. */
+  void SetMotorSign(double sign);
   void SetHeld(bool held); ///< in a vice, which follows the aim
   Numbers GetGrip() const;
   Numbers GetHand() const;
@@ -122,6 +124,7 @@ private:
 
   mutable std::mutex Mutex;
   FalconGrip Grip;
+  double MotorSign = 1.0;
   Numbers Commands{};
   Numbers Force{};
   double LargestCommand = 0.0;

@@ -59,6 +59,12 @@ void FalconModel::SetAim(const Numbers& aim)
   this->Grip.Aim = aim;
 }
 
+void FalconModel::SetMotorSign(double sign)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->MotorSign = sign;
+}
+
 void FalconModel::SetHeld(bool held)
 {
   const Lock lock(this->Mutex);

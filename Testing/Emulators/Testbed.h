@@ -9,9 +9,16 @@
 
 #include <umockdev.h>
 
+#include <string>
+
 namespace emulated
 {
 UMockdevTestbed* Testbed();
+/**
+ * From now on the signs of a device with this identity count as confirmed, as in the user's file of
+ * devices: tests that are about something else begin with devices that were armed before.
+ */
+void RememberConfirmed(const std::string& identity);
 } // namespace emulated
 
 #endif

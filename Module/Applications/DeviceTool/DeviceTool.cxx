@@ -68,6 +68,8 @@ int List(std::ostream& out)
     out << std::left << std::setw(16) << devices->GetValueByName(i, "Id").ToString() << "  "
         << devices->GetValueByName(i, "Name").ToString() << "\n"
         << std::string(18, ' ') << devices->GetValueByName(i, "State").ToString() << "\n";
+    const std::string force = devices->GetValueByName(i, "Force").ToString();
+    out << (force.empty() ? "" : std::string(18, ' ') + "force: " + force + "\n");
   }
   if (devices->GetNumberOfRows() == 1)
   {
@@ -160,6 +162,43 @@ bool Watch(ToolDevice& device, double seconds, std::ostream& out, std::ostream& 
   return true;
 }
 
+/// Pushes gently along each axis, until it is known whether the device moves with the force.
+bool Confirm(ToolDevice& device, const ToolOptions& options, std::istream& in, std::ostream& out,
+  std::ostream& errors)
+{
+  if (device->GetCalibrationText().empty())
+  {
+    errors << options.Id << " gives no force of its own: there is nothing to confirm.\n";
+    return false;
+  }
+  device->ForgetConfirmation();
+  if (!device->Start() ||
+    !AskForEnter("Hold the device loosely in the middle of its workspace and press Enter. Keep the "
+                 "hand still: for about ten seconds it pushes gently along each axis.",
+      in, out, errors))
+  {
+    return false;
+  }
+  device->Arm();
+  LiveLine line(out);
+  while (!device->GetSignsConfirmed())
+  {
+    std::this_thread::sleep_for(ShowPeriod);
+    device->UpdateState();
+    if (device->GetStatus() == vtkHapticDevice::FAULT)
+    {
+      line.End();
+      errors << device->GetStatusText() << "\n";
+      return false;
+    }
+    line.Show("Confirming ...");
+  }
+  line.End();
+  device->Stop();
+  out << options.Id << " moves with the force along every axis. This is remembered.\n";
+  return true;
+}
+
 bool Test(ToolDevice& device, const ToolOptions& options, std::istream& in, std::ostream& out,
   std::ostream& errors)
 {
@@ -189,6 +228,12 @@ bool Test(ToolDevice& device, const ToolOptions& options, std::istream& in, std:
         in, out, errors))
   {
     return false;
+  }
+  if (!device->GetSignsConfirmed())
+  {
+    out << "It was never found out whether it moves with the force: hold it loosely and keep the "
+           "hand still. For about ten seconds it pushes gently along each axis; then comes the "
+           "wall.\n";
   }
   device->Arm();
   return Watch(device, options.Seconds, out, errors);
@@ -247,6 +292,10 @@ int RunDeviceTool(const std::vector<std::string>& arguments, std::istream& in, s
   if (done && options.What == Command::Test)
   {
     done = Test(device, options, in, out, errors);
+  }
+  else if (done && options.What == Command::Confirm)
+  {
+    done = Confirm(device, options, in, out, errors);
   }
   else if (done && options.What == Command::Record)
   {

@@ -10,6 +10,7 @@ const char* const ToolUsage =
   R"(usage: volumehaptics-device list
        volumehaptics-device monitor ID [options]      live tip, force, rate and buttons; no force
        volumehaptics-device home ID [options]         find the zero of its encoders, by hand
+       volumehaptics-device confirm ID [options]      find out whether it moves with the force, gently
        volumehaptics-device test ID [options]         feel a wall of at most 1 N in its middle
        volumehaptics-device record ID FILE [options]  its path, to a .vtp or a .csv; no force
 
@@ -94,9 +95,9 @@ bool ReadToolOptions(
 {
   using Command = ToolOptions::Command;
   static const std::map<std::string, Command> commands = { { "list", Command::List },
-    { "monitor", Command::Monitor }, { "home", Command::Home }, { "test", Command::Test },
-    { "record", Command::Record }, { "help", Command::Help }, { "--help", Command::Help },
-    { "-h", Command::Help } };
+    { "monitor", Command::Monitor }, { "home", Command::Home }, { "confirm", Command::Confirm },
+    { "test", Command::Test }, { "record", Command::Record }, { "help", Command::Help },
+    { "--help", Command::Help }, { "-h", Command::Help } };
   static const std::string names = " --firmware --homing-time --newtons --axis --rate --seconds ";
 
   const std::string first = arguments.empty() ? "" : arguments.front();

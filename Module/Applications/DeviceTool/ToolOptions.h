@@ -18,6 +18,7 @@ struct ToolOptions
     List,
     Monitor,
     Home,
+    Confirm,
     Test,
     Record
   };

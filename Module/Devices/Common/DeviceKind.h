@@ -36,6 +36,8 @@ struct DeviceListing
   std::string Id;    ///< opens the device
   std::string Name;  ///< as the user sees it: maker, product, and its port
   std::string State; ///< "available", "in use", or the obstacle and its cure
+  /// DeviceBackend::GetIdentity of the open device, if that is known before; else empty
+  std::string Identity = {};
 };
 
 struct DeviceKind

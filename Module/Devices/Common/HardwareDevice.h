@@ -8,6 +8,7 @@
 #define HardwareDevice_h
 
 #include "Devices/Common/HardwareExchange.h"
+#include "Devices/Common/TrueNewtons.h"
 
 #include <memory>
 #include <thread>
@@ -26,6 +27,8 @@ public:
 
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
+  /** DeviceBackend::GetIdentity, once it is connected or held by a guard; empty if it gives no force. */
+  virtual std::string GetIdentity() const { return {}; }
 
   /** Finds the device and claims it for this process alone. False, with the reason and the cure. */
   virtual bool Connect(std::string& error) = 0;
@@ -48,7 +51,15 @@ public:
   bool Open(std::string& error) override;
   void Close() override;
   std::string GetName() const override { return this->Driver->GetName(); }
-  DeviceLimits GetLimits() const override { return this->Driver->GetLimits(); }
+  DeviceLimits GetLimits() const override
+  {
+    return this->Newtons.LimitsOf(this->Driver->GetLimits());
+  }
+  std::string GetIdentity() const override { return this->Driver->GetIdentity(); }
+  void SetForceScale(double scale) noexcept override
+  {
+    this->Newtons.Set(scale, this->Driver->GetLimits().MaximumForce);
+  }
   DeviceCondition GetCondition() override { return this->Exchange.GetCondition(); }
   void Home() noexcept override { this->Exchange.RequestHome(); }
   void SetLights(int lights) noexcept override { this->Exchange.SetLights(lights); }
@@ -57,7 +68,10 @@ public:
   {
     return this->Exchange.Take(sample);
   }
-  DeviceState Write(const Vector3& force) noexcept override { return this->Exchange.Give(force); }
+  DeviceState Write(const Vector3& force) noexcept override
+  {
+    return this->Exchange.Give(this->Newtons.Ask(force));
+  }
   void Quench() noexcept override { this->Exchange.Quench(); }
   bool IsAtRest() const noexcept override { return this->Exchange.IsAtRest(); }
 
@@ -66,6 +80,7 @@ private:
 
   std::unique_ptr<HardwareDriver> Driver;
   HardwareExchange Exchange;
+  TrueNewtons Newtons;
   std::thread Thread;
   std::int64_t Process = 0; // the process that the thread belongs to
   bool IsAbandoned = false; // in a forked child

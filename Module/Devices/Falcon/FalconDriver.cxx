@@ -70,6 +70,17 @@ DeviceLimits FalconDriver::GetLimits() const
   return FalconLimits();
 }
 
+std::string FalconDriver::GetIdentity() const
+{
+  // A guard may have the device: it is looked for anew.
+  std::string error;
+  const UsbContext context = MakeUsbContext(error);
+  const std::vector<UsbDevice> devices =
+    context ? FindUsbDevices(context.get(), FalconProduct) : std::vector<UsbDevice>();
+  const auto number = static_cast<std::size_t>(this->Number);
+  return number < devices.size() ? UsbIdentityOf(devices[number].get(), "falcon") : "falcon";
+}
+
 bool FalconDriver::Connect(std::string& error)
 {
   if (!this->Usb.Open(FalconProduct, this->Number, error))

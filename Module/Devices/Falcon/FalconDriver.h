@@ -31,6 +31,7 @@ public:
 
   std::string GetName() const override { return this->Name; }
   DeviceLimits GetLimits() const override;
+  std::string GetIdentity() const override;
   /** If the firmware does not run, the image has to exist; Serve loads it. */
   bool Connect(std::string& error) override;
   void Serve(HardwareExchange& exchange) override;

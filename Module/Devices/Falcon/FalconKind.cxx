@@ -22,8 +22,9 @@ std::vector<DeviceListing> ListFalcons()
   {
     for (const UsbDevice& device : FindUsbDevices(context.get(), FalconProduct))
     {
-      listings.push_back({ "falcon:" + std::to_string(listings.size()),
-        UsbNameOf(device.get(), FalconProduct), UsbStateOf(device.get(), FalconProduct) });
+      listings.push_back(
+        { "falcon:" + std::to_string(listings.size()), UsbNameOf(device.get(), FalconProduct),
+          UsbStateOf(device.get(), FalconProduct), UsbIdentityOf(device.get(), "falcon") });
     }
   }
   return listings;

@@ -181,7 +181,7 @@ DeviceState GuardedDevice::Read(double, DeviceSample& sample) noexcept
 
 DeviceState GuardedDevice::Write(const Vector3& force) noexcept
 {
-  const DeviceState state = this->GetExchange().Give(force);
+  const DeviceState state = this->GetExchange().Give(this->Newtons.Ask(force));
   return this->HasDevice.load(std::memory_order_acquire) == Side::Guard ? state : DeviceState::Lost;
 }
 

@@ -43,7 +43,15 @@ public:
   bool Open(std::string& error) override;
   void Close() override;
   std::string GetName() const override { return this->Name; }
-  DeviceLimits GetLimits() const override { return this->Driver->GetLimits(); }
+  DeviceLimits GetLimits() const override
+  {
+    return this->Newtons.LimitsOf(this->Driver->GetLimits());
+  }
+  std::string GetIdentity() const override { return this->Driver->GetIdentity(); }
+  void SetForceScale(double scale) noexcept override
+  {
+    this->Newtons.Set(scale, this->Driver->GetLimits().MaximumForce);
+  }
   DeviceCondition GetCondition() override;
   void Home() noexcept override;
   void SetLights(int lights) noexcept override;
@@ -72,6 +80,7 @@ private:
   std::string Name;
   std::unique_ptr<GuardMemory> Memory;
   GuardProcess Guard;
+  TrueNewtons Newtons;
   std::thread Watcher;
   std::int64_t Process = 0;       ///< whose guard it is
   bool IsAbandoned = false;       ///< in a forked child

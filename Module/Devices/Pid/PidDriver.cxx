@@ -94,6 +94,12 @@ PidDriver::PidDriver(const Numbers& numbers, const std::array<double, 2>& newton
 {
 }
 
+std::string PidDriver::GetIdentity() const
+{
+  return this->GetInfo().MakeIdentity("pid") + (this->NewtonsPerFullScale[0] < 0.0 ? "-x" : "") +
+    (this->NewtonsPerFullScale[1] < 0.0 ? "-y" : "");
+}
+
 DeviceLimits PidDriver::GetLimits() const
 {
   const std::array<double, 2>& full = this->NewtonsPerFullScale;
@@ -103,6 +109,7 @@ DeviceLimits PidDriver::GetLimits() const
     : std::abs(full[0]);
   limits.MaximumSpeed = FastestStick;
   limits.WorkspaceRadius = Travel;
+  limits.ForceAxes = this->Map.Device.GetNumberOfAxes() > 1 ? 3 : 1;
   limits.LeastMotion = 2.0 * Travel * this->Map.Stick.GetStep();
   return limits;
 }

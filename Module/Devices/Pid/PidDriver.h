@@ -56,6 +56,8 @@ public:
   PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
 
   DeviceLimits GetLimits() const override;
+  /** With the axes that the user has reversed: their signs are others. */
+  std::string GetIdentity() const override;
 
 private:
   /** How a device is driven, as far as its descriptor and its names tell. */

@@ -22,8 +22,8 @@ std::vector<DeviceListing> ListPid()
     {
       char id[16];
       std::snprintf(id, sizeof(id), "pid:%04x:%04x", info.Vendor, info.ProductId);
-      all.push_back(
-        { id, info.GetLabel(), objection.empty() ? info.GetState() : "refused: " + objection });
+      all.push_back({ id, info.GetLabel(),
+        objection.empty() ? info.GetState() : "refused: " + objection, info.MakeIdentity("pid") });
     }
   }
   return all;

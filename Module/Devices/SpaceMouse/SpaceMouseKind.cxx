@@ -10,7 +10,7 @@ namespace VolumeHaptics
 
 DeviceKind GetSpaceMouseKind()
 {
-  return MakeNumberedKind<SpaceMouseDriver>("spacemouse", &SpaceMouseDriver::IsSpaceMouse);
+  return MakeNumberedKind<SpaceMouseDriver>("spacemouse", &SpaceMouseDriver::IsSpaceMouse, false);
 }
 
 } // namespace VolumeHaptics

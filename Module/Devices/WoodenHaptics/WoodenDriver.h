@@ -51,6 +51,7 @@ public:
   /** A related device with another geometry, which this driver does not support. */
   static bool IsPolhem(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 2.5, 500.0, 0.0, 2.5, 0.0, 0.10 }; }
+  std::string GetIdentity() const override { return this->GetInfo().MakeIdentity("wooden"); }
 
 private:
   enum class Phase : std::uint8_t

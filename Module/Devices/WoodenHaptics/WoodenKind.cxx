@@ -10,7 +10,7 @@ namespace VolumeHaptics
 
 DeviceKind GetWoodenKind()
 {
-  return MakeNumberedKind<WoodenDriver>("wooden", &WoodenDriver::IsWooden);
+  return MakeNumberedKind<WoodenDriver>("wooden", &WoodenDriver::IsWooden, true);
 }
 
 } // namespace VolumeHaptics

@@ -56,7 +56,53 @@ bool DeviceSession::Open(const std::string& id, const DeviceOptions& options, st
     return false;
   }
   this->Id = id;
+  this->Identity = this->Backend->GetIdentity();
+  if (!this->Identity.empty())
+  {
+    this->Facts = DeviceMemory::Read(this->Identity, this->MemoryTrouble);
+    this->Backend->SetForceScale(this->Facts.Scale);
+  }
   return true;
+}
+
+bool DeviceSession::NeedsConfirmation() const
+{
+  return !this->Identity.empty() && this->Facts.Confirmed.empty();
+}
+
+void DeviceSession::Remember()
+{
+  std::string error;
+  if (!DeviceMemory::Write(this->Identity, this->Facts, error))
+  {
+    this->MemoryTrouble = error;
+  }
+}
+
+void DeviceSession::RequireConfirmation()
+{
+  const DeviceLimits limits = this->Backend->GetLimits();
+  this->Servo->GetLoop().RequireConfirmation(limits.ForceAxes, limits.MaximumForce);
+}
+
+void DeviceSession::ForgetConfirmation()
+{
+  if (!this->Identity.empty() && !this->Facts.Confirmed.empty())
+  {
+    this->Facts.Confirmed.clear();
+    this->Remember();
+  }
+}
+
+void DeviceSession::SetForceScale(double scale)
+{
+  if (!this->Identity.empty())
+  {
+    this->Backend->SetForceScale(scale);
+    this->Facts.Scale = scale;
+    this->Facts.Calibrated = DeviceMemory::GetToday();
+    this->Remember();
+  }
 }
 
 void DeviceSession::Close()
@@ -75,6 +121,8 @@ void DeviceSession::Close()
   this->IsReplay = false;
   this->Replay = {};
   this->Id.clear();
+  this->Identity.clear();
+  this->Facts = {};
 }
 
 void DeviceSession::Start(double rate, const SafetyLimits& limits,
@@ -96,6 +144,10 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
   auto servo = std::make_unique<ServoThreads>(*this->Backend, rate, limits, std::move(model));
   GuardServo(servo.get());
   this->Servo = std::move(servo);
+  if (this->NeedsConfirmation())
+  {
+    this->RequireConfirmation();
+  }
   if (this->FindLongWork())
   {
     this->Servo->GetLoop().Hold();
@@ -206,6 +258,11 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
     return false;
   }
   this->State = loop.GetState();
+  if (this->State.Signs.Result == SignResult::Confirmed && this->NeedsConfirmation())
+  {
+    this->Facts.Confirmed = DeviceMemory::GetToday();
+    this->Remember();
+  }
   const HapticModel* const model = this->Servo->GetTicks().FindModel(this->State.Generation);
   const Affine3 toWorld = model ? model->DeviceToWorld : deviceToWorld;
   const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
@@ -302,6 +359,7 @@ DeviceStatus DeviceSession::GetStatus() const
     status.Condition = this->Backend->GetCondition();
   }
   status.IsArmOrdered = this->IsArmOrdered();
+  status.NeedsConfirmation = this->NeedsConfirmation();
   if (const Work* const work = this->FindLongWork())
   {
     status.LongWork = work->What;

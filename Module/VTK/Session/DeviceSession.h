@@ -9,6 +9,7 @@
 
 #include "Core/Servo/RoundTripInUse.h"
 #include "Devices/Common/DeviceKind.h"
+#include "Devices/Common/DeviceMemory.h"
 #include "Devices/Virtual/VirtualDevice.h"
 #include "VTK/Session/DeviceStatus.h"
 #include "VTK/Session/ServoThreads.h"
@@ -17,6 +18,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkTable;
@@ -41,6 +43,23 @@ public:
   }
   /** The back end if it is the virtual one; else null. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
+
+  ///@{
+  /**
+   * What is remembered of the device (DeviceMemory.h), and the trouble with its file since the last
+   * call; empty if there is none.
+   */
+  const DeviceFacts& GetFacts() const { return this->Facts; }
+  std::string TakeMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
+  /** Whether it is a device that is remembered: one with force and an identity. */
+  bool IsRemembered() const { return !this->Identity.empty(); }
+  /** Whether its signs have to be confirmed before anything is felt. */
+  bool NeedsConfirmation() const;
+  /** From the next Start on, its signs have to be confirmed again. While the servo does not run. */
+  void ForgetConfirmation();
+  /** From now on the device gives so many newtons for each one that it is asked for. */
+  void SetForceScale(double scale);
+  ///@}
 
   /** Starts the servo; the placement maps the world positions of a replay. */
   void Start(double rate, const SafetyLimits& limits, std::shared_ptr<const HapticModel> model,
@@ -130,6 +149,8 @@ private:
   const Work* FindLongWork() const;
   /** Publishes the last model with other caps if the measured round trip asks for it. */
   void FollowRoundTrip();
+  void Remember();
+  void RequireConfirmation();
   /** Whether the last order was to arm, even if the servo has not seen it yet. */
   bool IsArmOrdered() const
   {
@@ -138,6 +159,9 @@ private:
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;
+  std::string Identity; ///< of the back end; empty: nothing is remembered of it
+  DeviceFacts Facts;
+  std::string MemoryTrouble;
   int Opening = 0;
   VirtualDevice* Virtual = nullptr;
   bool IsReplay = false;

@@ -13,11 +13,29 @@ namespace VolumeHaptics
 namespace
 {
 
+std::string NameAxis(const SignVerdict& signs)
+{
+  return std::string(1, "xyz"[signs.Axis]);
+}
+
 /** The fault and the cure. */
-const char* Explain(GateReason fault)
+std::string Explain(GateReason fault, const SignVerdict& signs)
 {
   switch (fault)
   {
+    case GateReason::WrongSign:
+      return "Force cut off: the device moves against the force on axis " + NameAxis(signs) +
+        ": wrong sign. Do not use it until its wiring, or the sign of its NewtonsPerFullScale, is "
+        "right; then Arm() again.";
+    case GateReason::Unmoved:
+      return signs.Result == SignResult::Restless
+        ? "Force cut off: the tip moved by itself along axis " + NameAxis(signs) +
+          ", so that it is not known whether it moves with the force. Hold the device loosely and "
+          "keep the hand still, then Arm() again."
+        : "Force cut off: small pushes did not move the tip along axis " + NameAxis(signs) +
+          ", so that it is not known whether it moves with the force. Hold the device loosely in "
+          "the "
+          "middle of its workspace, then Arm() again.";
     case GateReason::NotFinite:
       return "Force cut off: a force or a position was not a finite number. Check the image and "
              "the device, then Arm() again.";
@@ -54,6 +72,8 @@ const char* DescribeReason(GateState state, GateReason reason)
       return "data are missing";
     case GateReason::Rising:
       return "it rises";
+    case GateReason::Confirming:
+      return "small pushes find out whether the device moves with the force";
     default:
       return "";
   }
@@ -127,8 +147,9 @@ int DeviceStatus::FindType() const
   {
     return this->IsArmOrdered ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
-  return this->State->Stale || !this->LongWork.empty() ? vtkHapticDevice::ARMED
-                                                       : vtkHapticDevice::ACTIVE;
+  const bool isFelt =
+    !this->State->Stale && this->LongWork.empty() && this->State->Gate != GateState::Confirming;
+  return isFelt ? vtkHapticDevice::ACTIVE : vtkHapticDevice::ARMED;
 }
 
 std::string DeviceStatus::MakeText() const
@@ -153,7 +174,7 @@ std::string DeviceStatus::DescribeDevice() const
   }
   if (this->State->GetFault() != GateReason::None)
   {
-    return Explain(this->State->GetFault());
+    return Explain(this->State->GetFault(), this->State->Signs);
   }
   std::string text = this->DescribeState();
   if (this->State->Awaiting)
@@ -189,7 +210,17 @@ std::string DeviceStatus::DescribeState() const
   }
   if (!this->State->IsArmed())
   {
-    return "Running: " + this->Id + ". Arm() lets force through.";
+    return "Running: " + this->Id +
+      (this->NeedsConfirmation
+          ? ". Its signs were never confirmed: hold it loosely in the middle of its workspace, "
+            "keep "
+            "the hand still, and Arm(). For some seconds it then pushes gently along each axis."
+          : ". Arm() lets force through.");
+  }
+  if (this->State->Gate == GateState::Confirming)
+  {
+    return "Confirming the signs of " + this->Id +
+      ": hold it loosely and keep the hand still. The volume is not felt yet.";
   }
   if (!this->LongWork.empty() && this->IsArmOrdered)
   {

@@ -23,7 +23,8 @@ struct DeviceStatus
   DeviceCondition Condition; ///< of the open device
 
   bool IsArmOrdered = false; ///< the last order was to arm, even if the servo has not seen it yet
-  std::string LongWork;      ///< keeps the force off, such as "the volume is hashed"; or empty
+  bool NeedsConfirmation = false; ///< before anything is felt
+  std::string LongWork;           ///< keeps the force off, such as "the volume is hashed"; or empty
 
   /** The latest state; null unless the servo runs; the rest then means nothing. */
   const ServoSnapshot* State = nullptr;

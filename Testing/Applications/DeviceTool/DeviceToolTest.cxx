@@ -95,6 +95,43 @@ TEST_F(DeviceToolTest, FeelsAWallOfANewton)
   EXPECT_EQ(this->Falcon.GetCommands(), Numbers{}) << "and it let go";
 }
 
+TEST_F(DeviceToolTest, ConfirmsThatItMovesWithTheForceAndRemembersIt)
+{
+  const std::string file = TemporaryPath("devices.txt");
+  setenv("VOLUMEHAPTICS_DEVICES", file.c_str(), 1);
+  const ModelClock hand([this] { this->MoveHand(); });
+  EXPECT_EQ(this->Run({ "confirm", "falcon" }), 1);
+  EXPECT_TRUE(this->Complains("Enter was not pressed")) << this->Errors;
+  EXPECT_EQ(this->Run({ "confirm", "falcon" }, "\n"), 0) << this->Errors;
+  EXPECT_TRUE(this->Shows("moves with the force along every axis")) << this->Out;
+  std::string line;
+  std::ifstream lines(file);
+  bool isRemembered = false;
+  while (std::getline(lines, line))
+  {
+    isRemembered = isRemembered || line.find("falcon confirmed=") == 0;
+  }
+  EXPECT_TRUE(isRemembered);
+  EXPECT_EQ(this->Falcon.GetCommands(), Numbers{}) << "and it let go";
+
+  this->Falcon.SetMotorSign(-1.0);
+  EXPECT_EQ(this->Run({ "confirm", "falcon" }, "\n"), 1);
+  EXPECT_TRUE(this->Complains("moves against the force on axis")) << this->Errors;
+  EXPECT_EQ(this->Run({ "confirm", "virtual" }, "\n"), 1);
+  EXPECT_TRUE(this->Complains("there is nothing to confirm")) << this->Errors;
+}
+
+TEST_F(DeviceToolTest, ListsWhetherNewtonsAreTrue)
+{
+  const std::string file = TemporaryPath("calibrated.txt");
+  setenv("VOLUMEHAPTICS_DEVICES", file.c_str(), 1);
+  EXPECT_EQ(this->Run({ "list" }), 0);
+  EXPECT_TRUE(this->Shows("force: uncalibrated")) << this->Out;
+  std::ofstream(file) << "falcon scale=0.83 calibrated=2026-11-20\n";
+  EXPECT_EQ(this->Run({ "list" }), 0);
+  EXPECT_TRUE(this->Shows("force: calibrated 0.83 on 2026-11-20")) << this->Out;
+}
+
 TEST_F(DeviceToolTest, SaysWhatIsWrong)
 {
   EXPECT_EQ(this->Run({ "monitor", "falcon:3" }), 1);

@@ -8,6 +8,7 @@
 #include <hidapi.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 
 #if defined(__linux__)
@@ -86,8 +87,9 @@ std::vector<HidDeviceInfo> FindHidDevices()
     const auto isSame = [entry](const HidDeviceInfo& info) { return info.Path == entry->path; };
     if (entry->path && std::none_of(devices.begin(), devices.end(), isSame))
     {
-      devices.push_back({ entry->path, Narrow(entry->manufacturer_string),
-        Narrow(entry->product_string), entry->vendor_id, entry->product_id, entry->usage_page });
+      devices.push_back(
+        { entry->path, Narrow(entry->manufacturer_string), Narrow(entry->product_string),
+          entry->vendor_id, entry->product_id, entry->usage_page, Narrow(entry->serial_number) });
     }
   }
   hid_free_enumeration(list);
@@ -114,6 +116,13 @@ std::string HidDeviceInfo::GetLabel() const
     label = this->Maker + " " + label;
   }
   return label + " (" + this->Path + ")";
+}
+
+std::string HidDeviceInfo::MakeIdentity(const char* kind) const
+{
+  char numbers[16];
+  std::snprintf(numbers, sizeof(numbers), ":%04x:%04x", this->Vendor, this->ProductId);
+  return kind + (numbers + (this->Serial.empty() ? std::string() : ":" + this->Serial));
 }
 
 bool HidDeviceInfo::ReadDescriptor(HidReportDescriptor& descriptor, std::string& error) const

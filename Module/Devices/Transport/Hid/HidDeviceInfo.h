@@ -24,9 +24,12 @@ struct HidDeviceInfo
   std::uint16_t Vendor = 0;
   std::uint16_t ProductId = 0;
   std::uint16_t UsagePage = 0; ///< of its first collection; 0 if unknown
+  std::string Serial = {};     ///< empty if it has none
 
   /** Maker, product and path, as shown to the user. */
   std::string GetLabel() const;
+  /** DeviceBackend::GetIdentity for a device of a kind: kind, vendor, product and serial number. */
+  std::string MakeIdentity(const char* kind) const;
   /** "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
   /** Reads and parses the report descriptor. False, with the reason, if that is not possible. */

@@ -26,6 +26,7 @@ bool HidDriver::Connect(std::string& error)
     if (this->Port.Open(info, error))
     {
       this->Label = info.GetLabel();
+      this->Info = info;
       if (this->Prepare(info, error))
       {
         return true;

@@ -78,6 +78,9 @@ protected:
   /** Whether the device has been silent for too long. Call it after every read. */
   bool IsSilent(bool hasNews) noexcept;
 
+  /** The device that was connected last. */
+  const HidDeviceInfo& GetInfo() const noexcept { return this->Info; }
+
   HidPort Port;
 
 private:
@@ -87,6 +90,7 @@ private:
   void LookWhetherGone(HardwareExchange& exchange) noexcept;
 
   std::string Label;
+  HidDeviceInfo Info;
   bool Lost = false;
   std::int64_t LastNews = 0;
   int EmptyReads = 0;

@@ -17,21 +17,22 @@ namespace VolumeHaptics
 
 /** The devices of a kind whose ids count them: wooden:0, wooden:1. */
 inline std::vector<DeviceListing> ListNumbered(
-  const char* kind, bool (*isSome)(const HidDeviceInfo&))
+  const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {
   std::vector<DeviceListing> all;
   for (const HidDeviceInfo& info : FindHidDevices(isSome))
   {
-    all.push_back({ kind + (":" + std::to_string(all.size())), info.GetLabel(), info.GetState() });
+    all.push_back({ kind + (":" + std::to_string(all.size())), info.GetLabel(), info.GetState(),
+      givesForce ? info.MakeIdentity(kind) : std::string() });
   }
   return all;
 }
 
 /** A kind of such devices. A driver is made from a device's number. */
 template <typename Driver>
-DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&))
+DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {
-  return { kind, [kind, isSome] { return ListNumbered(kind, isSome); },
+  return { kind, [kind, isSome, givesForce] { return ListNumbered(kind, isSome, givesForce); },
     [kind](const std::string& id, const DeviceOptions&,
       std::string& error) -> std::unique_ptr<DeviceBackend>
     {

@@ -71,6 +71,26 @@ std::string UsbNameOf(libusb_device* device, const UsbProduct& product)
   return name + ")";
 }
 
+std::string UsbIdentityOf(libusb_device* device, const char* kind)
+{
+  libusb_device_descriptor descriptor{};
+  libusb_device_handle* handle = nullptr;
+  std::string identity = kind;
+  if (libusb_get_device_descriptor(device, &descriptor) == LIBUSB_SUCCESS &&
+    descriptor.iSerialNumber != 0 && libusb_open(device, &handle) == LIBUSB_SUCCESS)
+  {
+    unsigned char serial[128];
+    const int size =
+      libusb_get_string_descriptor_ascii(handle, descriptor.iSerialNumber, serial, sizeof(serial));
+    if (size > 0)
+    {
+      identity += ":" + std::string(serial, serial + size);
+    }
+    libusb_close(handle);
+  }
+  return identity;
+}
+
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product)
 {
   libusb_device_handle* handle = nullptr;

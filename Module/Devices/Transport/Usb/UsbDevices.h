@@ -50,6 +50,12 @@ std::vector<UsbDevice> FindUsbDevices(libusb_context* context, const UsbProduct&
 std::string UsbNameOf(libusb_device* device, const UsbProduct& product);
 
 /**
+ * DeviceBackend::GetIdentity for a device of a kind: the kind, and the serial number if the device
+ * has one and may be opened.
+ */
+std::string UsbIdentityOf(libusb_device* device, const char* kind);
+
+/**
  * Whether interface 0 could be claimed now: "available", "in use", or the obstacle and the cure.
  * Sends nothing to the device, and leaves a driver of the kernel bound.
  */

@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Common/DeviceMemory.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <sstream>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr const char* Header =
+  "# Devices of VTK Volume Haptics: volumehaptics-device confirm and calibrate write this file.";
+
+std::string GetVariable(const char* name)
+{
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
+/** A number as C writes it, whatever the locale of the program. */
+bool ReadNumber(const std::string& text, double& number)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  return static_cast<bool>(in >> number) && in.peek() == std::char_traits<char>::eof();
+}
+
+std::string WriteNumber(double number)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(4);
+  out << number;
+  return out.str();
+}
+
+/** A serial number may have spaces, with which words of a line end. */
+std::string MakeWord(const std::string& identity)
+{
+  std::string word;
+  for (const char c : identity)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte > ' ' && byte < 0x7f && c != '%' && c != '#')
+    {
+      word += c;
+    }
+    else
+    {
+      char code[4];
+      std::snprintf(code, sizeof(code), "%%%02X", byte);
+      word += code;
+    }
+  }
+  return word;
+}
+
+bool IsDay(const std::string& text)
+{
+  if (text.size() != 10)
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const bool isDash = i == 4 || i == 7;
+    if (isDash ? text[i] != '-' : !std::isdigit(static_cast<unsigned char>(text[i])))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** False if there is something in the line that does not belong there. */
+bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
+{
+  std::string word;
+  while (words >> word)
+  {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+    if (name == "confirmed" && IsDay(value))
+    {
+      facts.Confirmed = value;
+    }
+    else if (name == "calibrated" && IsDay(value))
+    {
+      facts.Calibrated = value;
+    }
+    else if (name != "scale" || !ReadNumber(value, facts.Scale) ||
+      !(facts.Scale >= DeviceFacts::LeastScale && facts.Scale <= DeviceFacts::MostScale))
+    {
+      return false;
+    }
+  }
+  return !facts.Calibrated.empty() || facts.Scale == 1.0; // else half of the line is missing
+}
+
+std::string MakeLine(const std::string& word, const DeviceFacts& facts)
+{
+  std::string line = word;
+  line += facts.Confirmed.empty() ? "" : " confirmed=" + facts.Confirmed;
+  if (!facts.Calibrated.empty())
+  {
+    line += " scale=" + WriteNumber(facts.Scale) + " calibrated=" + facts.Calibrated;
+  }
+  return line;
+}
+
+/** No lines if there is no file; false, with the reason, if it can't be read. */
+bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
+{
+  std::error_code trouble;
+  if (file.empty() || !std::filesystem::exists(file, trouble))
+  {
+    return true;
+  }
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line))
+  {
+    lines.push_back(line);
+  }
+  if (!in.eof() || std::filesystem::is_directory(file, trouble))
+  {
+    error = "The file of devices \"" + file + "\" can't be read. Check its permissions.";
+    return false;
+  }
+  return true;
+}
+
+std::string FirstWord(const std::string& line)
+{
+  std::istringstream words(line);
+  std::string word;
+  words >> word;
+  return word;
+}
+
+} // namespace
+
+std::string DeviceFacts::DescribeScale() const
+{
+  return this->Calibrated.empty()
+    ? "uncalibrated"
+    : "calibrated " + WriteNumber(this->Scale) + " on " + this->Calibrated;
+}
+
+std::string DeviceMemory::FindFile()
+{
+  const std::string own = GetVariable("VOLUMEHAPTICS_DEVICES");
+  if (!own.empty())
+  {
+    return own;
+  }
+#if defined(_WIN32)
+  const std::string folder = GetVariable("APPDATA");
+#else
+  const std::string home = GetVariable("HOME");
+  std::string folder = GetVariable("XDG_CONFIG_HOME");
+  folder = !folder.empty() || home.empty() ? folder : home + "/.config";
+#endif
+  return folder.empty() ? folder : folder + "/volumehaptics/devices.txt";
+}
+
+std::string DeviceMemory::GetToday()
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm day{};
+#if defined(_WIN32)
+  localtime_s(&day, &now);
+#else
+  localtime_r(&now, &day);
+#endif
+  char text[16];
+  const std::size_t size = std::strftime(text, sizeof(text), "%Y-%m-%d", &day);
+  return std::string(text, size);
+}
+
+DeviceFacts DeviceMemory::Read(const std::string& identity, std::string& error)
+{
+  error.clear();
+  const std::string file = FindFile();
+  std::vector<std::string> lines;
+  if (!ReadLines(file, lines, error))
+  {
+    return {};
+  }
+  const std::string wanted = MakeWord(identity);
+  DeviceFacts found;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    std::istringstream words(lines[i]);
+    std::string word;
+    if (!(words >> word) || word != wanted)
+    {
+      continue;
+    }
+    DeviceFacts facts;
+    if (ReadFacts(words, facts))
+    {
+      found = facts; // the last line counts
+    }
+    else
+    {
+      found = {};
+      error = "Line " + std::to_string(i + 1) + " of the file of devices \"" + file +
+        "\" is damaged: the device counts as unconfirmed and uncalibrated. Remove the line, then "
+        "confirm and calibrate the device again (volumehaptics-device).";
+    }
+  }
+  return found;
+}
+
+bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, std::string& error)
+{
+  const std::string file = FindFile();
+  if (file.empty())
+  {
+    error = "There is no folder for the file of devices: set HOME, or VOLUMEHAPTICS_DEVICES to the "
+            "name of a file.";
+    return false;
+  }
+  std::vector<std::string> lines;
+  if (!ReadLines(file, lines, error))
+  {
+    return false;
+  }
+  const std::string word = MakeWord(identity);
+  if (lines.empty())
+  {
+    lines.push_back(Header);
+  }
+  const std::string temporary = file + ".part" + std::to_string(ServoClock::GetProcess());
+  std::error_code trouble;
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (!folder.empty())
+  {
+    std::filesystem::create_directories(folder, trouble);
+  }
+  {
+    std::ofstream out(temporary, std::ios::trunc);
+    for (const std::string& line : lines)
+    {
+      if (FirstWord(line) != word)
+      {
+        out << line << "\n";
+      }
+    }
+    out << MakeLine(word, facts) << "\n";
+    out.close();
+    if (out)
+    {
+      trouble.clear();
+      std::filesystem::rename(temporary, file, trouble);
+      if (!trouble)
+      {
+        return true;
+      }
+    }
+  }
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  error = "The file of devices \"" + file +
+    "\" can't be written, so that this is forgotten. Check the permissions of its folder and the "
+    "space on its disk, or set VOLUMEHAPTICS_DEVICES to the name of another file.";
+  return false;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the user's file of devices remembers of a device: that its signs were confirmed, and how many
+ * newtons it really gives.
+ *
+ * The file is plain text, a line a device:
+ *
+ *   wooden:1234:0006:SN1 confirmed=2026-11-22 scale=0.83 calibrated=2026-11-22
+ *
+ * It is `volumehaptics/devices.txt` in $XDG_CONFIG_HOME, in ~/.config, or in %APPDATA% on Windows;
+ * the environment variable VOLUMEHAPTICS_DEVICES names another file. Files are read and written
+ * outside the servo loop only.
+ */
+#ifndef DeviceMemory_h
+#define DeviceMemory_h
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+struct DeviceFacts
+{
+  ///@{
+  /** Scales outside of this range are mistakes. */
+  static constexpr double LeastScale = 0.1;
+  static constexpr double MostScale = 10.0;
+  ///@}
+
+  std::string Confirmed;  ///< the day on which its signs were confirmed; empty: never
+  double Scale = 1.0;     ///< newtons that it gives for each one that it is asked for
+  std::string Calibrated; ///< the day on which that was measured; empty: never
+
+  /** "calibrated 0.83 on 2026-11-22" or "uncalibrated". */
+  std::string DescribeScale() const;
+};
+
+class DeviceMemory
+{
+public:
+  /** The path of the file; empty if the environment names no folder for it. */
+  static std::string FindFile();
+  /** Today, as 2026-11-22. */
+  static std::string GetToday();
+
+  /**
+   * The facts of a device by its identity (DeviceBackend::GetIdentity); none if there is no file. A
+   * damaged line counts as none. The error then names file and line, and the cure; else it is empty.
+   */
+  static DeviceFacts Read(const std::string& identity, std::string& error);
+  /**
+   * Replaces the facts of a device, and leaves all other lines as they are. The file is replaced as
+   * a whole. False, with the reason and the cure; the old file is then unchanged.
+   */
+  static bool Write(const std::string& identity, const DeviceFacts& facts, std::string& error);
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From true newtons to those that a driver is asked for: the last step before a device.
+ */
+#ifndef TrueNewtons_h
+#define TrueNewtons_h
+
+#include "Core/Servo/DeviceBackend.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace VolumeHaptics
+{
+
+/** See DeviceBackend::SetForceScale. Any thread. */
+class TrueNewtons
+{
+public:
+  /** `most` (N) is the largest force that the driver may be asked for. */
+  void Set(double scale, double most) noexcept
+  {
+    this->MostAsked.store(most);
+    this->Scale.store(scale);
+  }
+  /** A device that is stronger than its driver thinks stays within what the driver allows. */
+  DeviceLimits LimitsOf(DeviceLimits limits) const noexcept
+  {
+    limits.MaximumForce *= std::min(1.0, this->Scale.load());
+    return limits;
+  }
+  /** The force to ask the driver for (N). */
+  Vector3 Ask(const Vector3& force) const noexcept
+  {
+    const double scale = this->Scale.load(std::memory_order_relaxed);
+    return scale == 1.0
+      ? force
+      : ClampNorm((1.0 / scale) * force, this->MostAsked.load(std::memory_order_relaxed));
+  }
+
+private:
+  std::atomic<double> Scale{ 1.0 };
+  std::atomic<double> MostAsked{ 0.0 };
+};
+
+} // namespace VolumeHaptics
+
+#endif
