@@ -107,13 +107,15 @@ enum class GateReason : std::uint8_t
   Rising,     ///< after Arm, a hold, a gap or missing data
   Confirming, ///< small pushes find out the device's signs
   Unmoved,    ///< a fault: the pushes moved the tip too little, or it moved by itself
-  WrongSign   ///< a fault: the device moves against the force
+  WrongSign,  ///< a fault: the device moves against the force
+  Active      ///< a fault: the device runs away against its force (PortObserver.h)
 };
 
 constexpr bool IsFault(GateReason reason) noexcept
 {
   return (reason >= GateReason::NotFinite && reason <= GateReason::Unattended) ||
-    reason == GateReason::Unmoved || reason == GateReason::WrongSign;
+    reason == GateReason::Unmoved || reason == GateReason::WrongSign ||
+    reason == GateReason::Active;
 }
 /** The fault that needs Arm; None if there is none. */
 constexpr GateReason FindFault(GateState state, GateReason reason) noexcept

@@ -31,6 +31,7 @@ void SafetyStage::Reset() noexcept
 {
   this->HasTip = false;
   this->Growth.Reset();
+  this->Observer.Reset();
 }
 
 bool SafetyStage::IsForceLeft() const noexcept
@@ -75,12 +76,15 @@ bool SafetyStage::FollowSamples(
   this->Silence += input.Elapsed;
   const bool finite = IsFinite(input.Force) && IsFinite(input.Tip);
   double speed = 0.0;
+  bool isActive = false;
   this->Stale = this->Silence > limits.WatchdogTime;
   // A gap counts even if a fresh sample ends it: the hand was not watched meanwhile.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {
     speed = this->MeasureSpeed(input);
+    isActive = this->Observer.Observe(
+      input.Tip, input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge);
     this->SampleAge = 0.0;
   }
   if ((input.Fresh || input.Alive) && finite)
@@ -99,6 +103,10 @@ bool SafetyStage::FollowSamples(
   else if (limits.MaximumSpeed > 0.0 && speed > limits.MaximumSpeed)
   {
     gate.NoteFault(GateReason::OverSpeed);
+  }
+  else if (limits.MovesTip && isActive)
+  {
+    gate.NoteFault(GateReason::Active);
   }
   return gap;
 }
@@ -139,6 +147,7 @@ Vector3 SafetyStage::Apply(
   const bool gap = this->FollowSamples(input, limits, gate);
   const Vector3 command = this->FindCommand(input, limits, gap, gate);
   gate.NoteCommand(Dot(command, command) > 0.0);
+  this->Observer.NoteSent(command);
   return command;
 }
 

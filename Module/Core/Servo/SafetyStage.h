@@ -8,6 +8,7 @@
  * 1. A force or a tip that is not finite gives zero and a fault.
  * 2. A tip that is faster than the limit gives zero and a fault. Its speed is that between two
  *    measurements, by their own times.
+ *    So does a device that runs away against its force (PortObserver.h).
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
  * 4. The share that the gate lets through is taken (ForceGate.h).
  * 5. The growth of the force is limited (the slew limit, GrowthLimit.h). A force may fall at once.
@@ -29,6 +30,7 @@
 #include "Core/Math/Vector3.h"
 #include "Core/Servo/ForceGate.h"
 #include "Core/Servo/GrowthLimit.h"
+#include "Core/Servo/PortObserver.h"
 
 namespace VolumeHaptics
 {
@@ -45,6 +47,7 @@ struct SafetyLimits
    * ever.
    */
   double AttentionTime = 0.0;
+  bool MovesTip = false; ///< forces move the tip: see DeviceLimits
 };
 
 /** The input of the stage in a tick. */
@@ -92,6 +95,7 @@ private:
   bool IsForceLeft() const noexcept;
 
   GrowthLimit Growth;
+  PortObserver Observer;
   Vector3 LastTip;
   double SampleAge = 0.0; ///< s, of the last fresh one
   double Silence = 0.0;   ///< s, without a sign of the device

@@ -29,6 +29,7 @@ DeviceLimits ReplayDevice::GetLimits() const
   // No hand is on it, so only the shown force is limited. A path that jumps is played unchanged.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;
+  limits.MovesTip = false;
   return limits;
 }
 

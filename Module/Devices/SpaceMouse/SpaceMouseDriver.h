@@ -33,7 +33,13 @@ public:
   explicit SpaceMouseDriver(int number);
 
   static bool IsSpaceMouse(const HidDeviceInfo& info);
-  DeviceLimits GetLimits() const override { return { 0.0, 0.0, 0.0, 0.0, 0.0, Radius }; }
+  DeviceLimits GetLimits() const override
+  {
+    DeviceLimits limits;
+    limits.WorkspaceRadius = Radius;
+    limits.MovesTip = false;
+    return limits;
+  }
 
 private:
   std::vector<HidDeviceInfo> Choose(std::string& error) const override;

@@ -40,7 +40,12 @@ public:
   bool Open(std::string& error) override;
   void Close() override;
   std::string GetName() const override { return "virtual"; }
-  DeviceLimits GetLimits() const override { return this->Limits; }
+  DeviceLimits GetLimits() const override
+  {
+    DeviceLimits limits = this->Limits;
+    limits.MovesTip = limits.MovesTip && this->Dynamics.Mass > 0.0;
+    return limits;
+  }
   DeviceState Read(double period, DeviceSample& sample) noexcept override;
   DeviceState Write(const Vector3& force) noexcept override;
   void Quench() noexcept override { this->Quenched.store(true, std::memory_order_release); }

@@ -31,6 +31,7 @@ SafetyLimits DeviceOrders::MakeLimits() const
   limits.MaximumForceRate = this->Device->GetMaximumForceRate();
   limits.AttentionTime = this->Device->GetAttentionTime();
   limits.MaximumSpeed = this->Session.GetLimits().MaximumSpeed;
+  limits.MovesTip = this->Session.GetLimits().MovesTip;
   return limits;
 }
 

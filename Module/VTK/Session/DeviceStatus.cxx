@@ -45,6 +45,9 @@ std::string Explain(GateReason fault, const SignVerdict& signs)
     case GateReason::DeviceLost:
       return "Force cut off: the device was lost. Once it is back, with Home() or with Open() and "
              "Start(), Arm() again.";
+    case GateReason::Active:
+      return "Force cut off: the device moves against the force: wrong sign, or unstable. Check "
+             "its axes, lower the stiffness, then Arm() again.";
     case GateReason::Unattended:
       return "Force faded out: the program did not call the device for longer than AttentionTime. "
              "Arm() again. If the program is often busy for that long, raise AttentionTime.";

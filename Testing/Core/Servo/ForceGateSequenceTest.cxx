@@ -138,7 +138,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
   constexpr int Sequences = 20000;
   constexpr int Ticks = 100;
   constexpr GateReason Faults[] = { GateReason::NotFinite, GateReason::OverSpeed,
-    GateReason::DeviceLost };
+    GateReason::DeviceLost, GateReason::Active };
   std::mt19937 engine(1);
   const auto chance = [&engine](double p) { return engine() * 0x1p-32 < p; };
   const auto pick = [&engine](std::initializer_list<double> of)
@@ -198,7 +198,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
 
       const double before = gate.GetShare();
       const bool flowed = flags.Flowed;
-      const GateReason fault = chance(0.3 * trouble) ? Faults[engine() % 3] : GateReason::None;
+      const GateReason fault = chance(0.3 * trouble) ? Faults[engine() % 4] : GateReason::None;
       const bool wasStale = isStale;
       isStale = chance(isStale ? 0.5 : trouble);
       const bool gap = isStale || wasStale;

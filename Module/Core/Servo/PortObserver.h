@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Finds a device that runs away against its force, as one with a wrong sign does.
+ *
+ * The observer compares what is sent with what is measured: the force F, held until the next one,
+ * and the motion dx of the tip (the idea of Hannaford and Ryu, "Time-domain passivity control of
+ * haptic interfaces", 2002). It needs to know nothing of the wall. Tell it every force that was
+ * sent, and ask it at every measurement.
+ *
+ * Run-away
+ * --------
+ *
+ * If the sign is wrong, F.dx is negative, as if a hand pressed. But the tip becomes faster where it
+ * should become slower. Let n be the direction against the force, ds the way and v the speed of the
+ * tip along n, and m = LightMass, lighter than any stylus with fingers. For a hand that pushes with
+ * P,
+ *
+ *   d(m v^2 / 2) = (P - |F|) ds,   P <= m HandAcceleration + the largest |F| of late,
+ *
+ * since a hand that withstands a force can push as strongly when the force falls. In a contact,
+ *
+ *   Work    = sum of |F| ds,
+ *   Excess  = sum of d(m v^2 / 2) - (m HandAcceleration + largest |F| - |F|) ds,
+ *   RunAway = min(Work, Excess).
+ *
+ * A contact lasts as long as there is force and the tip moves along n. RunAway may not exceed
+ * ContactBound. A strong hand can outdo a weak device once the force is clamped, but hardly while
+ * the force rises with the motion. So a second Excess counts gains only while |F| rises, and has
+ * the smaller RisingBound. Both bounds are some 1.6 times the largest value of 100 000 sessions of
+ * honest devices; see Documentation/evaluation.md.
+ *
+ * A gap in the measurements and a leap of the tip begin anew.
+ *
+ * Limits
+ * ------
+ *
+ * A soft wall with a wrong sign moves the tip as a hand does that presses, and a hand that holds a
+ * device firmly keeps it from running away: these are not found. Nor is a loop that is unstable
+ * because its forces are late: the force that acts is then not the one that was sent.
+ */
+#ifndef PortObserver_h
+#define PortObserver_h
+
+#include "Core/Math/Vector3.h"
+
+#include <array>
+#include <cstddef>
+
+namespace VolumeHaptics
+{
+
+class PortObserver
+{
+public:
+  static constexpr double LightMass = 0.05;       ///< kg
+  static constexpr double HandAcceleration = 8.0; ///< m/s^2
+  static constexpr double RisingBound = 1.2e-3;   ///< J
+  static constexpr double ContactBound = 2.5e-3;  ///< J
+
+  /** Forgets all: nothing is known of the force and of the tip. */
+  void Reset() noexcept;
+
+  /**
+   * For every measurement of the tip (m), with the time (s) since the one before. Returns true if
+   * the device moves against the force.
+   */
+  bool Observe(const Vector3& tip, double time) noexcept;
+
+  /** In every tick: the force (N) on the device until the next one. */
+  void NoteSent(const Vector3& force) noexcept;
+
+  ///@{
+  /** Energies (J) in the contact now; see above. */
+  double GetRisingRunAway() const noexcept;
+  double GetRunAway() const noexcept;
+  ///@}
+
+private:
+  struct Measurement
+  {
+    double Time = 0.0; ///< s
+    Vector3 Tip;
+  };
+  static constexpr std::size_t Kept = 64;
+  const Measurement& Last(std::size_t before = 0) const noexcept
+  {
+    return this->Measurements[(this->Count - 1 - before) % Kept];
+  }
+  void Add(const Vector3& tip) noexcept;
+  void BeginAt(const Vector3& tip) noexcept;
+  Vector3 FindVelocity() const noexcept;
+  void Account(const Vector3& force, const Vector3& motion, double time) noexcept;
+  void EndContact() noexcept;
+
+  std::array<Measurement, Kept> Measurements{}; ///< a ring
+  std::size_t Count = 0;
+  double Time = 0.0; ///< s
+  Vector3 SentSum;   ///< N, of all ticks since the last measurement
+  double SentCount = 0.0;
+  double LargestForce = 0.0; ///< N, of late
+  double EarlierForce = 0.0; ///< N, smoothed over RiseTime
+  bool IsContact = false;
+  double Speed = 0.0;        ///< m/s, into the force
+  double Work = 0.0;         ///< J
+  double Excess = 0.0;       ///< J
+  double RisingExcess = 0.0; ///< J
+};
+
+} // namespace VolumeHaptics
+
+#endif
