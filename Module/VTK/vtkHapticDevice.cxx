@@ -310,6 +310,24 @@ void vtkHapticDevice::Home()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::SetClutch(bool on)
+{
+  this->Internals->Orders.SetClutch(on);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::GetClutch()
+{
+  return this->Internals->Session.IsClutched();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::ArmsAfterClutch()
+{
+  return this->Internals->Session.ReturnsAfterClutch();
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::SetLights(int lights)
 {
   this->Internals->Session.SetLights(lights);
@@ -555,6 +573,7 @@ void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
   const std::string& id = d.Session.GetId();
   os << indent << "Device: " << (id.empty() ? "(none)" : id.c_str()) << "\n";
   os << indent << "Status: " << this->GetStatusText() << "\n";
+  os << indent << "Clutch: " << (this->GetClutch() ? "On" : "Off") << "\n";
   os << indent << "VolumeHaptics: " << d.Models.GetFilter() << "\n";
   os << indent << "DeviceToWorld: " << d.Models.GetDeviceToWorld() << "\n";
   PrintSettings(os, indent, this, DeviceSettings);

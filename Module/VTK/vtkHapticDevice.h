@@ -169,6 +169,19 @@ public:
   void EndLongWork();
   ///@}
 
+  ///@{
+  /**
+   * A clutch, with which the hand moves a real device while the tip is not meant to move with it.
+   * While it is on, no force leaves, from the next tick on; turning it on invokes
+   * vtkCommand::DisableEvent. When it is turned off, the force rises over half a second, if it was
+   * armed before and nothing has disarmed it since: ArmsAfterClutch. Arm meanwhile takes effect
+   * then. Default off.
+   */
+  void SetClutch(bool on);
+  bool GetClutch();
+  bool ArmsAfterClutch();
+  ///@}
+
   /** Search again for the zero of a real device's encoders, with the hand's help; disarms. */
   void Home();
 

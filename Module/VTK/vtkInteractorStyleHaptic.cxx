@@ -140,7 +140,8 @@ bool vtkInteractorStyleHaptic::GetClutch()
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::ArmsAfterClutch()
 {
-  return this->Internals->Interaction.Workspace.WasArmed();
+  vtkHapticDevice* const device = this->GetDevice();
+  return device && device->ArmsAfterClutch();
 }
 
 //------------------------------------------------------------------------------

@@ -80,6 +80,7 @@ struct DeviceSample
   TakenForce Taken; ///< the last one; of a device that can't tell, when Write returned counts
 };
 
+/** For the servo loop, each tick: what came of a Read or a Write. DeviceStage is for people. */
 enum class DeviceState : std::uint8_t
 {
   Running,  ///< reads and writes succeed
@@ -88,7 +89,7 @@ enum class DeviceState : std::uint8_t
   Lost      ///< unplugged or broken; the back end has to be opened again
 };
 
-/** How far a device is from taking forces. */
+/** For people, now and then: how far a device is from taking forces. */
 enum class DeviceStage : std::uint8_t
 {
   Firmware, ///< its firmware is being loaded

@@ -30,6 +30,16 @@ void ForceGate::Shut(GateReason why) noexcept
 
 bool ForceGate::Arm(bool isSole) noexcept
 {
+  if (this->Clutched)
+  {
+    this->Ending = End::None;
+    this->Returns = true;
+    if (this->State == GateState::Disarmed)
+    {
+      this->Shut(GateReason::Clutched);
+    }
+    return false;
+  }
   const bool isFelt = isSole && this->Flows && this->Ending == End::None;
   this->Ending = End::None;
   if (!isFelt)
@@ -47,12 +57,18 @@ bool ForceGate::Arm(bool isSole) noexcept
 void ForceGate::Disarm() noexcept
 {
   this->Ending = End::None;
+  this->Returns = false;
   this->Shut(GateReason::Ordered);
 }
 
 void ForceGate::FadeOut() noexcept
 {
   this->Ending = this->Ending == End::None ? End::Disarmed : this->Ending;
+  this->Returns = false;
+  if (this->Cause == GateReason::Clutched)
+  {
+    this->Shut(GateReason::Ordered);
+  }
   this->Settle();
 }
 
@@ -82,6 +98,26 @@ void ForceGate::SetUnconfirmed(bool unconfirmed) noexcept
   this->Settle();
 }
 
+bool ForceGate::SetClutched(bool clutched) noexcept
+{
+  const bool begins = clutched && !this->Clutched;
+  const bool returns = !clutched && this->Returns;
+  this->Clutched = clutched;
+  if (begins && this->IsOpen())
+  {
+    const bool wasFadingOut = this->Ending == End::Disarmed;
+    this->Disarm();
+    this->Returns = !wasFadingOut;
+    this->Cause = wasFadingOut ? GateReason::Ordered : GateReason::Clutched;
+  }
+  if (returns)
+  {
+    this->Returns = false;
+    this->Arm(false);
+  }
+  return returns;
+}
+
 void ForceGate::NoteSilence() noexcept
 {
   if (this->IsOpen() && !this->Held)
@@ -95,6 +131,7 @@ void ForceGate::NoteSilence() noexcept
 
 void ForceGate::NoteNotReady() noexcept
 {
+  this->Returns = false;
   this->Shut(GateReason::NotReady);
 }
 

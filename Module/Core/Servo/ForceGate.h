@@ -38,6 +38,8 @@
  *   SetHeld(false)            - (b, f)    - (b, f)       open (b, g)
  *   SetUnconfirmed(true)      - (f)       - (f)          Confirming, unless one above it
  *   SetUnconfirmed(false)     - (b, f)    - (b, f)       open (b); the ramp begins at 0
+ *   SetClutched(true)         - (k)       - (k)          Disarmed (l)
+ *   SetClutched(false)        - (m)       - (m)          -
  *   NoteSilence               -           -              Fading, unless held
  *   NoteNotReady              -           Disarmed (d)   Disarmed
  *   NoteFault                 -           -              Fault
@@ -59,9 +61,12 @@
  *       force flows.
  *   (i) Moves the opening towards the share of the data that are there, by 1 in FadeTime.
  *   (j) As (b), if the reason is a fault.
+ *   (k) Until SetClutched(false), Arm only has the force return then, and ends a fade.
+ *   (l) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
+ *   (m) As Arm, if the force returns. Disarm, FadeOut and NoteNotReady since then prevent it.
  *
- * Faults and Disarm act in the tick in which they come. Nothing that opens the gate makes the
- * share jump: it rises by RampTime, and the opening by FadeTime.
+ * Faults, Disarm and the clutch act in the tick in which they come. Nothing that opens the gate
+ * makes the share jump: it rises by RampTime, and the opening by FadeTime.
  *
  * Share
  * -----
@@ -108,7 +113,8 @@ enum class GateReason : std::uint8_t
   Confirming, ///< small pushes find out the device's signs
   Unmoved,    ///< a fault: the pushes moved the tip too little, or it moved by itself
   WrongSign,  ///< a fault: the device moves against the force
-  Active      ///< a fault: the device runs away against its force (PortObserver.h)
+  Active,     ///< a fault: the device runs away against its force (PortObserver.h)
+  Clutched    ///< the hand moves without the tip; the force returns by itself
 };
 
 constexpr bool IsFault(GateReason reason) noexcept
@@ -142,6 +148,8 @@ public:
   void SetHeld(bool held) noexcept;
   /** Whether the device's signs have yet to be confirmed. */
   void SetUnconfirmed(bool unconfirmed) noexcept;
+  /** True if it armed, as Arm tells. */
+  bool SetClutched(bool clutched) noexcept;
   ///@}
 
   ///@{
@@ -209,6 +217,8 @@ private:
   End Ending = End::None;
   bool Held = false;
   bool Unconfirmed = false;
+  bool Clutched = false;
+  bool Returns = false; ///< after the clutch
   bool Rests = false;
   bool Retreats = false;
   bool Retreated = false; ///< Retreats at the end of the last tick

@@ -63,32 +63,63 @@ void ServoLoop::FollowModel() noexcept
   this->Models.Acknowledge(next->Generation);
 }
 
-void ServoLoop::FollowCommands() noexcept
+void ServoLoop::SetClutched(bool clutched) noexcept
 {
-  // First: orders that came before a release are then seen together with it.
-  this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
-  const std::uint64_t command = this->ArmCommand.load(std::memory_order_acquire);
-  if (command != this->ArmCommandSeen)
+  this->Attend();
+  std::uint64_t last = this->ArmCommand.load(std::memory_order_relaxed);
+  std::uint64_t next = 0;
+  do
   {
-    // Several orders at once may include a Disarm that the last one hides.
-    const bool isSole = (command >> 2) - (this->ArmCommandSeen >> 2) == 1;
-    this->ArmCommandSeen = command;
+    if (IsClutched(last) == clutched)
+    {
+      return;
+    }
+    // The changes are counted below the orders, and begin anew after the last that fits.
+    const std::uint64_t changes = (last + ClutchStep) % OrderStep & ~(ClutchStep - 1);
+    next = OrdersOf(last) * OrderStep | changes | (clutched ? ClutchBit : 0) |
+      static_cast<std::uint64_t>(OrderOf(last));
+  } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
+}
+
+void ServoLoop::FollowOrders(std::uint64_t command) noexcept
+{
+  const std::uint64_t seen = std::exchange(this->ArmCommandSeen, command);
+  // Several orders at once may include a Disarm that the last one hides.
+  const auto orders = static_cast<std::uint32_t>(OrdersOf(command) - OrdersOf(seen));
+  bool isArmed = false;
+  if (orders != 0)
+  {
     switch (OrderOf(command))
     {
       case ArmOrder::Disarm:
         this->Gate.Disarm();
         break;
       case ArmOrder::Arm:
-        if (this->Gate.Arm(isSole))
-        {
-          this->Safety.Reset();
-        }
+        isArmed = this->Gate.Arm(orders == 1);
         break;
       case ArmOrder::FadeOut:
         this->Gate.FadeOut();
         break;
     }
   }
+  // After the orders: Arm while clutched is remembered, and a clutch that came and went meanwhile
+  // still takes the force away.
+  if (ClutchesOf(command) != ClutchesOf(seen))
+  {
+    this->Gate.SetClutched(true);
+    isArmed = this->Gate.SetClutched(IsClutched(command)) || isArmed;
+  }
+  if (isArmed)
+  {
+    this->Safety.Reset();
+  }
+}
+
+void ServoLoop::FollowCommands() noexcept
+{
+  // First: the orders that came before a release are then seen with it.
+  this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
+  this->FollowOrders(this->ArmCommand.load(std::memory_order_acquire));
   // After the orders: it was required before Arm.
   if (const unsigned axes = this->ConfirmAxes.exchange(0, std::memory_order_acq_rel))
   {

@@ -108,10 +108,14 @@ public:
   }
   /** No force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
-  /** Whether the last of these orders was Arm, even if the loop has not seen it yet. */
+  /**
+   * Whether the last of these orders was Arm, even if the loop has not seen it yet, and no clutch
+   * delays it.
+   */
   bool IsArmOrdered() const noexcept
   {
-    return OrderOf(this->ArmCommand.load(std::memory_order_relaxed)) == ArmOrder::Arm;
+    const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
+    return OrderOf(command) == ArmOrder::Arm && !IsClutched(command);
   }
   /**
    * The force goes to zero within ForceGate::FadeTime; then as Disarm. Changes nothing if the last
@@ -134,6 +138,24 @@ public:
   }
   /** Whether the loop is held and has sent zero. */
   bool IsAtRest() const noexcept { return this->AtRest.load(std::memory_order_acquire); }
+  ///@}
+
+  ///@{
+  /**
+   * While clutched, no force leaves, from the next tick on. After it, force rises as after Arm if
+   * the loop was armed before it or the last order was Arm: see the table of ForceGate.h.
+   */
+  void SetClutched(bool clutched) noexcept;
+  bool IsClutched() const noexcept
+  {
+    return IsClutched(this->ArmCommand.load(std::memory_order_relaxed));
+  }
+  /** Whether force returns after it, as far as orders tell. */
+  bool ReturnsAfterClutch() const noexcept
+  {
+    const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
+    return OrderOf(command) == ArmOrder::Arm && IsClutched(command);
+  }
   ///@}
 
   /**
@@ -219,10 +241,26 @@ private:
     Arm = 1,
     FadeOut = 2
   };
+  ///@{
+  /**
+   * The parts of ArmCommand: the last order in two bits, whether it is clutched, how often that
+   * changed, and in the upper half how many orders came. One word, so that a tick sees all of them
+   * as they were at one time.
+   */
+  static constexpr std::uint64_t ClutchBit = 4;
+  static constexpr std::uint64_t ClutchStep = 8;
+  static constexpr std::uint64_t OrderStep = std::uint64_t(1) << 32;
   static ArmOrder OrderOf(std::uint64_t command) noexcept
   {
     return static_cast<ArmOrder>(command & 3);
   }
+  static bool IsClutched(std::uint64_t command) noexcept { return (command & ClutchBit) != 0; }
+  static std::uint64_t ClutchesOf(std::uint64_t command) noexcept
+  {
+    return command % OrderStep / ClutchStep;
+  }
+  static std::uint64_t OrdersOf(std::uint64_t command) noexcept { return command / OrderStep; }
+  ///@}
   /** From any thread. */
   void Command(ArmOrder order) noexcept
   {
@@ -234,9 +272,10 @@ private:
       {
         return; // nothing is left to fade
       }
-      next = ((last >> 2) + 1) << 2 | static_cast<std::uint64_t>(order);
+      next = ((last & ~std::uint64_t(3)) | static_cast<std::uint64_t>(order)) + OrderStep;
     } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
   }
+  void FollowOrders(std::uint64_t command) noexcept;
   void AskForRealTime(MemoryLock& lock) noexcept;
   void FollowModel() noexcept;
   void FollowCommands() noexcept;
@@ -268,7 +307,7 @@ private:
   std::atomic<bool> ResetRequested{ false };
   std::atomic<bool> HoldWanted{ false };
   std::atomic<bool> AtRest{ false };
-  std::atomic<std::uint64_t> ArmCommand{ 0 }; // a count, and in the lowest bits an ArmOrder
+  std::atomic<std::uint64_t> ArmCommand{ 0 }; // see OrderOf
   std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
   LoopTiming Timing;                          // written by the servo
   std::atomic<unsigned> ConfirmAxes{ 0 };     // of RequireConfirmation, until the loop has seen it

@@ -35,12 +35,8 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Publisher(Scene)
 {
   this->DisarmObserver->SetClientData(this);
-  this->DisarmObserver->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*)
-    {
-      static_cast<HapticInteraction*>(self)->Workspace.ForgetArmed();
-      static_cast<HapticInteraction*>(self)->Touch.StopBeginning();
-    });
+  this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<HapticInteraction*>(self)->Touch.StopBeginning(); });
   this->WorkObserver->SetClientData(this);
   this->WorkObserver->SetCallback(
     [](vtkObject* worker, unsigned long event, void* self, void*) {
@@ -63,6 +59,7 @@ void HapticInteraction::LeaveDevice()
     device->RemoveObserver(this->DisarmObserver);
     device->RemoveObserver(this->WorkObserver);
     device->RemoveReader(this->Reader);
+    this->Workspace.LeaveDevice();
   }
 }
 
@@ -387,7 +384,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  this->Workspace.Disarm();
+  this->Workspace.KeepClutch();
   if (scene.Device != device)
   {
     return false;

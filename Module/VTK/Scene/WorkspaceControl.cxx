@@ -19,11 +19,14 @@ WorkspaceControl::WorkspaceControl(TouchedScene& scene, std::function<bool()> ar
 {
 }
 
-void WorkspaceControl::Reset()
+void WorkspaceControl::LeaveDevice()
 {
-  this->ArmAfterClutch = false;
-  this->IsOn = false;
-  this->IsPlaced = false;
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  if (std::exchange(this->IsOn, false) && device)
+  {
+    device->Disarm();
+    device->SetClutch(false);
+  }
 }
 
 bool WorkspaceControl::Follow(vtkRenderer* renderer)
@@ -63,41 +66,32 @@ void WorkspaceControl::SetClutch(bool on)
   {
     return;
   }
-  this->Scene.Device->UpdateState();
+  // Observers of what follows may take it away.
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  device->UpdateState();
   const Vector3 tip = this->Scene.GetTip();
   this->IsOn = on;
   if (on)
   {
-    const bool wasArmed = this->Scene.IsArmed();
     this->ClutchedTip = tip;
-    this->Scene.Device->Disarm();
-    this->ArmAfterClutch = wasArmed;
+    device->SetClutch(true);
+    return;
   }
-  else
+  this->Workspace.Shift(renderer->GetActiveCamera(), tip, this->ClutchedTip);
+  this->Scene.Style->Modified();
+  this->Scene.Style->UpdateHaptics();
+  if (device->ArmsAfterClutch() && !this->ArmsAfterClutch())
   {
-    this->Workspace.Shift(renderer->GetActiveCamera(), tip, this->ClutchedTip);
-    this->Scene.Style->Modified();
-    this->Scene.Style->UpdateHaptics();
-    if (this->ArmsAfterClutch())
-    {
-      this->Scene.Device->Arm();
-    }
-    this->ArmAfterClutch = false;
+    device->Disarm();
   }
+  device->SetClutch(false);
 }
 
-void WorkspaceControl::Disarm()
+void WorkspaceControl::KeepClutch()
 {
-  if (this->IsOn && this->Scene.IsArmed())
+  if (this->IsOn)
   {
-    // By a button or a script, or not yet seen as disarmed.
-    const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
-    const bool arms = this->ArmAfterClutch;
-    device->Disarm();
-    if (this->Scene.Device == device)
-    {
-      this->ArmAfterClutch = arms;
-    }
+    this->Scene.Device->SetClutch(true);
   }
 }
 

@@ -20,11 +20,13 @@ namespace VolumeHaptics
 class WorkspaceControl
 {
 public:
-  /** `armsAfterClutch` tells whether force comes back when the clutch is released. */
+  /** `armsAfterClutch` tells whether force may come back when the clutch is released. */
   WorkspaceControl(TouchedScene& scene, std::function<bool()> armsAfterClutch);
 
-  /** For another device: places the workspace again, and releases the clutch. */
-  void Reset();
+  /** Releases the clutch of the device, which then stays without force. */
+  void LeaveDevice();
+  /** For another device: places the workspace again. */
+  void Reset() { this->IsPlaced = false; }
 
   /**
    * Places the workspace if it follows the camera, and the camera or a setting has changed. Returns
@@ -39,16 +41,8 @@ public:
   /** See vtkInteractorStyleHaptic::SetClutch. */
   void SetClutch(bool on);
   bool IsClutched() const { return this->IsOn; }
-  /** Whether the device was armed before the clutch, and nothing has disarmed it since. */
-  bool WasArmed() const { return this->ArmAfterClutch; }
-  /** Notes that something disarmed the device: the clutch does not bring the force back then. */
-  void ForgetArmed() { this->ArmAfterClutch = false; }
-
-  /**
-   * Takes the force away if the device was armed during the clutch: the hand then moves without the
-   * tip and must not be held.
-   */
-  void Disarm();
+  /** Another style with this device may have released its clutch: this one's goes on. */
+  void KeepClutch();
 
 private:
   TouchedScene& Scene;
@@ -56,8 +50,7 @@ private:
   HapticWorkspace Workspace;
   vtkMTimeType Placed = 0; ///< change time of camera and settings at the last placement
   bool IsPlaced = false;
-  bool IsOn = false; ///< the clutch
-  bool ArmAfterClutch = false;
+  bool IsOn = false;   ///< the clutch
   Vector3 ClutchedTip; ///< world
 };
 

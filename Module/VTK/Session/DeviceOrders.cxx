@@ -120,23 +120,52 @@ bool DeviceOrders::Publish()
   return true;
 }
 
-void DeviceOrders::Arm()
+bool DeviceOrders::LetForceThrough(const std::function<void()>& order)
 {
   if (!this->Session.IsReady())
   {
     vtkErrorWithObjectMacro(
       this->Device, << "It can't be armed yet. " << this->Session.GetStatus().MakeText());
-    return;
+    return false;
   }
   try
   {
-    this->Session.Arm(true);
+    order();
+    return true;
   }
   catch (const std::exception& error)
   {
     vtkErrorWithObjectMacro(this->Device,
       << "The device is not armed, since a crash of this program would leave the force on: "
       << error.what() << CureForNoGuard);
+    return false;
+  }
+}
+
+void DeviceOrders::Arm()
+{
+  this->LetForceThrough([this] { this->Session.Arm(true); });
+}
+
+void DeviceOrders::SetClutch(bool on)
+{
+  if (on == this->Session.IsClutched())
+  {
+    return;
+  }
+  if (on)
+  {
+    this->Session.SetClutched(true);
+    this->AnnounceDisarmed();
+  }
+  else if (!this->Session.ReturnsAfterClutch())
+  {
+    this->Session.SetClutched(false);
+  }
+  else if (!this->LetForceThrough([this] { this->Session.SetClutched(false); }))
+  {
+    this->Session.Arm(false);
+    this->Session.SetClutched(false);
   }
 }
 

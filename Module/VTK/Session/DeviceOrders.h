@@ -10,6 +10,8 @@
 #include "VTK/Session/DeviceSession.h"
 #include "VTK/Session/ModelSource.h"
 
+#include <functional>
+
 class vtkHapticDevice;
 
 namespace VolumeHaptics
@@ -38,12 +40,15 @@ public:
   void Disarm();
   void FadeOut();
   void Home();
+  void SetClutch(bool on);
 
   void BeginLongWork(const char* what, double expectedSeconds);
   void EndLongWork();
 
 private:
   SafetyLimits MakeLimits() const;
+  /** False, after an error, if the device is not ready or the guard can't be set up. */
+  bool LetForceThrough(const std::function<void()>& order);
   void AnnounceDisarmed();
 
   vtkHapticDevice* const Device;

@@ -152,6 +152,7 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
   {
     this->Servo->GetLoop().Hold();
   }
+  this->Servo->GetLoop().SetClutched(this->Clutched);
   if (std::exchange(this->ArmsAtStart, false))
   {
     this->Servo->GetLoop().Arm();
@@ -202,6 +203,19 @@ void DeviceSession::FadeOut()
   if (this->Servo)
   {
     this->Servo->GetLoop().FadeOut();
+  }
+}
+
+void DeviceSession::SetClutched(bool on)
+{
+  if (this->Servo && !on && this->ReturnsAfterClutch())
+  {
+    GuardServo(this->Servo.get());
+  }
+  this->Clutched = on;
+  if (this->Servo)
+  {
+    this->Servo->GetLoop().SetClutched(on);
   }
 }
 

@@ -88,6 +88,19 @@ public:
   void FadeOut();
   ///@{
   /**
+   * See vtkHapticDevice::SetClutch. The clutch outlives the servo and the device that is open.
+   */
+  void SetClutched(bool on);
+  bool IsClutched() const { return this->Clutched; }
+  /** Whether force returns with the end of the clutch, as far as orders tell. */
+  bool ReturnsAfterClutch() const
+  {
+    return this->Servo ? this->Servo->GetLoop().ReturnsAfterClutch()
+                       : this->Clutched && this->ArmsAtStart;
+  }
+  ///@}
+  ///@{
+  /**
    * Work of the owner, long or not: see vtkHapticDevice::BeginLongWork. BeginWork returns true if
    * the force ends because of it, EndWork if the force may come back. Works nest and outlive the
    * servo.
@@ -151,10 +164,11 @@ private:
   void FollowRoundTrip();
   void Remember();
   void RequireConfirmation();
-  /** Whether the last order was to arm, even if the servo has not seen it yet. */
+  /** See ServoLoop::IsArmOrdered. */
   bool IsArmOrdered() const
   {
-    return this->Servo ? this->Servo->GetLoop().IsArmOrdered() : this->ArmsAtStart;
+    return this->Servo ? this->Servo->GetLoop().IsArmOrdered()
+                       : this->ArmsAtStart && !this->Clutched;
   }
 
   std::string Id;
@@ -169,6 +183,7 @@ private:
   std::unique_ptr<ServoThreads> Servo;
   ServoSnapshot State;
   bool ArmsAtStart = false; ///< Arm was ordered before the servo ran
+  bool Clutched = false;    ///< as ordered
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
   std::vector<Work> Works;

@@ -77,6 +77,8 @@ const char* DescribeReason(GateState state, GateReason reason)
       return "it rises";
     case GateReason::Confirming:
       return "small pushes find out whether the device moves with the force";
+    case GateReason::Clutched:
+      return "the clutch is held";
     default:
       return "";
   }

@@ -26,6 +26,8 @@ struct Flags
   bool FadesOut = false;
   bool IsUnattended = false;
   bool IsHeld = false;
+  bool IsClutched = false;
+  bool Returns = false;
   bool IsAtRest = false;
   bool Retreats = false;
   bool Restarts = false;
@@ -48,6 +50,12 @@ struct Flags
   }
   void Arm(bool isSole)
   {
+    if (this->IsClutched)
+    {
+      this->Returns = true;
+      this->FadesOut = this->IsUnattended = false;
+      return;
+    }
     const bool flows = isSole && this->IsArmed && !this->FadesOut && this->Flowed;
     this->FadesOut = this->IsUnattended = false;
     if (!flows)
@@ -61,8 +69,29 @@ struct Flags
   }
   void Disarm()
   {
-    this->FadesOut = this->IsUnattended = false;
+    this->FadesOut = this->IsUnattended = this->Returns = false;
     this->IsArmed = false;
+  }
+  void FadeOut()
+  {
+    this->FadesOut = true;
+    this->Returns = false;
+  }
+  void Clutch(bool on)
+  {
+    const bool begins = on && !this->IsClutched;
+    this->IsClutched = on;
+    if (begins && this->CanFlow())
+    {
+      const bool returns = !this->FadesOut || this->IsUnattended;
+      this->Disarm();
+      this->Returns = returns;
+    }
+    if (!on && this->Returns)
+    {
+      this->Returns = false;
+      this->Arm(false);
+    }
   }
   void NoteSilence()
   {
@@ -153,6 +182,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
     const double period = pick({ 1e-3, 5e-3, 0.02 });
     const double step = pick({ 0.002, 0.1, 1.0 });
     bool isHoldWanted = false;
+    bool isClutched = false;
     bool isStale = false;
     double there = 1.0;
     for (int tick = 0; tick < Ticks; ++tick)
@@ -176,9 +206,12 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
             break;
           default:
             gate.FadeOut();
-            flags.FadesOut = true;
+            flags.FadeOut();
         }
       }
+      isClutched = isClutched != chance(isClutched ? 0.3 : 0.2 * orders);
+      gate.SetClutched(isClutched);
+      flags.Clutch(isClutched);
       if (chance(0.3 * trouble))
       {
         gate.NoteSilence();
@@ -187,7 +220,7 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       if (chance(0.3 * trouble))
       {
         gate.NoteNotReady();
-        flags.IsArmed = false;
+        flags.IsArmed = flags.Returns = false;
       }
       ASSERT_EQ(gate.TakeRestart(), flags.Restarts) << sequence << ", " << tick;
       flags.Restarts = false;

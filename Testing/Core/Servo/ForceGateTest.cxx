@@ -33,6 +33,7 @@ constexpr Outcome Outcomes[] = {
   { 'S', GateState::Fading, GateReason::Unattended },
   { 'D', GateState::Disarmed, GateReason::Ordered },
   { 'N', GateState::Disarmed, GateReason::NotReady },
+  { 'K', GateState::Disarmed, GateReason::Clutched },
   { 'd', GateState::Disarmed, GateReason::OverSpeed },
   { 'O', GateState::Fault, GateReason::OverSpeed },
   { 'L', GateState::Fault, GateReason::DeviceLost },
@@ -69,11 +70,14 @@ enum Event
   Force,         ///< a tick whose command is not zero
   NoForce,       ///< a tick whose command is zero
   NoForceClosed, ///< the same, with the opening at its target
+  ClutchIn,
+  ClutchOut,
   Events
 };
 
-/// The causes: f an ordered fade, s a fade since the owner is silent, h a hold, r a retreat. D, d,
-/// O and o stand for the shut states and for an open one.
+/// The causes: f an ordered fade, s a fade since the owner is silent, h a hold, r a retreat, c a
+/// clutch, C a clutch after which the force returns. D, d, O and o stand for the shut states and for
+/// an open one.
 struct Row
 {
   const char* Causes;
@@ -82,37 +86,64 @@ struct Row
 // clang-format off
 constexpr Row Table[] = {
   // Arm: no force, force, among others; Disarm, FadeOut, Hold; Release: early, at rest; Silence;
-  // NotReady, Lost; gap: over, on; command: force, zero, zero with the opening at its target.
-  { "D", "rrr" "DDD" "DDD" "ND" "DD" "DDD" },
-  { "Df", "rrr" "DNN" "NNN" "NN" "NN" "NND" },
-  { "Ds", "rrr" "DNN" "NNN" "NN" "NN" "NNN" },
-  { "Dh", "HHH" "DDD" "DDD" "ND" "DD" "DDD" },
-  { "Dfh", "HHH" "DNN" "NNN" "NN" "NN" "NND" },
-  { "Dsh", "HHH" "DNN" "NNN" "NN" "NN" "NNN" },
-  { "d", "rrr" "ddd" "ddd" "dd" "dd" "ddd" },
-  { "df", "rrr" "ddd" "ddd" "dd" "dd" "ddd" },
-  { "ds", "rrr" "ddd" "ddd" "dd" "dd" "ddd" },
-  { "dh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" },
-  { "dfh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" },
-  { "dsh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" },
-  { "O", "rrr" "dOO" "OOO" "dO" "OO" "OOO" },
-  { "Of", "rrr" "dOO" "OOO" "dO" "OO" "OOd" },
-  { "Os", "rrr" "dOO" "OOO" "dO" "OO" "OOO" },
-  { "Oh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" },
-  { "Ofh", "HHH" "dOO" "OOO" "dO" "OO" "OOd" },
-  { "Osh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" },
-  { "o", "rar" "DFH" "aaS" "NL" "rT" "aaa" },
-  { "or", "rTr" "DFH" "TrS" "NL" "rT" "Trr" },
-  { "oh", "HHH" "DFH" "HrH" "NL" "HH" "HHH" },
-  { "ohr", "HHH" "DFH" "HrH" "NL" "HH" "HHH" },
-  { "of", "rrr" "DFF" "FFS" "NL" "FF" "FFD" },
-  { "ofr", "rrr" "DFF" "FFS" "NL" "FF" "FFD" },
-  { "ofh", "HHH" "DFF" "FFF" "NL" "FF" "FFD" },
-  { "ofhr", "HHH" "DFF" "FFF" "NL" "FF" "FFD" },
-  { "os", "rrr" "DSS" "SSS" "NL" "SS" "SSU" },
-  { "osr", "rrr" "DSS" "SSS" "NL" "SS" "SSU" },
-  { "osh", "HHH" "DSS" "SSS" "NL" "SS" "SSU" },
-  { "oshr", "HHH" "DSS" "SSS" "NL" "SS" "SSU" },
+  // NotReady, Lost; gap: over, on; command: force, zero, zero with the opening at its target; the
+  // clutch: in, out.
+  { "D", "rrr" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
+  { "Df", "rrr" "DNN" "NNN" "NN" "NN" "NND" "NN" },
+  { "Ds", "rrr" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
+  { "Dh", "HHH" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
+  { "Dfh", "HHH" "DNN" "NNN" "NN" "NN" "NND" "NN" },
+  { "Dsh", "HHH" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
+  { "d", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "df", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "ds", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dfh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dsh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "O", "rrr" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "Of", "rrr" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
+  { "Os", "rrr" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "Oh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "Ofh", "HHH" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
+  { "Osh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "o", "rar" "DFH" "aaS" "NL" "rT" "aaa" "Ka" },
+  { "or", "rTr" "DFH" "TrS" "NL" "rT" "Trr" "KT" },
+  { "oh", "HHH" "DFH" "HrH" "NL" "HH" "HHH" "KH" },
+  { "ohr", "HHH" "DFH" "HrH" "NL" "HH" "HHH" "KH" },
+  { "of", "rrr" "DFF" "FFS" "NL" "FF" "FFD" "DF" },
+  { "ofr", "rrr" "DFF" "FFS" "NL" "FF" "FFD" "DF" },
+  { "ofh", "HHH" "DFF" "FFF" "NL" "FF" "FFD" "DF" },
+  { "ofhr", "HHH" "DFF" "FFF" "NL" "FF" "FFD" "DF" },
+  { "os", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
+  { "osr", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
+  { "osh", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
+  { "oshr", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
+  // Clutched while no force was let through.
+  { "Dc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
+  { "Dfc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" },
+  { "Dsc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
+  { "Dhc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
+  { "Dfhc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" },
+  { "Dshc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
+  { "dc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dfc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dsc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dhc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dfhc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "dshc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
+  { "Oc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "Ofc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
+  { "Osc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "Ohc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "Ofhc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
+  { "Oshc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  // Clutched, and the force returns.
+  { "DC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "Kr" },
+  { "DhC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "KH" },
+  { "dC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dr" },
+  { "dhC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dH" },
+  { "OC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "Or" },
+  { "OhC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OH" },
 };
 // clang-format on
 
@@ -171,10 +202,19 @@ ForceGate Make(const std::string& causes, double ramp, bool flows)
     gate.NoteNotReady(); // it leaves a fade unchanged
     Tick(gate, false);
   }
-  else if (causes[0] == 'D')
+  else if (causes[0] == 'D' && !Has(causes, 'C'))
   {
     gate.Disarm();
     Tick(gate, false);
+  }
+  if (Has(causes, 'c') || Has(causes, 'C'))
+  {
+    gate.SetClutched(true);
+    Tick(gate, false);
+  }
+  if (Has(causes, 'C') && causes[0] != 'D')
+  {
+    gate.Arm();
   }
   if (Has(causes, 'h'))
   {
@@ -236,6 +276,12 @@ void Apply(ForceGate& gate, Event event)
     case NoForce:
       Tick(gate, false);
       break;
+    case ClutchIn:
+      gate.SetClutched(true);
+      break;
+    case ClutchOut:
+      gate.SetClutched(false);
+      break;
     case Events:
       break;
   }
@@ -250,7 +296,9 @@ bool ExpectsRestart(const std::string& causes, Event event)
     case Arm:
     case ArmFlowing:
     case ArmAmongOthers:
-      return wasFault;
+      return wasFault && !Has(causes, 'c') && !Has(causes, 'C');
+    case ClutchOut:
+      return wasFault && Has(causes, 'C');
     case ReleaseAtRest:
       return Has(causes, 'h') || Has(causes, 'r');
     case NoForce:
@@ -300,9 +348,34 @@ TEST(ForceGate, OfAnOrderToArmSaysWhetherItBeginsAnew)
   {
     const std::string causes = row.Causes;
     const bool fades = causes.find_first_of("fs") != std::string::npos;
-    EXPECT_TRUE(Make(causes, 1.0, false).Arm()) << causes;
-    EXPECT_TRUE(Make(causes, 1.0, true).Arm(false)) << causes;
-    EXPECT_EQ(Make(causes, 1.0, true).Arm(), causes[0] != 'o' || fades) << causes;
+    const bool isClutched = causes.find_first_of("cC") != std::string::npos;
+    EXPECT_EQ(Make(causes, 1.0, false).Arm(), !isClutched) << causes;
+    EXPECT_EQ(Make(causes, 1.0, true).Arm(false), !isClutched) << causes;
+    EXPECT_EQ(Make(causes, 1.0, true).Arm(), !isClutched && (causes[0] != 'o' || fades)) << causes;
+    EXPECT_EQ(Make(causes, 1.0, true).SetClutched(false), Has(causes, 'C')) << causes;
+    EXPECT_FALSE(Make(causes, 1.0, true).SetClutched(true)) << causes;
+  }
+}
+
+TEST(ForceGate, ReturnsAfterTheClutchUnlessItWasDisarmedMeanwhile)
+{
+  for (const Row& row : Table)
+  {
+    const std::string causes = row.Causes;
+    for (int i = 0; i < ClutchIn && causes.find_first_of("cC") != std::string::npos; ++i)
+    {
+      const auto event = static_cast<Event>(i);
+      ForceGate gate = Make(causes, 1.0, false);
+      Apply(gate, event);
+      EXPECT_FALSE(gate.IsOpen()) << causes << ", event " << i;
+      const bool arms = event == Arm || event == ArmFlowing || event == ArmAmongOthers;
+      const bool disarms = event == Disarm || event == FadeOut || event == NotReady;
+      EXPECT_EQ(gate.SetClutched(false), arms || (Has(causes, 'C') && !disarms))
+        << causes << ", event " << i;
+      EXPECT_EQ(gate.IsOpen(), arms || (Has(causes, 'C') && !disarms));
+      gate.Pass(0.1);
+      EXPECT_EQ(gate.GetShare(), 0.0) << "a ramp from zero";
+    }
   }
 }
 

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * No force leaves while the clutch is on; afterwards it rises from zero, if it was armed before and
+ * nothing has disarmed it since.
+ */
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkTable.h>
+
+#include <functional>
+#include <vector>
+
+using namespace devicetest;
+
+namespace
+{
+class Clutch : public DeviceTest
+{
+protected:
+  /// Presses the ramp with 1.5 N, and turns the clutch on.
+  void Press()
+  {
+    this->Begin();
+    this->Device->Arm();
+    ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
+    this->Device->SetClutch(true);
+    ASSERT_TRUE(this->Device->GetClutch());
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; }));
+  }
+  bool IsForceless()
+  {
+    this->WaitTicks(100);
+    return Length(this->Device->GetForce()) == 0.0 &&
+      this->Device->GetStatus() == vtkHapticDevice::READY;
+  }
+  std::string Text() { return this->Device->GetStatusText(); }
+};
+} // namespace
+
+TEST_F(Clutch, TakesTheForceAndGivesItBackFromZero)
+{
+  this->Press();
+  EXPECT_TRUE(this->IsForceless());
+  EXPECT_NE(this->Text().find("the clutch is held"), std::string::npos) << this->Text();
+  EXPECT_TRUE(this->Device->ArmsAfterClutch());
+  vtkNew<vtkTable> states;
+  this->Device->DrainStates(states);
+  this->Device->SetClutch(false);
+  EXPECT_GE(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "at once, as after Arm()";
+  ASSERT_TRUE(this->WaitForce());
+  this->Device->DrainStates(states);
+  auto* const force = vtkDataArray::SafeDownCast(states->GetColumnByName("Command"));
+  double before = 0.0;
+  for (vtkIdType i = 0; i < states->GetNumberOfRows(); ++i)
+  {
+    const double now = Length(force->GetTuple3(i));
+    EXPECT_LE(now, before + 0.02) << "it rises over half a second";
+    before = now;
+  }
+}
+
+TEST_F(Clutch, BringsNoForceBackThatWasTakenOtherwise)
+{
+  const std::vector<std::function<void()>> ways = {
+    [this] { this->Device->Disarm(); },
+    [this] { this->Device->FadeOut(); },
+    [this] { this->Device->Home(); },
+    [this]
+    {
+      this->Device->Stop();
+      this->Device->Start();
+    },
+  };
+  for (const auto& way : ways)
+  {
+    this->Press();
+    way();
+    EXPECT_FALSE(this->Device->ArmsAfterClutch());
+    this->Device->SetClutch(false);
+    EXPECT_TRUE(this->IsForceless()) << this->Text();
+    this->Device->Close();
+  }
+}
+
+TEST_F(Clutch, OfWhatIsNotArmedBringsNothing)
+{
+  this->Begin();
+  this->Device->SetClutch(true);
+  EXPECT_FALSE(this->Device->ArmsAfterClutch());
+  ASSERT_TRUE(this->WaitTicks(5));
+  this->Device->SetClutch(false);
+  EXPECT_TRUE(this->IsForceless()) << this->Text();
+}
+
+TEST_F(Clutch, LetsArmTakeEffectAfterIt)
+{
+  this->Device->SetClutch(true); // before there is a servo
+  this->Begin();
+  this->Device->Arm();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  EXPECT_TRUE(this->IsForceless()) << this->Text();
+  this->Device->SetClutch(false);
+  EXPECT_TRUE(this->WaitForce());
+}
+
+TEST_F(Clutch, KeepsAFault)
+{
+  this->BeginFast();
+  this->Device->SetVirtualTip(500.0, 7.0, 5.0);
+  const auto hasFault = [this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; };
+  ASSERT_TRUE(this->Wait(hasFault));
+  this->Device->SetClutch(true);
+  ASSERT_TRUE(this->WaitTicks(5));
+  this->Device->SetClutch(false);
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_TRUE(hasFault()) << this->Text();
+}
+
+TEST_F(Clutch, TellsObserversThatItDisarms)
+{
+  int told = 0;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&told);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* times, void*) { ++*static_cast<int*>(times); });
+  this->Device->AddObserver(vtkCommand::DisableEvent, observer);
+  this->Press();
+  this->Device->SetClutch(false);
+  told = 0;
+  this->Device->SetClutch(true);
+  this->Device->SetClutch(true);
+  this->Device->SetClutch(false);
+  EXPECT_EQ(told, 1);
+}
