@@ -164,6 +164,15 @@ void ForceGate::NoteGap(bool isStale, bool flows) noexcept
   }
 }
 
+void ForceGate::NoteJump() noexcept
+{
+  if (this->IsOpen())
+  {
+    this->Ramp = 0.0;
+    this->Settle();
+  }
+}
+
 double ForceGate::Pass(double step) noexcept
 {
   if (this->Unconfirmed)

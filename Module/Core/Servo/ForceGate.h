@@ -31,19 +31,20 @@
  * "open" stands for: the open state by the list above. "-": the state stays.
  *
  *   event                     Disarmed    Fault          open
- *   Arm                       open (a, j) open (a, b)    open (a, c)
+ *   Arm                       open (a, k) open (a, b)    open (a, c)
  *   Disarm                    -           Disarmed (d)   Disarmed
  *   FadeOut                   - (e)       - (e)          Fading
  *   SetHeld(true)             - (f)       - (f)          Holding, unless Fading
  *   SetHeld(false)            - (b, f)    - (b, f)       open (b, g)
  *   SetUnconfirmed(true)      - (f)       - (f)          Confirming, unless one above it
  *   SetUnconfirmed(false)     - (b, f)    - (b, f)       open (b); the ramp begins at 0
- *   SetClutched(true)         - (k)       - (k)          Disarmed (l)
- *   SetClutched(false)        - (m)       - (m)          -
+ *   SetClutched(true)         - (l)       - (l)          Disarmed (m)
+ *   SetClutched(false)        - (n)       - (n)          -
  *   NoteSilence               -           -              Fading, unless held
  *   NoteNotReady              -           Disarmed (d)   Disarmed
  *   NoteFault                 -           -              Fault
  *   NoteGap                   -           -              open (h)
+ *   NoteJump                  -           -              open (j)
  *   NoteCommand of zero:
  *     the end of a retreat    - (b)       - (b)          open (b)
  *     the end of a fade       -           Disarmed (d)   Disarmed; Fault if the owner was silent
@@ -60,10 +61,11 @@
  *   (h) The ramp begins at 0. The cause of Retreating exists as long as samples are missing or
  *       force flows.
  *   (i) Moves the opening towards the share of the data that are there, by 1 in FadeTime.
- *   (j) As (b), if the reason is a fault.
- *   (k) Until SetClutched(false), Arm only has the force return then, and ends a fade.
- *   (l) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
- *   (m) As Arm, if the force returns. Disarm, FadeOut and NoteNotReady since then prevent it.
+ *   (j) The ramp begins at 0.
+ *   (k) As (b), if the reason is a fault.
+ *   (l) Until SetClutched(false), Arm only has the force return then, and ends a fade.
+ *   (m) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
+ *   (n) As Arm, if the force returns. Disarm, FadeOut and NoteNotReady since then prevent it.
  *
  * Faults, Disarm and the clutch act in the tick in which they come. Nothing that opens the gate
  * makes the share jump: it rises by RampTime, and the opening by FadeTime.
@@ -109,7 +111,7 @@ enum class GateReason : std::uint8_t
   LongWork,   ///< held by the owner
   NoSamples,  ///< no sample came within SafetyLimits::WatchdogTime
   NoData,     ///< some samples of the volume around the tip are missing (Residency.h)
-  Rising,     ///< after Arm, a hold, a gap or missing data
+  Rising,     ///< after Arm, a hold, a gap, missing data or a new model
   Confirming, ///< small pushes find out the device's signs
   Unmoved,    ///< a fault: the pushes moved the tip too little, or it moved by itself
   WrongSign,  ///< a fault: the device moves against the force
@@ -158,6 +160,8 @@ public:
   void NoteNotReady() noexcept;
   ///@}
 
+  /** A new model would let the force leap. */
+  void NoteJump() noexcept;
   /** The share of the data for this tick of a period (s): 1, or the residency. */
   void NoteData(double residency, double period) noexcept;
 

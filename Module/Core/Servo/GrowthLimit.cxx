@@ -16,7 +16,7 @@ constexpr double LeastPaid = 1.0 / 64.0;
 
 void GrowthLimit::BeginContact() noexcept
 {
-  this->LeastShare = this->MostShare = 1.0;
+  this->LeastShare = this->MostShare = this->LastShare = 1.0;
   this->Work = 0.0;
   this->Unpaid = 0.0;
   this->Return = 0.0;
@@ -30,9 +30,12 @@ void GrowthLimit::Reset() noexcept
   this->HasTip = false;
 }
 
-void GrowthLimit::Override(const Vector3& force) noexcept
+void GrowthLimit::Lower(const Vector3& force) noexcept
 {
-  this->Reset();
+  const double wanted = Norm(this->Source);
+  const double share = wanted > 0.0 ? std::min(1.0, Norm(force) / wanted) : 0.0;
+  this->LeastShare = std::min(this->LeastShare, share);
+  this->LastShare = share;
   this->Sent = force;
 }
 
@@ -81,20 +84,22 @@ double GrowthLimit::FindMostShare() const noexcept
   return isTooMuch ? std::max(0.0, paid) / this->Return : share;
 }
 
-Vector3 GrowthLimit::Apply(const Vector3& wanted, const Vector3& tip, double growth,
-  double recoverable, const Vector3& drag) noexcept
+Vector3 GrowthLimit::Apply(const GrowthInput& input) noexcept
 {
+  const Vector3& wanted = input.Wanted;
   const double norm = Norm(wanted);
+  const Vector3 source = wanted - input.Drag;
   if (norm > 0.0)
   {
-    this->Account(wanted - drag, tip, recoverable);
-    const double share = this->FindMostShare();
+    this->Account(source, input.Tip, input.Recoverable);
     const double before = std::max(0.0, Dot(this->Sent, wanted) / norm);
-    const double most = std::min(share * norm, before + growth);
+    const double most = std::min(this->FindMostShare() * norm, before + input.Growth);
     const double sent = most < norm ? most / norm : 1.0;
-    const bool moved = !this->HasTip || !IsIdentical(tip, this->Tip);
-    this->LeastShare = moved ? sent : std::min(this->LeastShare, sent);
-    this->MostShare = moved ? sent : std::max(this->MostShare, sent);
+    const bool isKnown = input.IsMeasured || !this->HasTip;
+    // A device may be a tick late: then the hand felt the share of the last tick.
+    this->LeastShare = std::min(isKnown ? this->LastShare : this->LeastShare, sent);
+    this->MostShare = std::max(isKnown ? this->LastShare : this->MostShare, sent);
+    this->LastShare = sent;
     this->Sent = sent < 1.0 ? sent * wanted : wanted;
   }
   else
@@ -102,8 +107,8 @@ Vector3 GrowthLimit::Apply(const Vector3& wanted, const Vector3& tip, double gro
     this->BeginContact();
     this->Sent = {};
   }
-  this->Source = wanted - drag;
-  this->Tip = tip;
+  this->Source = source;
+  this->Tip = input.Tip;
   this->HasTip = true;
   return this->Sent;
 }

@@ -35,12 +35,13 @@
  *   k (p + 2 (p - r) dp/dr) <= k,
  *
  * which is why p is this function: the sampled loop is as stable with the limit as without. Until
- * (1) holds something back, Paid = Work, s = 1, and F = W to the bit.
+ * something is held back, Paid = Work, s = 1, and F = W to the bit.
  *
  * A device may report more slowly than the servo ticks. The tip then stands still for some ticks
  * and leaps, although the hand moved all the time, and s has changed meanwhile. So dPaid takes the
- * least s since the last leap if the hand did work, and the largest if it got work back: the
- * account never counts more than the hand really put in.
+ * least s since the tip was last measured if the hand did work, and the largest if it got work
+ * back: the account never counts more than the hand really put in. The s of the tick before is
+ * among them, since a force may take a tick to reach the hand.
  *
  * Work that friction, drag and yielding tissue have used up does not come back, and must not hide
  * the debt to a spring that the tip meets later in the same contact. So a source that knows how
@@ -56,6 +57,18 @@
 namespace VolumeHaptics
 {
 
+/** A wanted force, and what the limit needs to know of it. */
+struct GrowthInput
+{
+  Vector3 Wanted;          ///< N
+  Vector3 Drag;            ///< N, the part of it that only takes energy, if that is known
+  Vector3 Tip;             ///< m
+  bool IsMeasured = false; ///< the tip was measured since the last Apply: it may rest, but is known
+  double Growth = 0.0;     ///< N, that the force may be above the last one
+  /** The most energy (J) that the hand can get back from Wanted; negative if it is not known. */
+  double Recoverable = -1.0;
+};
+
 class GrowthLimit
 {
 public:
@@ -65,17 +78,14 @@ public:
    */
   void Reset() noexcept;
 
-  /**
-   * Returns the force to send for a wanted one (N) with the tip at a position (m), at most `growth`
-   * (N) above the last one. `recoverable` (J) is the most that the hand can get back from the
-   * wanted force; negative if that is not known. `drag` (N) is the part of the wanted force that
-   * only takes energy.
-   */
-  Vector3 Apply(const Vector3& wanted, const Vector3& tip, double growth, double recoverable,
-    const Vector3& drag = {}) noexcept;
+  /** The force to send: at most what is wanted, and `Growth` above the last one. */
+  Vector3 Apply(const GrowthInput& input) noexcept;
 
-  /** Replaces the force that Apply returned, in a new contact. */
-  void Override(const Vector3& force) noexcept;
+  /**
+   * A smaller force along the last one was sent, without Apply. The contact goes on: it is not
+   * known where the tip is until the next Apply.
+   */
+  void Lower(const Vector3& force) noexcept;
 
   /** The last force sent (N). */
   const Vector3& GetForce() const noexcept { return this->Sent; }
@@ -89,8 +99,9 @@ private:
   Vector3 Sent;
   Vector3 Tip;
   bool HasTip = false;
-  double LeastShare = 1.0; ///< smallest s since the tip last moved
+  double LeastShare = 1.0; ///< smallest s since the tip was last measured
   double MostShare = 1.0;  ///< largest s since then
+  double LastShare = 1.0;  ///< the last s
   double Work = 0.0;       ///< J
   double Unpaid = 0.0;     ///< J, Work - Paid: exactly 0 until something is held back
   double Return = 0.0;     ///< J, the part of Work that the hand got back when the tip last moved

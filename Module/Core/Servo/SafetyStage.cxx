@@ -53,7 +53,7 @@ Vector3 SafetyStage::Retreat(
     const double norm = Norm(last);
     next = ClampNorm(next, norm > 0.0 ? gate.GetOpening() * Dot(input.Force, last) / norm : 0.0);
   }
-  this->Growth.Override(next);
+  this->Growth.Lower(next);
   gate.NoteRetreat(this->Stale, this->IsForceLeft());
   return next;
 }
@@ -136,9 +136,14 @@ Vector3 SafetyStage::FindCommand(
   const double share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
   const double norm = Norm(input.Force);
-  const double kept = norm > 0.0 ? share * Norm(clamped) / norm : 0.0;
-  return this->Growth.Apply(share * clamped, input.Tip, limits.MaximumForceRate * input.Period,
-    share * FindRecoverable(input, Norm(clamped)), kept * input.Drag);
+  GrowthInput growth;
+  growth.Wanted = share * clamped;
+  growth.Drag = norm > 0.0 ? share * Norm(clamped) / norm * input.Drag : Vector3{};
+  growth.Tip = input.Tip;
+  growth.IsMeasured = input.Fresh;
+  growth.Growth = limits.MaximumForceRate * input.Period;
+  growth.Recoverable = share * FindRecoverable(input, Norm(clamped));
+  return this->Growth.Apply(growth);
 }
 
 Vector3 SafetyStage::Apply(

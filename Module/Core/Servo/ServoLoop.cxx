@@ -4,6 +4,7 @@
 
 #include "Core/Servo/ServoClock.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace VolumeHaptics
@@ -15,6 +16,14 @@ namespace
 constexpr std::size_t TraceCapacity = 1 << 14;
 /** More stack (bytes) than any method needs; the rest of the stack is not locked. */
 constexpr std::size_t StackSize = 1 << 18;
+/** A new model carries the proxy no farther than this (m): beyond, it begins at the tip. */
+constexpr double FarthestCarry = 3e-3;
+/**
+ * A new model may change the force by this share of its maximum, and by no more than the slew limit
+ * allows in this time (s). Beyond, the force begins again at zero.
+ */
+constexpr double LargestJump = 0.25;
+constexpr double JumpTime = 0.05;
 /** The rate is averaged over at least this long (ns). */
 constexpr std::int64_t RateWindow = 100000000;
 
@@ -51,14 +60,13 @@ void ServoLoop::FollowModel() noexcept
   }
   const HapticModel* const before = this->Current ? this->Current->Model.get() : nullptr;
   const HapticModel* const after = next->Model.get();
+  const Vector3 proxy = this->State.Proxy;
   if (before && after)
   {
     CarryState(*before, *after, this->State);
   }
-  else
-  {
-    this->IsVolumeNew = true;
-  }
+  this->IsModelNew = true;
+  this->IsContactNew = !before || !after || Norm(this->State.Proxy - proxy) > FarthestCarry;
   this->Current = next;
   this->Models.Acknowledge(next->Generation);
 }
@@ -186,14 +194,14 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 {
   // Begins at the tip, without force, on these four causes. Tick() does so after a tip that is not
   // finite, ResidentServo after missing data.
-  const bool isVolumeNew = std::exchange(this->IsVolumeNew, false);
+  const bool isContactNew = std::exchange(this->IsContactNew, false);
   // The loop stood still, but the hand did not.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;
   // Taken up here, so the proxy must not come from a tip that no hand has held.
   const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
   // The hand moved on while the gate let nothing through: see the table of ForceGate.h.
   const bool isGateNew = this->Gate.TakeRestart();
-  if (isVolumeNew || stood || isTakenUp || isGateNew)
+  if (isContactNew || stood || isTakenUp || isGateNew)
   {
     this->State.Enabled = false;
   }
@@ -204,6 +212,7 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
+  const Vector3 before = s.Record.Force;
   if (const HapticModel* const model = this->Current->Model.get())
   {
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
@@ -219,6 +228,16 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
     s.Record = TickRecord{};
     s.Record.Tip = s.Record.Proxy = sample.Tip;
     this->Servo.Rest(period, this->Gate);
+  }
+  if (std::exchange(this->IsModelNew, false))
+  {
+    const SafetyLimits& limits = this->Limits.Read();
+    const double most = limits.MaximumForce;
+    const double jump = Norm(ClampNorm(s.Record.Force, most) - ClampNorm(before, most));
+    if (jump > std::min(LargestJump * most, limits.MaximumForceRate * JumpTime))
+    {
+      this->Gate.NoteJump();
+    }
   }
   s.Residency = this->Gate.GetOpening();
   s.Awaiting = this->Servo.IsAwaiting();

@@ -319,7 +319,8 @@ private:
   // Used by the servo only.
   const PublishedModel* Current = nullptr;
   ServoState State;
-  bool IsVolumeNew = false; ///< no volume was touched in the last tick, or none is now
+  bool IsModelNew = false;   ///< since the last tick
+  bool IsContactNew = false; ///< the proxy has to begin at the tip, since the model is new
   ResidentServo Servo;
   bool HasSample = false; ///< a fresh sample has come since the start
   ForceGate Gate;

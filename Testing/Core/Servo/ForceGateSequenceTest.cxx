@@ -225,6 +225,11 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       ASSERT_EQ(gate.TakeRestart(), flags.Restarts) << sequence << ", " << tick;
       flags.Restarts = false;
 
+      if (chance(0.3 * trouble))
+      {
+        gate.NoteJump();
+        flags.Ramp = flags.CanFlow() ? 0.0 : flags.Ramp;
+      }
       there = chance(trouble) ? pick({ 0.0, 0.4, 1.0 }) : there;
       gate.NoteData(there, period);
       flags.FollowData(there, period);

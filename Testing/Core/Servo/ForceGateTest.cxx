@@ -72,6 +72,7 @@ enum Event
   NoForceClosed, ///< the same, with the opening at its target
   ClutchIn,
   ClutchOut,
+  Jump, ///< a new model
   Events
 };
 
@@ -87,63 +88,63 @@ struct Row
 constexpr Row Table[] = {
   // Arm: no force, force, among others; Disarm, FadeOut, Hold; Release: early, at rest; Silence;
   // NotReady, Lost; gap: over, on; command: force, zero, zero with the opening at its target; the
-  // clutch: in, out.
-  { "D", "rrr" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
-  { "Df", "rrr" "DNN" "NNN" "NN" "NN" "NND" "NN" },
-  { "Ds", "rrr" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
-  { "Dh", "HHH" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
-  { "Dfh", "HHH" "DNN" "NNN" "NN" "NN" "NND" "NN" },
-  { "Dsh", "HHH" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
-  { "d", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "df", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "ds", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dfh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dsh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "O", "rrr" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
-  { "Of", "rrr" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
-  { "Os", "rrr" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
-  { "Oh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
-  { "Ofh", "HHH" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
-  { "Osh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
-  { "o", "rar" "DFH" "aaS" "NL" "rT" "aaa" "Ka" },
-  { "or", "rTr" "DFH" "TrS" "NL" "rT" "Trr" "KT" },
-  { "oh", "HHH" "DFH" "HrH" "NL" "HH" "HHH" "KH" },
-  { "ohr", "HHH" "DFH" "HrH" "NL" "HH" "HHH" "KH" },
-  { "of", "rrr" "DFF" "FFS" "NL" "FF" "FFD" "DF" },
-  { "ofr", "rrr" "DFF" "FFS" "NL" "FF" "FFD" "DF" },
-  { "ofh", "HHH" "DFF" "FFF" "NL" "FF" "FFD" "DF" },
-  { "ofhr", "HHH" "DFF" "FFF" "NL" "FF" "FFD" "DF" },
-  { "os", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
-  { "osr", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
-  { "osh", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
-  { "oshr", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" },
+  // clutch: in, out; a jump.
+  { "D", "rrr" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
+  { "Df", "rrr" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
+  { "Ds", "rrr" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },
+  { "Dh", "HHH" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
+  { "Dfh", "HHH" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
+  { "Dsh", "HHH" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },
+  { "d", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "df", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "ds", "rrr" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dfh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dsh", "HHH" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "O", "rrr" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
+  { "Of", "rrr" "dOO" "OOO" "dO" "OO" "OOd" "OO" "O" },
+  { "Os", "rrr" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
+  { "Oh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
+  { "Ofh", "HHH" "dOO" "OOO" "dO" "OO" "OOd" "OO" "O" },
+  { "Osh", "HHH" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
+  { "o", "rar" "DFH" "aaS" "NL" "rT" "aaa" "Ka" "r" },
+  { "or", "rTr" "DFH" "TrS" "NL" "rT" "Trr" "KT" "T" },
+  { "oh", "HHH" "DFH" "HrH" "NL" "HH" "HHH" "KH" "H" },
+  { "ohr", "HHH" "DFH" "HrH" "NL" "HH" "HHH" "KH" "H" },
+  { "of", "rrr" "DFF" "FFS" "NL" "FF" "FFD" "DF" "F" },
+  { "ofr", "rrr" "DFF" "FFS" "NL" "FF" "FFD" "DF" "F" },
+  { "ofh", "HHH" "DFF" "FFF" "NL" "FF" "FFD" "DF" "F" },
+  { "ofhr", "HHH" "DFF" "FFF" "NL" "FF" "FFD" "DF" "F" },
+  { "os", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
+  { "osr", "rrr" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
+  { "osh", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
+  { "oshr", "HHH" "DSS" "SSS" "NL" "SS" "SSU" "KS" "S" },
   // Clutched while no force was let through.
-  { "Dc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
-  { "Dfc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" },
-  { "Dsc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
-  { "Dhc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" },
-  { "Dfhc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" },
-  { "Dshc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" },
-  { "dc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dfc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dsc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dhc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dfhc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "dshc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" },
-  { "Oc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
-  { "Ofc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
-  { "Osc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
-  { "Ohc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
-  { "Ofhc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" },
-  { "Oshc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" },
+  { "Dc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
+  { "Dfc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
+  { "Dsc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },
+  { "Dhc", "KKK" "DDD" "DDD" "ND" "DD" "DDD" "DD" "D" },
+  { "Dfhc", "KKK" "DNN" "NNN" "NN" "NN" "NND" "NN" "N" },
+  { "Dshc", "KKK" "DNN" "NNN" "NN" "NN" "NNN" "NN" "N" },
+  { "dc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dfc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dsc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dhc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dfhc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "dshc", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dd" "d" },
+  { "Oc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
+  { "Ofc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" "O" },
+  { "Osc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
+  { "Ohc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
+  { "Ofhc", "OOO" "dOO" "OOO" "dO" "OO" "OOd" "OO" "O" },
+  { "Oshc", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OO" "O" },
   // Clutched, and the force returns.
-  { "DC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "Kr" },
-  { "DhC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "KH" },
-  { "dC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dr" },
-  { "dhC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dH" },
-  { "OC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "Or" },
-  { "OhC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OH" },
+  { "DC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "Kr" "K" },
+  { "DhC", "KKK" "DDK" "KKK" "NK" "KK" "KKK" "KH" "K" },
+  { "dC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dr" "d" },
+  { "dhC", "ddd" "ddd" "ddd" "dd" "dd" "ddd" "dH" "d" },
+  { "OC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "Or" "O" },
+  { "OhC", "OOO" "dOO" "OOO" "dO" "OO" "OOO" "OH" "O" },
 };
 // clang-format on
 
@@ -281,6 +282,9 @@ void Apply(ForceGate& gate, Event event)
       break;
     case ClutchOut:
       gate.SetClutched(false);
+      break;
+    case Jump:
+      gate.NoteJump();
       break;
     case Events:
       break;

@@ -36,11 +36,11 @@ struct Body
   Vector3 Velocity;   ///< m/s
 
   double Energy() const { return 0.5 * this->Mass * Dot(this->Velocity, this->Velocity); }
-  void Move(const Vector3& force)
+  void Move(const Vector3& force, double period = Period)
   {
     const Vector3 a = (1.0 / this->Mass) * force;
-    this->Place += Period * this->Velocity + 0.5 * Period * Period * a;
-    this->Velocity += Period * a;
+    this->Place += period * this->Velocity + 0.5 * period * period * a;
+    this->Velocity += period * a;
   }
 };
 
@@ -48,6 +48,7 @@ struct Loop
 {
   double MaximumForce = 8.0; ///< N
   double ForceRate = 500.0;  ///< N/s
+  double Tick = Period;      ///< s
   std::size_t Delay = 0;     ///< ticks from the stage to the hand
   int Every = 1;             ///< ticks from one measured tip to the next
   double Stiffness = 0.0;    ///< for the stage, N/m
@@ -59,17 +60,15 @@ struct Loop
     SafetyLimits limits;
     limits.MaximumForce = this->MaximumForce;
     limits.MaximumForceRate = this->ForceRate;
+    limits.RampTime = 0.0;
     SafetyInput input;
     input.Stiffness = this->Stiffness;
-    input.Elapsed = input.Period = Period;
+    input.Elapsed = input.Period = this->Tick;
     input.Fresh = true;
     input.Tip = body.Place;
     servotest::GatedStage stage;
     stage.Arm();
-    for (int i = 0; i < 600; ++i)
-    {
-      stage.Apply(input, limits); // through the ramp, in free space
-    }
+    stage.Apply(input, limits); // through the ramp, in free space
     std::deque<Vector3> onTheWay(this->Delay);
     Vector3 last;
     bool touched = false;
@@ -88,17 +87,18 @@ struct Loop
       }
       touched = !isFree;
       onTheWay.push_back(force);
-      body.Move(onTheWay.front());
+      body.Move(onTheWay.front(), this->Tick);
       onTheWay.pop_front();
     }
     ADD_FAILURE() << "never free again";
     return 0.0;
   }
-  /// The same without a slew limit.
-  double FlyFreely(const Body& body, const Field& field) const
+  /// The same without a slew limit, and without a clamp if `most` (N) is more than any force.
+  double FlyFreely(const Body& body, const Field& field, double most = 0.0) const
   {
     Loop loop = *this;
     loop.ForceRate = 1e9;
+    loop.MaximumForce = std::max(most, loop.MaximumForce);
     return loop.Fly(body, field);
   }
 };
@@ -137,6 +137,44 @@ TEST(Impact, AStiffWallReturnsNoMoreThanItsSamplingAdds)
       EXPECT_GT(left, 0.7 * body.Energy()) << "a wall, no mud";
       EXPECT_LE(loop.LargestGrowth, 0.5 * (1.0 + 1e-9));
       EXPECT_GT(loop.LargestGrowth, 0.49) << "the limit had something to do";
+    }
+  }
+}
+
+TEST(Impact, TheReboundIsNeverFasterThanWithoutTheStage)
+{
+  // The sampling adds more or less by the phase of the ticks: each case is the mean of a hundred phases.
+  for (const double tick : { 1e-3, 0.25e-3 })
+  {
+    for (const double k : { 1000.0, 3000.0 })
+    {
+      for (const double speed : { 0.1, 0.2, 0.3, 0.5, 0.7, 1.0 })
+      {
+        for (const double most : { 2.0, 4.0, 8.0 })
+        {
+          for (const std::size_t delay : { 0, 1 })
+          {
+            double left = 0.0;
+            double unclamped = 0.0;
+            double free = 0.0;
+            for (int phase = 1; phase <= 100; ++phase)
+            {
+              Loop loop;
+              loop.MaximumForce = most;
+              loop.Tick = tick;
+              loop.Delay = delay;
+              const Body body = Throw(0.15, speed, 0.01 * phase * tick / Period);
+              left += loop.Fly(body, MakeWall(k));
+              unclamped += loop.FlyFreely(body, MakeWall(k));
+              free += loop.FlyFreely(body, MakeWall(k), 1e6);
+            }
+            EXPECT_LE(left, unclamped) << tick << " s, " << k << " N/m, " << speed << " m/s, "
+                                       << most << " N, delay " << delay;
+            EXPECT_LE(left, free) << tick << " s, " << k << " N/m, " << speed << " m/s, " << most
+                                  << " N, delay " << delay;
+          }
+        }
+      }
     }
   }
 }

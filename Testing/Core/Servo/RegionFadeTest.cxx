@@ -28,8 +28,9 @@ protected:
     this->Limits.MaximumForceRate = 500.0;
     this->Model = this->MakeRegion(TipOf(0), 24);
     this->Stage.Arm();
+    this->Walk(Outside, Outside, 600); // through the ramp
     this->Walk(Outside, TipOf(0), 100);
-    this->Walk(TipOf(0), TipOf(0), 700); // through the ramp, with the surface pressed
+    this->Walk(TipOf(0), TipOf(0), 100); // with the surface pressed
   }
   /// A tick as the loop makes it; what is sent obeys the slew limit, and the share its own.
   void Step(const Vector3& tip)

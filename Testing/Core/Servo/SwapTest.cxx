@@ -184,6 +184,9 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
       };
       EXPECT_TRUE(Eventually(isFreed)) << i;
     }
+    auto felt = MakeModel(4);
+    models.push_back(felt);
+    loop->Publish(std::move(felt));
     EXPECT_TRUE(Eventually([&] { return device.LargestForce.load() > 0.5; }));
     lost = loop->GetLostRecords();
     done.store(true);
