@@ -6,10 +6,11 @@
  *
  *   m x'' = f - w - friction - b (x' - p') - k (x - p)
  *
- * with m the mass of hand and device, f the force of the motors, w a weight, Coulomb friction with a static and a smaller kinetic force, and p(t)
- * where the hand wants to be: a steady drift, a wander (an Ornstein-Uhlenbeck velocity) and a
- * tremor of 8 to 12 Hz. Axes may be coupled by a stiffness matrix that is not diagonal. Integrated
- * with semi-implicit Euler steps of an eighth of a millisecond.
+ * with m the mass of hand and device, f the force of the motors, w a weight, Coulomb friction with
+ * a static and a smaller kinetic force, and p(t) where the hand wants to be: a steady drift, a
+ * wander (an Ornstein-Uhlenbeck velocity) and a tremor of 8 to 12 Hz. Axes may be coupled by a
+ * stiffness matrix that is not diagonal. Integrated with semi-implicit Euler steps of an eighth of
+ * a millisecond.
  *
  * The figures of a hand come from the literature on tremor and hand impedance: physiological tremor
  * of 8 to 12 Hz and about 0.1 mm (Elble and Koller, Tremor, 1990), fingers of 0.05 to 0.5 kg, up to

@@ -18,11 +18,11 @@
  * The share is applied before the slew limit, so that no force that is sent grows faster than this
  * limit allows. A fault and disarming cut the force at once.
  *
- * Without news, and without a sign that the device is alive, for WatchdogTime the force retreats: the last force falls to zero at
- * MaximumForceRate, or faster, so that it is gone after 20 ms. A retreat goes on to zero even if
- * samples come back. It then also stays below the part of the wanted force along its direction, so
- * that it never pushes a hand that has moved on. After the loop itself stood still for
- * WatchdogTime, the force starts from zero.
+ * Without news, and without a sign that the device is alive, for WatchdogTime the force retreats:
+ * the last force falls to zero at MaximumForceRate, or faster, so that it is gone after 20 ms. A
+ * retreat goes on to zero even if samples come back. It then also stays below the part of the
+ * wanted force along its direction, so that it never pushes a hand that has moved on. After the
+ * loop itself stood still for WatchdogTime, the force starts from zero.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h

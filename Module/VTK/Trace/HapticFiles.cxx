@@ -16,7 +16,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr std::size_t BufferSize = 1 << 16;
+constexpr std::size_t ChunkSize = 1 << 16;
 
 /**
  * Bytes of the UTF-8 character that begins here; 0 if there is none (RFC 3629, table in section 4).
@@ -264,7 +264,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   int failure = fstat(descriptor, &status) == 0 ? 0 : errno;
   // It may have been replaced since.
   bool isGood = failure == 0 && S_ISREG(status.st_mode);
-  char buffer[BufferSize];
+  char buffer[ChunkSize];
   while (isGood && text.size() <= most)
   {
     const ssize_t got = read(descriptor, buffer, sizeof(buffer));
