@@ -79,13 +79,14 @@ allow(VTK/Scene Core VTK/Baking VTK/Session)
 allow(VTK/Charts)
 allow(VTK/Setup Core/Model VTK/Baking VTK/Trace)
 
-# The programs see what any other project sees: the public classes. Only the explorer's report is drawn and written by
-# private classes that the library uses, too.
+# The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
+# private classes of the library, of which it gets the objects.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard)
 set(explorer Applications/Explorer)
-set(report VTK/Charts/HapticForceChart.h VTK/Charts/HapticForceTable.h)
-allow(${explorer} ${report})
+set(chart VTK/Charts/HapticForceChart.h VTK/Charts/HapticForceTable.h)
+set(writer VTK/Trace/TraceWriter.h)
+allow(${explorer} ${chart} ${writer})
 allow(${explorer}/Errors)
 allow(${explorer}/Volume ${explorer}/Errors)
 allow(${explorer}/Analysis)
@@ -95,8 +96,8 @@ set(exploration ${explorer}/Errors ${explorer}/Volume ${explorer}/Analysis ${exp
 allow(${explorer}/Exploration ${exploration})
 list(APPEND exploration ${explorer}/Exploration)
 allow(${explorer}/Scene ${exploration})
-allow(${explorer}/Report ${exploration} ${report})
-allow(${explorer}/Live ${exploration} ${explorer}/Scene)
+allow(${explorer}/Report ${exploration} ${chart} ${writer})
+allow(${explorer}/Live ${exploration} ${explorer}/Scene ${writer})
 
 set(solvers ForceField LocalSurface Paper Precise SurfaceProxy)
 foreach (solver IN LISTS solvers)

@@ -41,7 +41,7 @@ set(Explore_SOURCES
   Path/SurfaceMap.cxx
   Path/TipPathPlanner.cxx
   Report/ForcePicture.cxx
-  Report/TraceFiles.cxx
+  Report/ReportFiles.cxx
   Report/TraceSummary.cxx
   Scene/CoarseFrames.cxx
   Scene/ExplorerScene.cxx

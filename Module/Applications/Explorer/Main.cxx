@@ -6,7 +6,7 @@
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/ForcePicture.h"
-#include "Applications/Explorer/Report/TraceFiles.h"
+#include "Applications/Explorer/Report/ReportFiles.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 

@@ -14,7 +14,7 @@
 #define HapticJournal_h
 
 #include "Core/Solvers/ServoStateNumbers.h"
-#include "VTK/Trace/HapticTraceColumns.h"
+#include "VTK/Trace/TraceRow.h"
 
 #include <array>
 #include <cstddef>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticRecording.h"
 
+#include "Core/Servo/ServoLoop.h"
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticRecordingFile.h"

@@ -3,6 +3,7 @@
 #include "VTK/Trace/HapticTipPath.h"
 
 #include "VTK/Trace/RecordedPathReader.h"
+#include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TipPathLines.h"
 
 #include "vtkDataArray.h"

@@ -7,7 +7,7 @@
 #ifndef HapticTrace_h
 #define HapticTrace_h
 
-#include "VTK/Trace/HapticTraceColumns.h"
+#include "VTK/Trace/TraceRow.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTraceColumns.h"
 
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/TraceRow.h"
 
 namespace VolumeHaptics
 {
@@ -11,13 +12,6 @@ namespace
 
 constexpr ColumnType Float64 = ColumnType::Float64;
 constexpr ColumnType UInt8 = ColumnType::UInt8;
-
-void Copy(const Vector3& from, double to[3])
-{
-  to[0] = from.X;
-  to[1] = from.Y;
-  to[2] = from.Z;
-}
 
 } // namespace
 
@@ -89,64 +83,16 @@ const std::vector<TraceColumn>& GetRecordingColumns()
   return *columns;
 }
 
-double WorkMeter::Add(const TickRecord& record)
+std::string GetTraceUnit(const std::string& array)
 {
-  // A tip that is not finite does no work.
-  if (this->HasLast && IsFinite(record.Tip) && IsFinite(this->LastTip))
+  for (const TraceColumn& column : GetRecordingColumns())
   {
-    this->Work += 0.5 * Dot(record.Force + this->LastForce, record.Tip - this->LastTip);
+    if (column.Name == array)
+    {
+      return column.Unit;
+    }
   }
-  this->HasLast = true;
-  this->LastTip = record.Tip;
-  this->LastForce = record.Force;
-  return this->Work;
-}
-
-TraceRow MakeTraceRow(
-  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work)
-{
-  // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
-  const Affine3& toWorld = model.DeviceToWorld;
-  TraceRow row;
-  Copy(toWorld(record.Proxy), row.Proxy);
-  row.Time = time;
-  Copy(toWorld(record.Tip), row.Tip);
-  Copy(model.DeviceToWorldRotation * record.Force, row.Force);
-  row.NormalForce = record.NormalForce;
-  row.FrictionForce = record.FrictionForce;
-  row.DragForce = record.DragForce;
-  Copy(model.DeviceToWorldRotation * record.Normal, row.Normal);
-  row.Value = model.ValueAtDevice(record.Proxy);
-  row.GradientMagnitude = record.GradientMagnitude;
-  row.SurfaceValue = record.SurfaceValue;
-  row.MediumValue = record.MediumValue;
-  row.Stiffness = record.Stiffness;
-  row.Friction = record.Friction;
-  row.Viscosity = record.Viscosity;
-  row.SurfaceStrength = record.SurfaceStrength;
-  row.Energy = work.Add(record);
-  row.Contact = static_cast<unsigned char>(record.Contact);
-  row.Unfinished = record.IsUnfinished ? 1 : 0;
-  row.Renewed = record.IsRenewed ? 1 : 0;
-  return row;
-}
-
-RecordingRow MakeRecordingRow(
-  const HapticModel& model, const ServoSnapshot& snapshot, int placement, WorkMeter& work)
-{
-  RecordingRow row;
-  row.Trace = MakeTraceRow(model, snapshot.Time, snapshot.Record, work);
-  Copy(snapshot.Record.Tip, row.DeviceTip);
-  Copy(model.DeviceToWorldRotation * snapshot.Command, row.Command);
-  row.Tick = static_cast<std::int64_t>(snapshot.Tick);
-  row.Placement = placement;
-  row.Buttons = static_cast<std::int32_t>(snapshot.Buttons);
-  row.Enabled = snapshot.Before.Enabled ? 0 : 1;
-  row.Armed = snapshot.IsArmed() ? 1 : 0;
-  row.Fault = static_cast<unsigned char>(snapshot.GetFault());
-  row.Share = snapshot.Share;
-  row.Reason = static_cast<unsigned char>(snapshot.Reason);
-  return row;
+  return {};
 }
 
 } // namespace VolumeHaptics

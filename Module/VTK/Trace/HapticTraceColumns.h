@@ -2,63 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The arrays of traces and recordings: a list of names, types and units, and the rows with their
- * values.
+ * The arrays of traces and recordings: one list of names, types and units.
  *
  * The filter's output, the journal of a recording and both file formats are made from these lists.
  */
 #ifndef HapticTraceColumns_h
 #define HapticTraceColumns_h
 
-#include "Core/Servo/ServoLoop.h"
-
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace VolumeHaptics
 {
-
-/** One tick of a trace, in the world. */
-struct TraceRow
-{
-  double Proxy[3];
-  double Time; ///< s
-  double Tip[3];
-  double Force[3]; ///< N, as the other forces
-  double NormalForce;
-  double FrictionForce;
-  double DragForce;
-  double Normal[3];
-  double Value;
-  double GradientMagnitude;
-  double SurfaceValue;
-  double MediumValue;
-  double Stiffness;
-  double Friction;
-  double Viscosity;
-  double SurfaceStrength;
-  double Energy; ///< J
-  unsigned char Contact;
-  unsigned char Unfinished;
-  unsigned char Renewed;
-};
-
-/** One tick of a recording. */
-struct RecordingRow
-{
-  TraceRow Trace;
-  double DeviceTip[3]; ///< m
-  double Command[3];   ///< N
-  double Share;        ///< the share of the force that the gate let through (ForceGate.h)
-  std::int64_t Tick;
-  std::int32_t Placement;
-  std::int32_t Buttons;
-  unsigned char Enabled;
-  unsigned char Armed;
-  unsigned char Fault;
-  unsigned char Reason; ///< why Share is not 1, a GateReason
-};
 
 enum class ColumnType : std::uint8_t
 {
@@ -86,24 +43,8 @@ const std::vector<TraceColumn>& GetTraceColumns();
 /** The columns of a RecordingRow; the proxy comes last. */
 const std::vector<TraceColumn>& GetRecordingColumns();
 
-/** The work (J) on the hand since the first record. */
-class WorkMeter
-{
-public:
-  double Add(const TickRecord& record);
-
-private:
-  bool HasLast = false;
-  Vector3 LastTip;
-  Vector3 LastForce;
-  double Work = 0.0;
-};
-
-/** Transforms a record from device space to the world of the model's image. */
-TraceRow MakeTraceRow(
-  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work);
-RecordingRow MakeRecordingRow(
-  const HapticModel& model, const ServoSnapshot& snapshot, int placement, WorkMeter& work);
+/** The unit of a trace's or a recording's array, as in a title; empty if it has none. */
+std::string GetTraceUnit(const std::string& array);
 
 } // namespace VolumeHaptics
 

@@ -3,7 +3,7 @@
 #include "VTK/Trace/HapticTraceFiles.h"
 
 #include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/RecordingNames.h"
 
 #include "vtkCommand.h"
 #include "vtkDataArray.h"

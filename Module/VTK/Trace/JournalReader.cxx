@@ -5,6 +5,7 @@
 #include "VTK/Trace/BlockCompressor.h"
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticJournalChunks.h"
+#include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/JournalWriter.h"
 
 #include <algorithm>

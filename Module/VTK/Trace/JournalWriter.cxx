@@ -4,6 +4,7 @@
 
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticJournalChunks.h"
+#include "VTK/Trace/HapticTraceColumns.h"
 
 #include <cerrno>
 #include <cstring>

@@ -5,6 +5,7 @@
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticTuples.h"
+#include "VTK/Trace/RecordingNames.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -6,8 +6,10 @@
 #include "VTK/Trace/BlockCompressor.h"
 #include "VTK/Trace/FileReplacement.h"
 #include "VTK/Trace/HapticRecordingFile.h"
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/JournalReader.h"
+#include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/TraceRow.h"
 
 #include "vtkBase64Utilities.h"
 #include "vtkType.h"

@@ -6,23 +6,21 @@
 #include "VTK/Trace/FileReplacement.h"
 #include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticRecordingFile.h"
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/JournalReader.h"
+#include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/TraceRow.h"
+#include "VTK/Trace/TraceTable.h"
 
 #include "vtk_jsoncpp.h"
 
 #include <algorithm>
 #include <cstring>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace VolumeHaptics
 {
 namespace
 {
-
-const char* const Axes[] = { " x", " y", " z" };
 
 template <typename T>
 double NumberAt(const unsigned char* bytes, int component)
@@ -89,37 +87,24 @@ private:
 bool WriteRecordingTable(JournalReader& journal, FileReplacement& file)
 {
   const std::vector<TraceColumn> columns = OrderColumns();
-  // Not vtkDelimitedTextWriter, which writes six digits: a trace has to be restored to the bit.
-  std::ostringstream text;
-  // An application's locale must not turn decimal points into commas.
-  text.imbue(std::locale::classic());
-  text << std::setprecision(17);
+  TraceTable table;
   for (const TraceColumn& column : columns)
   {
-    for (int c = 0; c < column.Components; ++c)
-    {
-      text << (text.tellp() > 0 ? "," : "") << column.Name
-           << (column.Components == 3 ? Axes[c] : "") << column.Unit;
-    }
+    table.AddTitle(column.Name, column.Components);
   }
-  const bool isRead = journal.ForEachRow(
+  file.Write(table.EndLine());
+  return journal.ForEachRow(
     [&](const RecordingRow& row)
     {
-      const char* separator = "\n";
       for (const TraceColumn& column : columns)
       {
         for (int c = 0; c < column.Components; ++c)
         {
-          text << separator << NumberAt(row, column, c);
-          separator = ",";
+          table.AddNumber(NumberAt(row, column, c));
         }
       }
-      file.Write(text.str());
-      text.str({});
+      file.Write(table.EndLine());
     });
-  text << '\n';
-  file.Write(text.str());
-  return isRead;
 }
 
 bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)

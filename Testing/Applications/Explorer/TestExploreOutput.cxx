@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The output of the program beside the pictures: the summary and the table of the trace.
-#include "Applications/Explorer/Report/TraceFiles.h"
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Report/ReportFiles.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -36,16 +37,38 @@ int TestExploreOutput(int argc, char* argv[])
       std::string("the table has a column ") + title);
   }
   const auto columns = std::count(header.begin(), header.end(), ',');
+  const std::string before = header.substr(0, header.find("Force y (N)"));
+  const auto force = std::count(before.begin(), before.end(), ',');
+  vtkDataArray* const forces = exploration.Trace->GetPointData()->GetArray("Force");
+  bool isExact = true;
   vtkIdType rows = 0;
   while (std::getline(table, row))
   {
     Expect(std::count(row.begin(), row.end(), ',') == columns, "every row is complete");
     last = row;
+    std::size_t cell = 0;
+    for (auto i = force; i > 0; --i)
+    {
+      cell = row.find(',', cell) + 1;
+    }
+    isExact = isExact && std::stod(row.substr(cell)) == forces->GetComponent(rows, 1);
     ++rows;
   }
   Expect(rows == exploration.Trace->GetNumberOfPoints(), "the table has a row a tick");
   const double seconds = (rows - 1) / exploration.ServoRate;
   Expect(std::abs(std::stod(last) - seconds) < 1e-6, "the first column is the time");
+  Expect(isExact, "the numbers of the table are those of the trace, to the bit");
   Expect(exploration.Trace->GetPointData()->GetArray("Force") != nullptr, "the trace is whole");
+
+  try
+  {
+    Explore::WriteTable(exploration.Trace, folder);
+    Expect(false, "a folder is no file to write a table to");
+  }
+  catch (const Explore::InputError& error)
+  {
+    Expect(std::string(error.what()).find("it is a folder") != std::string::npos,
+      "the error says why the table can't be written");
+  }
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -10,6 +10,7 @@
 
 #include "Rigs/TemporaryFolder.h"
 
+#include "Core/Servo/ServoLoop.h"
 #include "VTK/Trace/HapticRecording.h"
 #include "VTK/Trace/HapticRecordingFile.h"
 

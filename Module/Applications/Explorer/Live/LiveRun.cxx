@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Live/LiveRun.h"
 
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "VTK/Trace/TraceWriter.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
@@ -10,7 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -133,10 +133,11 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   const Explore::MessageCapture capture;
   const std::string planned = file + ".planned.vtp";
   const std::string recorded = file + ".replayed.vtp";
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(planned.c_str());
-  writer->SetInputData(exploration.Tip.Path);
-  Demand(writer->Write() != 0, "the planned path can't be written", capture);
+  std::string error;
+  if (!VolumeHaptics::WriteTracePolyData(exploration.Tip.Path, planned, error))
+  {
+    throw std::runtime_error("the planned path can't be written: " + error);
+  }
   vtkNew<vtkHapticDevice> device;
   device->SetAttentionTime(0.0); // no hand is held
   Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Explore_TraceFiles_h
-#define Explore_TraceFiles_h
+#ifndef Explore_ReportFiles_h
+#define Explore_ReportFiles_h
 
 #include "vtkPolyData.h"
 

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Report/ReportFiles.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "VTK/Trace/TraceWriter.h"
+
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+namespace
+{
+void Check(bool written, const std::string& file)
+{
+  if (!written)
+  {
+    throw Explore::InputError(file, "cannot be written",
+      "check that the disk is not full and the folder is yours; --pictures DIR names another one");
+  }
+}
+
+using Writer = bool (*)(vtkPolyData*, const std::string&, std::string&);
+
+void Write(Writer write, vtkPolyData* trace, const std::string& file)
+{
+  std::string error;
+  if (!write(trace, file, error))
+  {
+    error.pop_back(); // the full stop, which InputError adds
+    throw Explore::InputError(
+      file, "cannot be written: " + error, "--pictures DIR names another folder");
+  }
+}
+} // namespace
+
+namespace Explore
+{
+void MakeFolder(const std::string& folder)
+{
+  if (!vtksys::SystemTools::MakeDirectory(folder))
+  {
+    throw InputError(
+      folder, "cannot be made a folder", "name one that you may write to with --pictures DIR");
+  }
+}
+
+void WriteTrace(vtkPolyData* trace, const std::string& file)
+{
+  Write(VolumeHaptics::WriteTracePolyData, trace, file);
+}
+
+void WriteTable(vtkPolyData* trace, const std::string& file)
+{
+  Write(VolumeHaptics::WriteTraceTable, trace, file);
+}
+
+void WritePicture(vtkRenderWindow* window, const std::string& file)
+{
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->Write();
+  Check(writer->GetErrorCode() == 0, file);
+}
+
+void WriteText(const std::string& text, const std::string& file)
+{
+  vtksys::ofstream stream(file.c_str());
+  stream << text;
+  stream.close();
+  Check(stream.good(), file);
+}
+} // namespace Explore

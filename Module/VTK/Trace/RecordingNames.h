@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The names of arrays that only recordings have.
+ */
+#ifndef RecordingNames_h
+#define RecordingNames_h
+
+namespace VolumeHaptics
+{
+
+/** Names of the arrays that only recordings have, for an exact replay. */
+namespace RecordingNames
+{
+constexpr const char* DeviceTip = "DeviceTip";         ///< point array: the tip in device space (m)
+constexpr const char* Enabled = "Enabled";             ///< point array: 1 if the tick enabled
+constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
+constexpr const char* Renewed = "Renewed";             ///< point array: 1 if a local surface came
+constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
+constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
+constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap;
+                                                       ///< of all placements, or of each
+constexpr const char* InitialState = "InitialState";   ///< field array: the ServoState
+} // namespace RecordingNames
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A tick of a trace and of a recording, as HapticTraceColumns.h lists its arrays.
+ */
+#ifndef TraceRow_h
+#define TraceRow_h
+
+#include "Core/Math/Vector3.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+class HapticModel;
+struct ServoSnapshot;
+struct TickRecord;
+
+/** One tick of a trace, in the world. */
+struct TraceRow
+{
+  double Proxy[3];
+  double Time; ///< s
+  double Tip[3];
+  double Force[3]; ///< N, as the other forces
+  double NormalForce;
+  double FrictionForce;
+  double DragForce;
+  double Normal[3];
+  double Value;
+  double GradientMagnitude;
+  double SurfaceValue;
+  double MediumValue;
+  double Stiffness;
+  double Friction;
+  double Viscosity;
+  double SurfaceStrength;
+  double Energy; ///< J
+  unsigned char Contact;
+  unsigned char Unfinished;
+  unsigned char Renewed;
+};
+
+/** One tick of a recording. */
+struct RecordingRow
+{
+  TraceRow Trace;
+  double DeviceTip[3]; ///< m
+  double Command[3];   ///< N
+  double Share;        ///< the share of the force that the gate let through (ForceGate.h)
+  std::int64_t Tick;
+  std::int32_t Placement;
+  std::int32_t Buttons;
+  unsigned char Enabled;
+  unsigned char Armed;
+  unsigned char Fault;
+  unsigned char Reason; ///< why Share is not 1, a GateReason
+};
+
+/** The work (J) on the hand since the first record. */
+class WorkMeter
+{
+public:
+  double Add(const TickRecord& record);
+
+private:
+  bool HasLast = false;
+  Vector3 LastTip;
+  Vector3 LastForce;
+  double Work = 0.0;
+};
+
+/** Transforms a record from device space to the world of the model's image. */
+TraceRow MakeTraceRow(
+  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work);
+RecordingRow MakeRecordingRow(
+  const HapticModel& model, const ServoSnapshot& snapshot, int placement, WorkMeter& work);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/TraceWriter.h"
+
+#include "VTK/Trace/FileReplacement.h"
+#include "VTK/Trace/TraceTable.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+bool WriteTracePolyData(vtkPolyData* trace, const std::string& file, std::string& error)
+{
+  FileReplacement replacement;
+  if (!replacement.Open(file, error))
+  {
+    return false;
+  }
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(trace);
+  writer->SetDataModeToBinary(); // newer expats can't read appended data
+  writer->Write();
+  replacement.Write(writer->GetOutputString());
+  return replacement.Commit(error);
+}
+
+bool WriteTraceTable(vtkPolyData* trace, const std::string& file, std::string& error)
+{
+  // Time and position first, for people.
+  std::vector<std::pair<std::string, vtkDataArray*>> columns;
+  vtkPointData* const arrays = trace->GetPointData();
+  if (vtkDataArray* const time = arrays->GetArray("Time"))
+  {
+    columns.emplace_back("Time", time);
+  }
+  if (trace->GetPoints())
+  {
+    columns.emplace_back("Proxy", trace->GetPoints()->GetData());
+  }
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = arrays->GetArray(i);
+    if (array && array->GetName() && std::string(array->GetName()) != "Time")
+    {
+      columns.emplace_back(array->GetName(), array);
+    }
+  }
+
+  FileReplacement replacement;
+  if (!replacement.Open(file, error))
+  {
+    return false;
+  }
+  TraceTable table;
+  for (const auto& [name, values] : columns)
+  {
+    table.AddTitle(name, values->GetNumberOfComponents());
+  }
+  replacement.Write(table.EndLine());
+  for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
+  {
+    for (const auto& [name, values] : columns)
+    {
+      for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+      {
+        table.AddNumber(values->GetComponent(i, c));
+      }
+    }
+    replacement.Write(table.EndLine());
+  }
+  return replacement.Commit(error);
+}
+
+} // namespace VolumeHaptics
