@@ -16,28 +16,35 @@ TEST_F(Replay, PlaysTheTipsOfBothKindsOfFile)
     const std::string file = this->File(name);
     this->Record(file);
     const std::string again = this->File("Again.vtp");
-    ASSERT_TRUE(this->Device->Open(("replay:" + file).c_str()));
-    ASSERT_TRUE(this->Device->Start());
-    ASSERT_TRUE(this->Device->StartRecording(again.c_str()));
-    this->Device->Arm();
-    ASSERT_TRUE(this->Wait(
-      [this] { return this->Device->GetStatusText().find("end") != std::string::npos; }));
-    EXPECT_NEAR(this->Device->GetTipPosition()[2], 6.0, 1e-5);
-    ASSERT_TRUE(this->Device->StopRecording());
-    this->Device->Close();
-    EXPECT_TRUE(this->Log.Errors.empty());
-
-    // The replay had begun when its recording did; from there on the tips are the same, to the bit.
     const std::string vtp = this->File("Replay.vtp");
     const auto was = Read(vtp);
-    const auto is = Read(again);
+    // A machine that stands still may be past the end of the replay when its recording begins.
+    vtkSmartPointer<vtkPolyData> is;
+    vtkIdType skipped = was->GetNumberOfPoints();
+    for (int i = 0; i < 20 && skipped >= was->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_TRUE(this->Device->Open(("replay:" + file).c_str()));
+      ASSERT_TRUE(this->Device->Start());
+      ASSERT_TRUE(this->Device->StartRecording(again.c_str()));
+      this->Device->Arm();
+      ASSERT_TRUE(this->Wait(
+        [this] { return this->Device->GetStatusText().find("end") != std::string::npos; }));
+      EXPECT_NEAR(this->Device->GetTipPosition()[2], 6.0, 1e-5);
+      ASSERT_TRUE(this->Device->StopRecording());
+      this->Device->Close();
+      EXPECT_TRUE(this->Log.Errors.empty());
+      is = Read(again);
+      skipped = is->GetNumberOfPoints() > 0
+        ? static_cast<vtkIdType>(is->GetPointData()->GetArray("Tick")->GetComponent(0, 0))
+        : was->GetNumberOfPoints();
+    }
+    ASSERT_LT(skipped, was->GetNumberOfPoints());
+
+    // The replay had begun when its recording did; from there on the tips are the same, to the bit.
     if (file == vtp)
     {
       vtkDataArray* const a = was->GetPointData()->GetArray("DeviceTip");
       vtkDataArray* const b = is->GetPointData()->GetArray("DeviceTip");
-      const auto skipped =
-        static_cast<vtkIdType>(is->GetPointData()->GetArray("Tick")->GetComponent(0, 0));
-      ASSERT_LT(skipped, a->GetNumberOfTuples());
       for (vtkIdType i = skipped; i < a->GetNumberOfTuples(); ++i)
       {
         for (int c = 0; c < 3; ++c)
