@@ -54,8 +54,7 @@ inline constexpr HardwareSetting All[] = { HapticNumberMacro(HomingTime, 1.0, 36
 
 inline constexpr HardwareVector NewtonsPerFullScale =
   HapticVectorMacro(NewtonsPerFullScale, double, 2, -100.0, 100.0, "N",
-    "The force (N) of a force-feedback wheel at full scale, -100 to 100; only "
-    "the first number is used.",
+    "The force (N) of a force-feedback device at full scale, -100 to 100, along its axes x and y.",
     100.0, 100.0);
 
 inline constexpr HardwareVector Vectors[] = { NewtonsPerFullScale };
