@@ -40,7 +40,7 @@ public:
   static constexpr double MinimumStiffness = 1e-3;
 
   const std::shared_ptr<const BakedVolume> Baked;
-  /** The tighter caps of the user and the device: no stiffness and no damping is felt above them. */
+  /** The tighter caps of the user and the device: no stiffness or damping is felt above them. */
   const ForceCaps Caps;
 
   const Affine3 DeviceToWorld;

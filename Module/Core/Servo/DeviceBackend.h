@@ -127,9 +127,9 @@ public:
   /** At any time, from the owner's thread. */
   virtual DeviceCondition GetCondition() { return {}; }
   /**
-   * A name that this very device keeps, on any computer and at any port, such as its kind and serial
-   * number, once it is open. Under it the user's confirmations and calibrations are remembered.
-   * Empty for a back end whose signs and newtons are right by themselves: they are never checked.
+   * A name that this very device keeps, on any computer and at any port, such as its kind and
+   * serial number, once it is open. The user's confirmations and calibrations are remembered under
+   * it. Empty for a back end whose signs and newtons are right by themselves.
    */
   virtual std::string GetIdentity() const { return {}; }
   /**

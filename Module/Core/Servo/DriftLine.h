@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a hand drifts by itself: a line through the last tips, and whether it foretells the next ones.
+ * How a hand drifts by itself: a line through the last tips, and whether it foretells the next.
  *
  * The line is fitted to the tips of a quarter of a second by least squares: long enough for two
  * cycles of a hand's tremor (8 to 12 Hz), which then hardly tilts it. A slow swing looks like a

@@ -11,10 +11,10 @@
  *
  *   ((a(m) - m) + (a(m') - m)) / 2 = T / 2
  *
- * old, where T is called the *round trip*. The pull of a spring that is late by T / 2 has a part k T
- * / 2 times the speed, along the motion, which the device's own friction b has to take: k <= 2 b /
- * T. A device that takes its force in no time has T = m' - m, its period. A force that takes d on
- * its way makes it m' - m + 2 d: a delay counts twice.
+ * old, where T is called the *round trip*. The pull of a spring that is late by T / 2 has a part
+ * k T / 2 times the speed, along the motion, which the device's own friction b has to take:
+ * k <= 2 b / T. A device that takes its force in no time has T = m' - m, its period. A force that
+ * takes d on its way makes it m' - m + 2 d: a delay counts twice.
  *
  * A device that is silent at rest is at its last place all the time, so that its place does not get
  * old (DeviceSample::Alive). Nor do its rests tell anything about its period: only two reports

@@ -82,8 +82,8 @@ private:
 
 /**
  * The reports of the servo, one after the other: each axis is restarted before its effect ends, and
- * gets a new magnitude if it has changed. If nothing else was sent for SignTime, a magnitude is sent
- * again: the device shows that it is alive by taking it. No allocation, no exception.
+ * gets a new magnitude if it has changed. If nothing else was sent for SignTime, a magnitude is
+ * sent again: the device shows that it is alive by taking it. No allocation, no exception.
  */
 class PidStream
 {

@@ -22,7 +22,7 @@ struct DeviceStatus
   std::string Id;            ///< the id that was opened
   DeviceCondition Condition; ///< of the open device
 
-  bool IsArmOrdered = false; ///< see ServoLoop::IsArmOrdered
+  bool IsArmOrdered = false;      ///< see ServoLoop::IsArmOrdered
   bool NeedsConfirmation = false; ///< before anything is felt
   std::string LongWork;           ///< keeps the force off, such as "the volume is hashed"; or empty
 

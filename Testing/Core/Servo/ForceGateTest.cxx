@@ -77,8 +77,8 @@ enum Event
 };
 
 /// The causes: f an ordered fade, s a fade since the owner is silent, h a hold, r a retreat, c a
-/// clutch, C a clutch after which the force returns. D, d, O and o stand for the shut states and for
-/// an open one.
+/// clutch, C a clutch after which the force returns. D, d, O and o stand for the shut states and
+/// for an open one.
 struct Row
 {
   const char* Causes;

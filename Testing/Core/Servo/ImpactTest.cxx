@@ -143,7 +143,7 @@ TEST(Impact, AStiffWallReturnsNoMoreThanItsSamplingAdds)
 
 TEST(Impact, TheReboundIsNeverFasterThanWithoutTheStage)
 {
-  // The sampling adds more or less by the phase of the ticks: each case is the mean of a hundred phases.
+  // The sampling adds more or less by the phase of the ticks: each case is the mean of a hundred.
   for (const double tick : { 1e-3, 0.25e-3 })
   {
     for (const double k : { 1000.0, 3000.0 })
