@@ -194,14 +194,14 @@ public:
   ///@{
   /**
    * Whether nothing is left to be confirmed about the signs of the open device. A real device that
-   * gives force may push the wrong way, if its wiring or a setting is other than was thought. So its
-   * first Arm pushes the hand gently along each of its axes, for about ten seconds, and the tip has
-   * to move with the force: hold the device loosely in the middle of its workspace and keep the
+   * gives force may push the wrong way, if its wiring or a setting is other than was thought. So
+   * its first Arm pushes the hand gently along each of its axes, for about ten seconds, and the tip
+   * has to move with the force: hold the device loosely in the middle of its workspace and keep the
    * hand still. Nothing else is felt meanwhile. A wrong sign is a fault (GetStatusText names the
    * axis). If it is right, the user's file of devices remembers it by the device's serial number:
    * volumehaptics/devices.txt in $XDG_CONFIG_HOME, ~/.config or %APPDATA%, or the file that the
-   * environment variable VOLUMEHAPTICS_DEVICES names. ForgetConfirmation, before Start, has the next
-   * Arm confirm it again.
+   * environment variable VOLUMEHAPTICS_DEVICES names. ForgetConfirmation, before Start, has the
+   * next Arm confirm it again.
    */
   bool GetSignsConfirmed();
   void ForgetConfirmation();
@@ -210,11 +210,11 @@ public:
   ///@{
   /**
    * The newtons that the open device really gives for each one that it is asked for, as
-   * CalibrateForce has stored them in the same file: 1 if it was never calibrated. Forces and limits
-   * of a calibrated device are true newtons; MaximumForce never exceeds what its driver allows.
-   * CalibrateForce takes 0.1 to 10, while the servo does not run; false, with an error, for anything
-   * else. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or empty if the device gives
-   * no force or none is open. None of this was tried on hardware.
+   * CalibrateForce has stored them in the same file: 1 if it was never calibrated. Forces and
+   * limits of a calibrated device are true newtons; MaximumForce never exceeds what its driver
+   * allows. CalibrateForce takes 0.1 to 10, while the servo does not run; false, with an error, for
+   * anything else. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or empty if the
+   * device gives no force or none is open. None of this was tried on hardware.
    */
   bool CalibrateForce(double scale);
   double GetForceScale();

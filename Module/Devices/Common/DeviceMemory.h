@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the user's file of devices remembers of a device: that its signs were confirmed, and how many
- * newtons it really gives.
+ * What the user's file of devices remembers of a device: that its signs were confirmed, and how
+ * many newtons it really gives.
  *
  * The file is plain text, a line a device:
  *
@@ -47,7 +47,8 @@ public:
 
   /**
    * The facts of a device by its identity (DeviceBackend::GetIdentity); none if there is no file. A
-   * damaged line counts as none. The error then names file and line, and the cure; else it is empty.
+   * damaged line counts as none. The error then names file and line, and the cure; else it is
+   * empty.
    */
   static DeviceFacts Read(const std::string& identity, std::string& error);
   /**

@@ -27,7 +27,10 @@ public:
 
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
-  /** DeviceBackend::GetIdentity, once it is connected or held by a guard; empty if it gives no force. */
+  /**
+   * DeviceBackend::GetIdentity, once it is connected or held by a guard; empty if it gives no
+   * force.
+   */
   virtual std::string GetIdentity() const { return {}; }
 
   /** Finds the device and claims it for this process alone. False, with the reason and the cure. */

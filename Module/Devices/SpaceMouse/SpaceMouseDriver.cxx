@@ -146,8 +146,8 @@ void SpaceMouseDriver::Move(HardwareExchange& exchange)
   sample.Tip = this->Tip;
   sample.Buttons = this->State.Buttons;
   sample.Turn = FullTurn * TurnAxes(this->IsAxisUp, axes[3], axes[4], axes[5]);
-  // A mouse that is let go says nothing. Where the tip stays is known all the same: nothing but this
-  // moves it.
+  // A mouse that is let go says nothing. Where the tip stays is known all the same: nothing but
+  // this moves it.
   const bool isNew = !IsIdentical(sample.Tip, this->Told.Tip) ||
     sample.Buttons != this->Told.Buttons || !IsIdentical(sample.Turn, this->Told.Turn);
   if (isNew)

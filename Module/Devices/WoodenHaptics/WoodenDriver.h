@@ -20,8 +20,8 @@
  *
  * Published bills of materials have motors of 0.0259 and of 0.0603 N m/A, and current controllers
  * of 3 A and of 6 A at full scale. What is asked may arrive up to four times as strong, so the
- * limits are half of those of the weakest build, and the default force, which is half of that again,
- * stays within 5 N in all of them.
+ * limits are half of those of the weakest build, and the default force, which is half of that
+ * again, stays within 5 N in all of them.
  *
  * The device's space is that of all devices: x to the right, y up, z towards the hand. These are y,
  * z and x of WoodenHaptics.h, with the arm reaching towards the user. Not verified on a device.
