@@ -82,7 +82,7 @@ public:
   void SetTimed(bool timed);
   /** The packets in a row that came when no answer was on its way to the host any more. */
   long GetInStep() const;
-  /** What the loader does in its next attempts, one a line of the dialogue: None succeeds. */
+  /** The faults of the loader's next attempts, in their order; None: the attempt succeeds. */
   void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);

@@ -93,6 +93,14 @@ protected:
     this->Device->SetVirtualTip(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
+  /// The servo runs, armed, and the tip presses the ramp with 1.5 N.
+  void BeginPressed()
+  {
+    this->Begin();
+    this->Device->Arm();
+    ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
+  }
   std::string File(const char* name) { return TemporaryPath(name); }
   void ExpectError(const char* words)
   {

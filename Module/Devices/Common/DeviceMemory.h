@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the user's file of devices remembers of a device: that its signs were confirmed, and how
+ * The facts about each device in the user's file of devices: that its signs were confirmed, and how
  * many newtons it really gives.
  *
  * The file is plain text, a line a device:

@@ -33,7 +33,8 @@ enum Argument
 };
 
 /**
- * What the program had open is not for its guard to hold: a pipe would not end with the program.
+ * Closes the files that the guard inherited from the program: a pipe that the guard still held open
+ * would not end with the program.
  */
 void CloseOthers(std::vector<int> kept)
 {

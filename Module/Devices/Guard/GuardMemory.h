@@ -36,7 +36,7 @@ public:
   int GetDescriptor() const noexcept { return this->Descriptor; }
   HardwareExchange& GetExchange() noexcept { return *this->Exchange; }
 
-  /** What both sides have to agree on: a guard of another build refuses to begin. */
+  /** The layout of the memory as this build has it. A guard with another layout does not start. */
   static std::string GetLayout();
 
 private:

@@ -46,8 +46,8 @@ public:
 
   ///@{
   /**
-   * What is remembered of the device (DeviceMemory.h), and the trouble with its file since the last
-   * call; empty if there is none.
+   * The facts that the user's file remembers of the device (DeviceMemory.h), and the error of that
+   * file since the last call; empty if there is none.
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
   std::string TakeMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }

@@ -30,7 +30,7 @@ protected:
     EXPECT_TRUE(Has(this->Error, "--firmware")) << this->Error;
     EXPECT_FALSE(this->Usb.IsClaimed()) << "it lets go of the device";
   }
-  /** What is in the way of an image that is read, at every try. */
+  /** Lets every try to load an image fail in this way. */
   void Break(FalconFault fault, const std::string& why)
   {
     const TemporaryFile file(MakeImage(2000));

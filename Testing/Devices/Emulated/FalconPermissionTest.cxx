@@ -22,8 +22,8 @@ TEST_F(FalconPermission, MissingGivesTheRule)
 {
   const std::string rule =
     "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0403\", ATTR{idProduct}==\"cb48\", TAG+=\"uaccess\"";
-  // Root may do everything: become the user nobody for a while, who may see all of the system but
-  // not open this device.
+  // Root may do everything. So the test runs as the user "nobody" for a while, who sees the whole
+  // system but can't open this device.
   char* const root = umockdev_testbed_get_root_dir(Testbed());
   using std::filesystem::perms;
   std::filesystem::permissions(root, perms::all);

@@ -21,13 +21,6 @@ namespace
 class Attention : public DeviceTest
 {
 protected:
-  void Press()
-  {
-    this->Begin();
-    this->Device->Arm();
-    ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
-    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
-  }
   /// The program is silent for a while; a loop that had no processor may need a longer one.
   bool IsLetGo(std::chrono::milliseconds silence = std::chrono::milliseconds(400))
   {
@@ -48,7 +41,7 @@ protected:
 TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
 {
   vtkNew<vtkTable> table;
-  this->Press();
+  this->BeginPressed();
   this->Device->DrainStates(table);
   this->Device->SetAttentionTime(0.2);
   ASSERT_TRUE(this->IsLetGo()) << this->Device->GetStatusText();
@@ -81,7 +74,7 @@ TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
 TEST_F(Attention, IsAskedForByDefault)
 {
   EXPECT_EQ(this->Device->GetAttentionTime(), 2.0);
-  this->Press();
+  this->BeginPressed();
   ASSERT_TRUE(this->IsLetGo(std::chrono::milliseconds(2100))) << this->Device->GetStatusText();
   EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
 }
@@ -95,7 +88,7 @@ TEST_F(Attention, IsNotAskedForWithZero)
     this->Device->SetAttentionTime(never);
     EXPECT_EQ(this->Device->GetAttentionTime(), 0.0);
   }
-  this->Press();
+  this->BeginPressed();
   std::this_thread::sleep_for(std::chrono::milliseconds(2300));
   this->Device->UpdateState();
   EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT);

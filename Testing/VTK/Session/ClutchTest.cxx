@@ -25,10 +25,7 @@ protected:
   /// Presses the ramp with 1.5 N, and turns the clutch on.
   void Press()
   {
-    this->Begin();
-    this->Device->Arm();
-    ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
-    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
+    ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
     this->Device->SetClutch(true);
     ASSERT_TRUE(this->Device->GetClutch());
     ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; }));
