@@ -51,7 +51,9 @@ shift
 folder=$(mktemp -d)
 export HOME=$folder XDG_CONFIG_HOME=$folder XDG_CACHE_HOME=$folder
 
-openbox > "$folder/openbox.log" 2>&1 &
+# A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it
+# handles requests.
+openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
 manager=$!
 child=""
 clean_up()
@@ -64,6 +66,17 @@ clean_up()
   rm -rf "$folder"
 }
 trap clean_up EXIT
+for ((i = 0; i < 600; ++i))
+do
+  [[ ! -e "$folder/managed" ]] || break
+  sleep 0.1
+done
+if [[ ! -e "$folder/managed" ]]
+then
+  echo "FAILED: openbox did not start within a minute" >&2
+  cat "$folder/openbox.log" >&2
+  exit 1
+fi
 
 fail()
 {
