@@ -42,7 +42,7 @@ wheel_dir=$(dirname "$build_dir")/wheel
 run_tests()
 {
   local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.]Emulated|ParaView|VTK[.](Charts|Emulated|'
-  live+='Endings|Scene|Session|Setup|Trace))[.]|VTK::VolumeHapticsCxx-TestTouch)'
+  live+='Endings|Recording|Scene|Session|Setup))[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then
@@ -128,7 +128,7 @@ export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequ
 if [ $full = yes ]; then
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
   # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
-  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Scene|Session|Setup|Trace)[.])'
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Recording|Scene|Session|Setup)[.])'
 else
   cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsLoopTests
   run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo'

@@ -3,13 +3,13 @@
 #include "vtkHapticDevice.h"
 
 #include "VTK/Baking/HapticMethods.h"
+#include "VTK/Files/HapticFiles.h"
 #include "VTK/Session/DeviceOrders.h"
 #include "VTK/Session/DeviceRecorder.h"
 #include "VTK/Session/DeviceSession.h"
 #include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Session/ModelSource.h"
 #include "VTK/Session/VirtualTip.h"
-#include "VTK/Trace/HapticFiles.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"

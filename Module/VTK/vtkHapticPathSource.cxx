@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticPathSource.h"
 
+#include "VTK/Files/HapticFiles.h"
 #include "VTK/Trace/HapticCurve.h"
-#include "VTK/Trace/HapticFiles.h"
 #include "VTK/Trace/HapticPathSettings.h"
 #include "VTK/Trace/HapticTraceFiles.h"
 

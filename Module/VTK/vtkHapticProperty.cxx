@@ -4,7 +4,7 @@
 
 #include "VTK/Baking/HapticPresets.h"
 #include "VTK/Baking/HapticSettingLists.h"
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Files/HapticFiles.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"

@@ -4,7 +4,7 @@
 
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticRegionSettings.h"
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Files/HapticFiles.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

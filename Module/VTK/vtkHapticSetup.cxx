@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticSetup.h"
 
+#include "VTK/Files/FileReplacement.h"
+#include "VTK/Files/HapticFiles.h"
 #include "VTK/Setup/HapticSetupSettings.h"
-#include "VTK/Trace/FileReplacement.h"
-#include "VTK/Trace/HapticFiles.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
+#include "VTK/Baking/HapticHash.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/RegionSeries.h"
-#include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticHash.h"
+#include "VTK/Files/HapticFiles.h"
 #include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/HapticTrace.h"
 #include "VTK/Trace/TipPathWalk.h"

@@ -73,11 +73,13 @@ allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 
 allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers)
-allow(VTK/Trace Core VTK/Baking)
-allow(VTK/Session Core Devices VTK/Baking VTK/Trace)
+allow(VTK/Files)
+allow(VTK/Trace Core VTK/Baking VTK/Files)
+allow(VTK/Recording Core VTK/Files VTK/Trace)
+allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Trace VTK/Recording)
 allow(VTK/Scene Core VTK/Baking VTK/Session)
 allow(VTK/Charts)
-allow(VTK/Setup Core/Model VTK/Baking VTK/Trace)
+allow(VTK/Setup Core/Model VTK/Baking)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects.
@@ -112,9 +114,7 @@ forbid("Core and Devices must not know VTK." "[\"</]vtk[A-Za-z0-9_]*\\.h" Core D
 forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|PiecewiseTable)\\.h" Devices)
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"
-  VTK/Baking VTK/Trace/HapticTrace.h VTK/Trace/HapticTrace.cxx VTK/Trace/HapticTipPath.h VTK/Trace/HapticTipPath.cxx
-  VTK/Trace/RecordedPathReader.h VTK/Trace/RecordedPathReader.cxx VTK/Trace/TipPathLines.h VTK/Trace/TipPathLines.cxx
-  VTK/Trace/TipPathWalk.h VTK/Trace/TipPathWalk.cxx
+  VTK/Baking VTK/Files VTK/Trace
   VTK/vtkVolumeHapticsFilter.h VTK/vtkVolumeHapticsFilter.cxx
   VTK/vtkVolumeHapticsAlgorithm.h VTK/vtkVolumeHapticsAlgorithm.cxx)
 forbid("The module must not know ParaView or Qt." "[\"<](vtkPV|vtkSM|vtkSI|pq|Q[A-Z])" Core Devices VTK)

@@ -3,10 +3,10 @@
 #include "VTK/Session/DeviceRecorder.h"
 
 #include "VTK/Baking/HapticBaker.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Recording/HapticJournal.h"
+#include "VTK/Recording/HapticRecordingFile.h"
 #include "VTK/Session/HapticLongWork.h"
-#include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticJournal.h"
-#include "VTK/Trace/HapticRecordingFile.h"
 
 #include "vtkHapticDevice.h"
 #include "vtkSmartPointer.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/DeviceStatus.h"
 
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Files/HapticFiles.h"
 
 #include "vtkHapticDevice.h"
 

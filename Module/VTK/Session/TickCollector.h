@@ -8,8 +8,8 @@
 #define TickCollector_h
 
 #include "Core/Servo/ServoLoop.h"
+#include "VTK/Recording/HapticRecording.h"
 #include "VTK/Session/HapticStateTable.h"
-#include "VTK/Trace/HapticRecording.h"
 
 #include <cstddef>
 #include <cstdint>

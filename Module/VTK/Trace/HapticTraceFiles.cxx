@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTraceFiles.h"
 
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Files/HapticFiles.h"
 #include "VTK/Trace/RecordingNames.h"
 
 #include "vtkCommand.h"

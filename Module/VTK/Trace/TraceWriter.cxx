@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TraceWriter.h"
 
-#include "VTK/Trace/FileReplacement.h"
+#include "VTK/Files/FileReplacement.h"
 #include "VTK/Trace/TraceTable.h"
 
 #include "vtkDataArray.h"

@@ -7,7 +7,7 @@
 #ifndef JournalReader_h
 #define JournalReader_h
 
-#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Recording/HapticJournal.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Files/HapticFiles.h"
 
 #include <cerrno>
 #include <cstdio>

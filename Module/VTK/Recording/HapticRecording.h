@@ -13,7 +13,7 @@
 #define HapticRecording_h
 
 #include "Core/Servo/ServoClock.h"
-#include "VTK/Trace/JournalWriter.h"
+#include "VTK/Recording/JournalWriter.h"
 
 #include <atomic>
 #include <deque>

@@ -7,8 +7,8 @@
 #ifndef JournalWriter_h
 #define JournalWriter_h
 
-#include "VTK/Trace/BlockCompressor.h"
-#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Recording/BlockCompressor.h"
+#include "VTK/Recording/HapticJournal.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticHash.h"
+#include "VTK/Baking/HapticHash.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticRecordingFile.h"
+#include "VTK/Recording/HapticRecordingFile.h"
 
-#include "VTK/Trace/FileReplacement.h"
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Files/FileReplacement.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Recording/JournalReader.h"
+#include "VTK/Recording/RecordingPolyData.h"
+#include "VTK/Recording/RecordingTable.h"
 #include "VTK/Trace/HapticTraceFiles.h"
-#include "VTK/Trace/JournalReader.h"
-#include "VTK/Trace/RecordingPolyData.h"
-#include "VTK/Trace/RecordingTable.h"
 
 #include <sys/stat.h>
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticRecording.h"
+#include "VTK/Recording/HapticRecording.h"
 
 #include "Core/Servo/ServoLoop.h"
 #include "Core/Solvers/ServoStateNumbers.h"
-#include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticRecordingFile.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Recording/HapticRecordingFile.h"
+#include "VTK/Recording/JournalReader.h"
 #include "VTK/Trace/HapticTraceFiles.h"
-#include "VTK/Trace/JournalReader.h"
 
 #include <algorithm>
 #include <new>

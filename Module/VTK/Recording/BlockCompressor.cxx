@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/BlockCompressor.h"
+#include "VTK/Recording/BlockCompressor.h"
 
 #include "vtkNew.h"
 #include "vtkZLibDataCompressor.h"

@@ -15,7 +15,7 @@
 #ifndef HapticJournalChunks_h
 #define HapticJournalChunks_h
 
-#include "VTK/Trace/HapticJournal.h"
+#include "VTK/Recording/HapticJournal.h"
 
 #include <cstring>
 #include <type_traits>

@@ -7,8 +7,8 @@
 
 #include "RecorderRig.h"
 
+#include "VTK/Files/HapticFiles.h"
 #include "VTK/Session/TickCollector.h"
-#include "VTK/Trace/HapticFiles.h"
 
 using namespace recordertest;
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/JournalWriter.h"
+#include "VTK/Recording/JournalWriter.h"
 
-#include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticJournalChunks.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Recording/HapticJournalChunks.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 
 #include <cerrno>

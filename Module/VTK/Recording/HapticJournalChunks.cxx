@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/HapticJournalChunks.h"
+#include "VTK/Recording/HapticJournalChunks.h"
 
 #include "VTK/Trace/HapticTraceColumns.h"
 

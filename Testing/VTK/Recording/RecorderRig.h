@@ -11,8 +11,8 @@
 #include "Rigs/TemporaryFolder.h"
 
 #include "Core/Servo/ServoLoop.h"
-#include "VTK/Trace/HapticRecording.h"
-#include "VTK/Trace/HapticRecordingFile.h"
+#include "VTK/Recording/HapticRecording.h"
+#include "VTK/Recording/HapticRecordingFile.h"
 
 #include <gtest/gtest.h>
 #include <vtkDataArray.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/FileReplacement.h"
+#include "VTK/Files/FileReplacement.h"
 
-#include "VTK/Trace/HapticFiles.h"
+#include "VTK/Files/HapticFiles.h"
 
 #include <cerrno>
 #include <cstdio>

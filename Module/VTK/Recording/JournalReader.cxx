@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Trace/JournalReader.h"
+#include "VTK/Recording/JournalReader.h"
 
-#include "VTK/Trace/BlockCompressor.h"
-#include "VTK/Trace/HapticFiles.h"
-#include "VTK/Trace/HapticJournalChunks.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Recording/BlockCompressor.h"
+#include "VTK/Recording/HapticJournalChunks.h"
+#include "VTK/Recording/JournalWriter.h"
 #include "VTK/Trace/HapticTraceColumns.h"
-#include "VTK/Trace/JournalWriter.h"
 
 #include <algorithm>
 #include <cerrno>
