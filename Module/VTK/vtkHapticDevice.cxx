@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticDevice.h"
 
-#include "VTK/Baking/HapticMethods.h"
-#include "VTK/Files/HapticFiles.h"
 #include "VTK/Session/DeviceOrders.h"
 #include "VTK/Session/DeviceRecorder.h"
 #include "VTK/Session/DeviceSession.h"
@@ -58,84 +56,26 @@ vtkHapticDevice::~vtkHapticDevice()
 bool vtkHapticDevice::Open(const char* id)
 {
   const vtkSmartPointer<vtkHapticDevice> self(this); // see Close
-  std::string error;
-  auto& session = this->Internals->Session;
   this->Close();
-  if (!session.Open(id ? id : "", this->MakeOptions(), error))
+  if (!this->Internals->Orders.Open(id ? id : "", this->MakeOptions()))
   {
-    vtkErrorMacro(<< Printable(error));
     return false;
   }
-  this->TellMemoryTrouble();
   this->TakeLimits();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::TellMemoryTrouble()
-{
-  const std::string trouble = this->Internals->Session.TakeMemoryTrouble();
-  if (!trouble.empty())
-  {
-    vtkErrorMacro(<< Printable(trouble));
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::GetSignsConfirmed()
-{
-  return this->IsOpen() && !this->Internals->Session.NeedsConfirmation();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::ForgetConfirmation()
-{
-  auto& session = this->Internals->Session;
-  if (!session.IsOpen() || session.IsRunning())
-  {
-    vtkErrorMacro("ForgetConfirmation() is for an open device whose servo does not run: Open() it "
-                  "and Stop() it first.");
-    return;
-  }
-  session.ForgetConfirmation();
-  this->TellMemoryTrouble();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::CalibrateForce(double scale)
 {
-  auto& session = this->Internals->Session;
-  if (!session.IsRemembered() || session.IsRunning())
+  auto& d = *this->Internals;
+  if (!d.Orders.CalibrateForce(scale))
   {
-    vtkErrorMacro(
-      "CalibrateForce() is for an open real device that gives force and whose servo does "
-      "not run: Open() it and Stop() it first.");
     return false;
   }
-  if (!(scale >= DeviceFacts::LeastScale && scale <= DeviceFacts::MostScale))
-  {
-    vtkErrorMacro(<< "The device can't give " << scale << " N for each newton: the scale has to be "
-                  << DeviceFacts::LeastScale << " to " << DeviceFacts::MostScale
-                  << ". Measure it again.");
-    return false;
-  }
-  session.SetForceScale(scale);
   this->TakeLimits();
-  this->TellMemoryTrouble();
+  d.Orders.TellMemoryTrouble();
   return true;
-}
-
-//------------------------------------------------------------------------------
-double vtkHapticDevice::GetForceScale()
-{
-  return this->Internals->Session.GetFacts().Scale;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHapticDevice::GetCalibrationText()
-{
-  const auto& session = this->Internals->Session;
-  return session.IsRemembered() ? session.GetFacts().DescribeScale() : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -174,18 +114,6 @@ void vtkHapticDevice::Shut()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticDevice::IsOpen()
-{
-  return this->Internals->Session.IsOpen();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHapticDevice::GetDeviceId()
-{
-  return this->Internals->Session.GetId();
-}
-
-//------------------------------------------------------------------------------
 void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 {
   if (this->Internals->Models.SetFilter(filter))
@@ -195,57 +123,12 @@ void vtkHapticDevice::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
 }
 
 //------------------------------------------------------------------------------
-vtkVolumeHapticsFilter* vtkHapticDevice::GetVolumeHaptics()
-{
-  return this->Internals->Models.GetFilter();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHapticDevice::GetMethodText()
-{
-  auto& d = *this->Internals;
-  const TickCollector* const ticks = d.Session.GetTicks();
-  const HapticModel* const model = ticks ? ticks->GetLatestModel() : nullptr;
-  if (!model)
-  {
-    vtkVolumeHapticsFilter* const filter = d.Models.GetFilter();
-    return filter ? filter->GetMethodText() : std::string();
-  }
-  const HapticSettings& settings = model->Baked->Settings;
-  return GetMethodChoice(static_cast<int>(settings.Method), static_cast<int>(settings.Solver)).Text;
-}
-
-//------------------------------------------------------------------------------
 void vtkHapticDevice::SetDeviceToWorld(vtkMatrix4x4* matrix)
 {
   if (this->Internals->Models.SetDeviceToWorld(matrix))
   {
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-vtkMatrix4x4* vtkHapticDevice::GetDeviceToWorld()
-{
-  return this->Internals->Models.GetDeviceToWorld();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::Publish()
-{
-  return this->Internals->Orders.Publish();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::IsPublished()
-{
-  return this->Internals->Models.IsUpToDate();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::Start()
-{
-  return this->Internals->Orders.Start();
 }
 
 //------------------------------------------------------------------------------
@@ -268,91 +151,54 @@ void vtkHapticDevice::Halt()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHapticDevice::IsRunning()
-{
-  return this->Internals->Session.IsRunning();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::Arm()
-{
-  this->Internals->Orders.Arm();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::Disarm()
-{
-  this->Internals->Orders.Disarm();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::FadeOut()
-{
-  this->Internals->Orders.FadeOut();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::BeginLongWork(const char* what, double expectedSeconds)
-{
-  this->Internals->Orders.BeginLongWork(what, expectedSeconds);
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::EndLongWork()
-{
-  this->Internals->Orders.EndLongWork();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::Home()
-{
-  this->Internals->Orders.Home();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetClutch(bool on)
-{
-  this->Internals->Orders.SetClutch(on);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::GetClutch()
-{
-  return this->Internals->Session.IsClutched();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticDevice::ArmsAfterClutch()
-{
-  return this->Internals->Session.ReturnsAfterClutch();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::SetLights(int lights)
-{
-  this->Internals->Session.SetLights(lights);
-}
-
-//------------------------------------------------------------------------------
-int vtkHapticDevice::GetStatus()
-{
-  return this->Internals->Session.GetStatus().FindType();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHapticDevice::GetStatusText()
-{
-  return this->Internals->Session.GetStatus().MakeText();
-}
-
-//------------------------------------------------------------------------------
 bool vtkHapticDevice::UpdateState()
 {
   this->Internals->Recorder.TellTrouble();
   const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
-  this->TellMemoryTrouble();
+  this->Internals->Orders.TellMemoryTrouble();
   return isNew;
 }
+
+//------------------------------------------------------------------------------
+// Functions that are those of a part.
+#define vtkHapticDevicePartMacro(type, name, parameters, call) \
+  type vtkHapticDevice::name parameters                        \
+  {                                                            \
+    return this->Internals->call;                              \
+  }
+
+vtkHapticDevicePartMacro(bool, IsOpen, (), Session.IsOpen());
+vtkHapticDevicePartMacro(std::string, GetDeviceId, (), Session.GetId());
+vtkHapticDevicePartMacro(bool, IsRunning, (), Session.IsRunning());
+vtkHapticDevicePartMacro(int, GetStatus, (), Session.GetStatus().FindType());
+vtkHapticDevicePartMacro(std::string, GetStatusText, (), Session.GetStatus().MakeText());
+vtkHapticDevicePartMacro(bool, GetClutch, (), Session.IsClutched());
+vtkHapticDevicePartMacro(bool, ArmsAfterClutch, (), Session.ReturnsAfterClutch());
+vtkHapticDevicePartMacro(bool, GetSignsConfirmed, (), Session.AreSignsConfirmed());
+vtkHapticDevicePartMacro(double, GetForceScale, (), Session.GetFacts().Scale);
+vtkHapticDevicePartMacro(std::string, GetCalibrationText, (), Session.DescribeCalibration());
+vtkHapticDevicePartMacro(void, SetLights, (int lights), Session.SetLights(lights));
+vtkHapticDevicePartMacro(int, AddReader, (), Session.AddReader());
+vtkHapticDevicePartMacro(void, RemoveReader, (int reader), Session.RemoveReader(reader));
+
+vtkHapticDevicePartMacro(vtkVolumeHapticsFilter*, GetVolumeHaptics, (), Models.GetFilter());
+vtkHapticDevicePartMacro(vtkMatrix4x4*, GetDeviceToWorld, (), Models.GetDeviceToWorld());
+vtkHapticDevicePartMacro(std::string, GetMethodText, (), Models.GetMethodText());
+vtkHapticDevicePartMacro(bool, IsPublished, (), Models.IsUpToDate());
+
+vtkHapticDevicePartMacro(bool, Start, (), Orders.Start());
+vtkHapticDevicePartMacro(bool, Publish, (), Orders.Publish());
+vtkHapticDevicePartMacro(void, Arm, (), Orders.Arm());
+vtkHapticDevicePartMacro(void, Disarm, (), Orders.Disarm());
+vtkHapticDevicePartMacro(void, FadeOut, (), Orders.FadeOut());
+vtkHapticDevicePartMacro(void, Home, (), Orders.Home());
+vtkHapticDevicePartMacro(void, SetClutch, (bool on), Orders.SetClutch(on));
+vtkHapticDevicePartMacro(void, ForgetConfirmation, (), Orders.ForgetConfirmation());
+vtkHapticDevicePartMacro(void, BeginLongWork, (const char* what, double expectedSeconds),
+  Orders.BeginLongWork(what, expectedSeconds));
+vtkHapticDevicePartMacro(void, EndLongWork, (), Orders.EndLongWork());
+
+vtkHapticDevicePartMacro(void, SetVirtualButtons, (int buttons), Tip.SetButtons(buttons));
 
 //------------------------------------------------------------------------------
 #define vtkHapticDeviceStateMacro(type, name, value)          \
@@ -384,18 +230,6 @@ void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
 {
   auto& d = *this->Internals;
   d.Session.DrainStates(d.Models.GetPlacement(), states, reader);
-}
-
-//------------------------------------------------------------------------------
-int vtkHapticDevice::AddReader()
-{
-  return this->Internals->Session.AddReader();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::RemoveReader(int reader)
-{
-  this->Internals->Session.RemoveReader(reader);
 }
 
 //------------------------------------------------------------------------------
@@ -457,14 +291,14 @@ void vtkHapticDevice::SetAttentionTime(double seconds)
 void vtkHapticDevice::SetVirtualTip(double x, double y, double z)
 {
   auto& d = *this->Internals;
-  this->TellError(d.Tip.Lead({ x, y, z }, d.Models.GetPlacement()));
+  d.Orders.TellError(d.Tip.Lead({ x, y, z }, d.Models.GetPlacement()));
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::PlaceVirtualTip(double x, double y, double z)
 {
   auto& d = *this->Internals;
-  this->TellError(d.Tip.Place({ x, y, z }, d.Models.GetPlacement()));
+  d.Orders.TellError(d.Tip.Place({ x, y, z }, d.Models.GetPlacement()));
 }
 
 //------------------------------------------------------------------------------
@@ -480,39 +314,25 @@ void vtkHapticDevice::SetVirtualTip(const double x[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticDevice::SetVirtualButtons(int buttons)
-{
-  this->Internals->Tip.SetButtons(buttons);
-}
-
-//------------------------------------------------------------------------------
 void vtkHapticDevice::SetVirtualDynamics(
   double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay)
 {
-  this->TellError(
-    this->Internals->Tip.SetDynamics(mass, damping, handStiffness, encoderQuantum, forceDelay));
+  auto& d = *this->Internals;
+  d.Orders.TellError(d.Tip.SetDynamics(mass, damping, handStiffness, encoderQuantum, forceDelay));
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::SetVirtualLimits(
   double maximumForce, double maximumStiffness, double maximumDamping, double friction)
 {
+  auto& d = *this->Internals;
   const std::string error =
-    this->Internals->Tip.SetLimits(maximumForce, maximumStiffness, maximumDamping, friction);
+    d.Tip.SetLimits(maximumForce, maximumStiffness, maximumDamping, friction);
   if (error.empty())
   {
     this->TakeLimits();
   }
-  this->TellError(error);
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticDevice::TellError(const std::string& error)
-{
-  if (!error.empty())
-  {
-    vtkErrorMacro(<< error);
-  }
+  d.Orders.TellError(error);
 }
 
 //------------------------------------------------------------------------------

@@ -454,11 +454,9 @@ private:
   void operator=(const vtkHapticDevice&) = delete;
 
   void SendLimits();
-  void TellMemoryTrouble();
   void TakeLimits();
   void Shut();
   void Halt();
-  void TellError(const std::string& error);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

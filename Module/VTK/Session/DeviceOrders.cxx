@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/DeviceOrders.h"
 
+#include "VTK/Files/HapticFiles.h"
+
 #include "vtkCommand.h"
 #include "vtkHapticDevice.h"
 #include "vtkSmartPointer.h"
@@ -23,6 +25,62 @@ const char* const CureForNoGuard = ". Close files or end threads of this program
                                    "limits (ulimit -n, ulimit -u), and try again.";
 
 } // namespace
+
+void DeviceOrders::TellError(const std::string& error)
+{
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+  }
+}
+
+void DeviceOrders::TellMemoryTrouble()
+{
+  this->TellError(Printable(this->Session.TakeMemoryTrouble()));
+}
+
+bool DeviceOrders::Open(const std::string& id, const DeviceOptions& options)
+{
+  std::string error;
+  if (!this->Session.Open(id, options, error))
+  {
+    vtkErrorWithObjectMacro(this->Device, << Printable(error));
+    return false;
+  }
+  this->TellMemoryTrouble();
+  return true;
+}
+
+void DeviceOrders::ForgetConfirmation()
+{
+  if (!this->Session.IsOpen() || this->Session.IsRunning())
+  {
+    this->TellError("ForgetConfirmation() is for an open device whose servo does not run: Open() "
+                    "it and Stop() it first.");
+    return;
+  }
+  this->Session.ForgetConfirmation();
+  this->TellMemoryTrouble();
+}
+
+bool DeviceOrders::CalibrateForce(double scale)
+{
+  if (!this->Session.IsRemembered() || this->Session.IsRunning())
+  {
+    this->TellError("CalibrateForce() is for an open real device that gives force and whose servo "
+                    "does not run: Open() it and Stop() it first.");
+    return false;
+  }
+  if (!(scale >= DeviceFacts::LeastScale && scale <= DeviceFacts::MostScale))
+  {
+    vtkErrorWithObjectMacro(this->Device,
+      << "The device can't give " << scale << " N for each newton: the scale has to be "
+      << DeviceFacts::LeastScale << " to " << DeviceFacts::MostScale << ". Measure it again.");
+    return false;
+  }
+  this->Session.SetForceScale(scale);
+  return true;
+}
 
 SafetyLimits DeviceOrders::MakeLimits() const
 {

@@ -11,6 +11,7 @@
 #include "VTK/Session/ModelSource.h"
 
 #include <functional>
+#include <string>
 
 class vtkHapticDevice;
 
@@ -31,6 +32,13 @@ public:
   {
   }
 
+  ///@{
+  /** The device's MaximumForce is out of date after these: it depends on the device that is open. */
+  bool Open(const std::string& id, const DeviceOptions& options);
+  bool CalibrateForce(double scale);
+  ///@}
+  void ForgetConfirmation();
+
   bool Start();
   bool Publish();
   /** Sends the device's limits to the running servo. */
@@ -44,6 +52,11 @@ public:
 
   void BeginLongWork(const char* what, double expectedSeconds);
   void EndLongWork();
+
+  /** An error of the device, unless the text is empty. */
+  void TellError(const std::string& error);
+  /** An error about the user's file of devices, if there is a new one. */
+  void TellMemoryTrouble();
 
 private:
   SafetyLimits MakeLimits() const;

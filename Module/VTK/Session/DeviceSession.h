@@ -53,8 +53,15 @@ public:
   std::string TakeMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
   /** Whether it is a device that is remembered: one with force and an identity. */
   bool IsRemembered() const { return !this->Identity.empty(); }
+  /** Its calibration as text; empty if it is not remembered. */
+  std::string DescribeCalibration() const
+  {
+    return this->IsRemembered() ? this->Facts.DescribeScale() : std::string();
+  }
   /** Whether its signs have to be confirmed before anything is felt. */
   bool NeedsConfirmation() const;
+  /** Whether it is open and needs no confirmation. */
+  bool AreSignsConfirmed() const { return this->IsOpen() && !this->NeedsConfirmation(); }
   /** From the next Start on, its signs have to be confirmed again. While the servo does not run. */
   void ForgetConfirmation();
   /** From now on the device gives so many newtons for each one that it is asked for. */

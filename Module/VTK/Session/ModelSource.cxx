@@ -3,14 +3,13 @@
 #include "VTK/Session/ModelSource.h"
 
 #include "VTK/Baking/HapticBaker.h"
+#include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Session/HapticChangeTime.h"
 #include "VTK/Session/HapticLongWork.h"
 
 #include "vtkHapticDevice.h"
 #include "vtkVolumeHapticsFilter.h"
-
-#include <string>
 
 namespace VolumeHaptics
 {
@@ -42,6 +41,18 @@ bool ModelSource::SetDeviceToWorld(vtkMatrix4x4* matrix)
   }
   this->DeviceToWorld = matrix;
   return true;
+}
+
+std::string ModelSource::GetMethodText() const
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  const HapticModel* const model = ticks ? ticks->GetLatestModel() : nullptr;
+  if (!model)
+  {
+    return this->Filter ? this->Filter->GetMethodText() : std::string();
+  }
+  const HapticSettings& settings = model->Baked->Settings;
+  return GetMethodChoice(static_cast<int>(settings.Method), static_cast<int>(settings.Solver)).Text;
 }
 
 bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)

@@ -14,6 +14,7 @@
 #include "vtkType.h"
 
 #include <memory>
+#include <string>
 
 class vtkHapticDevice;
 class vtkVolumeHapticsFilter;
@@ -43,6 +44,9 @@ public:
 
   /** Whether Make was called, successfully or not, since the filter or its input last changed. */
   bool IsUpToDate() const;
+
+  /** See vtkHapticDevice::GetMethodText. */
+  std::string GetMethodText() const;
 
   /** DeviceToWorld of the servo's model; without a model, by the settings. */
   Affine3 GetPlacement() const;
