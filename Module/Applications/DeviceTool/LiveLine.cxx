@@ -43,7 +43,8 @@ std::string DescribeState(vtkHapticDevice* device)
     std::snprintf(text, sizeof(text), "   at most %.0f N/m", device->GetStiffnessCap());
     line += text;
   }
-  return line;
+  const bool isUncalibrated = device->GetCalibrationText() == "uncalibrated";
+  return isUncalibrated ? line + "   uncalibrated" : line;
 }
 
 LiveLine::LiveLine(std::ostream& out)

@@ -11,6 +11,9 @@ const char* const ToolUsage =
        volumehaptics-device monitor ID [options]      live tip, force, rate and buttons; no force
        volumehaptics-device home ID [options]         find the zero of its encoders, by hand
        volumehaptics-device confirm ID [options]      find out whether it moves with the force, gently
+       volumehaptics-device calibrate ID --weight GRAMS [options]
+       volumehaptics-device calibrate ID --scale [options]
+                                                      measure its force, with a weight or a scale
        volumehaptics-device test ID [options]         feel a wall of at most 1 N in its middle
        volumehaptics-device record ID FILE [options]  its path, to a .vtp or a .csv; no force
 
@@ -20,9 +23,17 @@ ID is what list shows: falcon[:N], wooden[:N], pid[:VVVV:PPPP], spacemouse[:N]; 
   --homing-time S     how long each step of homing may take (120)
   --newtons X[,Y]     a force-feedback device's force at full scale along its axes, N; negative reverses it (100);
                       Y is 0 if only the first axis has a motor, as that of a wheel
-  --axis x|y|z        across which the wall of test stands (z; x for a stick or a wheel)
+  --axis [-]x|y|z     test: across which its wall stands (z; x for a stick or a wheel);
+                      calibrate: the vertical axis, or with --scale where the scale is (-y; -x for a stick or a wheel)
   --rate HZ           ticks of the servo per second, 100 to 10000 (1000)
-  --seconds S         end after that time (monitor, test: when interrupted; record: 10)
+  --seconds S         end after that time (monitor, test: when interrupted; record: 10); calibrate: how long it
+                      waits for the weight (60)
+
+calibrate stores how many newtons the device gives for each one that it is asked for; forces and limits are then true
+newtons. A device whose signs were never confirmed is confirmed first. It holds its handle with a soft spring, with at
+most half of its force. Nothing is typed while there is force.
+  --weight GRAMS      hang this weight on the handle when the tool asks for it, and take it off again; 5 to 5000
+  --scale             the handle presses a kitchen scale with four forces; type what it shows after each
 )";
 
 namespace
@@ -35,28 +46,25 @@ bool ReadNumber(const std::string& text, double& number)
   return !text.empty() && *end == '\0' && std::isfinite(number);
 }
 
-bool ReadInRange(const std::string& text, double least, double most, double& number)
-{
-  return ReadNumber(text, number) && number >= least && number <= most;
-}
-
 bool ReadNewtons(const std::string& text, double newtons[2])
 {
   const std::size_t comma = text.find(',');
-  if (!ReadInRange(text.substr(0, comma), -100.0, 100.0, newtons[0]))
+  if (!ReadNumberInRange(text.substr(0, comma), -100.0, 100.0, newtons[0]))
   {
     return false;
   }
   newtons[1] = newtons[0];
   return comma == std::string::npos ||
-    ReadInRange(text.substr(comma + 1), -100.0, 100.0, newtons[1]);
+    ReadNumberInRange(text.substr(comma + 1), -100.0, 100.0, newtons[1]);
 }
 
-bool ReadAxis(const std::string& text, int& axis)
+bool ReadAxis(const std::string& text, ToolOptions& options)
 {
-  const std::size_t found = std::string("xyz").find(text);
-  axis = static_cast<int>(found);
-  return text.size() == 1 && found != std::string::npos;
+  options.IsAxisNegative = !text.empty() && text[0] == '-';
+  const std::string name = text.substr(options.IsAxisNegative ? 1 : 0);
+  const std::size_t found = std::string("xyz").find(name);
+  options.Axis = static_cast<int>(found);
+  return name.size() == 1 && found != std::string::npos;
 }
 
 /** The values that an option takes, if the given one is wrong; else nullptr. */
@@ -69,7 +77,8 @@ const char* ReadOption(const std::string& name, const std::string& value, ToolOp
   }
   if (name == "--homing-time")
   {
-    return ReadInRange(value, 1.0, 3600.0, options.HomingTime) ? nullptr : "seconds, 1 to 3600";
+    return ReadNumberInRange(value, 1.0, 3600.0, options.HomingTime) ? nullptr
+                                                                     : "seconds, 1 to 3600";
   }
   if (name == "--newtons")
   {
@@ -79,16 +88,42 @@ const char* ReadOption(const std::string& name, const std::string& value, ToolOp
   }
   if (name == "--axis")
   {
-    return ReadAxis(value, options.Axis) ? nullptr : "x, y or z";
+    return ReadAxis(value, options) ? nullptr : "x, y or z";
+  }
+  if (name == "--weight")
+  {
+    return ReadNumberInRange(value, 5.0, 5000.0, options.Grams) ? nullptr : "grams, 5 to 5000";
   }
   if (name == "--rate")
   {
-    return ReadInRange(value, 100.0, 10000.0, options.ServoRate) ? nullptr : "Hz, 100 to 10000";
+    return ReadNumberInRange(value, 100.0, 10000.0, options.ServoRate) ? nullptr
+                                                                       : "Hz, 100 to 10000";
   }
-  return ReadInRange(value, 0.001, 1e6, options.Seconds) ? nullptr : "seconds, more than 0";
+  return ReadNumberInRange(value, 0.001, 1e6, options.Seconds) ? nullptr : "seconds, more than 0";
+}
+
+/** The fault and the cure, if the options don't fit the command; else empty. */
+std::string CheckOptions(const ToolOptions& options)
+{
+  using Command = ToolOptions::Command;
+  const bool calibrates = options.What == Command::Calibrate;
+  if (calibrates && options.HasScale == (options.Grams > 0.0))
+  {
+    return "calibrate takes either --weight GRAMS or --scale. Try --help.";
+  }
+  if (!calibrates && (options.HasScale || options.Grams > 0.0))
+  {
+    return "--weight and --scale are for calibrate. Try --help.";
+  }
+  return !calibrates && options.IsAxisNegative ? "--axis wants x, y or z." : "";
 }
 
 } // namespace
+
+bool ReadNumberInRange(const std::string& text, double least, double most, double& number)
+{
+  return ReadNumber(text, number) && number >= least && number <= most;
+}
 
 bool ReadToolOptions(
   const std::vector<std::string>& arguments, ToolOptions& options, std::string& error)
@@ -96,9 +131,10 @@ bool ReadToolOptions(
   using Command = ToolOptions::Command;
   static const std::map<std::string, Command> commands = { { "list", Command::List },
     { "monitor", Command::Monitor }, { "home", Command::Home }, { "confirm", Command::Confirm },
-    { "test", Command::Test }, { "record", Command::Record }, { "help", Command::Help },
-    { "--help", Command::Help }, { "-h", Command::Help } };
-  static const std::string names = " --firmware --homing-time --newtons --axis --rate --seconds ";
+    { "calibrate", Command::Calibrate }, { "test", Command::Test }, { "record", Command::Record },
+    { "help", Command::Help }, { "--help", Command::Help }, { "-h", Command::Help } };
+  static const std::string names =
+    " --firmware --homing-time --newtons --axis --weight --rate --seconds ";
 
   const std::string first = arguments.empty() ? "" : arguments.front();
   const auto command = commands.find(first);
@@ -116,6 +152,11 @@ bool ReadToolOptions(
     if (name.empty() || name[0] != '-')
     {
       operands.push_back(name);
+      continue;
+    }
+    if (name == "--scale")
+    {
+      options.HasScale = true;
       continue;
     }
     if (names.find(" " + name + " ") == std::string::npos)
@@ -147,5 +188,6 @@ bool ReadToolOptions(
   }
   options.Id = wanted > 0 ? operands[0] : "";
   options.File = wanted > 1 ? operands[1] : "";
-  return true;
+  error = CheckOptions(options);
+  return error.empty();
 }

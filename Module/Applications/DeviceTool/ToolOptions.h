@@ -19,6 +19,7 @@ struct ToolOptions
     Monitor,
     Home,
     Confirm,
+    Calibrate,
     Test,
     Record
   };
@@ -26,12 +27,15 @@ struct ToolOptions
   std::string Id;
   std::string File;                 ///< of a recording
   std::string Firmware;             ///< empty: by the environment
-  double Seconds = 0.0;             ///< 0: until it is interrupted
+  double Seconds = 0.0;             ///< 0: not given
   double HomingTime = 120.0;        ///< s, for each step
   double ServoRate = 1000.0;        ///< Hz
   double Newtons[2] = { 100, 100 }; ///< of a stick at full scale, along x and y
   bool HasNewtons = false;          ///< the user has given them
-  int Axis = -1;                    ///< of the wall's normal; below zero: by the kind of device
+  int Axis = -1; ///< of the wall's normal, or to be calibrated; negative: by the kind of device
+  bool IsAxisNegative = false; ///< it was given with a minus
+  double Grams = 0.0;          ///< of the weight that is hung; 0: a scale is pressed
+  bool HasScale = false;
 };
 
 /// The usage of the program, for --help.
@@ -40,5 +44,8 @@ extern const char* const ToolUsage;
 /// False, with the fault and the cure.
 bool ReadToolOptions(
   const std::vector<std::string>& arguments, ToolOptions& options, std::string& error);
+
+/// A number that is the whole text and is within a range (both ends included).
+bool ReadNumberInRange(const std::string& text, double least, double most, double& number);
 
 #endif

@@ -64,11 +64,12 @@ TEST_F(DeviceToolTest, HomesMonitorsAndRecords)
   const ModelClock hand([this] { this->MoveHand(); });
   EXPECT_EQ(this->Run({ "home", "falcon" }), 0) << this->Errors;
   EXPECT_TRUE(this->Shows("Homing of falcon")) << this->Out;
-  EXPECT_TRUE(this->Shows("falcon is ready.")) << this->Out;
+  EXPECT_TRUE(this->Shows("falcon is ready")) << this->Out;
   this->Falcon.SetButtons(4); // the centre one
   EXPECT_EQ(this->Run({ "monitor", "falcon", "--seconds", "0.5" }), 0) << this->Errors;
   EXPECT_TRUE(this->Shows("buttons 01")) << this->Out;
   EXPECT_TRUE(this->Shows("force   0.00   0.00   0.00 N")) << this->Out;
+  EXPECT_TRUE(this->Shows("   uncalibrated")) << this->Out;
   const std::string file = TemporaryPath("DeviceTool.csv");
   EXPECT_EQ(this->Run({ "record", "falcon", file, "--seconds", "0.5" }), 0) << this->Errors;
   std::ifstream recorded(file);

@@ -43,6 +43,21 @@ TEST(ToolOptions, AreRead)
   EXPECT_EQ(options.Newtons[1], -2.0) << "of both axes";
 }
 
+TEST(ToolOptions, OfACalibrationAreRead)
+{
+  ToolOptions options;
+  std::string error;
+  ASSERT_TRUE(ReadToolOptions({ "calibrate", "falcon", "--weight", "150" }, options, error));
+  EXPECT_EQ(options.What, ToolOptions::Command::Calibrate);
+  EXPECT_EQ(options.Grams, 150.0);
+  options = {};
+  ASSERT_TRUE(ReadToolOptions({ "calibrate", "--scale", "falcon", "--axis", "-z" }, options, error))
+    << error;
+  EXPECT_TRUE(options.HasScale);
+  EXPECT_EQ(options.Axis, 2);
+  EXPECT_TRUE(options.IsAxisNegative);
+}
+
 TEST(ToolOptions, AreRefusedWithWhatIsRight)
 {
   const std::vector<std::pair<std::vector<std::string>, const char*>> wrong = {
@@ -59,6 +74,13 @@ TEST(ToolOptions, AreRefusedWithWhatIsRight)
     { { "monitor", "falcon", "--newtons", "1,2,3" }, "such as 2.5" },
     { { "monitor", "falcon", "--newtons", "nan" }, "such as 2.5" },
     { { "test", "falcon", "--axis", "xy" }, "x, y or z" },
+    { { "test", "falcon", "--axis", "-x" }, "x, y or z" },
+    { { "calibrate", "falcon", "--axis", "-" }, "x, y or z" },
+    { { "calibrate", "falcon" }, "either --weight GRAMS or --scale" },
+    { { "calibrate", "falcon", "--scale", "--weight", "50" }, "either --weight GRAMS or --scale" },
+    { { "calibrate", "falcon", "--weight", "heavy" }, "grams, 5 to 5000" },
+    { { "calibrate", "falcon", "--weight", "1" }, "grams, 5 to 5000" },
+    { { "monitor", "falcon", "--scale" }, "are for calibrate" },
     { { "test", "falcon", "--seconds", "0" }, "more than 0" },
     { { "home", "falcon", "--homing-time", "0" }, "1 to 3600" },
   };

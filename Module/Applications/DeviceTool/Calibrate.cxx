@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/DeviceTool/Calibrate.h"
+
+#include "Applications/DeviceTool/HoldingMedium.h"
+#include "Applications/DeviceTool/HungWeight.h"
+#include "Applications/DeviceTool/LiveLine.h"
+#include "Applications/DeviceTool/ScaleFit.h"
+#include "Applications/DeviceTool/ScalePress.h"
+
+#include <vtkMatrix4x4.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <thread>
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double Gravity = 9.80665; // m/s^2: scales and weights are adjusted to the local one
+constexpr double Millimetre = 1e-3; // m
+constexpr auto LookPeriod = std::chrono::milliseconds(10);
+/// The spring pulls with the largest force after this way (m).
+constexpr double FullWay = 0.015;
+/// A device is armed, and a fade is over, after this time (s).
+constexpr double OrderTime = 2.0;
+constexpr double Patience = 60.0; // s, without --seconds
+/// The share of the largest force that good weights use, if the device's newtons are true.
+constexpr double LightShare = 0.1;
+constexpr double HeavyShare = 0.6;
+/// The shares that the scale is pressed with. The first has to exceed twice the friction, which may
+/// be in the wrong direction before the force rises.
+constexpr double Levels[] = { 0.3, 0.45, 0.6, 0.75 };
+constexpr int Tries = 3;
+constexpr double MostGrams = 20000.0;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A handle that a spring holds.
+class HeldHandle
+{
+public:
+  HeldHandle(ToolDevice& device, int axis, std::ostream& errors)
+    : Device(device)
+    , Axis(axis)
+    , Errors(errors)
+  {
+    this->MoveTo(0.0);
+    this->Device->SetDeviceToWorld(this->DeviceToWorld);
+  }
+  ~HeldHandle() { this->Device->SetDeviceToWorld(nullptr); }
+  HeldHandle(const HeldHandle&) = delete;
+  HeldHandle& operator=(const HeldHandle&) = delete;
+
+  /// From now on the spring holds it where it is.
+  void Arm()
+  {
+    this->MoveTo(0.0);
+    this->Device->Publish();
+    this->Device->Arm();
+    this->Armed = this->Last = Clock::now();
+  }
+  /// A moment later; false, after an error, if the device gives no more force.
+  bool Look(HeldSample& sample)
+  {
+    std::this_thread::sleep_for(LookPeriod);
+    this->Device->UpdateState();
+    const int status = this->Device->GetStatus();
+    const bool isOn = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+    if (status == vtkHapticDevice::FAULT || (!isOn && SecondsSince(this->Armed) > OrderTime))
+    {
+      this->Errors << this->Device->GetStatusText() << "\n";
+      return false;
+    }
+    const double* const tip = this->Device->GetTipPosition();
+    std::copy_n(this->Device->GetForce(), 3, sample.Force.begin());
+    std::transform(tip, tip + 3, sample.Tip.begin(), [](double x) { return Millimetre * x; });
+    sample.Tip[this->Axis] += this->Shift;
+    sample.Elapsed = SecondsSince(this->Last);
+    this->Last = Clock::now();
+    return true;
+  }
+  /// The spring's fixed end, along the axis from where it was at Arm (m).
+  void ShiftTo(double shift)
+  {
+    if (shift != this->Shift)
+    {
+      this->MoveTo(shift);
+      this->Device->Publish();
+    }
+  }
+  /// The force goes to zero.
+  void LetGo()
+  {
+    this->Device->FadeOut();
+    const Clock::time_point start = Clock::now();
+    double size = 1.0;
+    while (size > 0.0 && SecondsSince(start) < OrderTime)
+    {
+      std::this_thread::sleep_for(LookPeriod);
+      this->Device->UpdateState();
+      const double* const force = this->Device->GetForce();
+      size = std::hypot(force[0], force[1], force[2]);
+    }
+  }
+
+private:
+  void MoveTo(double shift)
+  {
+    this->Shift = shift;
+    this->DeviceToWorld->Identity();
+    for (int i = 0; i < 3; ++i)
+    {
+      this->DeviceToWorld->SetElement(i, i, 1.0 / Millimetre);
+    }
+    this->DeviceToWorld->SetElement(this->Axis, 3, -shift / Millimetre);
+  }
+
+  ToolDevice& Device;
+  const int Axis;
+  std::ostream& Errors;
+  vtkNew<vtkMatrix4x4> DeviceToWorld;
+  double Shift = 0.0; ///< m
+  Clock::time_point Armed;
+  Clock::time_point Last;
+};
+
+/// Steps a measurement until it is over, and lets go; false after an error.
+template <typename T>
+bool Measure(T& measurement, HeldHandle& handle, ToolStreams streams)
+{
+  HeldSample sample;
+  LiveLine line(streams.Out);
+  handle.Arm();
+  while (!measurement.IsOver())
+  {
+    line.Show(measurement.GetRequest());
+    if (!handle.Look(sample))
+    {
+      return false;
+    }
+    measurement.Step(sample);
+    handle.ShiftTo(measurement.GetShift());
+  }
+  line.Show(measurement.GetRequest());
+  handle.LetGo();
+  line.End();
+  if (!measurement.GetFault().empty())
+  {
+    streams.Errors << measurement.GetFault() << "\n";
+    return false;
+  }
+  return true;
+}
+
+bool Weigh(ToolDevice& device, const ToolOptions& options, int axis, ToolStreams streams,
+  double& factor, double& doubt)
+{
+  const double most = device->GetMaximumForce();
+  HungWeight::Settings settings;
+  settings.Weight = 1e-3 * options.Grams * Gravity;
+  settings.Axis = axis;
+  settings.MostForce = most;
+  settings.Patience = options.Seconds > 0.0 ? options.Seconds : Patience;
+  char text[400];
+  std::snprintf(text, sizeof(text),
+    "The device holds its handle with %.2f N at the most; weights of about %.0f to %.0f g are "
+    "good. "
+    "Hold the handle in the middle of the workspace, without the weight, and press Enter; Ctrl+C "
+    "ends at once.",
+    most, 1e3 * LightShare * most / Gravity, 1e3 * HeavyShare * most / Gravity);
+  if (!streams.AskForEnter(text))
+  {
+    return false;
+  }
+  HeldHandle handle(device, axis, streams.Errors);
+  HungWeight weight(settings);
+  if (!device->Start() || !Measure(weight, handle, streams))
+  {
+    return false;
+  }
+  factor = weight.GetFactor();
+  doubt = weight.GetDoubt();
+  std::snprintf(text, sizeof(text), "The friction of the arm is %.2f N.\n",
+    weight.GetFriction() * factor * device->GetForceScale());
+  streams.Out << text;
+  return true;
+}
+
+/// The number of grams that the user types: 1 if there is one, 0 for an empty line, which asks for
+/// another push, and -1 after an error.
+int AskForGrams(ToolStreams streams, double& grams)
+{
+  for (int i = 0; i < Tries; ++i)
+  {
+    streams.Out << "How many grams did it show? (Enter alone: push again)" << std::endl;
+    std::string text;
+    if (!std::getline(streams.In, text))
+    {
+      streams.Errors << "No number was typed.\n";
+      return -1;
+    }
+    if (text.empty())
+    {
+      return 0;
+    }
+    if (ReadNumberInRange(text, -MostGrams, MostGrams, grams))
+    {
+      return 1;
+    }
+    streams.Out << "\"" << text << "\" is not a number of grams, such as 153 or 152.5.\n";
+  }
+  streams.Errors << "No number of grams was typed: nothing is stored.\n";
+  return -1;
+}
+
+bool Press(ToolDevice& device, int axis, double direction, ToolStreams streams, double& factor,
+  double& doubt)
+{
+  const double most = device->GetMaximumForce();
+  char text[400];
+  std::snprintf(text, sizeof(text),
+    "Put a kitchen scale %s%c of the handle, closer than 2 cm or touching it, so that the handle "
+    "presses its middle and nothing else does. The device pushes %d times, with up to %.2f N. Take "
+    "the handle and press Enter; Ctrl+C ends at once.",
+    direction < 0.0 ? "on the side of -" : "on the side of ", "xyz"[axis],
+    static_cast<int>(std::size(Levels)), Levels[std::size(Levels) - 1] * most);
+  if (!streams.AskForEnter(text))
+  {
+    return false;
+  }
+  HeldHandle handle(device, axis, streams.Errors);
+  if (!device->Start())
+  {
+    return false;
+  }
+  std::vector<ScaleReading> readings;
+  while (readings.size() < std::size(Levels))
+  {
+    ScalePress::Settings settings;
+    settings.Axis = axis;
+    settings.Direction = direction;
+    settings.Level = Levels[readings.size()] * most;
+    settings.MostForce = most;
+    ScalePress press(settings);
+    if (!Measure(press, handle, streams))
+    {
+      return false;
+    }
+    double grams = 0.0;
+    const int answer = AskForGrams(streams, grams);
+    if (answer < 0)
+    {
+      return false;
+    }
+    if (answer > 0)
+    {
+      readings.push_back({ press.GetForce(), 1e-3 * grams * Gravity });
+    }
+  }
+  ScaleFit fit;
+  std::string error;
+  if (!FitScale(readings, fit, error))
+  {
+    streams.Errors << error << "\n";
+    return false;
+  }
+  factor = fit.Factor;
+  doubt = fit.Doubt;
+  std::snprintf(text, sizeof(text), "The readings are on a line within %.3f N.\n", fit.Residual);
+  streams.Out << text;
+  return true;
+}
+
+} // namespace
+
+bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
+{
+  if (device->GetCalibrationText().empty())
+  {
+    streams.Errors << options.Id << " gives no force of its own: there is nothing to calibrate.\n";
+    return false;
+  }
+  streams.Out << options.Id << " is " << device->GetCalibrationText() << ".\n";
+  if (!device->GetSignsConfirmed())
+  {
+    streams.Out << "It was never found out whether it moves with the force: that comes first.\n";
+    if (!ConfirmSigns(device, options.Id.c_str(), streams))
+    {
+      return false;
+    }
+  }
+  const bool isStick = options.Id.compare(0, 3, "pid") == 0;
+  const int axis = options.Axis >= 0 ? options.Axis : isStick ? 0 : 1;
+  const double direction = options.Axis >= 0 && !options.IsAxisNegative ? 1.0 : -1.0;
+  MakeHoldingMedium(device.GetVolume(), device->GetMaximumForce() / FullWay);
+  device->SetVolumeHaptics(device.GetVolume());
+
+  double factor = 1.0;
+  double doubt = 0.0;
+  const bool isMeasured = options.Grams > 0.0
+    ? Weigh(device, options, axis, streams, factor, doubt)
+    : Press(device, axis, direction, streams, factor, doubt);
+  device->Stop();
+  if (!isMeasured)
+  {
+    return false;
+  }
+  // Forces were asked for in newtons of the factor so far.
+  const double scale = factor * device->GetForceScale();
+  const int complaints = device.CountComplaints();
+  if (!device->CalibrateForce(scale) || device.CountComplaints() > complaints)
+  {
+    return false;
+  }
+  char text[200];
+  std::snprintf(text, sizeof(text),
+    "%s gives %.3f N (+- %.1f %%) for each newton that it is asked for. This is remembered.\n",
+    options.Id.c_str(), scale, 100.0 * doubt / factor);
+  streams.Out << text;
+  return true;
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Leads a handle slowly up and down past a place, and reads the force there, without friction.
+ */
+#ifndef HandleSweep_h
+#define HandleSweep_h
+
+#include "Applications/DeviceTool/HeldSample.h"
+
+#include <vector>
+
+/**
+ * A spring holds the handle, and the sweep shifts the spring's fixed end along an axis: up until
+ * the handle is Reach above the place, down until it is as far below, and so on. The mean force of
+ * a way up, within Window of the place, has the whole friction against it, and that of the way down
+ * has it the other way round: their mean has none, neither Coulomb's nor that which grows with the
+ * speed, since both ways are equally fast. Half of the difference is the friction.
+ */
+class HandleSweep
+{
+public:
+  static constexpr double Speed = 4e-3;   ///< m/s, of the spring's fixed end
+  static constexpr double Reach = 1.5e-3; ///< m
+  static constexpr double Window = 1e-3;  ///< m
+
+  /// A way up and the way down before it.
+  struct Reading
+  {
+    std::array<double, 3> Force{}; ///< N, without friction
+    double Friction = 0.0;         ///< N, along the axis
+  };
+
+  /// Past a place (m), so many times up and down, from a shift (m) on.
+  void Begin(int axis, double place, double shift, int pairs);
+  void Step(const HeldSample& sample);
+
+  /// Of the spring's fixed end (m).
+  double GetShift() const { return this->Shift; }
+  bool IsDone() const { return this->Readings.size() == this->Pairs; }
+  /// The handle does not follow.
+  bool IsStuck() const { return this->WayTime > MostTime; }
+  const std::vector<Reading>& GetReadings() const { return this->Readings; }
+
+private:
+  static constexpr double MostTime = 10.0; ///< s, of a way
+
+  void EndWay();
+
+  int Axis = 0;
+  double Place = 0.0;
+  double Shift = 0.0;
+  std::size_t Pairs = 0;
+  double Direction = 1.0;
+  double WayTime = 0.0;
+  int Ways = 0;
+  std::array<double, 3> Sum{}; ///< N s, of this way
+  double SumTime = 0.0;
+  std::array<double, 3> Down{}; ///< N, of the way before
+  std::vector<Reading> Readings;
+};
+
+#endif

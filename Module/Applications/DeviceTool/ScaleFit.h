@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The straight line through what a device was asked for and what a scale showed.
+ */
+#ifndef ScaleFit_h
+#define ScaleFit_h
+
+#include <string>
+#include <vector>
+
+struct ScaleReading
+{
+  double Asked = 0.0; ///< N
+  double Shown = 0.0; ///< N
+};
+
+/**
+ * The least-squares line shown = offset + factor * asked. The offset takes the weight of the
+ * handle, a scale that does not begin at zero, and the friction, which is always in the same
+ * direction.
+ */
+struct ScaleFit
+{
+  double Factor = 0.0;
+  double Offset = 0.0;   ///< N
+  double Residual = 0.0; ///< N, the root mean square with n - 2 degrees of freedom
+  double Doubt = 0.0;    ///< standard error of the factor
+};
+
+/// False, with the fault and the cure, if the readings are not on a rising line. Needs three or
+/// more readings of different forces.
+bool FitScale(const std::vector<ScaleReading>& readings, ScaleFit& fit, std::string& error);
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The device that the tool uses, and the streams between the tool and its user.
+ */
+#ifndef ToolDevice_h
+#define ToolDevice_h
+
+#include <vtkHapticDevice.h>
+#include <vtkNew.h>
+#include <vtkVolumeHapticsFilter.h>
+
+#include <iosfwd>
+
+struct ToolStreams
+{
+  std::istream& In;
+  std::ostream& Out;
+  std::ostream& Errors;
+
+  /// Waits for Enter; false if the input ends before.
+  bool AskForEnter(const char* wish);
+};
+
+/// A device whose errors go to a stream, in readable form.
+class ToolDevice
+{
+public:
+  explicit ToolDevice(std::ostream& errors);
+  vtkHapticDevice* operator->() { return this->Device; }
+  vtkHapticDevice* Get() { return this->Device; }
+  vtkVolumeHapticsFilter* GetVolume() { return this->Volume; }
+  /// How many errors and warnings there were.
+  int CountComplaints() const { return this->Complaints; }
+
+private:
+  std::ostream& Errors;
+  int Complaints = 0;
+  vtkNew<vtkVolumeHapticsFilter> Volume;
+  vtkNew<vtkHapticDevice> Device;
+};
+
+/// Pushes gently along each axis, until it is known whether the device moves with the force.
+bool ConfirmSigns(ToolDevice& device, const char* id, ToolStreams streams);
+
+#endif

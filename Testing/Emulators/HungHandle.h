@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The handle of a haptic device that a weight can be hung on, or that presses a kitchen scale, in
+ * simulated time.
+ *
+ * It follows Newton's second law, m a = sum of forces, with Coulomb's dry friction, a friction
+ * proportional to the speed, and Hooke's law for the arm's own springs and for the scale. The
+ * motors give `Strength` newtons for each one that they are asked for. That law, not the device's
+ * driver or its tool, is the source: what a measurement should find is what is set here.
+ */
+#ifndef HungHandle_h
+#define HungHandle_h
+
+#include "EmulatedHand.h"
+
+namespace emulated
+{
+
+class HungHandle
+{
+public:
+  static constexpr double Gravity = 9.80665; ///< m/s^2
+
+  double Strength = 1.0;          ///< N for each one that is asked for
+  double Mass = 0.15;             ///< kg, of handle and arm
+  double Balance = 0.9;           ///< the part of the handle's weight that the arm carries
+  double ArmStiffness = 15.0;     ///< N/m, of the arm's own springs
+  double Viscosity = 1.0;         ///< N s/m
+  double Friction = 0.1;          ///< N, Coulomb's
+  Triple Down{ 0.0, -1.0, 0.0 };  ///< the direction of gravity, a unit vector
+  double Quantum = 0.02e-3;       ///< m, of the encoders
+  double Weight = 0.0;            ///< kg, of what hangs on it
+  bool IsHeld = true;             ///< a hand holds it at its place
+  double Tremor = 0.0;            ///< m, of a hand that does not let it go
+  bool HasScale = false;          ///< its plate is below, across y
+  double PlateBelow = 0.005;      ///< m, below the beginning
+  double ScaleStiffness = 5000.0; ///< N/m
+  double ScaleDamping = 20.0;     ///< N s/m
+
+  /// The motors are asked for a force (N) for a time (s).
+  void Step(const Triple& asked, double time)
+  {
+    constexpr double shortest = 1e-4;
+    for (double done = 0.0; done < time - 1e-9; done += shortest)
+    {
+      this->StepOnce(asked, std::min(shortest, time - done));
+    }
+  }
+  /// As the encoders have it (m).
+  Triple GetTip() const
+  {
+    Triple tip = this->Place;
+    for (double& x : tip)
+    {
+      x = this->Quantum * std::round(x / this->Quantum);
+    }
+    return tip;
+  }
+  /// What the scale shows (g), rounded as kitchen scales do.
+  double GetShown() const { return std::round(1e3 * this->OnScale / Gravity); }
+
+private:
+  double FindForce(int axis, const Triple& asked) const
+  {
+    const double own = this->Mass * (1.0 - this->Balance);
+    double force = this->Strength * asked[axis] +
+      (own + this->Weight) * Gravity * this->Down[axis] - this->ArmStiffness * this->Place[axis];
+    if (this->IsHeld || this->Tremor > 0.0)
+    {
+      const double hand = axis == 1 ? this->Tremor * std::sin(9.0 * this->Time) : 0.0;
+      force += 600.0 * (hand - this->Place[axis]) - 20.0 * this->Velocity[axis];
+    }
+    return force;
+  }
+
+  void StepOnce(const Triple& asked, double time)
+  {
+    const double mass = this->Mass + this->Weight;
+    this->Time += time;
+    this->OnScale = 0.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      double force = this->FindForce(a, asked);
+      const double depth = -this->PlateBelow - this->Place[a];
+      if (a == 1 && this->HasScale && depth > 0.0)
+      {
+        this->OnScale =
+          std::max(0.0, this->ScaleStiffness * depth - this->ScaleDamping * this->Velocity[a]);
+        force += this->OnScale;
+      }
+      // Friction takes speed away, but never turns it round; viscosity is taken at the step's end.
+      const double pushed = this->Velocity[a] + time / mass * force;
+      const double taken = time / mass * this->Friction;
+      const double left = std::max(0.0, std::abs(pushed) - taken);
+      this->Velocity[a] = std::copysign(left, pushed) / (1.0 + time / mass * this->Viscosity);
+      this->Place[a] += time * this->Velocity[a];
+    }
+  }
+
+  Triple Place{};
+  Triple Velocity{};
+  double Time = 0.0;
+  double OnScale = 0.0; ///< N
+};
+
+} // namespace emulated
+
+#endif
