@@ -4,18 +4,22 @@
  * @file
  * Macros for the sampling kernels.
  *
- * A kernel must be inlined whole into its translation unit: the linker could pick an out-of-line
- * copy made by the AVX2 unit for the baseline one.
+ * A kernel is inlined whole, for its speed. All its parts are static: of others the linker could pick
+ * the copy that the AVX2 unit made for the baseline one. Without optimisation speed is not wanted,
+ * and inlined code would take ten times as long to compile, most of all with sanitizers.
  */
 #ifndef KernelInline_h
 #define KernelInline_h
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__)
 #define VOLUME_HAPTICS_INLINE static inline __attribute__((always_inline))
+#else
+#define VOLUME_HAPTICS_INLINE static inline
+#endif
+#if defined(__GNUC__)
 #define VOLUME_HAPTICS_OUTLINE static __attribute__((noinline))
 #define VOLUME_HAPTICS_PREFETCH(address) __builtin_prefetch(address)
 #else
-#define VOLUME_HAPTICS_INLINE static inline
 #define VOLUME_HAPTICS_OUTLINE static
 #define VOLUME_HAPTICS_PREFETCH(address) static_cast<void>(address)
 #endif
