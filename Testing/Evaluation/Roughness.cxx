@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Roughness.h"
+
+#include "Shapes.h"
+
+#include <complex>
+#include <numeric>
+
+namespace evaluation
+{
+namespace
+{
+constexpr double TicksPerSecond = 1000.0;
+constexpr std::size_t LeastTicks = 100;
+constexpr std::size_t Window = 5; // ticks
+constexpr double Fall = 0.3;
+constexpr double LeastForce = 0.05; // N, from which on a fall is felt
+constexpr double ReversalShare = 0.05;
+
+/** The root mean square of a signal without mean, in a band of frequencies (Hz). */
+double FindBand(const std::vector<double>& signal, double low, double high)
+{
+  const std::size_t count = signal.size();
+  const auto n = static_cast<double>(count);
+  std::vector<double> windowed(count);
+  double weight = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double w = 0.5 - 0.5 * std::cos(TwoPi * static_cast<double>(i) / n);
+    windowed[i] = w * signal[i];
+    weight += w * w;
+  }
+  double power = 0.0;
+  const double step = TicksPerSecond / n;
+  for (auto line = static_cast<std::size_t>(std::ceil(low / step)); line * step < high; ++line)
+  {
+    std::complex<double> sum = 0.0;
+    const std::complex<double> turn = std::polar(1.0, -TwoPi * static_cast<double>(line) / n);
+    std::complex<double> phase = 1.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      sum += windowed[i] * phase;
+      phase *= turn;
+    }
+    power += 2.0 * std::norm(sum) / (n * weight);
+  }
+  return std::sqrt(power);
+}
+
+int CountDrops(const std::vector<double>& force)
+{
+  int drops = 0;
+  for (std::size_t i = Window; i < force.size(); ++i)
+  {
+    if (force[i - Window] > LeastForce && force[i] < (1.0 - Fall) * force[i - Window])
+    {
+      ++drops;
+      i += 4 * Window; // the same fall is not counted again
+    }
+  }
+  return drops;
+}
+
+/** How often the force rises by a threshold after it has fallen by as much. */
+int CountReversals(const std::vector<double>& force, double threshold)
+{
+  int reversals = 0;
+  bool falls = false;
+  double extreme = force.front();
+  for (const double f : force)
+  {
+    extreme = falls ? std::min(extreme, f) : std::max(extreme, f);
+    if (std::abs(f - extreme) > threshold)
+    {
+      reversals += falls ? 1 : 0;
+      falls = !falls;
+      extreme = f;
+    }
+  }
+  return reversals;
+}
+} // namespace
+
+Roughness FindRoughness(const std::vector<double>& force)
+{
+  Roughness found;
+  if (force.size() < LeastTicks)
+  {
+    return found;
+  }
+  const double mean =
+    std::accumulate(force.begin(), force.end(), 0.0) / static_cast<double>(force.size());
+  if (mean < LeastForce)
+  {
+    return found;
+  }
+  found.Duration = static_cast<double>(force.size()) / TicksPerSecond;
+  found.Mean = mean;
+  std::vector<double> rest = force;
+  for (double& f : rest)
+  {
+    f -= mean;
+  }
+  found.Low = 100.0 / mean * FindBand(rest, 30.0, 100.0);
+  found.High = 100.0 / mean * FindBand(rest, 100.0, 500.0);
+  found.Drops = CountDrops(force);
+  found.Reversals = CountReversals(force, ReversalShare * mean);
+  for (std::size_t i = 1; i < force.size(); ++i)
+  {
+    found.LargestStep = std::max(found.LargestStep, std::abs(force[i] - force[i - 1]));
+  }
+  return found;
+}
+
+Roughness Average(const std::vector<Roughness>& strokes)
+{
+  Roughness all;
+  for (const Roughness& one : strokes)
+  {
+    all.Duration += one.Duration;
+    all.Mean += one.Duration * one.Mean;
+    all.Low += one.Duration * one.Low;
+    all.High += one.Duration * one.High;
+    all.Drops += one.Drops;
+    all.Reversals += one.Reversals;
+    all.LargestStep = std::max(all.LargestStep, one.LargestStep);
+  }
+  if (all.Duration > 0.0)
+  {
+    all.Mean /= all.Duration;
+    all.Low /= all.Duration;
+    all.High /= all.Duration;
+  }
+  return all;
+}
+
+} // namespace evaluation
