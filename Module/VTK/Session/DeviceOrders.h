@@ -33,7 +33,7 @@ public:
   }
 
   ///@{
-  /** The device's MaximumForce is out of date after these: it depends on the device that is open. */
+  /** The device's MaximumForce is out of date after these: it depends on the open device. */
   bool Open(const std::string& id, const DeviceOptions& options);
   bool CalibrateForce(double scale);
   ///@}
