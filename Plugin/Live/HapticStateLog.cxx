@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticStateLog.h"
 
+#include "VTK/Trace/TraceTable.h"
+
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 
-#include <iomanip>
-#include <limits>
+#include <vector>
 
 namespace VolumeHapticsLive
 {
@@ -25,8 +26,7 @@ bool HapticStateLog::Start(const std::string& file, vtkHapticDevice* device, std
   if (dot == std::string::npos || file.substr(dot) != ".csv")
   {
     error = "What is felt of a region of a server's volume can't be replayed, and is written as "
-            "numbers: let "
-            "RecordingFile, now \"" +
+            "numbers: let RecordingFile, now \"" +
       file + "\", end in .csv.";
     return false;
   }
@@ -39,8 +39,7 @@ bool HapticStateLog::Start(const std::string& file, vtkHapticDevice* device, std
       "The file \"" + file + "\" can't be written. Choose a RecordingFile in a folder that can be.";
     return false;
   }
-  this->File << std::setprecision(std::numeric_limits<double>::max_digits10);
-  this->HasHeader = false;
+  this->HasTitles = false;
   vtkNew<vtkTable> before;
   device->DrainStates(nullptr, Reader);
   device->DrainStates(before, Reader);
@@ -55,37 +54,34 @@ void HapticStateLog::Continue(vtkHapticDevice* device)
   }
   vtkNew<vtkTable> table;
   device->DrainStates(table, Reader);
-  const auto write = [this, &table](auto&& value)
+  std::vector<vtkDataArray*> columns;
+  for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
   {
-    const char* comma = "";
-    for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
+    if (auto* const column = vtkDataArray::SafeDownCast(table->GetColumn(c)))
     {
-      auto* const column = vtkDataArray::SafeDownCast(table->GetColumn(c));
-      const int components = column ? column->GetNumberOfComponents() : 0;
-      for (int i = 0; i < components; ++i, comma = ",")
-      {
-        this->File << comma;
-        value(column, i);
-      }
+      columns.push_back(column);
     }
-    this->File << "\n";
-  };
-  if (!this->HasHeader && table->GetNumberOfColumns() > 0)
+  }
+  VolumeHaptics::TraceTable text;
+  if (!this->HasTitles && !columns.empty())
   {
-    write(
-      [this](vtkDataArray* column, int i)
-      {
-        this->File << column->GetName();
-        if (column->GetNumberOfComponents() > 1)
-        {
-          this->File << ":" << i;
-        }
-      });
-    this->HasHeader = true;
+    for (vtkDataArray* const column : columns)
+    {
+      text.AddTitle(column->GetName(), column->GetNumberOfComponents());
+    }
+    this->File << text.EndLine();
+    this->HasTitles = true;
   }
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    write([this, row](vtkDataArray* column, int i) { this->File << column->GetComponent(row, i); });
+    for (vtkDataArray* const column : columns)
+    {
+      for (int i = 0; i < column->GetNumberOfComponents(); ++i)
+      {
+        text.AddNumber(column->GetComponent(row, i));
+      }
+    }
+    this->File << text.EndLine();
   }
 }
 
@@ -101,8 +97,7 @@ bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
   {
     error = "The file \"" + this->Name +
       "\" lacks what was felt: it could not be written to its end. Make room on its disk, or "
-      "choose "
-      "a RecordingFile on another one.";
+      "choose a RecordingFile on another one.";
     return false;
   }
   return true;

@@ -17,9 +17,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * A .csv with the columns of vtkHapticDevice::DrainStates, vectors as Name:0, Name:1 and Name:2,
- * and numbers with all their digits. It can't be replayed as a recording, but its tips are a path
- * for Volume Haptics.
+ * A .csv with the columns of vtkHapticDevice::DrainStates, in the form of all traces
+ * (TraceTable.h). It holds too little for a replay to the bit, but its tips are a path for Volume
+ * Haptics.
  */
 class HapticStateLog
 {
@@ -35,7 +35,7 @@ public:
 private:
   std::ofstream File;
   std::string Name;
-  bool HasHeader = false;
+  bool HasTitles = false;
 };
 
 } // namespace VolumeHapticsLive

@@ -40,7 +40,7 @@ def lead(name, speed, longest):
         time.sleep(0.005)
     device.Recording = 0
     log = live.read_log(device.RecordingFile)
-    commands = list(zip(*(log["Command:%d" % a] for a in range(3))))
+    commands = list(zip(*(log["Command %s (N)" % a] for a in "xyz")))
     step = max(live.growth(a, b) for a, b in zip(commands, commands[1:]))
     absent = sum(1 for r in log["Residency"] if r < 1.0) / len(commands)
     print("round trip %3.0f ms, %3.0f mm/s: %5d ticks, latency %3.0f ms, largest force %.3f N, largest growth %.3f N, "

@@ -53,10 +53,10 @@ with server:
     live.check(live.norm(device.Force) == 0.0 and device.Armed == 0, "without force")
 
 log = live.read_log(LOG)
-commands = [live.norm([log["Command:%d" % a][i] for a in range(3)]) for i in range(len(log["Time"]))]
+commands = [live.norm([log["Command %s (N)" % a][i] for a in "xyz"]) for i in range(len(log["Time (s)"]))]
 steps = [abs(a - b) for a, b in zip(commands, commands[1:])]
 first = next(i for i, c in enumerate(commands) if i and c == 0.0 and max(commands[:i]) > 0.5)
-silent = log["Time"][-1] - log["Time"][first]
+silent = log["Time (s)"][-1] - log["Time (s)"][first]
 print("held %.3f N, largest step %.3f N, without force for %.2f s of the hang" % (max(commands), max(steps), silent))
 live.check(max(steps) <= 0.5 + 1e-9, "force fades within the slew limit", max(steps))
 live.check(any(0 < c < 1 for c in log["Residency"]), "it fades rather than ends")

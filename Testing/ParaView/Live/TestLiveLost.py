@@ -29,7 +29,7 @@ with server:
     live.check(live.norm(device.Force) == 0.0, "it does not start without its server")
 
 log = live.read_log(LOG)
-commands = [[log["Command:%d" % a][i] for a in range(3)] for i in range(len(log["Time"]))]
+commands = [[log["Command %s (N)" % a][i] for a in "xyz"] for i in range(len(log["Time (s)"]))]
 steps = [live.distance(a, b) for a, b in zip(commands, commands[1:])]
 held = max(range(len(commands)), key=lambda i: live.norm(commands[i]))
 print("held %.3f N, largest step %.3f N, ticks from full force to none %d"
