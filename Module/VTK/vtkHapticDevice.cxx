@@ -172,6 +172,7 @@ vtkHapticDevicePartMacro(std::string, GetDeviceId, (), Session.GetId());
 vtkHapticDevicePartMacro(bool, IsRunning, (), Session.IsRunning());
 vtkHapticDevicePartMacro(int, GetStatus, (), Session.GetStatus().FindType());
 vtkHapticDevicePartMacro(std::string, GetStatusText, (), Session.GetStatus().MakeText());
+vtkHapticDevicePartMacro(bool, IsArmOrdered, (), Session.HasArmOrder());
 vtkHapticDevicePartMacro(bool, GetClutch, (), Session.IsClutched());
 vtkHapticDevicePartMacro(bool, ArmsAfterClutch, (), Session.ReturnsAfterClutch());
 vtkHapticDevicePartMacro(bool, GetSignsConfirmed, (), Session.AreSignsConfirmed());

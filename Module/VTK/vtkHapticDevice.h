@@ -141,10 +141,13 @@ public:
    * refused, with an error, while the device is not ready. Disarm cuts the force at once. FadeOut
    * ends it within 50 ms, for example when the connection to the server that sends the data is
    * lost. Stop disarms. Every way to disarm invokes vtkCommand::DisableEvent at once.
+   * IsArmOrdered tells whether the last of all these orders was Arm, even if the servo has yet to
+   * see it, the clutch delays it, or a fault (GetStatus) keeps the force off.
    */
   void Arm();
   void Disarm();
   void FadeOut();
+  bool IsArmOrdered();
   ///@}
 
   ///@{

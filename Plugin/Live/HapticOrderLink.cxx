@@ -17,14 +17,6 @@
 
 namespace VolumeHapticsLive
 {
-namespace
-{
-
-/** A fault from before Arm stays visible for some ticks after it (s). */
-constexpr double FaultAge = 0.05;
-
-} // namespace
-
 HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice* device,
   HapticReport& report, std::function<bool()> canReachServer)
   : Proxy(proxy)
@@ -32,6 +24,25 @@ HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice*
   , Report(report)
   , CanReachServer(std::move(canReachServer))
 {
+  this->DisarmObserver->SetClientData(this);
+  this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<HapticOrderLink*>(self)->FollowDisarm(); });
+  // After the other observers, which may disarm it during a clutch.
+  device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver, -VTK_FLOAT_MAX);
+}
+
+void HapticOrderLink::Leave()
+{
+  this->Device->RemoveObserver(this->DisarmObserver);
+}
+
+void HapticOrderLink::FollowDisarm()
+{
+  // While the device does not run, Armed may be an order for its start, which must stay.
+  if (this->Device->IsRunning() && !this->Device->IsArmOrdered())
+  {
+    this->Reset("Armed");
+  }
 }
 
 int HapticOrderLink::GetInt(const char* name) const
@@ -80,13 +91,9 @@ void HapticOrderLink::Take()
   }
   const bool arm = this->GetInt("Armed") != 0;
   const bool record = this->GetInt("Recording") != 0;
-  // Something else may also have armed it.
-  const int status = this->Device->GetStatus();
-  if (!arm &&
-    (this->IsArmed || status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE))
+  if (!arm && this->Device->IsArmOrdered())
   {
     this->Device->Disarm();
-    this->IsArmed = false;
   }
   this->TakeLimits();
   this->TakeTip();
@@ -94,21 +101,25 @@ void HapticOrderLink::Take()
   {
     this->TakeRecording(record);
   }
-  if (arm && !this->IsArmed && this->CanReachServer())
+  if (!arm || this->Device->IsArmOrdered())
   {
-    this->Device->UpdateState();
-    this->ArmedAt = this->Device->GetTime();
+    return;
+  }
+  if (this->CanReachServer())
+  {
     this->Device->Arm();
-    this->IsArmed = true;
+  }
+  if (!this->Device->IsArmOrdered()) // refused
+  {
+    this->Reset("Armed");
   }
 }
 
 void HapticOrderLink::TakeCuts()
 {
-  if (this->Device->IsRunning() && (!this->GetInt("Armed") || !this->GetInt("Running")))
+  if (this->Device->IsArmOrdered() && (!this->GetInt("Armed") || !this->GetInt("Running")))
   {
     this->Device->Disarm();
-    this->IsArmed = false;
   }
 }
 
@@ -137,13 +148,9 @@ void HapticOrderLink::FollowFault(bool isServerLost)
     this->Stop(this->Report.GetNotice()); // it has faded, or was cut off before
     return;
   }
-  const bool isReady = status >= vtkHapticDevice::READY;
-  if (this->IsArmed &&
-    (!isReady || (isFault && this->Device->GetTime() > this->ArmedAt + FaultAge)))
+  if (this->Device->IsArmOrdered() && (isFault || status < vtkHapticDevice::READY))
   {
-    // Only the user may arm again, and then changes the property.
-    this->IsArmed = false;
-    this->Reset("Armed");
+    this->Device->Disarm(); // only the user may arm again
   }
 }
 
@@ -232,7 +239,6 @@ void HapticOrderLink::Stop(const std::string& why)
   {
     vtkErrorWithObjectMacro(this->Proxy, << error);
   }
-  this->IsArmed = false;
   for (const char* const name : Names)
   {
     if (this->Proxy->GetProperty(name))

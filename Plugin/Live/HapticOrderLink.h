@@ -9,6 +9,8 @@
 
 #include "HapticRecordingLink.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
 #include "vtkType.h"
 
 #include <array>
@@ -25,8 +27,10 @@ namespace VolumeHapticsLive
 class HapticReport;
 
 /**
- * The properties decide: a device that something else has armed is disarmed if Armed is 0. After a
- * fault, and if the device is stopped, the properties go back to 0, so that the user has to order
+ * The properties are orders of the user: a device that something else has armed is disarmed if
+ * Armed is 0. The device itself tells which order it has; nothing here repeats an order to arm.
+ * Armed goes back to 0 as soon as something else disarms the device, such as a key or a closed
+ * window, and after a fault; all of them do if the device is stopped. The user then has to order
  * again.
  */
 class HapticOrderLink
@@ -38,6 +42,12 @@ public:
   /** `canReach` tells whether the server can be reached; if not, nothing is armed. */
   HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice* device, HapticReport& report,
     std::function<bool()> canReachServer);
+  ~HapticOrderLink() { this->Leave(); }
+  HapticOrderLink(const HapticOrderLink&) = delete;
+  HapticOrderLink& operator=(const HapticOrderLink&) = delete;
+
+  /** The proxy is being deleted: its properties no longer follow the device. */
+  void Leave();
 
   /** Open and start the device if Running is 1 and it does not run. */
   void FollowRunning(vtkVolumeHapticsFilter* filter);
@@ -47,7 +57,7 @@ public:
   void Take();
   /** Only disarm. For an order that comes while the proxy is busy. */
   void TakeCuts();
-  /** After a fault, Armed goes back to 0. If the server is lost, the device is stopped. */
+  /** After a fault the device is disarmed. If the server is lost, it is stopped. */
   void FollowFault(bool isServerLost);
   /** Take the device's new states into a log. */
   void Continue() { this->Recording.Continue(this->Device); }
@@ -58,6 +68,7 @@ public:
 private:
   int GetInt(const char* name) const;
   void Reset(const char* name);
+  void FollowDisarm();
   void TakeLimits();
   void TakeTip();
   void TakeRecording(bool record);
@@ -68,8 +79,7 @@ private:
   HapticReport& Report;
   const std::function<bool()> CanReachServer;
   HapticRecordingLink Recording;
-  bool IsArmed = false;      // by the last order
-  double ArmedAt = 0.0;      // s, of the device
+  vtkNew<vtkCallbackCommand> DisarmObserver;
   double MaximumForce = 0.0; // N, taken over; 0: the device's own choice
   std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX }; // taken over
 };

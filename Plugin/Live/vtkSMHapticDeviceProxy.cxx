@@ -85,6 +85,7 @@ vtkSMHapticDeviceProxy::vtkSMHapticDeviceProxy()
 vtkSMHapticDeviceProxy::~vtkSMHapticDeviceProxy()
 {
   this->Internals->IsClosed = true;
+  this->Internals->Orders.Leave();
   this->Internals->Device->Close();
 }
 

@@ -89,11 +89,6 @@ void vtkHapticViewStyle::OnKeyPress()
     this->DrawScene(true);
     return;
   }
-  if (key == "Escape")
-  {
-    // Before the clutch is released, because that reads the order.
-    this->SetArmed(false);
-  }
   this->Superclass::OnKeyPress();
   if (key == "t" && (!this->GetTouchMode() || !this->GetClutch()))
   {
@@ -119,12 +114,6 @@ void vtkHapticViewStyle::TellMethod()
     vtkSMPropertyHelper(touch, "Solver").Set(filter->GetSolver());
     touch->UpdateVTKObjects();
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticViewStyle::ArmsAfterClutch()
-{
-  return this->DeviceProxy && vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() != 0;
 }
 
 //------------------------------------------------------------------------------

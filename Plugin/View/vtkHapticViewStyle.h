@@ -7,8 +7,8 @@
  * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that
  * data on servers are rendered, too. Picks in the one renderer that shows the data, whichever of
  * the view's renderers is under the pointer. Of VTK's keys only "r" is left, which resets the
- * view's camera: the others would change actors that belong to ParaView. Keys arm and disarm
- * through the device's property Armed, so that the property is always right; the key for the next
+ * view's camera: the others would change actors that belong to ParaView. Keys arm through the
+ * device's property Armed, which follows the device when something disarms it; the key for the next
  * method sets Method and Solver of the touched filter.
  *
  * @sa vtkHapticViewLink
@@ -52,9 +52,6 @@ protected:
   ~vtkHapticViewStyle() override;
 
   void DrawScene(bool quickly) override;
-
-  /** Whether the property Armed is (still) 1. */
-  bool ArmsAfterClutch() override;
 
 private:
   vtkHapticViewStyle(const vtkHapticViewStyle&) = delete;

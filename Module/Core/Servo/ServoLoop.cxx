@@ -334,6 +334,7 @@ void ServoLoop::Tell(std::int64_t start) noexcept
   s.Gate = this->Gate.GetState();
   s.Reason = this->Gate.GetReason();
   s.Share = this->Gate.GetShare();
+  s.Orders = static_cast<std::uint32_t>(OrdersOf(this->ArmCommandSeen));
   s.Stale = this->Safety.IsStale();
   s.Signs = this->Signs.GetVerdict();
   this->Latest.Write(s);

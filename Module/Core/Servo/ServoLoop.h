@@ -55,6 +55,7 @@ struct ServoSnapshot
   bool Awaiting = false;                   ///< missing data held force back
   double Share = 0.0;                      ///< the share of Record.Force that the gate let through
   double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
+  std::uint32_t Orders = 0;                ///< that the tick has seen: see ServoLoop::GetOrders
   DeviceState Device = DeviceState::Running;
   SignVerdict Signs; ///< of the check since RequireConfirmation
 
@@ -116,6 +117,11 @@ public:
   {
     const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
     return OrderOf(command) == ArmOrder::Arm && !IsClutched(command);
+  }
+  /** How many of these orders there were, modulo 2^32: to find out which ones a tick has seen. */
+  std::uint32_t GetOrders() const noexcept
+  {
+    return static_cast<std::uint32_t>(OrdersOf(this->ArmCommand.load(std::memory_order_relaxed)));
   }
   /**
    * The force goes to zero within ForceGate::FadeTime; then as Disarm. Changes nothing if the last

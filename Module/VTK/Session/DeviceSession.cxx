@@ -381,6 +381,7 @@ DeviceStatus DeviceSession::GetStatus() const
   if (this->Servo)
   {
     status.State = &this->State;
+    status.Orders = this->Servo->GetLoop().GetOrders();
     status.RealTimePriority = this->Servo->GetLoop().GetRealTimePriority();
     status.LockedMemory = this->Servo->GetLoop().GetLockedMemory();
     status.ReportPeriod = this->Servo->GetLoop().GetTiming().GetReportPeriod();

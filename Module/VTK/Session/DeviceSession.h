@@ -93,6 +93,12 @@ public:
   void Attend();
   void Arm(bool on);
   void FadeOut();
+  /** See ServoLoop::IsArmOrdered. */
+  bool IsArmOrdered() const
+  {
+    return this->Servo ? this->Servo->GetLoop().IsArmOrdered()
+                       : this->ArmsAtStart && !this->Clutched;
+  }
   ///@{
   /**
    * See vtkHapticDevice::SetClutch. The clutch outlives the servo and the device that is open.
@@ -106,6 +112,8 @@ public:
                        : this->Clutched && this->ArmsAtStart;
   }
   ///@}
+  /** Whether the last order was Arm, clutched or not. */
+  bool HasArmOrder() const { return this->IsArmOrdered() || this->ReturnsAfterClutch(); }
   ///@{
   /**
    * Work of the owner, long or not: see vtkHapticDevice::BeginLongWork. BeginWork returns true if
@@ -171,12 +179,6 @@ private:
   void FollowRoundTrip();
   void Remember();
   void RequireConfirmation();
-  /** See ServoLoop::IsArmOrdered. */
-  bool IsArmOrdered() const
-  {
-    return this->Servo ? this->Servo->GetLoop().IsArmOrdered()
-                       : this->ArmsAtStart && !this->Clutched;
-  }
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;

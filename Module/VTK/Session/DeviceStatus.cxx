@@ -127,6 +127,12 @@ const char* DescribePrivilege(ServoLoop::Privilege privilege)
 
 } // namespace
 
+GateReason DeviceStatus::FindFault() const
+{
+  const bool isCleared = this->State && this->IsArmOrdered && this->State->Orders != this->Orders;
+  return this->State && !isCleared ? this->State->GetFault() : GateReason::None;
+}
+
 int DeviceStatus::FindType() const
 {
   if (!this->IsOpen)
@@ -144,11 +150,13 @@ int DeviceStatus::FindType() const
     case DeviceStage::Ready:
       break;
   }
-  if (this->State && this->State->GetFault() != GateReason::None)
+  if (this->FindFault() != GateReason::None)
   {
     return vtkHapticDevice::FAULT;
   }
-  if (!this->State || !this->State->IsArmed())
+  const bool isArmed =
+    this->State && this->State->IsArmed() && this->State->GetFault() == GateReason::None;
+  if (!isArmed)
   {
     return this->IsArmOrdered ? vtkHapticDevice::ARMED : vtkHapticDevice::READY;
   }
@@ -177,9 +185,13 @@ std::string DeviceStatus::DescribeDevice() const
   {
     return "Ready: " + this->Id + ". Start() the servo.";
   }
+  if (this->FindFault() != GateReason::None)
+  {
+    return Explain(this->FindFault(), this->State->Signs);
+  }
   if (this->State->GetFault() != GateReason::None)
   {
-    return Explain(this->State->GetFault(), this->State->Signs);
+    return "Armed: " + this->Id + ". The fault is cleared.";
   }
   std::string text = this->DescribeState();
   if (this->State->Awaiting)

@@ -10,6 +10,7 @@
 #include "Core/Servo/DeviceBackend.h"
 #include "Core/Servo/ServoLoop.h"
 
+#include <cstdint>
 #include <string>
 
 namespace VolumeHaptics
@@ -26,6 +27,7 @@ struct DeviceStatus
   bool NeedsConfirmation = false; ///< before anything is felt
   std::string LongWork;           ///< keeps the force off, such as "the volume is hashed"; or empty
 
+  std::uint32_t Orders = 0; ///< see ServoLoop::GetOrders
   /** The latest state; null unless the servo runs; the rest then means nothing. */
   const ServoSnapshot* State = nullptr;
   ServoLoop::Privilege RealTimePriority = ServoLoop::Privilege::Unknown;
@@ -41,6 +43,8 @@ struct DeviceStatus
   std::string MakeText() const;
 
 private:
+  /** Of the state, unless Arm was ordered since. */
+  GateReason FindFault() const;
   std::string DescribeDevice() const;
   std::string DescribeCondition() const;
   std::string DescribeState() const;

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from view import press, run, wait_until
+from view import force, press, run, wait_until
 
 
 def hit(view, key, event="KeyPressEvent"):
@@ -68,6 +68,19 @@ def clutch(view, device, link):
     wait_until(view, is_armed, "the clutch has not given force back")
     device.Armed = 0
     wait_until(view, lambda: not is_armed(), "Armed = 0 had no effect")
+
+
+def disarm(view, device, link):
+    """Armed goes to 0 with whatever takes the force away, so that the next order to arm is one."""
+    link.Attached = 1
+    press(view, device)
+    view.GetInteractor().Disable()
+    assert device.Armed == 0, "a view that takes no input has disarmed the device, and Armed is left"
+    view.GetInteractor().Enable()
+    wait_until(view, lambda: force(device) == 0.0, "the force was not taken away")
+    hit(view, "a")
+    assert device.Armed == 1, "the key took Armed for on"
+    wait_until(view, lambda: force(device) > 0.5, "the skin was not felt again")
 
 
 def method(view, device, link):

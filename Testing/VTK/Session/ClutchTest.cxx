@@ -46,6 +46,7 @@ TEST_F(Clutch, TakesTheForceAndGivesItBackFromZero)
   EXPECT_TRUE(this->IsForceless());
   EXPECT_NE(this->Text().find("the clutch is held"), std::string::npos) << this->Text();
   EXPECT_TRUE(this->Device->ArmsAfterClutch());
+  EXPECT_TRUE(this->Device->IsArmOrdered()) << "the clutch only delays it";
   vtkNew<vtkTable> states;
   this->Device->DrainStates(states);
   this->Device->SetClutch(false);
@@ -79,6 +80,7 @@ TEST_F(Clutch, BringsNoForceBackThatWasTakenOtherwise)
     this->Press();
     way();
     EXPECT_FALSE(this->Device->ArmsAfterClutch());
+    EXPECT_FALSE(this->Device->IsArmOrdered());
     this->Device->SetClutch(false);
     EXPECT_TRUE(this->IsForceless()) << this->Text();
     this->Device->Close();

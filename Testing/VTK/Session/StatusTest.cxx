@@ -81,6 +81,20 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
 }
 
+TEST_F(DeviceStatus, ArmClearsAFaultAtOnce)
+{
+  this->Begin();
+  this->Device->Arm();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
+  this->Device->PlaceVirtualTip(500.0, 7.0, 5.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::FAULT; }));
+  EXPECT_TRUE(this->Device->IsArmOrdered());
+  this->Device->Arm();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "before the servo has seen it";
+  EXPECT_TRUE(this->Says("cleared"));
+  EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::ACTIVE; }));
+}
+
 TEST_F(DeviceStatus, ArmedBeforeStartIsArmedAfterIt)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
