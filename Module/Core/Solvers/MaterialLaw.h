@@ -165,15 +165,20 @@ inline bool IsFelt(const MaterialPoint& point) noexcept
   return point.Stiffness > HapticModel::MinimumStiffness;
 }
 
-/** Eqs. 8 to 13, for a spring of stiffness k (N/m). */
+/**
+ * The forces that surface and friction hold against a spring of stiffness k (N/m), and the excess,
+ * by which Move displaces the proxy: eqs. 8 to 12.
+ */
 inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) noexcept
 {
   Balance b;
+  // Eqs. 11 and 12. Outward motion is free.
   const double threshold = lag.Push > 0.0 ? point.SurfaceStrength : 0.0;
   const double pushForce = k * std::abs(lag.Push);
   b.IsThrough = pushForce > threshold;
   b.Normal = b.IsThrough ? threshold : pushForce;
   b.NormalExcess = pushForce - b.Normal;
+  // Eqs. 8 to 10.
   b.Pull = k * lag.Length;
   const double grip = point.Friction * b.Normal;
   b.Slides = lag.Length > DistanceEpsilon && b.Pull > grip;
