@@ -15,7 +15,7 @@ def script(root):
 
 def test_script_is_the_documented_one_and_short(root):
     text = (root / "Documentation" / "python.md").read_text(encoding="utf-8")
-    section = text.split("\n## In PyVista\n")[1].split("\n## ")[0]
+    section = text.split("\n## PyVista\n")[1].split("\n## ")[0]
     code = script(root)
     assert f"```python\n{code}```" in section
     assert len(code.strip().splitlines()) < 20

@@ -54,7 +54,7 @@ def test_phantom_is_the_repositorys(data):
 
 
 def test_document_python(document, capsys):
-    section = document("python.md").split("\n## In Python\n")[1].split("\n## ")[0]
+    section = document("python.md").split("\n## VTK and NumPy\n")[1].split("\n## ")[0]
     code = "\n".join(re.findall(r"```python\n(.*?)```", section, re.DOTALL))
     exec(compile(code, "python.md", "exec"), {})
     assert re.fullmatch(r"\d+\.\d+ N\n", capsys.readouterr().out)
