@@ -38,7 +38,8 @@ Triple FfbHandle::Push() const
 {
   const std::array<double, 2> torques = this->ComputeTorques();
   // HID's y points to the hand.
-  return { FullScale * torques[0], this->Motors > 1 ? -FullScale * torques[1] : 0.0, 0.0 };
+  const double second = this->Motors > 1 ? this->SecondSign.load() : 0.0;
+  return { FullScale * torques[0], -second * FullScale * torques[1], 0.0 };
 }
 
 void FfbHandle::Step()

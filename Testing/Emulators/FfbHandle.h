@@ -67,6 +67,8 @@ public:
   std::atomic<bool> OnlySaysNews{ false };
   std::atomic<int> ReportPeriod{ 1 }; ///< ms
   ///@}
+  /** -1: its second motor is wired the other way round. */
+  std::atomic<double> SecondSign{ 1.0 };
   std::atomic<int> Buttons{ 0 };
 
 protected:

@@ -7,7 +7,8 @@
  * Measures the figures of Documentation/evaluation.md for PAPER and PRECISE, compares them with
  * other methods, prints the tables, and writes a report with plots to FOLDER (default: evaluation).
  * The exit status is the number of figures (times aside) that PRECISE does not reach with the
- * default estimator or the B-spline. --quick takes seconds instead of minutes.
+ * default estimator or the B-spline, and of false alarms about honest devices. --quick takes
+ * seconds instead of minutes.
  */
 #include "RealVolume.h"
 #include "Report.h"
@@ -91,10 +92,13 @@ int main(int argc, char* argv[])
     sections.push_back({ "A real CT", MeasureRealVolume(image, HapticSolver::Paper, effort),
       MeasureRealVolume(image, HapticSolver::Precise, effort) });
   }
-  const int missed = PrintSections(sections);
+  int missed = PrintSections(sections);
   const Report report{ sections, MakePlots(effort), CompareMethods(image, effort),
-    DrawTransferPicture(volume, effort, folder) };
+    DrawTransferPicture(volume, effort, folder),
+    MeasurePortSafety(effort.Pick(50, 1000), effort.Pick(2, 20)) };
   PrintComparison(report.Methods);
+  PrintSafety(report.Safety);
+  missed += report.Safety.Alarms;
   for (const std::vector<Plot>& plots : { report.Plots, report.Methods.Plots })
   {
     for (const Plot& plot : plots)

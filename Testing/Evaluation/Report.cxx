@@ -11,6 +11,7 @@ namespace evaluation
 namespace
 {
 constexpr const char* ComparisonTitle = "Compared with other methods";
+constexpr const char* SafetyTitle = "Devices that would hurt a hand";
 
 const char* Verdict(const Figure& figure)
 {
@@ -66,6 +67,11 @@ bool WriteReport(const Report& report, const std::string& folder)
   {
     WritePicture(report.Transfer.Title, report.Transfer.File, out);
   }
+  out << "\n## " << SafetyTitle << "\n";
+  for (const Table& table : report.Safety.Tables)
+  {
+    WriteTable(table, out);
+  }
   out.flush();
   return out.good();
 }
@@ -92,6 +98,12 @@ void PrintComparison(const Comparison& comparison)
 {
   std::printf("\n%s\n", ComparisonTitle);
   std::for_each(comparison.Tables.begin(), comparison.Tables.end(), PrintTable);
+}
+
+void PrintSafety(const PortSafety& safety)
+{
+  std::printf("\n%s\n", SafetyTitle);
+  std::for_each(safety.Tables.begin(), safety.Tables.end(), PrintTable);
 }
 
 } // namespace evaluation

@@ -8,6 +8,7 @@
 #define Evaluation_Report_h
 
 #include "Comparison.h"
+#include "PortSafety.h"
 
 namespace evaluation
 {
@@ -30,6 +31,7 @@ struct Report
   std::vector<Plot> Plots;
   Comparison Methods;
   Picture Transfer;
+  PortSafety Safety;
 };
 
 /** Writes FOLDER/report.md. Returns false if the folder can't be written to. */
@@ -41,6 +43,7 @@ bool WriteReport(const Report& report, const std::string& folder);
  */
 int PrintSections(const std::vector<Section>& sections);
 void PrintComparison(const Comparison& comparison);
+void PrintSafety(const PortSafety& safety);
 
 } // namespace evaluation
 

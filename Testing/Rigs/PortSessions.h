@@ -3,7 +3,7 @@
 /**
  * @file
  * Random sessions of a hand, a device and a wall in closed loop through the safety stage, with
- * devices that are honest, have wrong signs, or are unstable.
+ * devices that are honest or have wrong signs. Loops that are unstable: ArmSessions.h.
  *
  * The hand is a mass with a spring and a damper to a place that it wants to reach: a minimum-jerk
  * motion (Flash and Hogan 1985) to a depth and back, taps, strokes along the wall, with or without
@@ -34,8 +34,7 @@ using VolumeHaptics::Vector3;
 enum class PortKind : std::uint8_t
 {
   Honest,
-  WrongSign,
-  Unstable
+  WrongSign
 };
 
 /** How a session ended. */
@@ -166,12 +165,6 @@ private:
       case PortKind::WrongSign:
         this->Damping = this->IsHeld ? this->Damping : this->Pick(0.05, 0.3);
         break;
-      case PortKind::Unstable:
-        // Forces that are late by far more than the stiffness allows for.
-        this->Damping = this->Pick(0.05, 0.3);
-        this->Delay = static_cast<int>(this->Pick(4e-3, 15e-3) / this->Period);
-        this->Press = this->IsHeld ? 0.0 : this->Pick(0.3, 1.5);
-        break;
     }
     this->Normal = this->PickDirection();
     while (this->Kind == PortKind::WrongSign && Dot(this->Normal, this->Turn(this->Normal)) > -0.5)
@@ -280,7 +273,7 @@ private:
     for (int i = 0; i < steps; ++i)
     {
       const double t = time + i * h;
-      Vector3 push = force - this->Damping * this->Velocity - this->Press * this->Normal;
+      Vector3 push = force - this->Damping * this->Velocity;
       if (this->IsHeld)
       {
         constexpr double Small = 1e-4;
@@ -312,7 +305,6 @@ private:
   double HandDamping = 0.0;
   double MaximumForce = 0.0;
   double Signs[3] = { 1.0, 1.0, 1.0 };
-  double Press = 0.0; ///< N, a weight on a limp device
 
   Vector3 Normal;
   Vector3 Along;

@@ -124,9 +124,23 @@ void ForceGate::NoteSilence() noexcept
   {
     // An owner that returns during the fade does not stop it: the hand has to learn of the fault
     // before it is held again.
-    this->Ending = End::Fault;
-    this->Settle();
+    this->EndInFault(GateReason::Unattended);
   }
+}
+
+void ForceGate::NoteUnstable() noexcept
+{
+  if (this->IsOpen())
+  {
+    this->EndInFault(GateReason::Active);
+  }
+}
+
+void ForceGate::EndInFault(GateReason fault) noexcept
+{
+  this->EndFault = this->Ending == End::Fault ? this->EndFault : fault;
+  this->Ending = End::Fault;
+  this->Settle();
 }
 
 void ForceGate::NoteNotReady() noexcept
@@ -200,8 +214,7 @@ void ForceGate::Cut() noexcept
 
 void ForceGate::EndFade() noexcept
 {
-  this->Ending == End::Fault ? this->NoteFault(GateReason::Unattended)
-                             : this->Shut(GateReason::Ordered);
+  this->Ending == End::Fault ? this->NoteFault(this->EndFault) : this->Shut(GateReason::Ordered);
   this->Ending = End::None;
 }
 
@@ -227,7 +240,7 @@ GateReason ForceGate::GetReason() const noexcept
   switch (this->State)
   {
     case GateState::Fading:
-      return this->Ending == End::Fault ? GateReason::Unattended : GateReason::Ordered;
+      return this->Ending == End::Fault ? this->EndFault : GateReason::Ordered;
     case GateState::Holding:
       return GateReason::LongWork;
     case GateState::Retreating:

@@ -13,7 +13,8 @@
  *
  *   Disarmed    no force, from the tick on in which it is entered
  *   Fault       the same; the reason names the fault, and stays until Arm
- *   Fading      the share falls to 0 within FadeTime, after FadeOut or because the owner is silent
+ *   Fading      the share falls to 0 within FadeTime, after FadeOut, because the owner is silent or
+ *               because the loop is unstable
  *   Holding     the same for as long as it is held, for example during long work
  *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows
  *   Confirming  the volume is not felt: small pushes find out the device's signs (SignCheck.h)
@@ -41,13 +42,15 @@
  *   SetClutched(true)         - (l)       - (l)          Disarmed (m)
  *   SetClutched(false)        - (n)       - (n)          -
  *   NoteSilence               -           -              Fading, unless held
+ *   NoteUnstable              -           -              Fading
  *   NoteNotReady              -           Disarmed (d)   Disarmed
  *   NoteFault                 -           -              Fault
  *   NoteGap                   -           -              open (h)
  *   NoteJump                  -           -              open (j)
  *   NoteCommand of zero:
  *     the end of a retreat    - (b)       - (b)          open (b)
- *     the end of a fade       -           Disarmed (d)   Disarmed; Fault if the owner was silent
+ *     the end of a fade       -           Disarmed (d)   Disarmed; Fault after NoteSilence and
+ *                                                        NoteUnstable
  *   NoteData                  -           -              - (i)
  *
  *   (a) Ends a fade and a retreat; the ramp begins at 0.
@@ -115,7 +118,8 @@ enum class GateReason : std::uint8_t
   Confirming, ///< small pushes find out the device's signs
   Unmoved,    ///< a fault: the pushes moved the tip too little, or it moved by itself
   WrongSign,  ///< a fault: the device moves against the force
-  Active,     ///< a fault: the device runs away against its force (PortObserver.h)
+  Active,     ///< a fault: the device runs away against its force (PortObserver.h), or swings by
+              ///< itself (EnergyObserver.h)
   Clutched    ///< the hand moves without the tip; the force returns by itself
 };
 
@@ -167,11 +171,13 @@ public:
 
   ///@{
   /**
-   * Called by SafetyStage, in this order: a fault; a gap, that is, missing samples; then one of
+   * Called by SafetyStage, in this order: a fault, or a loop that swings although it is damped, so
+   * that the force fades with a fault; a gap, that is, missing samples; then one of
    * Pass (which returns the share, of the pushes if there are some, and raises the ramp by a step),
    * NoteRetreat and Cut; and last whether force flows to the device.
    */
   void NoteFault(GateReason fault) noexcept;
+  void NoteUnstable() noexcept;
   void NoteGap(bool isStale, bool flows) noexcept;
   double Pass(double step) noexcept;
   void NoteRetreat(bool isStale, bool flows) noexcept;
@@ -213,12 +219,14 @@ private:
   };
   void Shut(GateReason why) noexcept;
   void EndFade() noexcept;
+  void EndInFault(GateReason fault) noexcept;
   /** Finds the open state by its causes. */
   void Settle() noexcept;
 
   GateState State = GateState::Disarmed;
   GateReason Cause = GateReason::Ordered; ///< the reason in Disarmed and Fault
   End Ending = End::None;
+  GateReason EndFault = GateReason::None; ///< the fault at the end of a fade
   bool Held = false;
   bool Unconfirmed = false;
   bool Clutched = false;

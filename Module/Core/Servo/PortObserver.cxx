@@ -35,7 +35,6 @@ void PortObserver::Reset() noexcept
 void PortObserver::EndContact() noexcept
 {
   this->IsContact = false;
-  this->Speed = 0.0;
   this->Work = 0.0;
   this->Excess = 0.0;
   this->RisingExcess = 0.0;
@@ -102,21 +101,21 @@ void PortObserver::Account(const Vector3& force, const Vector3& motion, double t
   this->LargestForce = std::max(norm, this->LargestForce * std::exp(-time / HandTime));
   const bool rises = norm > 1.02 * this->EarlierForce + 0.005;
   this->EarlierForce += (1.0 - std::exp(-time / RiseTime)) * (norm - this->EarlierForce);
-  const double before = this->Speed;
   const Vector3 into = norm >= LeastForce ? (-1.0 / norm) * force : Vector3{};
-  const double speed = std::max(0.0, Dot(this->FindVelocity(), into));
+  // Along the force of now: one that turns around speeds nothing up.
+  const double before = std::max(0.0, Dot(this->Velocity, into));
+  this->Velocity = this->FindVelocity();
+  const double speed = std::max(0.0, Dot(this->Velocity, into));
   if (!this->IsContact || !(speed > 0.0))
   {
     this->EndContact();
     this->IsContact = norm >= LeastForce;
-    this->Speed = speed;
     return;
   }
   const double way = Dot(motion, into);
   const double gain = 0.5 * LightMass * (speed * speed - before * before);
   const double push = LightMass * HandAcceleration + this->LargestForce - norm;
   const double excess = gain - push * std::max(0.0, way);
-  this->Speed = speed;
   this->Work += norm * way;
   this->Excess += excess;
   this->RisingExcess += rises ? excess : std::min(0.0, gain);

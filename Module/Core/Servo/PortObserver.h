@@ -37,8 +37,9 @@
  * ------
  *
  * A soft wall with a wrong sign moves the tip as a hand does that presses, and a hand that holds a
- * device firmly keeps it from running away: these are not found. Nor is a loop that is unstable
- * because its forces are late: the force that acts is then not the one that was sent.
+ * device firmly keeps it from running away: these are not found. Force times motion can't tell a
+ * wrong sign from a hand that presses: the check at the first arming does (SignCheck.h). A loop
+ * that swings by itself is found by EnergyObserver.h.
  */
 #ifndef PortObserver_h
 #define PortObserver_h
@@ -101,8 +102,8 @@ private:
   double SentCount = 0.0;
   double LargestForce = 0.0; ///< N, of late
   double EarlierForce = 0.0; ///< N, smoothed over RiseTime
+  Vector3 Velocity;          ///< m/s
   bool IsContact = false;
-  double Speed = 0.0;        ///< m/s, into the force
   double Work = 0.0;         ///< J
   double Excess = 0.0;       ///< J
   double RisingExcess = 0.0; ///< J

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Servo/SafetyStage.h"
 
+#include "Core/Servo/DeviceBackend.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,8 @@ void SafetyStage::Reset() noexcept
   this->HasTip = false;
   this->Growth.Reset();
   this->Observer.Reset();
+  this->Energy.Reset();
+  this->Damper.Reset();
 }
 
 bool SafetyStage::IsForceLeft() const noexcept
@@ -77,14 +81,17 @@ bool SafetyStage::FollowSamples(
   const bool finite = IsFinite(input.Force) && IsFinite(input.Tip);
   double speed = 0.0;
   bool isActive = false;
+  bool givesEnergy = false;
   this->Stale = this->Silence > limits.WatchdogTime;
   // A gap counts even if a fresh sample ends it: the hand was not watched meanwhile.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {
     speed = this->MeasureSpeed(input);
-    isActive = this->Observer.Observe(
-      input.Tip, input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge);
+    const double time = input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge;
+    isActive = this->Observer.Observe(input.Tip, time);
+    givesEnergy = this->Energy.Observe(input.Tip, time);
+    this->Damper.Observe(input.Tip, time);
     this->SampleAge = 0.0;
   }
   if ((input.Fresh || input.Alive) && finite)
@@ -107,6 +114,10 @@ bool SafetyStage::FollowSamples(
   else if (limits.MovesTip && isActive)
   {
     gate.NoteFault(GateReason::Active);
+  }
+  else if (limits.MovesTip && givesEnergy)
+  {
+    this->Damper.IsEngaged() ? gate.NoteUnstable() : this->Damper.Engage();
   }
   return gap;
 }
@@ -143,7 +154,23 @@ Vector3 SafetyStage::FindCommand(
   growth.IsMeasured = input.Fresh;
   growth.Growth = limits.MaximumForceRate * input.Period;
   growth.Recoverable = share * FindRecoverable(input, Norm(clamped));
-  return this->Growth.Apply(growth);
+  return this->Damp(this->Growth.Apply(growth), input, limits, gate);
+}
+
+Vector3 SafetyStage::Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
+  const ForceGate& gate) noexcept
+{
+  if (input.IsNew || gate.GetShare() != this->LastShare || gate.IsUnconfirmed())
+  {
+    this->Energy.Excuse();
+  }
+  this->LastShare = gate.GetShare();
+  this->Energy.NoteSent(wall);
+  const double share = std::min(1.0, StatedRoundTrip / std::max(input.Period, input.RoundTrip));
+  const double before = Norm(this->LastCommand);
+  const double most =
+    std::min(limits.MaximumForce, before + limits.MaximumForceRate * input.Period);
+  return this->Damper.Apply(wall, most, share * limits.MaximumDamping, input.Period);
 }
 
 Vector3 SafetyStage::Apply(
@@ -151,6 +178,7 @@ Vector3 SafetyStage::Apply(
 {
   const bool gap = this->FollowSamples(input, limits, gate);
   const Vector3 command = this->FindCommand(input, limits, gap, gate);
+  this->LastCommand = command;
   gate.NoteCommand(Dot(command, command) > 0.0);
   this->Observer.NoteSent(command);
   return command;

@@ -12,6 +12,8 @@
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
  * 4. The share that the gate lets through is taken (ForceGate.h).
  * 5. The growth of the force is limited (the slew limit, GrowthLimit.h). A force may fall at once.
+ * 6. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
+ *    end it, the force fades, with a fault.
  * Stiffness and damping are capped in the computation of the force: see HapticModel::Caps. Joint
  * commands are scaled down together, by the back end: SaturateTogether.
  *
@@ -28,8 +30,10 @@
 #define SafetyStage_h
 
 #include "Core/Math/Vector3.h"
+#include "Core/Servo/EnergyObserver.h"
 #include "Core/Servo/ForceGate.h"
 #include "Core/Servo/GrowthLimit.h"
+#include "Core/Servo/PortDamper.h"
 #include "Core/Servo/PortObserver.h"
 
 namespace VolumeHaptics
@@ -47,7 +51,8 @@ struct SafetyLimits
    * ever.
    */
   double AttentionTime = 0.0;
-  bool MovesTip = false; ///< forces move the tip: see DeviceLimits
+  bool MovesTip = false;       ///< forces move the tip: see DeviceLimits
+  double MaximumDamping = 0.0; ///< N s/m, that the device holds; 0 if it does not limit it
 };
 
 /** The input of the stage in a tick. */
@@ -57,6 +62,7 @@ struct SafetyInput
   double Stiffness = 0.0; ///< N/m, of the spring that pulls with the force; 0 if there is none
   double Stretch = 0.0;   ///< m, of that spring; its pull may have been clamped already
   Vector3 Drag;           ///< N, the part of the force that only takes energy, if known
+  bool IsNew = false;     ///< the force changed for another reason than the motion of the tip
   Vector3 Tip;            ///< m
   double Period = 1e-3;   ///< s, nominal, for the slew limit and the ramp
   double Elapsed = 0.0;   ///< s since the last tick, measured
@@ -67,7 +73,8 @@ struct SafetyInput
    * Without them it is the time since the last fresh one.
    */
   double MotionTime = 0.0;
-  bool Lost = false; ///< the device is gone
+  double RoundTrip = 0.0; ///< s, measured; 0 if it is not known
+  bool Lost = false;      ///< the device is gone
 };
 
 class SafetyStage
@@ -82,6 +89,9 @@ public:
    */
   void Reset() noexcept;
 
+  /** Whether the force is damped, because the loop swings by itself. */
+  bool IsDamping() const noexcept { return this->Damper.IsEngaged(); }
+
   /** Whether the last samples are older than the watchdog allows. */
   bool IsStale() const noexcept { return this->Stale; }
 
@@ -90,12 +100,18 @@ private:
     const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
   Vector3 FindCommand(
     const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept;
+  Vector3 Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
+    const ForceGate& gate) noexcept;
   Vector3 Retreat(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
   double MeasureSpeed(const SafetyInput& input) noexcept;
   bool IsForceLeft() const noexcept;
 
   GrowthLimit Growth;
   PortObserver Observer;
+  EnergyObserver Energy;
+  PortDamper Damper;
+  Vector3 LastCommand;    ///< N
+  double LastShare = 0.0; ///< of the gate
   Vector3 LastTip;
   double SampleAge = 0.0; ///< s, of the last fresh one
   double Silence = 0.0;   ///< s, without a sign of the device

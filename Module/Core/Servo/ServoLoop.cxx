@@ -204,6 +204,7 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
   if (isContactNew || stood || isTakenUp || isGateNew)
   {
     this->State.Enabled = false;
+    this->IsForceNew = true;
   }
   this->HasSample = this->HasSample || sample.Fresh;
   this->Snapshot.Before = this->State;
@@ -231,6 +232,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   }
   if (std::exchange(this->IsModelNew, false))
   {
+    this->IsForceNew = true;
     const SafetyLimits& limits = this->Limits.Read();
     const double most = limits.MaximumForce;
     const double jump = Norm(ClampNorm(s.Record.Force, most) - ClampNorm(before, most));
@@ -305,6 +307,8 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.Fresh = sample.Fresh;
   input.Alive = sample.Alive;
   input.MotionTime = this->MotionTime;
+  input.RoundTrip = this->Timing.GetRoundTrip();
+  input.IsNew = std::exchange(this->IsForceNew, false);
   // A loss that Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   s.Command = this->Safety.Apply(input, this->Limits.Read(), this->Gate);

@@ -326,6 +326,7 @@ private:
   const PublishedModel* Current = nullptr;
   ServoState State;
   bool IsModelNew = false;   ///< since the last tick
+  bool IsForceNew = false;   ///< in this tick, for another reason than the motion of the tip
   bool IsContactNew = false; ///< the proxy has to begin at the tip, since the model is new
   ResidentServo Servo;
   bool HasSample = false; ///< a fresh sample has come since the start

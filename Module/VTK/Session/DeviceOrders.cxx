@@ -90,6 +90,7 @@ SafetyLimits DeviceOrders::MakeLimits() const
   limits.AttentionTime = this->Device->GetAttentionTime();
   limits.MaximumSpeed = this->Session.GetLimits().MaximumSpeed;
   limits.MovesTip = this->Session.GetLimits().MovesTip;
+  limits.MaximumDamping = this->Session.GetLimits().MaximumDamping;
   return limits;
 }
 

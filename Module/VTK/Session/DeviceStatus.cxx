@@ -65,6 +65,8 @@ const char* DescribeReason(GateState state, GateReason reason)
       return state == GateState::Fading ? "it fades out" : "not armed";
     case GateReason::Unattended:
       return "it fades out, because the program is silent";
+    case GateReason::Active:
+      return "it fades out, because the device swings by itself";
     case GateReason::NotReady:
       return "the device was not ready";
     case GateReason::LongWork:

@@ -24,7 +24,7 @@ struct Flags
   bool IsArmed = false;
   GateReason Fault = GateReason::None;
   bool FadesOut = false;
-  bool IsUnattended = false;
+  GateReason EndFault = GateReason::None; ///< at the end of a fade
   bool IsHeld = false;
   bool IsClutched = false;
   bool Returns = false;
@@ -53,11 +53,11 @@ struct Flags
     if (this->IsClutched)
     {
       this->Returns = true;
-      this->FadesOut = this->IsUnattended = false;
+      this->EndFadeOut();
       return;
     }
     const bool flows = isSole && this->IsArmed && !this->FadesOut && this->Flowed;
-    this->FadesOut = this->IsUnattended = false;
+    this->EndFadeOut();
     if (!flows)
     {
       this->Restarts |= this->Fault != GateReason::None;
@@ -69,7 +69,8 @@ struct Flags
   }
   void Disarm()
   {
-    this->FadesOut = this->IsUnattended = this->Returns = false;
+    this->EndFadeOut();
+    this->Returns = false;
     this->IsArmed = false;
   }
   void FadeOut()
@@ -83,7 +84,7 @@ struct Flags
     this->IsClutched = on;
     if (begins && this->CanFlow())
     {
-      const bool returns = !this->FadesOut || this->IsUnattended;
+      const bool returns = !this->FadesOut || this->EndFault != GateReason::None;
       this->Disarm();
       this->Returns = returns;
     }
@@ -97,8 +98,25 @@ struct Flags
   {
     if (this->CanFlow() && !this->IsHeld)
     {
-      this->IsUnattended = this->FadesOut = true;
+      this->FadeTo(GateReason::Unattended);
     }
+  }
+  void NoteUnstable()
+  {
+    if (this->CanFlow())
+    {
+      this->FadeTo(GateReason::Active);
+    }
+  }
+  void FadeTo(GateReason fault)
+  {
+    this->EndFault = this->EndFault == GateReason::None ? fault : this->EndFault;
+    this->FadesOut = true;
+  }
+  void EndFadeOut()
+  {
+    this->EndFault = GateReason::None;
+    this->FadesOut = false;
   }
   void FollowData(double there, double period)
   {
@@ -143,15 +161,15 @@ struct Flags
     }
     if (this->FadesOut && this->Opening == 0.0 && !hasForce)
     {
-      if (!this->IsUnattended)
+      if (this->EndFault == GateReason::None)
       {
         this->IsArmed = false;
       }
       else if (this->CanFlow())
       {
-        this->Fault = GateReason::Unattended;
+        this->Fault = this->EndFault;
       }
-      this->FadesOut = this->IsUnattended = false;
+      this->EndFadeOut();
     }
     this->IsAtRest = this->IsHeld && !hasForce;
     this->Opening = this->IsAtRest ? 0.0 : this->Opening;
@@ -216,6 +234,11 @@ TEST(ForceGate, DoesInRandomSequencesWhatFlagsWouldDo)
       {
         gate.NoteSilence();
         flags.NoteSilence();
+      }
+      if (chance(0.1 * trouble))
+      {
+        gate.NoteUnstable();
+        flags.NoteUnstable();
       }
       if (chance(0.3 * trouble))
       {

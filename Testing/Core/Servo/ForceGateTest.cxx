@@ -346,6 +346,34 @@ TEST(ForceGate, DoesInEveryStateWhatTheTableSays)
   }
 }
 
+TEST(ForceGate, OfAnUnstableLoopFadesAndThenIsAFault)
+{
+  for (const bool isHeld : { false, true })
+  {
+    ForceGate gate = Make(isHeld ? "oh" : "o", 1.0, true);
+    gate.NoteUnstable();
+    EXPECT_EQ(gate.GetState(), GateState::Fading);
+    EXPECT_EQ(gate.GetReason(), GateReason::Active);
+    gate.NoteSilence();
+    double share = 1.0;
+    for (int i = 0; gate.IsOpen() && i < 100; ++i)
+    {
+      gate.NoteData(1.0, 1e-3);
+      gate.Pass(1.0);
+      EXPECT_LE(gate.GetShare(), share);
+      share = gate.GetShare();
+      gate.NoteCommand(share > 0.0);
+    }
+    EXPECT_EQ(gate.GetState(), GateState::Fault);
+    EXPECT_EQ(gate.GetFault(), GateReason::Active) << "the first reason stays";
+    gate.Arm();
+    EXPECT_TRUE(gate.IsOpen());
+  }
+  ForceGate disarmed;
+  disarmed.NoteUnstable();
+  EXPECT_EQ(disarmed.GetFault(), GateReason::None);
+}
+
 TEST(ForceGate, OfAnOrderToArmSaysWhetherItBeginsAnew)
 {
   for (const Row& row : Table)

@@ -9,6 +9,7 @@
 
 #include "Devices/Guard/GuardedDevice.h"
 #include "Rigs/Eventually.h"
+#include "Rigs/PlayedDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -174,6 +175,32 @@ TEST_F(Guarded, IsLostWithItsGuardAndGetsZeroFromHere)
   }
   this->OpenIt();
   EXPECT_TRUE(this->Feels({ 1.0, 0.0, 0.0 }));
+}
+
+TEST_F(Guarded, ItsSignsAreCheckedThroughTheGuard)
+{
+  for (const bool isCrossed : { false, true })
+  {
+    this->Make(isCrossed ? "crossed" : "held");
+    this->OpenIt();
+    {
+      servotest::RunningLoop loop(*this->Device, 1000.0);
+      loop->RequireConfirmation(2, 8.0); // y alone
+      loop->Arm();
+      const auto state = [&]
+      {
+        loop->ReadState();
+        return loop->GetState();
+      };
+      EXPECT_TRUE(Eventually([&] { return state().Gate == GateState::Confirming; }));
+      EXPECT_TRUE(Eventually([&] { return state().Gate != GateState::Confirming; }));
+      const SignResult result = state().Signs.Result;
+      EXPECT_EQ(result, isCrossed ? SignResult::Wrong : SignResult::Confirmed);
+      EXPECT_EQ(state().GetFault(), isCrossed ? GateReason::WrongSign : GateReason::None);
+      EXPECT_TRUE(!isCrossed || state().Signs.Axis == 1);
+    }
+    this->Device->Close();
+  }
 }
 
 TEST_F(Guarded, IsTheParentsAfterAFork)

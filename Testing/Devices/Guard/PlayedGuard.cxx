@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A guard whose device is played, for GuardedDeviceTest.cxx: it tells each force as a position.
+ * A guard whose device is played, for GuardedDeviceTest.cxx: it tells each force as a position, or
+ * is held in a hand that the force moves, with motors the right way round ("held") or not
+ * ("crossed").
  */
 
 #include "Devices/Guard/GuardMain.h"
+#include "Rigs/HeldDevice.h"
 
+#include <chrono>
 #include <stdexcept>
 
 #include <poll.h>
@@ -39,6 +43,11 @@ public:
     }
     exchange.Tell({});
     exchange.SetCondition(DeviceStage::Ready, "");
+    if (this->Way == "held" || this->Way == "crossed")
+    {
+      this->ServeHeld(exchange);
+      return;
+    }
     pollfd wake = { exchange.GetWakeDescriptor(), POLLIN, 0 };
     while (!exchange.MustStop())
     {
@@ -57,6 +66,34 @@ public:
   void Disconnect() noexcept override {}
 
 private:
+  /** In steps of a millisecond of the real time that has gone by. */
+  void ServeHeld(HardwareExchange& exchange)
+  {
+    using Clock = std::chrono::steady_clock;
+    const double sign = this->Way == "crossed" ? -1.0 : 1.0;
+    signtest::Hand hand;
+    hand.Stiffness = 100.0;
+    hand.Damping = 3.0;
+    hand.TremorSize = 0.0;
+    signtest::HeldDevice held(hand, { 1.0, sign, 1.0 }, 1);
+    auto moved = Clock::now();
+    pollfd wake = { exchange.GetWakeDescriptor(), POLLIN, 0 };
+    while (!exchange.MustStop())
+    {
+      poll(&wake, 1, 1);
+      exchange.ClearWake();
+      const Vector3 force = exchange.GetForce();
+      for (; Clock::now() - moved >= std::chrono::milliseconds(1);
+           moved += std::chrono::milliseconds(1))
+      {
+        held.Move({ force.X, force.Y, force.Z }, 1e-3);
+      }
+      DeviceSample sample;
+      sample.Tip = { held.GetPlace()[0], held.GetPlace()[1], held.GetPlace()[2] };
+      exchange.Tell(sample);
+    }
+  }
+
   const std::string Way;
 };
 

@@ -3,7 +3,7 @@
 
 /**
  * Applications on the phantom with devices of fewer directions: a force-feedback stick, and a
- * SpaceMouse, without any.
+ * SpaceMouse, without any; and the first arming of a stick with two motors.
  */
 
 #include "Emulators/EmulatedHid.h"
@@ -11,8 +11,91 @@
 #include "Emulators/OpenFfboardModel.h"
 #include "Emulators/SpaceMouseModel.h"
 #include "PhantomRig.h"
+#include "Rigs/TemporaryFolder.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 using namespace emulated;
+
+namespace
+{
+/// A stick with two motors, at rest in the air before the face, which is armed for the first time.
+class PhantomJoystick : public testing::Test
+{
+protected:
+  PhantomJoystick()
+  {
+    setenv("VOLUMEHAPTICS_DEVICES", this->File.c_str(), 1);
+    this->Hand.Device->SetNewtonsPerFullScale(FfbHandle::FullScale, FfbHandle::FullScale);
+  }
+  ~PhantomJoystick() override
+  {
+    unsetenv("VOLUMEHAPTICS_DEVICES");
+    std::filesystem::remove(this->File);
+  }
+  /// Until the check has a verdict. The largest force (N) along each axis of the device meanwhile.
+  void Arm(double largest[3])
+  {
+    vtkHapticDevice* const device = this->Hand.Device;
+    ASSERT_TRUE(device->Open("pid:1209:ffb0"));
+    ASSERT_FALSE(device->GetSignsConfirmed());
+    ASSERT_TRUE(device->Start());
+    this->Stick.SetGoal(-0.02, 0.0);
+    ASSERT_TRUE(Eventually([this] { return this->Stick.GetTip()[0] < -0.019; }));
+    ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
+    device->Arm();
+    EXPECT_TRUE(this->Hand.Wait(
+      [&]
+      {
+        // Out of the face (-y of the world) is -x of the device; see Phantom::Place.
+        const double* const force = device->GetForce();
+        largest[0] = std::max(largest[0], std::abs(force[1]));
+        largest[1] = std::max(largest[1], std::abs(force[2]));
+        largest[2] = std::max(largest[2], std::abs(force[0]));
+        return device->GetSignsConfirmed() || device->GetStatus() == vtkHapticDevice::FAULT;
+      }));
+  }
+  std::string ReadMemory() const
+  {
+    std::ifstream file(this->File);
+    return { std::istreambuf_iterator<char>(file), {} };
+  }
+
+  const std::string File = TemporaryPath("joystick-" + std::to_string(getpid()) + ".txt");
+  const Phantom Face;
+  OpenFfboardModel Stick{ OpenFfboardModel::Kind::Joystick };
+  EmulatedHid Hid{ this->Stick };
+  ModelClock Clock{ [this] { this->Stick.Step(); } };
+  PhantomHand Hand{ this->Face, 0, -1.0 };
+};
+} // namespace
+
+TEST_F(PhantomJoystick, IsPushedAlongItsTwoAxesAndConfirmed)
+{
+  double largest[3] = {};
+  ASSERT_NO_FATAL_FAILURE(this->Arm(largest));
+  EXPECT_TRUE(this->Hand.Device->GetSignsConfirmed()) << this->Hand.Device->GetStatusText();
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    EXPECT_GT(largest[axis], 0.02) << axis;
+    EXPECT_LE(largest[axis], 0.1 * FfbHandle::FullScale + 1e-9) << axis;
+  }
+  EXPECT_LT(largest[2], 1e-9) << "it has no third motor";
+  EXPECT_NE(this->ReadMemory().find("confirmed="), std::string::npos) << this->ReadMemory();
+}
+
+TEST_F(PhantomJoystick, ASecondMotorTheOtherWayRoundIsAFault)
+{
+  this->Stick.SecondSign = -1.0;
+  double largest[3] = {};
+  ASSERT_NO_FATAL_FAILURE(this->Arm(largest));
+  EXPECT_EQ(this->Hand.Device->GetStatus(), vtkHapticDevice::FAULT);
+  EXPECT_TRUE(this->Hand.Says("against the force on axis y")) << this->Hand.Device->GetStatusText();
+  EXPECT_EQ(this->ReadMemory().find("confirmed="), std::string::npos) << this->ReadMemory();
+}
 
 TEST(PhantomStick, IsFelt)
 {
