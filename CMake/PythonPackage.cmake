@@ -10,6 +10,7 @@ set(python_options)
 if (SKBUILD)
   set(python_options SOABI "${Python3_SOABI}") # the name says which Python it is for
 endif ()
+set(CMAKE_UNITY_BUILD ON) # of code that is generated
 vtk_module_wrap_python(
   MODULES             ${modules}
   TARGET              VolumeHaptics::PythonWrapped
@@ -21,6 +22,7 @@ vtk_module_wrap_python(
   BUILD_STATIC        OFF
   INSTALL_HEADERS     ON
   ${python_options})
+unset(CMAKE_UNITY_BUILD)
 
 # Beside the wrapped classes: what is written in Python, the head that its examples touch, and type hints.
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
