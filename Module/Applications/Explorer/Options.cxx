@@ -8,6 +8,7 @@
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -69,15 +70,25 @@ std::string List(vtkStringArray* names, const std::string& quote)
   return list;
 }
 
-double ParseNewtons(const std::string& text)
+double ParseNumber(const std::string& text)
 {
   char* end = nullptr;
-  const double newtons = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(std::abs(newtons) <= MOST_NEWTONS))
+  const double number = std::strtod(text.c_str(), &end);
+  return text.empty() || *end != '\0' ? std::nan("") : number;
+}
+
+/// Along a stick's axes: "2.5" of both, or "2.5,0".
+std::array<double, 2> ParseNewtons(const std::string& text)
+{
+  const std::size_t comma = text.find(',');
+  const double first = ParseNumber(text.substr(0, comma));
+  const double second = comma == std::string::npos ? first : ParseNumber(text.substr(comma + 1));
+  if (!(std::abs(first) <= MOST_NEWTONS) || !(std::abs(second) <= MOST_NEWTONS))
   {
-    throw InputError("--newtons '" + text + "'", "is no force of a stick", "take -100 to 100");
+    throw InputError("--newtons '" + text + "'", "is no force of a stick",
+      "take -100 to 100, or two such numbers, as in 2.5,0 for a wheel");
   }
-  return newtons;
+  return { first, second };
 }
 
 int ParseWidth(const std::string& text)
@@ -220,7 +231,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --device ID       of the window: virtual (default, the mouse), replay:FILE, or a real one, such as
                     falcon: see volumehaptics-device list
   --firmware FILE   the image for a Novint Falcon that has none
-  --newtons N       what a stick's force is at full scale (100): measure it, most have much less
+  --newtons X[,Y]   a stick's force at full scale along its axes, N (100): measure it, most have much
+                    less; Y is 0 if only the first axis has a motor, as that of a wheel
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate

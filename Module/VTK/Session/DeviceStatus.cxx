@@ -18,8 +18,17 @@ std::string NameAxis(const SignVerdict& signs)
   return std::string(1, "xyz"[signs.Axis]);
 }
 
-/** The fault and the cure. */
-std::string Explain(GateReason fault, const SignVerdict& signs)
+/** A wheel's second axis has a pedal instead of a motor, whatever its descriptor says. */
+std::string SuggestOneMotor(const std::string& id, const SignVerdict& signs)
+{
+  return id.compare(0, 3, "pid") == 0 && signs.Axis == 1
+    ? " If it has no motor, as that of a wheel's pedal, set NewtonsPerFullScale to 0 for it, as in "
+      "(2.5, 0) or --newtons 2.5,0, and Open() the device again."
+    : "";
+}
+
+/** The fault and the cure, for the device of an id. */
+std::string Explain(GateReason fault, const SignVerdict& signs, const std::string& id)
 {
   switch (fault)
   {
@@ -34,8 +43,8 @@ std::string Explain(GateReason fault, const SignVerdict& signs)
           "keep the hand still, then Arm() again."
         : "Force cut off: small pushes did not move the tip along axis " + NameAxis(signs) +
           ", so that it is not known whether it moves with the force. Hold the device loosely in "
-          "the "
-          "middle of its workspace, then Arm() again.";
+          "the middle of its workspace, then Arm() again." +
+          SuggestOneMotor(id, signs);
     case GateReason::NotFinite:
       return "Force cut off: a force or a position was not a finite number. Check the image and "
              "the device, then Arm() again.";
@@ -189,7 +198,7 @@ std::string DeviceStatus::DescribeDevice() const
   }
   if (this->FindFault() != GateReason::None)
   {
-    return Explain(this->FindFault(), this->State->Signs);
+    return Explain(this->FindFault(), this->State->Signs, this->Id);
   }
   if (this->State->GetFault() != GateReason::None)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever cannot be explored gets one message that says what is wrong and how to cure it.
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Options.h"
 #include "HeadExploration.h"
 
 #include "vtkExtractVOI.h"
@@ -12,7 +13,9 @@
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
+#include <array>
 #include <iostream>
+#include <utility>
 
 namespace
 {
@@ -54,6 +57,47 @@ void Expect(const std::string& path, const std::string& fault)
     ++failures;
   }
 }
+
+Explore::Options ParseNewtons(std::string newtons)
+{
+  std::string words[] = { "explore", "head.vti", "--newtons", std::move(newtons) };
+  char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
+  return Explore::ParseOptions(4, arguments);
+}
+
+/// The strength of a stick along its two axes, and what is none.
+void ExpectNewtons()
+{
+  const auto isRead = [](const char* text, double x, double y)
+  {
+    const std::array<double, 2> newtons = ParseNewtons(text).Device.Newtons;
+    if (newtons[0] != x || newtons[1] != y)
+    {
+      std::cerr << "--newtons " << text << " is " << newtons[0] << ", " << newtons[1] << "\n";
+      ++failures;
+    }
+  };
+  isRead("2.5", 2.5, 2.5);
+  isRead("2.5,0", 2.5, 0.0);
+  isRead("-3,4", -3.0, 4.0);
+  for (const char* const wrong : { "", "2,", ",2", "1,2,3", "101", "1,nan", "strong" })
+  {
+    std::string message = "nothing";
+    try
+    {
+      ParseNewtons(wrong);
+    }
+    catch (const Explore::InputError& error)
+    {
+      message = error.what();
+    }
+    if (message.find("as in 2.5,0 for a wheel") == std::string::npos)
+    {
+      std::cerr << "--newtons '" << wrong << "' said: " << message << "\n";
+      ++failures;
+    }
+  }
+}
 } // namespace
 
 int TestExploreInputErrors(int argc, char* argv[])
@@ -62,6 +106,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   vtksys::SystemTools::MakeDirectory(folder + "/empty");
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
 
+  ExpectNewtons();
   Expect(folder + "/missing.vti", "no such file");
   Expect(folder + "/empty", "without a single DICOM slice");
   Expect(Text("notes.txt", "hello"), "ending that is not known");

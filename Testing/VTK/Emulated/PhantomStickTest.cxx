@@ -135,6 +135,25 @@ TEST(PhantomStick, IsFelt)
   EXPECT_EQ(Length(device->GetForce()), 0.0);
 }
 
+TEST(PhantomStick, AWheelWithoutASecondMotorAsksForTheSecondNumber)
+{
+  const Phantom phantom;
+  OpenFfboardModel wheel;
+  EmulatedHid hid(wheel);
+  ModelClock clock([&] { wheel.Step(); });
+  PhantomHand hand(phantom, 0, -1.0);
+  vtkHapticDevice* const device = hand.Device;
+  device->SetNewtonsPerFullScale(FfbHandle::FullScale, FfbHandle::FullScale);
+  ASSERT_TRUE(device->Open("pid:1209:ffb0"));
+  device->ForgetConfirmation();
+  ASSERT_TRUE(device->Start());
+  ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::READY)) << device->GetStatusText();
+  device->Arm();
+  ASSERT_TRUE(hand.WaitFor(vtkHapticDevice::FAULT)) << device->GetStatusText();
+  EXPECT_TRUE(hand.Says("did not move the tip along axis y")) << device->GetStatusText();
+  EXPECT_TRUE(hand.Says("--newtons 2.5,0")) << device->GetStatusText();
+}
+
 TEST(PhantomSpaceMouse, PushesTheTipAgainstTheFaceAndTurnsTheVolume)
 {
   const Phantom phantom;

@@ -72,7 +72,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   {
     touch.Device->SetFirmwareFile(device.Firmware);
   }
-  touch.Device->SetNewtonsPerFullScale(device.Newtons, device.Newtons);
+  touch.Device->SetNewtonsPerFullScale(device.Newtons.data());
   if (!touch.Device->Open(device.Id.c_str()) || !touch.Device->Start())
   {
     throw InputError("--device " + device.Id, capture.FirstError(),

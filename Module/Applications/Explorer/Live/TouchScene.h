@@ -12,14 +12,16 @@
 #include "vtkHapticSetup.h"
 #include "vtkInteractorStyleHaptic.h"
 
+#include <array>
+
 namespace Explore
 {
 /// The device of the window: see vtkHapticDevice::Open and SetFirmwareFile.
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string Firmware;   // empty: by the environment
-  double Newtons = 100.0; // of a stick at full scale
+  std::string Firmware;                          // empty: by the environment
+  std::array<double, 2> Newtons{ 100.0, 100.0 }; // of a stick at full scale, along x and y
 };
 
 /// A scene that can be touched: the volume, and a device whose servo runs, with all displays of its
