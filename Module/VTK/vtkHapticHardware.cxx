@@ -136,6 +136,7 @@ DeviceOptions vtkHapticHardware::MakeOptions() const
   DeviceOptions options;
   options.FirmwareFile = this->FirmwareFile;
   options.HomingTime = this->HomingTime;
+  options.UseGuard = this->UseGuard;
   options.NewtonsPerFullScale = { this->NewtonsPerFullScale[0], this->NewtonsPerFullScale[1] };
   return options;
 }

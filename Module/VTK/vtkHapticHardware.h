@@ -27,9 +27,9 @@
  * a wheel within a tenth of a second. No watchdog is known for the Falcon. On Linux a process of
  * its own, the program volumehaptics-guard, talks to it, and sends zero force within 50 ms if this
  * program is gone or stands still. Open fails if the guard can't be started. The environment
- * variable VOLUMEHAPTICS_GUARD names the guard if it is not near this library; "off" uses the
- * device without one: then, as on other systems, the Falcon may keep its last force until it is
- * switched off.
+ * variable VOLUMEHAPTICS_GUARD names the guard if it is not near this library. Without one, as on
+ * other systems, the Falcon may keep its last force until it is switched off: that has to be said
+ * by UseGuardOff or VOLUMEHAPTICS_GUARD=off, else Open fails.
  *
  * On Linux a user needs permission for the device. The installed udev rules,
  * 70-volume-haptics.rules, grant it to the user who is logged in at the computer. If they are
@@ -131,6 +131,19 @@ public:
   vtkGetVector2Macro(NewtonsPerFullScale, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether a guard, a process of its own, talks to a device that has no watchdog (the Falcon).
+   * Default: on. Open fails if there is no guard, as on systems other than Linux. Without it, the
+   * Falcon may keep its last force if this program is killed or stopped: keep its power switch
+   * within reach. VOLUMEHAPTICS_GUARD=off in the environment also turns it off. Takes effect with
+   * Open.
+   */
+  vtkSetMacro(UseGuard, bool);
+  vtkGetMacro(UseGuard, bool);
+  vtkBooleanMacro(UseGuard, bool);
+  ///@}
+
 protected:
   vtkHapticHardware();
   ~vtkHapticHardware() override = default;
@@ -141,6 +154,7 @@ protected:
 
   std::string FirmwareFile;
   double HomingTime = 120.0;
+  bool UseGuard = true;
   double NewtonsPerFullScale[2] = { 100.0, 100.0 };
 
 private:

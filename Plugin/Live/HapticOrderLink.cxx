@@ -177,6 +177,7 @@ void HapticOrderLink::FollowRunning(vtkVolumeHapticsFilter* filter)
   { return std::string(vtkSMPropertyHelper(this->Proxy, name).GetAsString()); };
   this->Device->SetFirmwareFile(text("FirmwareFile").c_str());
   this->Device->SetHomingTime(vtkSMPropertyHelper(this->Proxy, "HomingTime").GetAsDouble());
+  this->Device->SetUseGuard(vtkSMPropertyHelper(this->Proxy, "UseGuard").GetAsInt() != 0);
   double newtons[2];
   vtkSMPropertyHelper(this->Proxy, "NewtonsPerFullScale").Get(newtons, 2);
   this->Device->SetNewtonsPerFullScale(newtons);

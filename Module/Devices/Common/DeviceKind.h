@@ -28,6 +28,7 @@ struct DeviceOptions
   std::string FirmwareFile;  ///< an image to load into a device that has none
   double HomingTime = 120.0; ///< s, the longest time for each step of homing
   std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 }; ///< N, of a stick's x and y
+  bool UseGuard = true; ///< for a device without a watchdog of its own (GuardedDevice.h)
 };
 
 /** A device that is plugged in. */

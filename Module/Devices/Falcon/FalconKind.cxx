@@ -4,6 +4,7 @@
 
 #include "Devices/Common/DeviceRegistry.h"
 #include "Devices/Falcon/FalconDriver.h"
+#include "Devices/Guard/GuardWish.h"
 #if defined(__linux__)
 #include "Devices/Guard/GuardedDevice.h"
 #endif
@@ -39,13 +40,15 @@ std::unique_ptr<DeviceBackend> MakeFalcon(
     return nullptr;
   }
   auto driver = std::make_unique<FalconDriver>(number, options);
-#if defined(__linux__)
-  if (!IsGuardOff())
+  if (IsGuardWanted(options))
   {
-    // It has no watchdog of its own.
+#if defined(__linux__)
     return GuardedDevice::Make(std::move(driver), FalconDriver::MakeWords(number, options), error);
-  }
+#else
+    error = MakeNoGuardText(FalconProduct.Name);
+    return nullptr;
 #endif
+  }
   return std::make_unique<HardwareDevice>(std::move(driver));
 }
 

@@ -33,8 +33,8 @@ constexpr int MostFoldersUp = 6;
 
 const char* const Cure =
   "Set the environment variable VOLUMEHAPTICS_GUARD to the path of volumehaptics-guard, which is "
-  "installed with this library; or set it to \"off\" to use the device without a guard, which then "
-  "may keep its last force if this program is killed or stopped.";
+  "installed with this library; or set it to \"off\", or say UseGuardOff(), to use the device "
+  "without a guard: then it may keep its last force if this program is killed or stopped.";
 
 /** In or above the folder of a file, or in a folder "bin" there; empty if it is not. */
 std::string FindNear(const std::filesystem::path& file)
@@ -122,12 +122,6 @@ std::string FindGuardProgram(std::string& error)
   error = std::string("The guard of the device, the program ") + ProgramName +
     ", is neither beside this library nor in a folder \"bin\" near it. " + Cure;
   return {};
-}
-
-bool IsGuardOff()
-{
-  const char* const named = std::getenv(Variable);
-  return named != nullptr && std::strcmp(named, "off") == 0;
 }
 
 GuardProcess::~GuardProcess()

@@ -23,9 +23,6 @@ namespace VolumeHaptics
  */
 std::string FindGuardProgram(std::string& error);
 
-/** Whether the user wants devices without a guard: VOLUMEHAPTICS_GUARD=off. */
-bool IsGuardOff();
-
 class GuardProcess
 {
 public:

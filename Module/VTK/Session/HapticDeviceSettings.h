@@ -49,8 +49,13 @@ namespace HardwareSettingRows
 {
 using Owner = vtkHapticHardware;
 
-inline constexpr HardwareSetting All[] = { HapticNumberMacro(HomingTime, 1.0, 3600.0, 120.0, "s",
-  NotBaked, "How long (s) each step of homing by hand may take, 1 to 3600. Default 120.") };
+inline constexpr HardwareSetting All[] = {
+  HapticNumberMacro(HomingTime, 1.0, 3600.0, 120.0, "s", NotBaked,
+    "How long (s) each step of homing by hand may take, 1 to 3600. Default 120."),
+  HapticFlagMacro(UseGuard, true, NotBaked,
+    "Whether a guard, a process of its own, talks to a device that has no watchdog (the Falcon). "
+    "Default: on."),
+};
 
 inline constexpr HardwareVector NewtonsPerFullScale =
   HapticVectorMacro(NewtonsPerFullScale, double, 2, -100.0, 100.0, "N",

@@ -139,6 +139,14 @@ TEST_F(FalconGuardEnds, NeverWithoutOne)
   EXPECT_TRUE(this->Feels({ 0.0, 0.0, 2.0 })) << "by explicit wish only";
 }
 
+TEST_F(FalconGuardEnds, NeverIfTheApplicationWantsNone)
+{
+  this->Options.UseGuard = false;
+  this->MakeReady();
+  EXPECT_EQ(FindGuard(), 0);
+  EXPECT_TRUE(this->Feels({ 0.0, 0.0, 2.0 }));
+}
+
 TEST_F(FalconGuardEnds, NotByTheApplicationsSignalsAndFiles)
 {
   int open[2];

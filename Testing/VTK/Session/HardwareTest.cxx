@@ -63,10 +63,12 @@ TEST_F(DeviceHardware, OptionsReachIt)
     << "unknown devices are taken for strong ones";
   this->Device->SetFirmwareFile("image.bin");
   this->Device->SetHomingTime(7.0);
+  this->Device->UseGuardOff();
   this->Device->SetNewtonsPerFullScale(3.0, -200.0);
   ASSERT_TRUE(this->Device->Open("played:0"));
   EXPECT_EQ(this->Played.Options.FirmwareFile, "image.bin");
   EXPECT_EQ(this->Played.Options.HomingTime, 7.0);
+  EXPECT_FALSE(this->Played.Options.UseGuard);
   EXPECT_EQ(this->Played.Options.NewtonsPerFullScale[0], 3.0);
   EXPECT_EQ(this->Played.Options.NewtonsPerFullScale[1], -100.0);
   EXPECT_EQ(this->Device->GetMaximumForce(), 3.0) << "half of what it can";

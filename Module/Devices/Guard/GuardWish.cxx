@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Guard/GuardWish.h"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace VolumeHaptics
+{
+
+bool IsGuardWanted(const DeviceOptions& options)
+{
+  const char* const named = std::getenv("VOLUMEHAPTICS_GUARD");
+  return options.UseGuard && (named == nullptr || std::strcmp(named, "off") != 0);
+}
+
+std::string MakeNoGuardText(const std::string& device)
+{
+  return "The " + device +
+    " has no watchdog, and this system has no guard for it, as Linux has: it may keep its last "
+    "force if this program is killed or stopped. If you can do with that, keep its power switch "
+    "within reach, and say UseGuardOff(), or set the environment variable VOLUMEHAPTICS_GUARD to "
+    "\"off\".";
+}
+
+} // namespace VolumeHaptics

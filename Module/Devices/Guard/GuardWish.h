@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Whether the user wants a guard. On all systems, unlike the guard itself.
+ */
+#ifndef GuardWish_h
+#define GuardWish_h
+
+#include "Devices/Common/DeviceKind.h"
+
+namespace VolumeHaptics
+{
+
+/** False if DeviceOptions::UseGuard is false, or VOLUMEHAPTICS_GUARD=off. */
+bool IsGuardWanted(const DeviceOptions& options);
+
+/** The reason and the cure for a device on a system that has no guard. */
+std::string MakeNoGuardText(const std::string& device);
+
+} // namespace VolumeHaptics
+
+#endif
