@@ -201,7 +201,7 @@ public:
    * its first Arm pushes the hand gently along each of its axes, for about ten seconds, and the tip
    * has to move with the force: hold the device loosely in the middle of its workspace and keep the
    * hand still. Nothing else is felt meanwhile. A wrong sign is a fault (GetStatusText names the
-   * axis). If it is right, the user's file of devices remembers it by the device's serial number:
+   * axis). If it is right, the user's file of devices remembers it by its serial number or port:
    * volumehaptics/devices.txt in $XDG_CONFIG_HOME, ~/.config or %APPDATA%, or the file that the
    * environment variable VOLUMEHAPTICS_DEVICES names. ForgetConfirmation, before Start, has the
    * next Arm confirm it again.

@@ -138,6 +138,7 @@ EmulatedUsb::EmulatedUsb(UsbModel& model, const std::string& port)
   : Model(model)
   , Port(port)
 {
+  RememberConfirmed("falcon:port:" + port); // the model has no serial number
   this->PlugIn();
 }
 

@@ -75,7 +75,8 @@ struct DeviceSample
   bool Alive = false;
   bool Begins = false; ///< the stylus is taken up here; earlier positions mean nothing
   Vector3 Turn;        ///< rad/s: how fast the hand asks the view to turn; zero for most devices
-  /// ns of ServoClock: when Tip was measured, or else, when the computer got it; 0 stands for Read
+  /// ns of std::chrono::steady_clock, which is ServoClock: when Tip was measured, or else, when the
+  /// computer got it; 0 stands for Read
   std::int64_t Time = 0;
   TakenForce Taken; ///< the last one; of a device that can't tell, when Write returned counts
 };
@@ -127,8 +128,8 @@ public:
   /** At any time, from the owner's thread. */
   virtual DeviceCondition GetCondition() { return {}; }
   /**
-   * A name that this very device keeps, on any computer and at any port, such as its kind and
-   * serial number, once it is open. The user's confirmations and calibrations are remembered under
+   * A name that this very device keeps, such as its kind and serial number, or its kind and port if
+   * it has none, once it is open. The user's confirmations and calibrations are remembered under
    * it. Empty for a back end whose signs and newtons are right by themselves.
    */
   virtual std::string GetIdentity() const { return {}; }

@@ -110,7 +110,7 @@ TEST_F(DeviceToolTest, ConfirmsThatItMovesWithTheForceAndRemembersIt)
   bool isRemembered = false;
   while (std::getline(lines, line))
   {
-    isRemembered = isRemembered || line.find("falcon confirmed=") == 0;
+    isRemembered = isRemembered || line.find("falcon:port:1-2 confirmed=") == 0;
   }
   EXPECT_TRUE(isRemembered);
   EXPECT_EQ(this->Falcon.GetCommands(), Numbers{}) << "and it let go";
@@ -128,7 +128,7 @@ TEST_F(DeviceToolTest, ListsWhetherNewtonsAreTrue)
   setenv("VOLUMEHAPTICS_DEVICES", file.c_str(), 1);
   EXPECT_EQ(this->Run({ "list" }), 0);
   EXPECT_TRUE(this->Shows("force: uncalibrated")) << this->Out;
-  std::ofstream(file) << "falcon scale=0.83 calibrated=2026-11-20\n";
+  std::ofstream(file) << "falcon:port:1-2 scale=0.83 calibrated=2026-11-20\n";
   EXPECT_EQ(this->Run({ "list" }), 0);
   EXPECT_TRUE(this->Shows("force: calibrated 0.83 on 2026-11-20")) << this->Out;
 }

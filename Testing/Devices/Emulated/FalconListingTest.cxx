@@ -56,6 +56,23 @@ TEST_F(FalconListing, InTheOrderOfThePorts)
   EXPECT_EQ(near.GetPackets() + this->Falcon.GetPackets(), 0);
 }
 
+TEST_F(FalconListing, EachIsRememberedByItsPortIfItHasNoSerialNumber)
+{
+  FalconModel other;
+  const EmulatedUsb port(other, "1-7");
+  const std::vector<DeviceListing> all = this->List();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].Identity, "falcon:port:1-2");
+  EXPECT_EQ(all[1].Identity, "falcon:port:1-7");
+  for (const bool guarded : { true, false })
+  {
+    this->Options.UseGuard = guarded;
+    ASSERT_TRUE(this->Open("falcon:1")) << this->Error;
+    EXPECT_EQ(this->Device->GetIdentity(), "falcon:port:1-7");
+    this->Device->Close();
+  }
+}
+
 TEST_F(FalconListing, TwoAtOnce)
 {
   FalconModel other;

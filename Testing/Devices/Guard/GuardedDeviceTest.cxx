@@ -40,6 +40,7 @@ public:
     limits.MaximumForce = 3.0;
     return limits;
   }
+  std::string GetIdentity() const override { return "played:SN1"; }
   bool Connect(std::string&) override
   {
     // As if the system took its time.
@@ -100,6 +101,32 @@ protected:
 };
 
 } // namespace
+
+TEST_F(Guarded, IsRememberedAndGivesTrueNewtons)
+{
+  this->OpenIt();
+  EXPECT_EQ(this->Device->GetIdentity(), "played:SN1");
+  EXPECT_TRUE(this->Feels({ 1.0, 0.0, 0.0 }));
+  const auto gets = [this](const Vector3& force, const Vector3& asked)
+  {
+    return Eventually(
+      [&]
+      {
+        this->Device->Read(0.001, this->Sample);
+        this->Device->Write(force);
+        return Norm(this->Sample.Tip - asked) < 1e-12;
+      });
+  };
+  // It gives 2 N for each one that it is asked for, and is asked for no more than before.
+  this->Device->SetForceScale(2.0);
+  EXPECT_EQ(this->Device->GetLimits().MaximumForce, 3.0);
+  EXPECT_TRUE(gets({ 2.0, -1.0, 0.0 }, { 1.0, -0.5, 0.0 }));
+  // It gives half of what it is asked for, and is asked for 3 N at the most.
+  this->Device->SetForceScale(0.5);
+  EXPECT_EQ(this->Device->GetLimits().MaximumForce, 1.5);
+  EXPECT_TRUE(gets({ 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }));
+  EXPECT_TRUE(gets({ 2.0, 0.0, 0.0 }, { 3.0, 0.0, 0.0 }));
+}
 
 TEST_F(Guarded, IsTheSameToTheServo)
 {

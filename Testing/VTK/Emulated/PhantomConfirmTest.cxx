@@ -52,7 +52,7 @@ TEST_F(PhantomConfirm, ItIsFeltAndRememberedOnceItMovedWithTheForce)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::ACTIVE)) << this->Device->GetStatusText();
   EXPECT_TRUE(this->Device->GetSignsConfirmed());
-  EXPECT_NE(this->ReadMemory().find("falcon confirmed=20"), std::string::npos)
+  EXPECT_NE(this->ReadMemory().find("falcon:port:1-2 confirmed=20"), std::string::npos)
     << this->ReadMemory();
   ASSERT_NO_FATAL_FAILURE(this->Press(0.0, 0.0, 0.006));
 
@@ -67,7 +67,7 @@ TEST_F(PhantomConfirm, ItIsFeltAndRememberedOnceItMovedWithTheForce)
 TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
 {
   std::filesystem::create_directories(std::filesystem::path(this->File).parent_path());
-  std::ofstream(this->File) << "falcon confirmed=2026-11-01\n";
+  std::ofstream(this->File) << "falcon:port:1-2 confirmed=2026-11-01\n";
   ASSERT_TRUE(this->Device->Open("falcon"));
   EXPECT_EQ(this->Device->GetCalibrationText(), "uncalibrated");
   EXPECT_DOUBLE_EQ(this->Device->GetMaximumForce(), 4.0);
@@ -82,7 +82,7 @@ TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
   ASSERT_TRUE(this->Device->CalibrateForce(0.5));
   EXPECT_DOUBLE_EQ(this->Device->GetMaximumForce(), 2.0);
   EXPECT_EQ(this->Device->GetForceScale(), 0.5);
-  EXPECT_NE(this->ReadMemory().find("falcon confirmed=2026-11-01 scale=0.5 calibrated=20"),
+  EXPECT_NE(this->ReadMemory().find("falcon:port:1-2 confirmed=2026-11-01 scale=0.5 calibrated=20"),
     std::string::npos)
     << this->ReadMemory();
 

@@ -75,7 +75,7 @@ std::string UsbIdentityOf(libusb_device* device, const char* kind)
 {
   libusb_device_descriptor descriptor{};
   libusb_device_handle* handle = nullptr;
-  std::string identity = kind;
+  std::string number;
   if (libusb_get_device_descriptor(device, &descriptor) == LIBUSB_SUCCESS &&
     descriptor.iSerialNumber != 0 && libusb_open(device, &handle) == LIBUSB_SUCCESS)
   {
@@ -84,11 +84,20 @@ std::string UsbIdentityOf(libusb_device* device, const char* kind)
       libusb_get_string_descriptor_ascii(handle, descriptor.iSerialNumber, serial, sizeof(serial));
     if (size > 0)
     {
-      identity += ":" + std::string(serial, serial + size);
+      number = std::string(serial, serial + size);
     }
     libusb_close(handle);
   }
-  return identity;
+  if (number.empty())
+  {
+    const std::vector<int> path = PathOf(device);
+    number = "port:" + std::to_string(path.front());
+    for (std::size_t i = 1; i + 1 < path.size(); ++i)
+    {
+      number += (i == 1 ? "-" : ".") + std::to_string(path[i]);
+    }
+  }
+  return kind + (":" + number);
 }
 
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product)
