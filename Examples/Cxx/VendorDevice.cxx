@@ -50,6 +50,13 @@ namespace
 {
 using namespace VolumeHaptics;
 
+/// The time in ns, as DeviceSample has it.
+std::int64_t Now()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
 class VendorBackend : public DeviceBackend
 {
 public:
@@ -107,6 +114,8 @@ public:
     sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
     sample.Buttons = pose.Buttons;
     sample.Fresh = result > 0;
+    // When it was measured: now, as this library does not tell it.
+    sample.Time = sample.Fresh ? Now() : 0;
     return DeviceState::Running;
   }
   DeviceState Write(const Vector3& force) noexcept override
