@@ -6,10 +6,13 @@
 #
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
-# Without --full, a short form of the sanitizer runs and of the fuzzer precedes the tests; with it, all C++
-# tests and the calls in any order run under the address and undefined-behaviour sanitizers, those of the device,
-# the scene and the servo also under the thread sanitizer, the fuzzer searches for ten minutes, the benchmarks
-# print their ratios, and the evaluation its whole table.
+# Without --full, there is a short form of the sanitizer runs and of the fuzzer; with it, all C++ tests and the calls
+# in any order run under the address and undefined-behaviour sanitizers, those of the device, the scene and the servo
+# also under the thread sanitizer, the fuzzer searches for five minutes, the benchmarks print their ratios, and the
+# evaluation its whole table.
+#
+# Tests of devices, screens and packages wait more than they compute: while they run, the next ones are built.
+# shellcheck disable=SC2317 # functions that start() calls
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -31,7 +34,7 @@ source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev \
   libumockdev-dev umockdev python3-pytest openbox xdotool wmctrl x11-utils \
-  python3-venv python3-dev libgl-dev debian-archive-keyring
+  python3-venv python3-dev libgl-dev debian-archive-keyring clang libclang-rt-14-dev
 
 jobs=$(nproc)
 wheel_dir=$(dirname "$build_dir")/wheel
@@ -52,91 +55,135 @@ run_tests()
   with_own_screen ctest "${on[@]}" -j 1 --rerun-failed
 }
 
-# The plugin in ParaView, whose traces are compared with those of the build in $build_dir.
-test_paraview()
+declare -A beside
+stop_all()
 {
-  local plugin_dir prefix paraview
-  plugin_dir=$(dirname "$build_dir")/paraview
-  prefix=$plugin_dir-prefix
-  echo "== ParaView's plugin in $plugin_dir"
-  if ! require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
-    libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev \
-    qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev ||
-    ! "$root/Plugin/paraview-prefix.sh" "$prefix"; then
-    echo "!!!! SKIPPED: ParaView could not be installed, so its plugin was neither built nor tested !!!!" >&2
-    return 0
-  fi
-  get_head_ct "$root/build/explore/data" ||
-    echo "!!!! SKIPPED: no head CT, so traces are compared on the project's own volumes only !!!!" >&2
-  paraview=$(echo "$prefix"/usr/lib/*/cmake/paraview-*)
-  PATH=$prefix/usr/bin:$PATH PYTHONPATH=$prefix/usr/lib/python3/dist-packages \
-    cmake -S "$root" --preset paraview -B "$plugin_dir" \
-    -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
-  cmake --build "$plugin_dir" -j "$jobs"
-  run_tests "$plugin_dir" "$((2 * jobs))" -L '^paraview$'
-  grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
+  local group
+  for group in "${beside[@]}"; do
+    kill -- -"$group" 2> /dev/null || true
+  done
+}
+trap stop_all EXIT
+
+# usage: start NAME COMMAND [ARGUMENT...]
+# Runs a command beside the following, in the time that this leaves over: a group of processes that ends with this one.
+# All that it needs of Debian is installed before: there is one dpkg, and sudo could not ask for a password.
+start()
+{
+  echo "== Beside the following: $1"
+  mkdir -p "$build_dir"
+  set -m
+  (renice -n 15 -p "$BASHPID" > /dev/null; set -e; "${@:2}") < /dev/null > "$build_dir-$1.log" 2>&1 &
+  set +m
+  beside[$1]=$!
 }
 
-# The wheel takes a minute of waiting for packages, which the other builds fill: it is built beside them, in a group of
-# processes that ends with this one. All that it needs of Debian is installed above, since there is one dpkg.
-start_wheel()
-{
-  echo "== The wheel in $wheel_dir, beside the following"
-  mkdir -p "$wheel_dir"
-  # Unnamed types of one file look like a header's if several are compiled at once.
-  CXXFLAGS="-Wall -Wextra -Werror -Wno-subobject-linkage" \
-    setsid "$root/CMake/wheel/build.sh" "$wheel_dir" /usr/bin/python3 > "$wheel_dir/build.log" 2>&1 &
-  wheel=$!
-  trap 'kill -- -"$wheel" 2> /dev/null || true' EXIT
-}
-
-wait_for_wheel()
+# usage: finish NAME
+# Waits for what was started, tells what it wrote, and returns its status.
+finish()
 {
   local status=0
-  echo "== The wheel in $wheel_dir"
-  wait "$wheel" || status=$?
-  trap - EXIT
-  cat "$wheel_dir/build.log"
-  if [ $status -eq 3 ]; then
-    echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it is not tested !!!!" >&2
-    return 0
-  fi
+  wait "${beside[$1]}" || status=$?
+  unset "beside[$1]"
+  echo "== Was beside the above: $1"
+  cat "$build_dir-$1.log"
   return $status
 }
 
-start_wheel
+# usage: build PRESET BUILD_DIR [TARGET [OPTION OF CMAKE...]]
+build()
+{
+  cmake -S "$root" --preset "$1" -B "$2" "${@:4}"
+  cmake --build "$2" -j "$jobs" --target "${3:-all}"
+}
+
+plugin_dir=$(dirname "$build_dir")/paraview
+
+# The plugin in ParaView, whose traces are compared with those of the build in $build_dir.
+build_paraview()
+{
+  local paraview
+  paraview=$(echo "$plugin_dir-prefix"/usr/lib/*/cmake/paraview-*)
+  export PATH=$plugin_dir-prefix/usr/bin:$PATH PYTHONPATH=$plugin_dir-prefix/usr/lib/python3/dist-packages
+  build paraview "$plugin_dir" all -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
+}
+
+# Unnamed types of one file look like a header's if several are compiled at once.
+build_wheel()
+{
+  CXXFLAGS="-Wall -Wextra -Werror -Wno-subobject-linkage" "$root/CMake/wheel/build.sh" "$wheel_dir" /usr/bin/python3
+}
+
+start wheel build_wheel
+paraview=yes
+if require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
+  libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev \
+  qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev &&
+  "$root/Plugin/paraview-prefix.sh" "$plugin_dir-prefix"; then
+  get_head_ct "$root/build/explore/data" ||
+    echo "!!!! SKIPPED: no head CT, so traces are compared on the project's own volumes only !!!!" >&2
+else
+  paraview=no
+  echo "!!!! SKIPPED: ParaView could not be installed, so its plugin is neither built nor tested !!!!" >&2
+fi
 "$root/Testing/lint.sh"
 
 echo "== Building in $build_dir"
-cmake -S "$root" --preset release -B "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir"
-cmake --build "$build_dir" -j "$jobs"
+build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir"
+[ $paraview = no ] || start paraview build_paraview
 
-echo "== Building with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
-cmake -S "$root" --preset asan -B "$build_dir-sanitize" \
-  -DVolumeHaptics_WRAP_PYTHON="$([ $full = yes ] && echo ON || echo OFF)"
+# Those with a device in real time wait more than they compute. What fails is told at the end, too.
+echo "== Tests with devices"
+status=0
+run_tests "$build_dir" "$((4 * jobs))" -L '^device$' || status=$?
+
+if [ $paraview = yes ]; then
+  finish paraview
+fi
 if [ $full = yes ]; then
-  cmake --build "$build_dir-sanitize" -j "$jobs"
+  start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON
+else
+  start sanitize build asan "$build_dir-sanitize" VolumeHapticsSanitizerTests
+fi
+if [ $paraview = yes ]; then
+  echo "== Tests of ParaView's plugin in $plugin_dir"
+  run_tests "$plugin_dir" "$((2 * jobs))" -L '^paraview$'
+  grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
+fi
+
+finish sanitize
+echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
+if [ $full = yes ]; then
+  start thread build tsan "$build_dir-thread" VolumeHapticsThreadTests
   run_tests "$build_dir-sanitize" "$jobs" -LE package
 else
-  cmake --build "$build_dir-sanitize" -j "$jobs" --target VolumeHapticsSanitizerTests
+  start thread build tsan "$build_dir-thread" VolumeHapticsLoopTests
   run_tests "$build_dir-sanitize" "$jobs" -R '^VolumeHaptics[.](Core|Devices)[.]'
 fi
 
-echo "== Building with the thread sanitizer in $build_dir-thread"
-cmake -S "$root" --preset tsan -B "$build_dir-thread"
+finish thread
+start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz"
+echo "== Tests with the thread sanitizer in $build_dir-thread"
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
-  cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsThreadTests
   # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
   run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Recording|Scene|Session|Setup)[.])'
 else
-  cmake --build "$build_dir-thread" -j "$jobs" --target VolumeHapticsLoopTests
   run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo'
 fi
 unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 
+finish fuzz
 echo "== Fuzzing"
-"$root/Testing/Fuzz/fuzz.sh" "$build_dir-fuzz" "$([ $full = yes ] && echo 600 || echo 20)"
+"$root/Testing/Fuzz/fuzz.sh" search "$build_dir-fuzz" "$([ $full = yes ] && echo 300 || echo 10)"
+
+wheel=0
+finish wheel || wheel=$?
+if [ $wheel -eq 3 ]; then
+  echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it is not tested !!!!" >&2
+elif [ $wheel -ne 0 ]; then
+  exit $wheel
+fi
 
 if [ $full = yes ]; then
   echo "== Benchmarks"
@@ -146,12 +193,7 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
-test_paraview
-wait_for_wheel
-
-# Those with a device in real time wait more than they compute; of the others some wait, too.
+# Of the others some wait, too.
 echo "== Tests"
-status=0
-run_tests "$build_dir" "$((4 * jobs))" -L '^device$' || status=$?
 run_tests "$build_dir" "$((2 * jobs))" -LE '^device$' || status=$?
 exit $status

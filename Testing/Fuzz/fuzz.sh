@@ -3,18 +3,42 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Searches for bytes that break the tick or what reads the devices' bytes, with Clang's libFuzzer and the
-# address and undefined-behaviour sanitizers. The targets share the seconds.
+# address and undefined-behaviour sanitizers.
 #
-# usage: Testing/Fuzz/fuzz.sh BUILD_DIR SECONDS
+# usage: Testing/Fuzz/fuzz.sh build BUILD_DIR
+#        Testing/Fuzz/fuzz.sh search BUILD_DIR SECONDS   # of the whole machine, which the targets share
 set -euo pipefail
 
+step=${1:-}
+case $step in
+  build | search) ;;
+  -h | --help) sed -n '5,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  *) echo "$0: unknown step $step; try --help" >&2; exit 2 ;;
+esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-build_dir=$1
-seconds=$2
+build_dir=$2
+targets=(TouchAnything TouchDescriptor TouchFalcon)
+
+# All at once. What each found, and that one failed, is told at the end.
+if [ "$step" = search ]; then
+  processes=()
+  for target in "${targets[@]}"; do
+    mkdir -p "$build_dir/corpus-$target"
+    "$build_dir/$target" -max_len=6000 -timeout=10 -max_total_time="$3" \
+      -print_final_stats=1 "$build_dir/corpus-$target" > "$build_dir/$target.log" 2>&1 &
+    processes+=($!)
+  done
+  status=0
+  for index in "${!targets[@]}"; do
+    wait "${processes[$index]}" || status=$?
+    cat "$build_dir/${targets[$index]}.log"
+  done
+  exit $status
+fi
+
 # shellcheck source=../../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
 require_packages clang libclang-rt-14-dev
-targets=(TouchAnything TouchDescriptor TouchFalcon)
 mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,undefined"
   -fno-sanitize-recover=all -I"$root/Module")
@@ -38,13 +62,8 @@ done < <(find "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transpor
 for job in $(jobs -p); do
   wait "$job"
 done
-# Rounded up: no seconds would be without an end.
-share=$(((seconds + ${#targets[@]} - 1) / ${#targets[@]}))
 for target in "${targets[@]}"; do
-  mkdir -p "$build_dir/corpus-$target"
   clang++ "${options[@]}" -fsanitize=fuzzer -O1 -DVOLUME_HAPTICS_FUZZ_TARGET="$target" \
     -o "$build_dir/$target" "${objects[@]}" "$build_dir/FieldKernels.o" \
     "$root/Testing/Fuzz/LibFuzzer.cxx" "$root/Testing/Fuzz/$target.cxx"
-  "$build_dir/$target" -max_len=6000 -timeout=10 -max_total_time="$share" \
-    -print_final_stats=1 "$build_dir/corpus-$target"
 done
