@@ -16,7 +16,7 @@ constexpr double StepWay = 1e-4;
 /** The most that one cycle counts: given / taken. */
 constexpr double MostGain = 2.0;
 /** A tip that was not measured for this long (s) has moved unseen. */
-constexpr double GapTime = 0.03;
+constexpr double UnseenTime = 0.03;
 /** A tip that is faster (m/s) was not moved by a hand: it leaps. */
 constexpr double LeapSpeed = 5.0;
 
@@ -48,7 +48,7 @@ bool EnergyObserver::Observe(const Vector3& tip, double time) noexcept
   this->SentCount = 0.0;
   this->Time += time;
   this->Tip = tip;
-  if (!this->HasTip || time > GapTime || Norm(motion) > LeapSpeed * time)
+  if (!this->HasTip || time > UnseenTime || Norm(motion) > LeapSpeed * time)
   {
     this->HasTip = true;
     this->Excuse();

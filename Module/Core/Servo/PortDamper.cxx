@@ -10,9 +10,9 @@ namespace
 {
 
 /** The velocity is a mean over at least this time (s): an encoder's step of 0.06 mm is 30 mm/s. */
-constexpr double VelocityTime = 2e-3;
+constexpr double DamperVelocityTime = 2e-3;
 /** A tip that was not measured for this long (s) has moved unseen. */
-constexpr double GapTime = 0.03;
+constexpr double DamperGapTime = 0.03;
 
 } // namespace
 
@@ -24,7 +24,7 @@ void PortDamper::Reset() noexcept
 void PortDamper::Observe(const Vector3& tip, double time) noexcept
 {
   this->Time += time;
-  if (this->Count > 0 && time <= GapTime)
+  if (this->Count > 0 && time <= DamperGapTime)
   {
     const Vector3& last = this->Measurements[(this->Count - 1) % Kept].Tip;
     this->Taken -= Dot((1.0 / std::max(1.0, this->DampedCount)) * this->DampedSum, tip - last);
@@ -44,7 +44,7 @@ void PortDamper::Observe(const Vector3& tip, double time) noexcept
   {
     const Measurement& first = this->Measurements[(this->Count - 1 - before) % Kept];
     this->Span = this->Time - first.Time;
-    if (this->Span >= VelocityTime * (1.0 - 1e-9))
+    if (this->Span >= DamperVelocityTime * (1.0 - 1e-9))
     {
       this->Velocity = (1.0 / this->Span) * (tip - first.Tip);
       break;
