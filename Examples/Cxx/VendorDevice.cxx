@@ -20,6 +20,7 @@ namespace VendorLibrary
 struct Pose
 {
   double Millimetres[3]; // right, away from the user, up
+  double Quaternion[4];  // x, y, z, w: how the pen is turned; its tail is towards the user if not
   unsigned int Buttons;
 };
 
@@ -35,7 +36,9 @@ int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 if there is n
 {
   static double time = 0.0;
   time += 0.001;
-  *pose = { { 10.0 * std::sin(time), 0.0, 20.0 }, 0u };
+  const double half = 0.3 * std::sin(time); // the tail swings to the right and to the left
+  *pose = { { 10.0 * std::sin(time), 0.0, 20.0 }, { 0.0, 0.0, std::sin(half), std::cos(half) },
+    0u };
   return 1;
 }
 int Write(int /*handle*/, const double /*newtons*/[3])
@@ -112,6 +115,11 @@ public:
     // Ours are metres, and axes that point right, up and towards the user.
     const double* const p = pose.Millimetres;
     sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
+    // Ours is w first; the other three change their axes as a position does. If the library can't
+    // tell, leave HasOrientation false. See DeviceBackend.h for the axes of the stylus itself.
+    const double* const q = pose.Quaternion;
+    sample.Orientation = { q[3], q[0], q[2], -q[1] };
+    sample.HasOrientation = true;
     sample.Buttons = pose.Buttons;
     sample.Fresh = result > 0;
     // When it was measured: now, as this library does not tell it.
@@ -181,7 +189,9 @@ int main()
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     device->UpdateState();
     const double* const tip = device->GetTipPosition();
-    std::cout << "tip " << tip[0] << " " << tip[1] << " " << tip[2] << " mm\n";
+    const double* const turn = device->GetTipOrientation();
+    std::cout << "tip " << tip[0] << " " << tip[1] << " " << tip[2] << " mm, turned by "
+              << 2.0 * std::acos(turn[0]) << " rad\n";
   }
   std::cout << device->GetStatusText() << "\n";
 }

@@ -173,6 +173,7 @@ vtkHapticDevicePartMacro(bool, IsRunning, (), Session.IsRunning());
 vtkHapticDevicePartMacro(int, GetStatus, (), Session.GetStatus().FindType());
 vtkHapticDevicePartMacro(std::string, GetStatusText, (), Session.GetStatus().MakeText());
 vtkHapticDevicePartMacro(bool, IsArmOrdered, (), Session.HasArmOrder());
+vtkHapticDevicePartMacro(bool, HasTipOrientation, (), Session.GetState().HasOrientation);
 vtkHapticDevicePartMacro(bool, GetClutch, (), Session.IsClutched());
 vtkHapticDevicePartMacro(bool, ArmsAfterClutch, (), Session.ReturnsAfterClutch());
 vtkHapticDevicePartMacro(bool, GetSignsConfirmed, (), Session.AreSignsConfirmed());
@@ -212,6 +213,7 @@ vtkHapticDeviceStateMacro(double*, TipPosition, Tip);
 vtkHapticDeviceStateMacro(double*, ProxyPosition, Proxy);
 vtkHapticDeviceStateMacro(double*, Force, Force);
 vtkHapticDeviceStateMacro(double*, ComputedForce, ComputedForce);
+vtkHapticDeviceStateMacro(double*, TipOrientation, Orientation.data());
 vtkHapticDeviceStateMacro(int, Buttons, GetState().Buttons);
 vtkHapticDeviceStateMacro(double*, TurnRate, TurnRate);
 vtkHapticDeviceStateMacro(int, Contact, GetState().Record.Contact);
@@ -312,6 +314,25 @@ void vtkHapticDevice::SetVirtualTip(const double x[3])
     return;
   }
   this->SetVirtualTip(x[0], x[1], x[2]);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualTipOrientation(double w, double x, double y, double z)
+{
+  auto& d = *this->Internals;
+  d.Orders.TellError(d.Tip.Turn({ w, x, y, z }, d.Models.GetPlacement()));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetVirtualTipOrientation(const double wxyz[4])
+{
+  if (!wxyz)
+  {
+    vtkErrorMacro("SetVirtualTipOrientation() needs four numbers, but got a null pointer; the "
+                  "stylus stays as it is.");
+    return;
+  }
+  this->SetVirtualTipOrientation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
 }
 
 //------------------------------------------------------------------------------

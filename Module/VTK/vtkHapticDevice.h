@@ -246,6 +246,15 @@ public:
   void SetVirtualButtons(int buttons);
   ///@}
 
+  ///@{
+  /**
+   * The orientation of the virtual device's stylus (world): a quaternion w, x, y, z of any norm,
+   * see GetTipOrientation. Until this is called, and after four zeros, it has none.
+   */
+  void SetVirtualTipOrientation(double w, double x, double y, double z);
+  void SetVirtualTipOrientation(const double wxyz[4]) VTK_SIZEHINT(4);
+  ///@}
+
   /**
    * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -
    * damping x' with mass in kg (0, the default: no dynamics), damping in N s/m and the hand's
@@ -279,6 +288,17 @@ public:
   double* GetProxyPosition() VTK_SIZEHINT(3);
   double* GetForce() VTK_SIZEHINT(3);
   double* GetComputedForce() VTK_SIZEHINT(3);
+  ///@}
+  ///@{
+  /**
+   * Of the latest state: the orientation of the stylus, if the device measures one. It is a unit
+   * quaternion (w, x, y, z, as in vtkQuaternion) that turns from the world's axes to the stylus's:
+   * the stylus points along its -z, its handle is on the side of +z, its button on that of +y.
+   * HasTipOrientation is false, and the quaternion (1, 0, 0, 0), if the device measures none or its
+   * quaternion is not finite or not of unit norm within 1 %. No force depends on it.
+   */
+  double* GetTipOrientation() VTK_SIZEHINT(4);
+  bool HasTipOrientation();
   ///@}
   int GetButtons(); ///< Of the latest state: bit 0 is the main button.
   /**
@@ -319,9 +339,10 @@ public:
   /**
    * All states since the last call, oldest first, as rows of a table that is overwritten. Its
    * columns are Time (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact,
-   * Armed, Fault, Residency, and with three components Tip, Proxy (world), Force (computed) and
-   * Command (sent; N, world axes). The first call begins to keep states; a reader that does not
-   * call for 100000 ticks loses the oldest. Each reader has a number, and gets all states; a call
+   * Armed, Fault, Residency, with three components Tip, Proxy (world), Force (computed) and Command
+   * (sent; N, world axes), and with four Orientation (world; w, x, y, z; all 0 if the device has
+   * none). The first call begins to keep states; a reader that does not call for 100000 ticks loses
+   * the oldest. Each reader has a number, and gets all states; a call
    * with nullptr as the table ends the reading. The first vtkInteractorStyleHaptic of a device has
    * number 0, further ones have -1, -2 and so on: see AddReader.
    */
@@ -381,14 +402,17 @@ public:
    * single image could replay it.
    *
    * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
-   * Tick, Buttons, Armed, Fault, Share (0 to 1: how much of Force the gate let through) and Reason
-   * (why not all of it; numbers in Documentation/devices.md).
+   * Torque (N m, sent; zero, as nothing gives torque yet), Orientation (world) and
+   * DeviceOrientation (w, x, y, z; all 0 if the device has none), Tick, Buttons, Armed, Fault,
+   * Share (0 to 1: how much of Force the gate let through) and Reason (why not all of it; numbers
+   * in Documentation/devices.md).
    *
    * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A
-   * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), and FILE.part up to about two
-   * thirds of that, beside the .vtp while it is written. StartRecording is false, with an error, if
-   * the file can't be written. If writing fails later, for example because the disk is full, the
-   * next UpdateState gives an error, and GetStatusText says so from then on.
+   * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), 65 more while the stylus turns,
+   * and FILE.part up to about two thirds of that, beside the .vtp while it is written.
+   * StartRecording is false, with an error, if the file can't be written. If writing fails later,
+   * for example because the disk is full, the next UpdateState gives an error, and GetStatusText
+   * says so from then on.
    *
    * StopRecording is false, with an error, unless the file holds all ticks that were collected. It
    * replaces an existing file only with a complete one. If a busy machine or a slow disk kept ticks

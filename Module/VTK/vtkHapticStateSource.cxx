@@ -78,6 +78,10 @@ bool vtkHapticStateSource::ReadState(ShownState& state)
   state.FrictionForce = device->GetFrictionForce();
   state.Contact = device->GetContact();
   state.SurfaceValue = device->GetSurfaceValue();
+  if (device->HasTipOrientation())
+  {
+    std::copy_n(device->GetTipOrientation(), 4, state.Orientation);
+  }
   return true;
 }
 
@@ -153,6 +157,11 @@ int vtkHapticStateSource::RequestData(
     array->InsertNextValue(value);
     output->GetFieldData()->AddArray(array);
   }
+  vtkNew<vtkDoubleArray> orientation;
+  orientation->SetName("Orientation");
+  orientation->SetNumberOfComponents(4);
+  orientation->InsertNextTypedTuple(state.Orientation);
+  output->GetFieldData()->AddArray(orientation);
   return 1;
 }
 

@@ -8,8 +8,9 @@
  * the proxy and the positions x_s and x_v at which the materials were read, and lines for the
  * spring and the forces. The cell array "Part" identifies them (see Parts); "Newtons" (N) is the
  * size of a force. Lines begin at the point on which a force acts and are Newtons / ForceScale
- * world units long. The field arrays "Contact" and "SurfaceValue" are those of the state. The
- * output is empty without a device or before its first state.
+ * world units long. The field arrays "Contact" and "SurfaceValue" are those of the state, and so is
+ * "Orientation": w, x, y, z as of vtkHapticDevice::GetTipOrientation, all 0 if the device has none.
+ * The output is empty without a device or before its first state.
  *
  * The owner of the device calls its UpdateState(); the output is out of date whenever that found a
  * new state.
@@ -91,6 +92,7 @@ protected:
     double FrictionForce = 0.0;
     double Contact = 0.0;
     double SurfaceValue = 0.0;
+    double Orientation[4] = {}; ///< w, x, y, z; all 0 if there is none
   };
 
   /**

@@ -12,6 +12,7 @@
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/HapticTrace.h"
+#include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TipPathWalk.h"
 #include "vtkVolumeHapticsCompat.h"
 
@@ -24,6 +25,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -405,6 +407,13 @@ int vtkVolumeHapticsFilter::TouchPath(
     trace.Append(*model, walk.GetTime(), record);
   }
   trace.WriteTo(output);
+  // Ticks of a recording are points of the path, one for one, unless the user ended this.
+  vtkDataArray* const orientations =
+    tips.IsRecording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
+  if (orientations && output->GetNumberOfPoints() == orientations->GetNumberOfTuples())
+  {
+    output->GetPointData()->AddArray(orientations);
+  }
   return 1;
 }
 

@@ -38,6 +38,10 @@ void HapticReport::TellState(vtkSMProxy* proxy, vtkHapticDevice* device)
   {
     *next++ = number;
   }
+  if (device->HasTipOrientation())
+  {
+    std::copy_n(device->GetTipOrientation(), 4, next);
+  }
   vtkSMPropertyHelper(proxy, "State").Set(state, vtkPVHapticStateSource::Length);
 }
 

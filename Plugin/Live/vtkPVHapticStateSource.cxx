@@ -12,7 +12,7 @@
 vtkStandardNewMacro(vtkPVHapticStateSource);
 
 //------------------------------------------------------------------------------
-void vtkPVHapticStateSource::SetState(const double state[26])
+void vtkPVHapticStateSource::SetState(const double state[30])
 {
   if (!std::equal(state, state + Length, this->State))
   {
@@ -43,6 +43,7 @@ bool vtkPVHapticStateSource::ReadState(ShownState& state)
   {
     *number = *next++;
   }
+  std::copy_n(next, 4, state.Orientation);
   return this->State[0] != 0.0;
 }
 

@@ -24,13 +24,14 @@ public:
   void SetTouch(vtkObject*) {}
 
   /** Length of a state. */
-  static constexpr int Length = 26;
+  static constexpr int Length = 30;
 
   /**
    * 1 for a state and 0 for none; tip, proxy, x_s, x_v (world units); commanded and computed force
-   * (N); normal; force of the surface and of friction (N), contact, value in the surface.
+   * (N); normal; force of the surface and of friction (N), contact, value in the surface;
+   * orientation of the stylus (w, x, y, z; all 0: none).
    */
-  void SetState(const double state[26]);
+  void SetState(const double state[30]);
 
   /** Whether the state is newer than the output; ParaView asks every live source. */
   bool GetNeedsUpdate();

@@ -110,3 +110,46 @@ def test_push_is_recorded_and_replayed(tmp_path):
     device.Arm()
     del device  # armed: it stops by itself
     assert errors.count == 0
+
+
+def test_stylus_turns_is_recorded_and_replayed(tmp_path):
+    haptics, device = vtkVolumeHapticsFilter(), vtkHapticDevice()
+    haptics.SetInputData(0, make_ramp(16))
+    errors = Errors(device)
+    assert device.Open("virtual")
+    device.SetVolumeHaptics(haptics)
+    matrix = vtkMatrix4x4()  # a quarter about z: w = z = cos 45 degrees
+    matrix.DeepCopy((0, -1000, 0, 0, 1000, 0, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1))
+    device.SetDeviceToWorld(matrix)
+    device.SetVirtualTip(7.0, 7.0, 5.0)
+    assert device.Start()
+    wait(device, lambda: device.GetTick() > 1)
+    assert not device.HasTipOrientation() and device.GetTipOrientation() == (1.0, 0.0, 0.0, 0.0)
+
+    recording = str(tmp_path / "turn.vtp")
+    assert device.StartRecording(recording)
+    first = device.GetTick()
+    wait(device, lambda: device.GetTick() > first + 3)
+    angle = 0.8  # about x
+    turn = (math.cos(angle / 2), math.sin(angle / 2), 0.0, 0.0)
+    device.SetVirtualTipOrientation(*turn)
+    wait(device, device.HasTipOrientation)
+    assert math.dist(device.GetTipOrientation(), turn) < 1e-14
+    device.SetVirtualTipOrientation((0.0, 0.0, -2.0, 0.0))
+    wait(device, lambda: math.dist(device.GetTipOrientation(), (0.0, 0.0, -1.0, 0.0)) < 1e-14)
+    assert device.StopRecording()
+
+    trace = compare_traces.read_trace(recording).GetPointData()
+    last = trace.GetArray("Tick").GetNumberOfTuples() - 1
+    assert trace.GetArray("Orientation").GetTuple4(0) == (0.0, 0.0, 0.0, 0.0)
+    assert math.dist(trace.GetArray("Orientation").GetTuple4(last), (0.0, 0.0, -1.0, 0.0)) < 1e-14
+    # Back by a quarter: (cos 45, 0, 0, -sin 45) times (0, 0, -1, 0) is (0, -sin 45, -cos 45, 0).
+    half = math.sqrt(0.5)
+    assert math.dist(trace.GetArray("DeviceOrientation").GetTuple4(last), (0.0, -half, -half, 0.0)) < 1e-14
+
+    assert device.Open("replay:" + recording) and device.Start()
+    wait(device, lambda: math.dist(device.GetTipOrientation(), (0.0, 0.0, -1.0, 0.0)) < 1e-14)
+    assert errors.count == 0
+    device.SetVirtualTipOrientation(*turn)
+    assert errors.count == 1
+    device.Close()

@@ -157,6 +157,12 @@ constexpr Affine3 Inverse(const Affine3& a) noexcept
   return { inverse, -(inverse * a.Offset) };
 }
 
+/** The rotation in a map that is a rotation, a translation and one uniform, positive scale. */
+inline Matrix3 RotationOf(const Affine3& map) noexcept
+{
+  return (1.0 / std::cbrt(Determinant(map.Linear))) * map.Linear;
+}
+
 ///@{
 /** Whether all numbers are equal, exactly. */
 constexpr bool IsIdentical(const Vector3& a, const Vector3& b) noexcept

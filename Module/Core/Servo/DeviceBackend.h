@@ -4,13 +4,19 @@
  * @file
  * The narrow interface between the servo and a haptic device.
  *
- * A back end knows nothing of volumes, solvers or VTK: it reports the tip and takes a force.
- * Positions and forces are in the device's space: metres, newtons, a right-handed frame of the
+ * A back end knows nothing of volumes, solvers or VTK: it reports the stylus and takes a force.
+ * Everything is in the device's space: metres, newtons, newton metres, a right-handed frame of the
  * device's own. Vendor libraries are added by deriving from this class.
+ *
+ * A stylus has axes of its own: it points along its -z, so that its handle is on the side of +z,
+ * and its button is on the side of +y. Its orientation is the turn from the device's axes to these.
+ * On a device whose axes point right, up and towards the user, a stylus that is not turned has its
+ * handle towards the user.
  */
 #ifndef DeviceBackend_h
 #define DeviceBackend_h
 
+#include "Core/Math/Quaternion.h"
 #include "Core/Math/Vector3.h"
 #include "Core/Model/ForceCaps.h"
 
@@ -79,6 +85,17 @@ struct DeviceSample
   /// computer got it; 0 stands for Read
   std::int64_t Time = 0;
   TakenForce Taken; ///< the last one; of a device that can't tell, when Write returned counts
+  /// Of the stylus, see above: a unit quaternion, w first. The servo divides it by its norm, and
+  /// takes it as not valid if that is not 1 within UnitTolerance, or if a number is not finite.
+  Quaternion Orientation;
+  bool HasOrientation = false; ///< Orientation is valid; false for a device that measures none
+};
+
+/** The order to a device in a tick. */
+struct DeviceCommand
+{
+  Vector3 Force;  ///< N, on the hand at the tip
+  Vector3 Torque; ///< N m, on the hand about the tip; always zero as yet
 };
 
 /** For the servo loop, each tick: what came of a Read or a Write. DeviceStage is for people. */
@@ -149,15 +166,21 @@ public:
   ///@{
   /**
    * Once a tick each, in the servo loop: no lock, no allocation, no exception, and no wait beyond a
-   * fraction of the period. Read comes first.
+   * fraction of the period. Read comes first; the sample that it gets has the tip, the orientation
+   * and its validity of the last one. The loop calls Send; a device without torque leaves it as it
+   * is, and takes the force by Write.
    */
   virtual DeviceState Read(double period, DeviceSample& sample) noexcept = 0;
   virtual DeviceState Write(const Vector3& force) noexcept = 0;
+  virtual DeviceState Send(const DeviceCommand& command) noexcept
+  {
+    return this->Write(command.Force);
+  }
   ///@}
 
   /**
-   * From any thread, if the servo thread does not answer: no force from now on until Write is
-   * called again.
+   * From any thread, if the servo thread does not answer: no force and no torque from now on until
+   * Write or Send is called again.
    */
   virtual void Quench() noexcept = 0;
   /** From any thread, after Quench: whether the device has got the order. */

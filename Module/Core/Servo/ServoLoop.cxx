@@ -177,9 +177,14 @@ DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
   ServoSnapshot& s = this->Snapshot;
   DeviceSample sample;
   sample.Tip = s.Record.Tip;
+  sample.Orientation = s.Orientation;
+  sample.HasOrientation = s.HasOrientation;
   s.Device = this->Backend.Read(period, sample);
   s.Buttons = sample.Buttons;
   s.Turn = sample.Turn;
+  sample.HasOrientation = sample.HasOrientation && MakeUnit(sample.Orientation);
+  s.HasOrientation = sample.HasOrientation;
+  s.Orientation = s.HasOrientation ? sample.Orientation : Quaternion{};
   sample.Time = sample.Time == 0 ? woken : sample.Time;
   this->MotionTime = this->Timing.NoteSample(sample, woken);
   if (s.Device == DeviceState::NotReady)
@@ -312,7 +317,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   // A loss that Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   s.Command = this->Safety.Apply(input, this->Limits.Read(), this->Gate);
-  this->WriteLost = this->Backend.Write(s.Command) == DeviceState::Lost;
+  this->WriteLost = this->Backend.Send({ s.Command, s.Torque }) == DeviceState::Lost;
   if (sample.Taken.Of != 0)
   {
     this->Timing.NoteTaken(sample.Taken);
@@ -401,7 +406,7 @@ void ServoLoop::Run() noexcept
     }
     ServoClock::SleepUntil(planned);
   }
-  this->Backend.Write({});
+  this->Backend.Send({});
 }
 
 } // namespace VolumeHaptics

@@ -44,11 +44,14 @@ struct ServoSnapshot
   TickRecord Record;            ///< computed by the tick, before the safety stage
   ServoState Before;            ///< the state before the tick; if not enabled, f = 0
   Vector3 Command;              ///< N, sent to the device
+  Vector3 Torque;               ///< N m, sent to the device; always zero as yet
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
   std::uint32_t Buttons = 0;
-  Vector3 Turn; ///< rad/s, see DeviceSample
+  Vector3 Turn;                ///< rad/s, see DeviceSample
+  Quaternion Orientation;      ///< of the stylus, see DeviceSample; no force depends on it
+  bool HasOrientation = false; ///< Orientation is valid; it is a unit quaternion in any case
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< why Share is not 1
   bool Stale = false;                      ///< the tip is older than the watchdog allows

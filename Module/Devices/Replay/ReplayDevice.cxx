@@ -7,8 +7,10 @@
 namespace VolumeHaptics
 {
 
-ReplayDevice::ReplayDevice(std::vector<Vector3> tips, std::string name)
+ReplayDevice::ReplayDevice(
+  std::vector<Vector3> tips, std::string name, std::vector<Quaternion> orientations)
   : Tips(std::move(tips))
+  , Orientations(std::move(orientations))
   , Name(std::move(name))
 {
 }
@@ -39,6 +41,11 @@ DeviceState ReplayDevice::Read(double, DeviceSample& sample) noexcept
   {
     sample.Tip = this->Tips.back();
     return DeviceState::Finished;
+  }
+  sample.HasOrientation = this->Next < this->Orientations.size();
+  if (sample.HasOrientation)
+  {
+    sample.Orientation = this->Orientations[this->Next];
   }
   sample.Tip = this->Tips[this->Next++];
   sample.Fresh = true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device whose tip follows a recording, one position a tick.
+ * A device whose stylus follows a recording, one position a tick.
  */
 #ifndef ReplayDevice_h
 #define ReplayDevice_h
@@ -17,8 +17,12 @@ namespace VolumeHaptics
 class ReplayDevice : public DeviceBackend
 {
 public:
-  /** The tips (m, this device's space), and the recording's name. Finished after the last tip. */
-  ReplayDevice(std::vector<Vector3> tips, std::string name);
+  /**
+   * The tips (m, this device's space), and the recording's name. Finished after the last tip. The
+   * orientations are those of the tips, or none; one that is not of unit norm is not valid.
+   */
+  ReplayDevice(
+    std::vector<Vector3> tips, std::string name, std::vector<Quaternion> orientations = {});
 
   bool Open(std::string& error) override;
   void Close() override {}
@@ -30,6 +34,7 @@ public:
 
 private:
   const std::vector<Vector3> Tips;
+  const std::vector<Quaternion> Orientations;
   const std::string Name;
   std::size_t Next = 0;
 };

@@ -37,14 +37,29 @@ DeviceLimits VirtualDevice::StrongDesktopDevice()
 
 void VirtualDevice::Lead(const Vector3& target) noexcept
 {
-  this->Places = std::max<std::uint64_t>(this->Places, 1);
-  this->Orders.Write({ target, this->Places });
+  this->Wanted.Target = target;
+  this->Wanted.Places = std::max<std::uint64_t>(this->Wanted.Places, 1);
+  this->Orders.Write(this->Wanted);
 }
 
 void VirtualDevice::Place(const Vector3& position) noexcept
 {
-  ++this->Places;
-  this->Orders.Write({ position, this->Places });
+  this->Wanted.Target = position;
+  ++this->Wanted.Places;
+  this->Orders.Write(this->Wanted);
+}
+
+void VirtualDevice::Turn(const Quaternion& orientation) noexcept
+{
+  this->Wanted.Orientation = orientation;
+  this->Wanted.HasOrientation = true;
+  this->Orders.Write(this->Wanted);
+}
+
+void VirtualDevice::ForgetTurn() noexcept
+{
+  this->Wanted.HasOrientation = false;
+  this->Orders.Write(this->Wanted);
 }
 
 void VirtualDevice::Follow(double period) noexcept
@@ -120,6 +135,8 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
   const double q = this->Dynamics.EncoderQuantum;
   const auto measure = [q](double x) { return q > 0.0 ? q * std::round(x / q) : x; };
   sample.Tip = { measure(this->Position.X), measure(this->Position.Y), measure(this->Position.Z) };
+  sample.Orientation = this->Orders.Read().Orientation;
+  sample.HasOrientation = this->Orders.Read().HasOrientation;
   sample.Buttons = this->Buttons.load(std::memory_order_relaxed);
   sample.Fresh = true;
   sample.Time = this->Time;

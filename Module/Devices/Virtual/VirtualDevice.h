@@ -55,6 +55,10 @@ public:
   void Lead(const Vector3& target) noexcept;
   /** Takes the stylus up at another position (m), as the first Lead does. */
   void Place(const Vector3& position) noexcept;
+  /** Turns the stylus, at once: a unit quaternion. Without a call it has no orientation. */
+  void Turn(const Quaternion& orientation) noexcept;
+  /** Takes the orientation away. */
+  void ForgetTurn() noexcept;
   void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
   /** Only while the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
@@ -86,9 +90,11 @@ private:
   {
     Vector3 Target;
     std::uint64_t Places = 0; ///< how often the stylus was taken up
+    Quaternion Orientation;
+    bool HasOrientation = false;
   };
   TripleBuffer<Order> Orders;
-  std::uint64_t Places = 0; ///< used by the leading thread
+  Order Wanted; ///< used by the leading thread
   std::atomic<std::uint32_t> Buttons{ 0 };
   std::atomic<bool> Frozen{ false };
   std::atomic<bool> Unplugged{ false };

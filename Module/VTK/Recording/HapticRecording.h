@@ -30,7 +30,7 @@ namespace VolumeHaptics
 class HapticRecording
 {
 public:
-  /** Ticks that may wait for the disk: 16 s at 1 kHz, 5 MB. */
+  /** Ticks that may wait for the disk: 16 s at 1 kHz, 6 MB. */
   static constexpr std::size_t MostWaiting = 1 << 14;
 
   HapticRecording();

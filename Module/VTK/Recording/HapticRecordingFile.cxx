@@ -15,7 +15,7 @@ namespace VolumeHaptics
 {
 
 const char* const RecordingUnits = "points and Tip: world; DeviceTip: m; Time: s; forces, Command, "
-                                   "Viscosity and SurfaceStrength: N; "
+                                   "Viscosity and SurfaceStrength: N; Torque: N m; "
                                    "Stiffness: N/m; Value, SurfaceValue and MediumValue: scalar; "
                                    "GradientMagnitude: scalar per world";
 

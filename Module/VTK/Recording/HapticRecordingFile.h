@@ -7,7 +7,9 @@
  * any length.
  *
  * Besides the arrays of vtkVolumeHapticsFilter's output a recording has the point arrays
- * `DeviceTip` (m), `Command` (3; N, world axes: the force that was sent to the device), `Tick`,
+ * `DeviceTip` (m), `DeviceOrientation` and, in the world, `Orientation` (4: w, x, y, z of a unit
+ * quaternion, all 0 if the device has none), `Command` (3; N, world axes: the force that was sent
+ * to the device), `Torque` (3; N m, the same; zero, as nothing gives torque yet), `Tick`,
  * `Enabled`, `Placement`, `Buttons`, `Armed`, `Fault`, `Share` (0 to 1, the share of the force that
  * the gate let through) and `Reason` (why that is not 1: a GateReason of ForceGate.h), and the
  * field arrays `DeviceToWorld` (16 for each placement), `InitialState`, `TickPeriod` (s), `Caps`

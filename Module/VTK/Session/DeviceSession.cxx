@@ -42,7 +42,8 @@ bool DeviceSession::Open(const std::string& id, const DeviceOptions& options, st
     {
       return false;
     }
-    this->Backend = std::make_unique<ReplayDevice>(this->Replay.Tips, id);
+    this->Backend =
+      std::make_unique<ReplayDevice>(this->Replay.Tips, id, this->Replay.Orientations);
     this->IsReplay = true;
   }
   else
@@ -132,12 +133,17 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
   {
     // A replay starts again. If its tips are in the world, it is placed as the device is now.
     std::vector<Vector3> tips = this->Replay.Tips;
+    std::vector<Quaternion> orientations = this->Replay.Orientations;
     if (!this->Replay.InDeviceSpace)
     {
       const Affine3 toDevice = Inverse(deviceToWorld);
       std::transform(tips.begin(), tips.end(), tips.begin(), toDevice);
+      const Matrix3 turnToDevice = RotationOf(toDevice);
+      std::transform(orientations.begin(), orientations.end(), orientations.begin(),
+        [&](const Quaternion& q) { return TurnedBy(turnToDevice, q, true); });
     }
-    this->Backend = std::make_unique<ReplayDevice>(std::move(tips), this->Id);
+    this->Backend =
+      std::make_unique<ReplayDevice>(std::move(tips), this->Id, std::move(orientations));
   }
   this->State = {};
   this->Rate = rate;
@@ -279,9 +285,12 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   }
   const HapticModel* const model = this->Servo->GetTicks().FindModel(this->State.Generation);
   const Affine3 toWorld = model ? model->DeviceToWorld : deviceToWorld;
-  const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
+  const Matrix3 rotation = RotationOf(toWorld);
   const TickRecord& record = this->State.Record;
   Copy(this->State.Turn, this->TurnRate);
+  const Quaternion q =
+    this->State.HasOrientation ? TurnedBy(rotation, this->State.Orientation, true) : Quaternion{};
+  this->Orientation = { q.W, q.X, q.Y, q.Z };
   Copy(toWorld(record.Tip), this->Tip);
   Copy(toWorld(record.Proxy), this->Proxy);
   Copy(rotation * this->State.Command, this->Force);

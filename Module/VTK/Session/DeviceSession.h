@@ -15,6 +15,7 @@
 #include "VTK/Session/ServoThreads.h"
 #include "VTK/Trace/HapticTraceFiles.h"
 
+#include <array>
 #include <memory>
 #include <set>
 #include <string>
@@ -165,6 +166,8 @@ public:
   double SurfacePosition[3] = {};
   double MediumPosition[3] = {};
   ///@}
+  /// w, x, y, z of the latest state, in the world; not turned if the device has none
+  std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 };
   double TurnRate[3] = {}; ///< rad/s, of the latest state, in the device's axes
 
 private:

@@ -13,6 +13,7 @@ StateRow::StateRow(const ServoSnapshot& state)
   , Proxy(state.Record.Proxy)
   , Force(state.Record.Force)
   , Command(state.Command)
+  , Orientation(state.Orientation)
   , Time(state.Time)
   , NormalForce(state.Record.NormalForce)
   , FrictionForce(state.Record.FrictionForce)
@@ -24,6 +25,7 @@ StateRow::StateRow(const ServoSnapshot& state)
   , Contact(state.Record.Contact)
   , Fault(state.GetFault())
   , Armed(state.IsArmed())
+  , HasOrientation(state.HasOrientation)
 {
 }
 
@@ -41,6 +43,8 @@ StateTable::StateTable()
     this->VectorColumns[i]->SetName(vectors[i]);
     this->VectorColumns[i]->SetNumberOfComponents(3);
   }
+  this->Orientations->SetName("Orientation");
+  this->Orientations->SetNumberOfComponents(4);
 }
 
 StateTable::~StateTable() = default;
@@ -50,7 +54,7 @@ void StateTable::Append(const StateRow& state, const Affine3& toWorld)
   const double scalars[Scalars] = { state.Time, static_cast<double>(state.Tick), state.NormalForce,
     state.FrictionForce, state.DragForce, state.SurfaceValue, static_cast<double>(state.Contact),
     state.Armed ? 1.0 : 0.0, static_cast<double>(state.Fault), state.Residency };
-  const Matrix3 rotation = (1.0 / std::cbrt(Determinant(toWorld.Linear))) * toWorld.Linear;
+  const Matrix3 rotation = RotationOf(toWorld);
   const Vector3 vectors[Vectors] = { toWorld(state.Tip), toWorld(state.Proxy),
     rotation * state.Force, rotation * state.Command };
   for (int i = 0; i < Scalars; ++i)
@@ -61,6 +65,8 @@ void StateTable::Append(const StateRow& state, const Affine3& toWorld)
   {
     this->VectorColumns[i]->InsertNextTuple3(vectors[i].X, vectors[i].Y, vectors[i].Z);
   }
+  const Quaternion q = TurnedBy(rotation, state.Orientation, state.HasOrientation);
+  this->Orientations->InsertNextTuple4(q.W, q.X, q.Y, q.Z);
 }
 
 void StateTable::WriteTo(vtkTable* table)
@@ -74,6 +80,7 @@ void StateTable::WriteTo(vtkTable* table)
   {
     table->AddColumn(column);
   }
+  table->AddColumn(this->Orientations);
 }
 
 } // namespace VolumeHaptics

@@ -29,6 +29,7 @@ struct StateRow
   Vector3 Proxy;
   Vector3 Force;
   Vector3 Command;
+  Quaternion Orientation;
   double Time;
   double NormalForce;
   double FrictionForce;
@@ -40,6 +41,7 @@ struct StateRow
   ContactState Contact;
   GateReason Fault;
   bool Armed;
+  bool HasOrientation;
 };
 
 /** The columns are those that vtkHapticDevice::DrainStates documents. */
@@ -80,6 +82,7 @@ private:
   };
   vtkNew<vtkDoubleArray> ScalarColumns[Scalars];
   vtkNew<vtkDoubleArray> VectorColumns[Vectors];
+  vtkNew<vtkDoubleArray> Orientations;
 };
 
 } // namespace VolumeHaptics

@@ -8,6 +8,13 @@
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** Squares of smaller numbers, and of the reciprocals, are not exact or not finite. */
+constexpr double LeastNorm = 1e-100;
+
+} // namespace
 
 std::string VirtualTip::Check(const Vector3& world) const
 {
@@ -35,6 +42,28 @@ std::string VirtualTip::Place(const Vector3& world, const Affine3& deviceToWorld
     this->Session.GetVirtual()->Place(Inverse(deviceToWorld)(world));
   }
   return error;
+}
+
+std::string VirtualTip::Turn(Quaternion world, const Affine3& deviceToWorld)
+{
+  VirtualDevice* const device = this->Session.GetVirtual();
+  if (!device)
+  {
+    return "There is no virtual device to turn: Open(\"virtual\") first.";
+  }
+  if (IsIdentical(world, NoOrientation))
+  {
+    device->ForgetTurn();
+    return "";
+  }
+  const double norm = std::sqrt(SquaredNorm(world));
+  if (!(norm > LeastNorm && norm < 1.0 / LeastNorm))
+  {
+    return "The virtual tip's orientation must be a quaternion of finite numbers that are not all "
+           "tiny; it stays as it was. Four zeros take it away.";
+  }
+  device->Turn(Conjugate(ToQuaternion(RotationOf(deviceToWorld))) * ((1.0 / norm) * world));
+  return "";
 }
 
 void VirtualTip::SetButtons(int buttons)

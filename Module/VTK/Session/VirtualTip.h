@@ -32,6 +32,8 @@ public:
   std::string Lead(const Vector3& world, const Affine3& deviceToWorld);
   std::string Place(const Vector3& world, const Affine3& deviceToWorld);
   ///@}
+  /** To an orientation in the world, of any norm; all zero takes it away. */
+  std::string Turn(Quaternion world, const Affine3& deviceToWorld);
   void SetButtons(int buttons);
   std::string SetDynamics(
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);

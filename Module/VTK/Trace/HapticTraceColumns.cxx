@@ -59,6 +59,10 @@ const std::vector<TraceColumn>& GetRecordingColumns()
     auto* const all = new std::vector<TraceColumn>{
       { RecordingNames::DeviceTip, " (m)", Float64, 3, offsetof(RecordingRow, DeviceTip) },
       { "Command", " (N)", Float64, 3, offsetof(RecordingRow, Command) },
+      { "Torque", " (N m)", Float64, 3, offsetof(RecordingRow, Torque) },
+      { RecordingNames::DeviceOrientation, "", Float64, 4,
+        offsetof(RecordingRow, DeviceOrientation) },
+      { RecordingNames::Orientation, "", Float64, 4, offsetof(RecordingRow, Orientation) },
       { "Tick", "", ColumnType::Int64, 1, offsetof(RecordingRow, Tick) },
       { RecordingNames::Enabled, "", UInt8, 1, offsetof(RecordingRow, Enabled) },
       { RecordingNames::Placement, "", ColumnType::Int32, 1, offsetof(RecordingRow, Placement) },

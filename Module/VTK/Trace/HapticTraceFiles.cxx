@@ -31,6 +31,7 @@ namespace
  */
 const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },
   { "Points:0", "Points:1", "Points:2" }, { "x", "y", "z" } };
+const char* const OrientationAxes[4] = { " w", " x", " y", " z" };
 const char* const DeviceColumns[3] = { "DeviceTip x", "DeviceTip y", "DeviceTip z" };
 
 /** The title of a column without its unit: "Tip x (world)" is "Tip x". */
@@ -85,6 +86,40 @@ std::vector<Vector3> ReadVectors(vtkDataArray* array)
   return vectors;
 }
 
+///@{
+/** Quaternions from four columns, or from an array; empty if one is missing. */
+std::vector<Quaternion> ReadQuaternions(vtkTable* table, const std::string& name)
+{
+  std::vector<double> parts[4];
+  for (int c = 0; c < 4; ++c)
+  {
+    parts[c] = ReadColumn(table, name + OrientationAxes[c]);
+    if (parts[c].size() != parts[0].size())
+    {
+      return {};
+    }
+  }
+  std::vector<Quaternion> quaternions;
+  for (std::size_t i = 0; i < parts[0].size(); ++i)
+  {
+    quaternions.push_back({ parts[0][i], parts[1][i], parts[2][i], parts[3][i] });
+  }
+  return quaternions;
+}
+
+std::vector<Quaternion> ReadQuaternions(vtkDataArray* array)
+{
+  std::vector<Quaternion> quaternions;
+  for (vtkIdType i = 0;
+       array && array->GetNumberOfComponents() == 4 && i < array->GetNumberOfTuples(); ++i)
+  {
+    quaternions.push_back({ array->GetComponent(i, 0), array->GetComponent(i, 1),
+      array->GetComponent(i, 2), array->GetComponent(i, 3) });
+  }
+  return quaternions;
+}
+///@}
+
 std::vector<double> ReadNumbers(vtkDataArray* array)
 {
   std::vector<double> numbers;
@@ -101,6 +136,8 @@ struct Contents
   std::vector<Vector3> DeviceTips;
   std::vector<Vector3> WorldTips;
   std::vector<double> Times;
+  std::vector<Quaternion> DeviceOrientations;
+  std::vector<Quaternion> WorldOrientations;
 };
 
 Contents ReadPolyData(const std::string& file, bool& failed)
@@ -130,6 +167,10 @@ Contents ReadPolyData(const std::string& file, bool& failed)
     contents.WorldTips = ReadVectors(data->GetPoints()->GetData());
   }
   contents.Times = ReadNumbers(data->GetPointData()->GetArray("Time"));
+  contents.DeviceOrientations =
+    ReadQuaternions(data->GetPointData()->GetArray(RecordingNames::DeviceOrientation));
+  contents.WorldOrientations =
+    ReadQuaternions(data->GetPointData()->GetArray(RecordingNames::Orientation));
   return contents;
 }
 
@@ -144,7 +185,11 @@ Contents ReadTable(const std::string& file)
   reader->SetDefaultDoubleValue(std::numeric_limits<double>::quiet_NaN());
   reader->Update();
   vtkTable* const table = reader->GetOutput();
-  Contents contents{ ReadVectors(table, DeviceColumns), {}, ReadColumn(table, "Time") };
+  Contents contents;
+  contents.DeviceTips = ReadVectors(table, DeviceColumns);
+  contents.Times = ReadColumn(table, "Time");
+  contents.DeviceOrientations = ReadQuaternions(table, RecordingNames::DeviceOrientation);
+  contents.WorldOrientations = ReadQuaternions(table, RecordingNames::Orientation);
   for (const auto& columns : WorldColumns)
   {
     if (contents.WorldTips.empty())
@@ -221,6 +266,11 @@ std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
   result.InDeviceSpace = !isPath && !contents.DeviceTips.empty();
   result.Tips = std::move(result.InDeviceSpace ? contents.DeviceTips : contents.WorldTips);
   result.Times = std::move(contents.Times);
+  if (!isPath)
+  {
+    result.Orientations =
+      std::move(result.InDeviceSpace ? contents.DeviceOrientations : contents.WorldOrientations);
+  }
   return Judge(result.Tips, result.Times);
 }
 

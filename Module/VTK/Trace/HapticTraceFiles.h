@@ -8,6 +8,7 @@
 #ifndef HapticTraceFiles_h
 #define HapticTraceFiles_h
 
+#include "Core/Math/Quaternion.h"
 #include "Core/Math/Vector3.h"
 
 #include <string>
@@ -23,21 +24,23 @@ std::string GetTraceEnding(const std::string& file);
 struct RecordedTips
 {
   std::vector<Vector3> Tips;
-  std::vector<double> Times;  ///< s, of every tip; empty if the file has none
-  bool InDeviceSpace = false; ///< else in world units
+  std::vector<double> Times;            ///< s, of every tip; empty if the file has none
+  std::vector<Quaternion> Orientations; ///< of every tip, unchecked; empty if the file has none
+  bool InDeviceSpace = false;           ///< both; else in world units
 };
 
 /**
  * Reads the tips of a .vtp or .csv: from DeviceTip if there is one, else from Tip, else from the
- * points. False, with an error that names the file, for anything but a whole trace: missing,
- * truncated, foreign or empty files, numbers that are not finite, and times or ticks that run
- * backwards.
+ * points. Orientations come from DeviceOrientation, or with Tip or the points from Orientation.
+ * False, with an error that names the file, for anything but a whole trace: missing, truncated,
+ * foreign or empty files, numbers that are not finite, and times or ticks that run backwards.
  */
 bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
 
 /**
- * The same for a path in world units: never from DeviceTip, and if a .csv has no Tip, from the
- * columns "Points:0" to "Points:2" or "x", "y" and "z". The end of the last line may be missing.
+ * The same for a path in world units: never from DeviceTip, without orientations, and if a .csv has
+ * no Tip, from the columns "Points:0" to "Points:2" or "x", "y" and "z". The end of the last line
+ * may be missing.
  */
 bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
 

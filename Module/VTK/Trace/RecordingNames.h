@@ -13,7 +13,10 @@ namespace VolumeHaptics
 /** Names of the arrays that only recordings have, for an exact replay. */
 namespace RecordingNames
 {
-constexpr const char* DeviceTip = "DeviceTip";         ///< point array: the tip in device space (m)
+constexpr const char* DeviceTip = "DeviceTip"; ///< point array: the tip in device space (m)
+/// point array: w, x, y, z of the stylus in device space; all 0: none
+constexpr const char* DeviceOrientation = "DeviceOrientation";
+constexpr const char* Orientation = "Orientation";     ///< point array: the same in the world
 constexpr const char* Enabled = "Enabled";             ///< point array: 1 if the tick enabled
 constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
 constexpr const char* Renewed = "Renewed";             ///< point array: 1 if a local surface came

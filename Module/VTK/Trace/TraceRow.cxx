@@ -16,6 +16,14 @@ void Copy(const Vector3& from, double to[3])
   to[2] = from.Z;
 }
 
+void Copy(const Quaternion& from, double to[4])
+{
+  to[0] = from.W;
+  to[1] = from.X;
+  to[2] = from.Y;
+  to[3] = from.Z;
+}
+
 } // namespace
 
 double WorkMeter::Add(const TickRecord& record)
@@ -67,6 +75,10 @@ RecordingRow MakeRecordingRow(
   row.Trace = MakeTraceRow(model, snapshot.Time, snapshot.Record, work);
   Copy(snapshot.Record.Tip, row.DeviceTip);
   Copy(model.DeviceToWorldRotation * snapshot.Command, row.Command);
+  Copy(model.DeviceToWorldRotation * snapshot.Torque, row.Torque);
+  Copy(snapshot.HasOrientation ? snapshot.Orientation : NoOrientation, row.DeviceOrientation);
+  Copy(TurnedBy(model.DeviceToWorldRotation, snapshot.Orientation, snapshot.HasOrientation),
+    row.Orientation);
   row.Tick = static_cast<std::int64_t>(snapshot.Tick);
   row.Placement = placement;
   row.Buttons = static_cast<std::int32_t>(snapshot.Buttons);

@@ -49,7 +49,11 @@ struct RecordingRow
   TraceRow Trace;
   double DeviceTip[3]; ///< m
   double Command[3];   ///< N
-  double Share;        ///< the share of the force that the gate let through (ForceGate.h)
+  double Torque[3];    ///< N m, sent; always zero as yet
+  /// w, x, y, z of a unit quaternion; all 0 if the device has none
+  double DeviceOrientation[4];
+  double Orientation[4]; ///< the same in the world
+  double Share;          ///< the share of the force that the gate let through (ForceGate.h)
   std::int64_t Tick;
   std::int32_t Placement;
   std::int32_t Buttons;

@@ -19,10 +19,11 @@ TraceTable::TraceTable()
 
 void TraceTable::AddTitle(const std::string& array, int components)
 {
-  static const char* const axes[] = { " x", " y", " z" };
+  static const char* const axes[] = { " w", " x", " y", " z" };
+  const bool hasAxes = components == 3 || components == 4; // a vector has no w
   for (int c = 0; c < components; ++c)
   {
-    this->Line << this->Separator << array << (components == 3 ? axes[c] : "")
+    this->Line << this->Separator << array << (hasAxes ? axes[c + 4 - components] : "")
                << GetTraceUnit(array);
     this->Separator = ",";
   }

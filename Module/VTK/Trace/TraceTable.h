@@ -22,7 +22,10 @@ class TraceTable
 public:
   TraceTable();
 
-  /** The title of an array with its unit: "Time (s)"; of a vector "Tip x (world)" and so on. */
+  /**
+   * The title of an array with its unit: "Time (s)"; of a vector "Tip x (world)" and so on, of a
+   * quaternion "Orientation w" and so on.
+   */
   void AddTitle(const std::string& array, int components);
   void AddNumber(double number);
   /** The line that is complete with this, and its end. */

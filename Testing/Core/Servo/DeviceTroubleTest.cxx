@@ -112,6 +112,20 @@ TEST(ReplayDevice, PlaysEveryTipOnceThenIsFinished)
   }
 }
 
+TEST(ReplayDevice, PlaysTheOrientationsThatItHas)
+{
+  const Quaternion turned{ 0.6, 0.0, 0.8, 0.0 };
+  ReplayDevice device({ { 1, 2, 3 }, { 4, 5, 6 } }, "replay:test", { turned });
+  std::string error;
+  ASSERT_TRUE(device.Open(error));
+  DeviceSample sample;
+  device.Read(Period, sample);
+  EXPECT_TRUE(sample.HasOrientation);
+  EXPECT_TRUE(IsIdentical(sample.Orientation, turned));
+  device.Read(Period, sample);
+  EXPECT_FALSE(sample.HasOrientation) << "it has no second one";
+}
+
 TEST(ReplayDevice, RefusesNoTipsAndNamesItself)
 {
   ReplayDevice device({}, "replay:nothing.csv");

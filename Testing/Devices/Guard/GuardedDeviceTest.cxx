@@ -142,6 +142,10 @@ TEST_F(Guarded, IsTheSameToTheServo)
       [&] {
         return this->Feels({ 1.0, 0.0, 0.0 }) && this->Sample.Buttons == 5;
       }));
+    EXPECT_TRUE(this->Sample.HasOrientation);
+    EXPECT_EQ(this->Sample.Orientation.W, 0.5);
+    EXPECT_EQ(this->Sample.Orientation.Y, -0.5);
+    EXPECT_EQ(this->Sample.Orientation.Z, 0.5);
     this->Device->Home();
     EXPECT_TRUE(Eventually([&] { return this->GetText() == "homed"; }));
     this->Device->Quench();

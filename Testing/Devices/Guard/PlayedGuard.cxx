@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A guard whose device is played, for GuardedDeviceTest.cxx: it tells each force as a position, or
- * is held in a hand that the force moves, with motors the right way round ("held") or not
- * ("crossed").
+ * A guard whose device is played, for GuardedDeviceTest.cxx: it tells each force as a position and
+ * its lights as an orientation, or is held in a hand that the force moves, with motors the right
+ * way round ("held") or not ("crossed").
  */
 
 #include "Devices/Guard/GuardMain.h"
@@ -60,6 +60,8 @@ public:
       DeviceSample sample;
       sample.Tip = exchange.GetForce();
       sample.Buttons = static_cast<std::uint32_t>(exchange.GetLights());
+      sample.HasOrientation = exchange.GetLights() > 0;
+      sample.Orientation = { 0.5, 0.5, -0.5, 0.1 * exchange.GetLights() };
       exchange.Tell(sample);
     }
   }

@@ -118,3 +118,26 @@ TEST_F(Virtual, DelaysForcesByTicks)
     }
   }
 }
+
+TEST_F(Virtual, TheStylusTurnsWhenItIsToldTo)
+{
+  this->Device.Lead({ 0.1, 0.2, 0.3 });
+  EXPECT_FALSE(this->Read().HasOrientation);
+  this->Device.Turn({ 0.6, 0.0, 0.0, -0.8 });
+  const DeviceSample turned = this->Read();
+  EXPECT_TRUE(turned.HasOrientation);
+  EXPECT_EQ(turned.Orientation.W, 0.6);
+  EXPECT_EQ(turned.Orientation.Z, -0.8);
+  EXPECT_EQ(turned.Tip.Y, 0.2) << "where it was";
+  EXPECT_FALSE(turned.Begins);
+  this->Device.Place({ 0.0, 0.0, 0.0 });
+  EXPECT_EQ(this->Read().Orientation.W, 0.6) << "as it was, at another position";
+  this->Device.ForgetTurn();
+  EXPECT_FALSE(this->Read().HasOrientation);
+}
+
+TEST_F(Virtual, ATurnIsNoPosition)
+{
+  this->Device.Turn({ 0.6, 0.0, 0.0, -0.8 });
+  EXPECT_FALSE(this->Read().Fresh) << "the tip was led nowhere yet";
+}

@@ -73,6 +73,10 @@ public:
     s.Gate = VolumeHaptics::GateState::Ramping;
     s.Reason = VolumeHaptics::GateReason::Rising;
     s.Share = 0.75;
+    s.Torque = { 1e-3 * this->Draw(), 0.0, 0.0 };
+    const double half = 0.5 * this->Draw();
+    s.Orientation = { std::cos(half), 0.0, 0.0, std::sin(half) };
+    s.HasOrientation = true;
     TickRecord& r = s.Record;
     const double t = 1e-3 * static_cast<double>(s.Tick);
     r.Tip = { 0.007 + 0.003 * std::sin(t), 0.007 + 0.002 * std::sin(0.7 * t),

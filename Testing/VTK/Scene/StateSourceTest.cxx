@@ -97,3 +97,24 @@ TEST_F(StateSource, FollowsTheDevice)
   const vtkMTimeType time = this->Source->GetMTime();
   EXPECT_EQ(this->Source->GetMTime(), time) << "nothing new";
 }
+
+TEST_F(StateSource, HasTheOrientationOfTheStylus)
+{
+  this->Begin();
+  this->Source->Update();
+  const auto orientation = [this]
+  {
+    this->Source->Update();
+    return this->Source->GetOutput()->GetFieldData()->GetArray("Orientation");
+  };
+  ASSERT_TRUE(orientation());
+  ASSERT_EQ(orientation()->GetNumberOfComponents(), 4);
+  EXPECT_EQ(orientation()->GetComponent(0, 0), 0.0) << "all 0: the device has none";
+  this->Device->SetVirtualTipOrientation(0.6, 0.0, -0.8, 0.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->HasTipOrientation(); }));
+  const double wanted[4] = { 0.6, 0.0, -0.8, 0.0 };
+  for (int c = 0; c < 4; ++c)
+  {
+    EXPECT_NEAR(orientation()->GetComponent(0, c), wanted[c], 1e-14);
+  }
+}
