@@ -41,6 +41,7 @@ struct vtkHapticRepresentation::vtkInternals
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 }, { SceneMarker::Rod, 0.75, 0.75, 0.75 },
     { SceneMarker::Arrow, 0.97, 0.97, 0.97 }, { SceneMarker::Arrow, 0.15, 0.5, 0.95 },
     { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
+  SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
   bool HasState = false;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;
@@ -53,6 +54,8 @@ struct vtkHapticRepresentation::vtkInternals
 
 namespace
 {
+/// Of the stylus: its length, when StylusLength is 0, in radii of the proxy.
+constexpr double StylusRadii = 25.0;
 /// By contact; the colour-blind can tell them apart, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
@@ -163,9 +166,29 @@ void vtkHapticRepresentation::UpdateMarkers()
     d.Markers[Source::SURFACE_POSITION].Show(this->MarkerVisibility);
     d.Markers[Source::MEDIUM_POSITION].Show(this->MarkerVisibility);
   }
+  this->UpdateStylus();
   std::ostringstream text;
   text << "1 N = " << 1.0 / this->ForceScale << " " << this->WorldUnitName;
   d.ScaleText->SetInput(text.str().c_str());
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::UpdateStylus()
+{
+  auto& d = *this->Internals;
+  d.Stylus.Show(false);
+  if (!d.HasState || !this->StylusVisibility)
+  {
+    return;
+  }
+  vtkPolyData* const state = d.Source->GetOutput();
+  double q[4];
+  state->GetFieldData()->GetArray("Orientation")->GetTuple(0, q);
+  const Quaternion orientation{ q[0], q[1], q[2], q[3] };
+  const double* const proxy = state->GetPoint(vtkHapticStateSource::PROXY);
+  d.Stylus.Show(SquaredNorm(orientation) > 0.0);
+  d.Stylus.PlaceTurned({ proxy[0], proxy[1], proxy[2] }, orientation,
+    this->StylusLength > 0.0 ? this->StylusLength : StylusRadii * this->Radius);
 }
 
 //------------------------------------------------------------------------------
@@ -199,6 +222,7 @@ double* vtkHapticRepresentation::GetBounds()
   {
     marker.AddTo(d.Box);
   }
+  d.Stylus.AddTo(d.Box);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
     d.Box.AddBounds(d.Trail->GetBounds());
@@ -224,6 +248,7 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   {
     marker.RenderOpaque(viewport);
   }
+  d.Stylus.RenderOpaque(viewport);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
     this->UpdateTrail();
@@ -250,6 +275,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
+    d.Stylus.RenderHidden(viewport); // first, so that it covers no other
     for (SceneMarker& marker : d.Markers)
     {
       marker.RenderHidden(viewport);
@@ -271,6 +297,7 @@ void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
   {
     marker.Release(window);
   }
+  d.Stylus.Release(window);
   d.TrailActor->ReleaseGraphicsResources(window);
   d.ScaleText->ReleaseGraphicsResources(window);
 }

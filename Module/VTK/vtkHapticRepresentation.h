@@ -12,8 +12,10 @@
  *   on the proxy   the forces of the surface (blue) and of friction (orange)
  *
  * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta
- * while it is pushed through a surface. A text in the lower right corner shows the length of a
- * newton. Markers behind a surface or inside the volume show through, faintly.
+ * while it is pushed through a surface. If the device measures the orientation of its stylus, a
+ * stylus with its point in the proxy shows it (vtkHapticDevice::GetTipOrientation). A text in the
+ * lower right corner shows the length of a newton. Markers behind a surface or inside the volume
+ * show through, faintly.
  *
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
@@ -100,6 +102,20 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether a stylus is shown at the proxy, if the device measures its orientation. Default on.
+   */
+  vtkSetMacro(StylusVisibility, bool);
+  vtkGetMacro(StylusVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Length of the stylus, world units, 0 or more. Default 0: 25 times Radius. */
+  vtkSetClampMacro(StylusLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(StylusLength, double);
+  ///@}
+
+  ///@{
   /** Whether a text shows the length of a newton. Default on. */
   vtkSetMacro(ScaleTextVisibility, bool);
   vtkGetMacro(ScaleTextVisibility, bool);
@@ -145,6 +161,8 @@ protected:
   bool NormalForceVisibility = true;
   bool FrictionForceVisibility = true;
   bool MarkerVisibility = false;
+  bool StylusVisibility = true;
+  double StylusLength = 0.0;
   bool ScaleTextVisibility = true;
   bool HiddenVisibility = true;
 
@@ -153,6 +171,7 @@ private:
   void operator=(const vtkHapticRepresentation&) = delete;
 
   void UpdateMarkers();
+  void UpdateStylus();
   void UpdateTrail();
 
   struct vtkInternals;

@@ -41,6 +41,10 @@ inline constexpr RepresentationSetting All[] = {
   HapticFlagMacro(MarkerVisibility, false, NotBaked,
     "Whether markers are shown at x_s (yellow) and x_v (turquoise), at which the materials are "
     "read. Default off."),
+  HapticFlagMacro(StylusVisibility, true, NotBaked,
+    "Whether a stylus is shown at the proxy, if the device measures its orientation. Default on."),
+  HapticNumberMacro(StylusLength, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
+    "Length of the stylus, world units, 0 or more. Default 0: 25 times Radius."),
   HapticFlagMacro(ScaleTextVisibility, true, NotBaked,
     "Whether a text shows the length of a newton. Default on."),
   HapticFlagMacro(HiddenVisibility, true, NotBaked,

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/SceneMarker.h"
 
+#include "VTK/Scene/StylusShape.h"
+
 #include "vtkArrowSource.h"
 #include "vtkBoundingBox.h"
 #include "vtkCylinderSource.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
@@ -42,6 +45,10 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
     this->Mapper->SetInputConnection(rod->GetOutputPort());
     this->Solid->RotateX(90.0);
     this->Ghost->RotateX(90.0);
+  }
+  else if (shape == Stylus)
+  {
+    this->Mapper->SetInputData(MakeStylusShape()); // along z, with colours of its own
   }
   else
   {
@@ -101,6 +108,14 @@ void SceneMarker::PlaceAlong(const Vector3& from, const Vector3& to, double radi
   this->Place->RotateZ(turn);
   this->Place->RotateY(tilt);
   this->Place->Scale(radius, radius, length);
+}
+
+void SceneMarker::PlaceTurned(const Vector3& point, const Quaternion& orientation, double length)
+{
+  const Matrix3 m = length * ToMatrix(orientation);
+  const double rows[16] = { m.Row[0].X, m.Row[0].Y, m.Row[0].Z, point.X, m.Row[1].X, m.Row[1].Y,
+    m.Row[1].Z, point.Y, m.Row[2].X, m.Row[2].Y, m.Row[2].Z, point.Z, 0.0, 0.0, 0.0, 1.0 };
+  this->Place->SetMatrix(rows);
 }
 
 void SceneMarker::RenderOpaque(vtkViewport* viewport)

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sphere, a rod or an arrow in the scene, which shines faintly through objects in front of it.
+ * A sphere, a rod, an arrow or a stylus in the scene, which shines faintly through objects in front
+ * of it.
  */
 #ifndef SceneMarker_h
 #define SceneMarker_h
 
+#include "Core/Math/Quaternion.h"
 #include "Core/Math/Vector3.h"
 
 #include "vtkActor.h"
@@ -25,8 +27,9 @@ public:
   enum Shape
   {
     Sphere,
-    Rod,  ///< from one position to another
-    Arrow ///< the same, with a head
+    Rod,   ///< from one position to another
+    Arrow, ///< the same, with a head
+    Stylus ///< a pen with a button, which points along its -z
   };
   SceneMarker(Shape shape, double red, double green, double blue);
 
@@ -34,6 +37,8 @@ public:
   void PlaceSphere(const Vector3& centre, double radius);
   /** A marker that is shorter than its radius is not shown. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);
+  /** A stylus: its point, its orientation (DeviceBackend.h), and its length. */
+  void PlaceTurned(const Vector3& point, const Quaternion& orientation, double length);
   void Show(bool shown) { this->Shown = shown; }
 
   void RenderOpaque(vtkViewport* viewport);

@@ -9,6 +9,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticProperty.h>
@@ -46,6 +47,7 @@ struct ContactScript
   double Strength; ///< N
   bool Markers = false;
   bool Trail = false;
+  const double* Orientation = nullptr; ///< of the stylus: w, x, y, z
 };
 
 /// A value that rises with depth; the surface is felt from z = 0 downwards.
@@ -86,6 +88,17 @@ inline vtkSmartPointer<vtkPolyData> MakePath(const ContactScript& script, vtkIdT
   }
   auto path = vtkSmartPointer<vtkPolyData>::New();
   path->SetPoints(points);
+  if (script.Orientation)
+  {
+    vtkNew<vtkDoubleArray> orientations;
+    orientations->SetName("Orientation");
+    orientations->SetNumberOfComponents(4);
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      orientations->InsertNextTypedTuple(script.Orientation);
+    }
+    path->GetPointData()->AddArray(orientations);
+  }
   return path;
 }
 
@@ -101,7 +114,8 @@ inline int ShowContact(int argc, char* argv[], const ContactScript& script)
   filter->Update();
 
   // A replay ends in a state that lasts.
-  const std::string file = std::string("ShownContact") + std::to_string(script.Contact) + ".vtp";
+  const std::string file = std::string("ShownContact") + std::to_string(script.Contact) +
+    (script.Orientation ? "Turned.vtp" : ".vtp");
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputDataObject(filter->GetInputDataObject(1, 0));
@@ -134,6 +148,7 @@ inline int ShowContact(int argc, char* argv[], const ContactScript& script)
   hand->SetDevice(device);
   hand->SetForceScale(0.2);
   hand->SetMarkerVisibility(script.Markers);
+  hand->SetStylusLength(17.0);
   hand->SetTrail(script.Trail ? filter->GetOutput() : nullptr);
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.16, 0.19, 0.24);

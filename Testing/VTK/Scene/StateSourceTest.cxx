@@ -118,3 +118,22 @@ TEST_F(StateSource, HasTheOrientationOfTheStylus)
     EXPECT_NEAR(orientation()->GetComponent(0, c), wanted[c], 1e-14);
   }
 }
+
+TEST_F(StateSource, TheStylusIsShownIfItIsTurned)
+{
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  vtkNew<vtkHapticRepresentation> hand;
+  hand->SetDevice(this->Device);
+  hand->SetRadius(0.2);
+  EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01) << "the proxy";
+  // A quarter about y takes the handle from z to x.
+  this->Device->SetVirtualTipOrientation(1.0, 0.0, 1.0, 0.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->HasTipOrientation(); }));
+  EXPECT_NEAR(hand->GetBounds()[1], 7.0 + 25.0 * 0.2, 0.01) << "25 radii";
+  EXPECT_NEAR(hand->GetBounds()[0], 6.8, 0.01) << "the proxy";
+  hand->SetStylusLength(3.0);
+  EXPECT_NEAR(hand->GetBounds()[1], 10.0, 0.01);
+  hand->SetStylusVisibility(false);
+  EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01);
+}

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A stylus, which a hand holds from the right and turns its button up, rests on the plane.
+#include "ShownContact.h"
+
+VTK_MODULE_INIT(vtkRenderingFreeType)
+
+int TestRepresentationStylus(int argc, char* argv[])
+{
+  const double turn[4] = { 0.1853, 0.3609, -0.0920, 0.9094 };
+  return scenetest::ShowContact(argc, argv, { 2, 4.0, 8.0, 0.3, 4.0, false, false, turn });
+}
