@@ -34,7 +34,7 @@ constexpr unsigned char Metal[3] = { 214, 218, 224 };
 constexpr unsigned char Handle[3] = { 96, 116, 150 };
 constexpr unsigned char Button[3] = { 240, 242, 245 };
 
-constexpr double Pi = 3.141592653589793;
+constexpr double Turn = 6.283185307179586; ///< rad
 constexpr int Around = 48;
 
 class Surface
@@ -101,7 +101,7 @@ vtkSmartPointer<vtkPolyData> MakeStylusShape()
 {
   Surface surface;
   const auto direction = [](double u) {
-    return Vector3{ std::cos(2.0 * Pi * u), std::sin(2.0 * Pi * u), 0.0 };
+    return Vector3{ std::cos(Turn * u), std::sin(Turn * u), 0.0 };
   };
   const Vector3 axis{ 0.0, 0.0, 1.0 };
   surface.Add(Around, 1, Metal,
@@ -119,17 +119,17 @@ vtkSmartPointer<vtkPolyData> MakeStylusShape()
   surface.Add(Around, Around / 4, Handle,
     [&](double u, double v, Vector3& x, Vector3& n)
     {
-      n = std::cos(0.5 * Pi * v) * direction(u) + std::sin(0.5 * Pi * v) * axis;
+      n = std::cos(0.25 * Turn * v) * direction(u) + std::sin(0.25 * Turn * v) * axis;
       x = HandleEnd * axis + HandleRadius * n;
     });
   // The half of an ellipsoid that stands out of the handle.
   surface.Add(Around, Around / 4, Button,
     [&](double u, double v, Vector3& x, Vector3& n)
     {
-      const double level = std::cos(0.5 * Pi * v);
-      const double side = level * std::sin(2.0 * Pi * u);
-      const double along = level * std::cos(2.0 * Pi * u);
-      const double up = std::sin(0.5 * Pi * v);
+      const double level = std::cos(0.25 * Turn * v);
+      const double side = level * std::sin(Turn * u);
+      const double along = level * std::cos(Turn * u);
+      const double up = std::sin(0.25 * Turn * v);
       x = { 0.5 * ButtonWidth * side, HandleRadius - ButtonHeight + 2.0 * ButtonHeight * up,
         ButtonMiddle + 0.5 * ButtonLength * along };
       n = { side / ButtonWidth, 0.25 * up / ButtonHeight, along / ButtonLength };
