@@ -23,7 +23,6 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double Gravity = 9.80665; // m/s^2: scales and weights are adjusted to the local one
 constexpr double Millimetre = 1e-3; // m
 constexpr auto LookPeriod = std::chrono::milliseconds(10);
 /// The spring pulls with the largest force after this way (m).
@@ -167,7 +166,7 @@ bool Weigh(ToolDevice& device, const ToolOptions& options, int axis, ToolStreams
 {
   const double most = device->GetMaximumForce();
   HungWeight::Settings settings;
-  settings.Weight = 1e-3 * options.Grams * Gravity;
+  settings.Weight = 1e-3 * options.Grams * HungWeight::Gravity;
   settings.Axis = axis;
   settings.MostForce = most;
   settings.Patience = options.Seconds > 0.0 ? options.Seconds : Patience;
@@ -177,7 +176,8 @@ bool Weigh(ToolDevice& device, const ToolOptions& options, int axis, ToolStreams
     "good. "
     "Hold the handle in the middle of the workspace, without the weight, and press Enter; Ctrl+C "
     "ends at once.",
-    most, 1e3 * LightShare * most / Gravity, 1e3 * HeavyShare * most / Gravity);
+    most, 1e3 * LightShare * most / HungWeight::Gravity,
+    1e3 * HeavyShare * most / HungWeight::Gravity);
   if (!streams.AskForEnter(text))
   {
     return false;
@@ -264,7 +264,7 @@ bool Press(ToolDevice& device, int axis, double direction, ToolStreams streams, 
     }
     if (answer > 0)
     {
-      readings.push_back({ press.GetForce(), 1e-3 * grams * Gravity });
+      readings.push_back({ press.GetForce(), 1e-3 * grams * HungWeight::Gravity });
     }
   }
   ScaleFit fit;

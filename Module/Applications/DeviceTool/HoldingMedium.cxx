@@ -12,11 +12,11 @@
 namespace
 {
 
-constexpr double Strength = 1000.0; // N, much more than any device has
-constexpr double Spacing = 40.0;    // mm
-constexpr int Samples = 13;         // beyond every device's workspace
+constexpr double Strength = 1000.0;    // N, much more than any device has
+constexpr double MediumSpacing = 40.0; // mm
+constexpr int MediumSamples = 13;      // beyond every device's workspace
 
-void SetConstant(vtkPiecewiseFunction* function, double value)
+void SetEverywhere(vtkPiecewiseFunction* function, double value)
 {
   function->RemoveAllPoints();
   function->AddPoint(0.0, value);
@@ -27,9 +27,9 @@ void SetConstant(vtkPiecewiseFunction* function, double value)
 void MakeHoldingMedium(vtkVolumeHapticsFilter* filter, double stiffness)
 {
   vtkNew<vtkImageData> medium;
-  medium->SetDimensions(Samples, Samples, Samples);
-  medium->SetSpacing(Spacing, Spacing, Spacing);
-  const double first = -0.5 * Spacing * (Samples - 1);
+  medium->SetDimensions(MediumSamples, MediumSamples, MediumSamples);
+  medium->SetSpacing(MediumSpacing, MediumSpacing, MediumSpacing);
+  const double first = -0.5 * MediumSpacing * (MediumSamples - 1);
   medium->SetOrigin(first, first, first);
   medium->AllocateScalars(VTK_FLOAT, 1);
   medium->GetPointData()->GetScalars()->Fill(0.0);
@@ -39,8 +39,8 @@ void MakeHoldingMedium(vtkVolumeHapticsFilter* filter, double stiffness)
   filter->SetSolverToPrecise();
   filter->SetMetersPerWorldUnit(0.001);
   vtkHapticProperty* const property = filter->GetProperty();
-  SetConstant(property->GetStiffness(), stiffness);
-  SetConstant(property->GetFriction(), 0.0);
-  SetConstant(property->GetViscosity(), Strength);
-  SetConstant(property->GetSurfaceStrength(), 0.0);
+  SetEverywhere(property->GetStiffness(), stiffness);
+  SetEverywhere(property->GetFriction(), 0.0);
+  SetEverywhere(property->GetViscosity(), Strength);
+  SetEverywhere(property->GetSurfaceStrength(), 0.0);
 }

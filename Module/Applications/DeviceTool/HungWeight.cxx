@@ -9,8 +9,6 @@
 namespace
 {
 
-constexpr double Gravity = 9.80665; // m/s^2
-
 /// At rest, place (m) and force (a share of the largest) stay within these, for a time (s).
 constexpr double RestPlace = 0.3e-3;
 constexpr double RestShare = 0.02;

@@ -31,6 +31,8 @@
 class HungWeight
 {
 public:
+  static constexpr double Gravity = 9.80665; ///< m/s^2: weights are adjusted to the local one
+
   struct Settings
   {
     double Weight = 0.0;    ///< N
