@@ -76,7 +76,7 @@ fi
 # volumes in pieces, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
 expected=$({ cd "$source_dir/Module/VTK" && printf '%s\n' vtk*.h | grep -vE 'Compat|Internals'
-  printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h; } | sort)
+  printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h; } | sort)
 if [ "$installed" != "$expected" ]; then
   printf 'installed headers:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
   exit 1
