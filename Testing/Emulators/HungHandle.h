@@ -58,7 +58,7 @@ public:
     }
     return tip;
   }
-  /// What the scale shows (g), rounded as kitchen scales do.
+  /// The reading of the scale (g), rounded as kitchen scales do.
   double GetShown() const { return std::round(1e3 * this->OnScale / Gravity); }
 
 private:

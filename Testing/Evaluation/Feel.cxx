@@ -44,7 +44,7 @@ struct Target
 };
 constexpr Target Targets[] = { { "skin", -300.0, 0.0 }, { "skull", 300.0, 10.0 } };
 
-/** What is felt, and how. */
+/** A volume and the settings with which it is felt. */
 struct Variant
 {
   std::string Name;
@@ -134,12 +134,6 @@ std::optional<Arc> MakeArc(const std::vector<double>& radii, const std::vector<V
     arc.Tips.push_back(tip(i, Depth));
   }
   return arc;
-}
-
-void SetConstant(vtkPiecewiseFunction* function, double value)
-{
-  function->RemoveAllPoints();
-  function->AddPoint(0.0, value);
 }
 
 /** Makes the ramps between the materials of a function at least so wide (HU). */

@@ -25,13 +25,13 @@ using Filter = vtkVolumeHapticsFilter;
 constexpr double Approach = 0.5;
 /** For how many ticks it waits there: until the slow loop of a local surface has looked. */
 constexpr std::size_t Wait = 50;
+} // namespace
 
 void SetConstant(vtkPiecewiseFunction* function, double value)
 {
   function->RemoveAllPoints();
   function->AddPoint(0.0, value);
 }
-} // namespace
 
 const std::vector<Method>& AllMethods()
 {

@@ -16,6 +16,7 @@
 #include <memory>
 
 class vtkImageData;
+class vtkPiecewiseFunction;
 class vtkPolyData;
 
 namespace evaluation
@@ -57,6 +58,9 @@ struct Stroke
   Path Tips;               ///< mm, from the second tick on
   std::size_t Pressed = 0; ///< how many of these press, before the others slide
 };
+
+/** The function has this value everywhere. */
+void SetConstant(vtkPiecewiseFunction* function, double value);
 
 /** A field, sampled in voxels of 1 mm around the origin. */
 vtkSmartPointer<vtkImageData> SampleImage(const Field& field, double halfSize);

@@ -25,7 +25,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/// What all devices of the kind "hung" share with the test.
+/// All devices of the kind "hung" share this with the test.
 struct Bench
 {
   std::mutex Lock;

@@ -68,7 +68,7 @@ private:
   double Time = 0.0;
 };
 
-/// What a user does, a second after each request.
+/// A user's actions, a second after each request.
 struct User
 {
   double Weight = 0.1; ///< kg
