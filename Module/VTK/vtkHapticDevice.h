@@ -18,13 +18,15 @@
  *
  * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and
  * to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every gap
- * it rises from zero over half a second. A tip that is not finite, that moves faster than a hand
- * can hold the device, or a device that is lost, cuts the force and latches a fault until Arm is
- * called again. Without fresh samples for 30 ms the force goes to zero. Stop, Close, deletion,
- * exit(), quick_exit(), an uncaught exception, a crash and the other signals that end or stop the
- * process send zero force. Signal handlers that the program installed before Arm run after that;
- * those that it installs later run first. Stiffness and ForceFieldDamping are capped at what the
- * device can hold.
+ * it rises from zero over half a second, and the proxy begins at the tip. None of this gives the
+ * hand more energy than it put in: a wall that is pressed meanwhile, or struck too fast for
+ * MaximumForceRate, stays soft until the tip leaves it or presses deeper. A tip that is not finite,
+ * that moves faster than a hand can hold the device, or a device that is lost, cuts the force and
+ * latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
+ * zero. Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, a crash and the other
+ * signals that end or stop the process send zero force. Signal handlers that the program installed
+ * before Arm run after that; those that it installs later run first. Stiffness and
+ * ForceFieldDamping are capped at what the device can hold.
  *
  * A program can't send zero force on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of
  * another program, loss of power, a crash in the thread that talks to the device, a crash that
@@ -138,7 +140,8 @@ public:
   ///@{
   /**
    * Let force through, or not. Arm clears a fault, changes nothing if force flows already, and is
-   * refused, with an error, while the device is not ready. Disarm cuts the force at once. FadeOut
+   * refused, with an error, while the device is not ready. The proxy begins at the tip: armed
+   * inside, a hand feels nothing until it moves. Disarm cuts the force at once. FadeOut
    * ends it within 50 ms, for example when the connection to the server that sends the data is
    * lost. Stop disarms. Every way to disarm invokes vtkCommand::DisableEvent at once.
    * IsArmOrdered tells whether the last of all these orders was Arm, even if the servo has yet to
@@ -176,8 +179,8 @@ public:
   /**
    * A clutch, with which the hand moves a real device while the tip is not meant to move with it.
    * While it is on, no force leaves, from the next tick on; turning it on invokes
-   * vtkCommand::DisableEvent. When it is turned off, the force rises over half a second, if it was
-   * armed before and nothing has disarmed it since: ArmsAfterClutch. Arm meanwhile takes effect
+   * vtkCommand::DisableEvent. When it is turned off, the device is armed again, as with Arm, if it
+   * was armed before and nothing has disarmed it since: ArmsAfterClutch. Arm meanwhile takes effect
    * then. Default off.
    */
   void SetClutch(bool on);

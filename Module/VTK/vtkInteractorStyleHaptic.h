@@ -26,7 +26,8 @@
  * Keys, in any mode (besides those of vtkInteractorStyle):
  *
  *   t           touch mode on and off; it begins in front of the first surface under the pointer
- *   a           arm, so that force may flow, and disarm; touch mode on arms, too
+ *   a           arm, so that force may flow, and disarm; touch mode on arms, too. Armed inside,
+ *               the hand feels nothing until it moves
  *   Escape      disarm, and leave the touch mode and the clutch
  *   c           put the device's workspace back around the camera's focal point
  *   k           clutch: while held, a real device moves without the tip and without force. The

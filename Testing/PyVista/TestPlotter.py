@@ -44,6 +44,7 @@ def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
         device.SetVirtualTip(*(-distance * x for x in sight))
         hand.wait(lambda: np.linalg.norm(np.add(device.GetTipPosition(), distance * np.array(sight))) < 1e-6)
         device.Arm()
+        hand.wait(lambda: "100 % of the force" in device.GetStatusText())
     tick = device.GetTick()
     hand.wait(lambda: device.GetTick() > tick + 700)
     assert (np.linalg.norm(device.GetForce()) > 0.5) == felt

@@ -71,7 +71,10 @@ def test_push_is_recorded_and_replayed(tmp_path):
     recording = str(tmp_path / "push.vtp")
     assert device.StartRecording(recording)
     device.Arm()
-    device.SetVirtualTip((7.0, 7.0, 8.0))
+    wait(device, lambda: "100 % of the force" in device.GetStatusText())  # a wall pressed before stays soft
+    for z in (5.5, 6.0, 6.5, 7.0, 7.5, 8.0):  # as slowly as the slew limit has it
+        device.SetVirtualTip((7.0, 7.0, z))
+        wait(device, lambda z=z: abs(device.GetTipPosition()[2] - z) < 1e-9)
     wait(device, lambda: device.GetForce()[2] < -1.49)
     assert device.GetStatus() == vtkHapticDevice.ACTIVE
     assert abs(device.GetComputedForce()[2] + 1.5) < 1e-6

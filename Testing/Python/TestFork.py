@@ -24,8 +24,7 @@ def device():
     made.SetVirtualTip(8, 8, 10)
     assert made.Start()
     press(made, 10, lambda: made.GetTick() > 1)
-    made.Arm()
-    press(made, 11.5, lambda: made.GetForce()[2] < -0.7)
+    press_slowly(made)
     yield made
     made.Close()
 
@@ -37,6 +36,15 @@ def press(device, z, holds):
         assert time.monotonic() < end, device.GetStatusText()
         device.UpdateState()
         time.sleep(0.002)
+
+
+def press_slowly(device):
+    """Armed, and as slowly as the slew limit has it: else the wall stays soft."""
+    device.Arm()
+    press(device, 10, lambda: "100 % of the force" in device.GetStatusText())
+    for z in (10.5, 11, 11.5):
+        press(device, z, lambda z=z: abs(device.GetTipPosition()[2] - z) < 1e-6)
+    press(device, 11.5, lambda: device.GetForce()[2] < -0.7)
 
 
 def lag(device):
@@ -62,7 +70,6 @@ def test_child_lets_go_of_its_copy(device, way):
         if lag(device) < before + 0.02:
             break
         # The machine stood still, so that the force began anew at the tip, as it must: once more from outside.
-        device.Arm()
         press(device, 10, lambda: abs(device.GetTipPosition()[2] - 10) < 1e-6)
-        press(device, 11.5, lambda: device.GetForce()[2] < -0.7)
+        press_slowly(device)
     assert device.GetStatus() == vtkHapticDevice.ACTIVE and device.GetForce()[2] < -0.7

@@ -14,6 +14,7 @@
 
 #include <vtkMatrix4x4.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace devicetest
@@ -23,6 +24,17 @@ using namespace apitest;
 inline double Length(const double v[3])
 {
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/// Whether the force flows, all of it: no ramp after arming, a hold or a gap is under way.
+inline bool IsFullyArmed(vtkHapticDevice* device)
+{
+  return device->GetStatus() == vtkHapticDevice::ACTIVE &&
+    device->GetStatusText().find("100 % of the force passes") != std::string::npos;
+}
+inline bool IsRising(vtkHapticDevice* device)
+{
+  return device->GetStatusText().find("(it rises)") != std::string::npos;
 }
 
 class DeviceTest : public testing::Test
@@ -93,13 +105,45 @@ protected:
     this->Device->SetVirtualTip(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
+  /// Waits for the end of the force gate's ramp: a wall that is pressed before it stays soft until
+  /// the tip leaves it.
+  bool WaitFullyArmed()
+  {
+    return this->Wait([this] { return IsFullyArmed(this->Device); });
+  }
+  bool ArmFully()
+  {
+    this->Device->Arm();
+    return this->WaitFullyArmed();
+  }
+  /// Leads the tip into the ramp, so slowly that the slew limit holds nothing back.
+  bool LeadInto(double z)
+  {
+    bool isThere = true;
+    for (double way = this->Device->GetTipPosition()[2]; isThere && way < z;)
+    {
+      way = std::min(way + 0.5, z);
+      isThere = this->Lead(7.0, 7.0, way);
+    }
+    return isThere;
+  }
   /// The servo runs, armed, and the tip presses the ramp with 1.5 N.
   void BeginPressed()
   {
     this->Begin();
-    this->Device->Arm();
-    ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
-    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; }));
+    ASSERT_TRUE(this->ArmFully());
+    ASSERT_TRUE(this->LeadInto(8.0));
+    ASSERT_TRUE(this->WaitPressed());
+  }
+  bool WaitPressed()
+  {
+    return this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; });
+  }
+  /// The tip leaves the ramp, and presses it again with 1.5 N.
+  bool PressAgain()
+  {
+    return this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(8.0) &&
+      this->WaitPressed();
   }
   std::string File(const char* name) { return TemporaryPath(name); }
   void ExpectError(const char* words)
@@ -127,7 +171,7 @@ private:
     const double way[3] = { tip[0] - place[0], tip[1] - place[1], tip[2] - place[2] };
     return Length(way) < 1e-6;
   }
-  /// The way that Lead went, from its start on.
+  /// The way that Lead went, from its start on; on, once a ramp is over.
   void GoAgain()
   {
     this->Pauses.Forget();
@@ -138,7 +182,7 @@ private:
         [&]
         {
           this->Look();
-          return this->Pauses.WasHeldUp() || this->IsAt(place);
+          return this->Pauses.WasHeldUp() || (this->IsAt(place) && !IsRising(this->Device));
         });
       if (!isThere || this->Pauses.WasHeldUp())
       {

@@ -44,7 +44,8 @@ bool ForceGate::Arm(bool isSole) noexcept
   this->Ending = End::None;
   if (!isFelt)
   {
-    this->Restarts = this->Restarts || IsFault(this->Cause);
+    // The hand moved on while it felt nothing: a spring from the old proxy would push it.
+    this->Restarts = true;
     this->Cause = GateReason::None;
     this->State = GateState::Ramping;
     this->Ramp = 0.0;

@@ -32,15 +32,15 @@
  * "open" stands for: the open state by the list above. "-": the state stays.
  *
  *   event                     Disarmed    Fault          open
- *   Arm                       open (a, k) open (a, b)    open (a, c)
+ *   Arm                       open (a, b) open (a, b)    open (a, b, c)
  *   Disarm                    -           Disarmed (d)   Disarmed
  *   FadeOut                   - (e)       - (e)          Fading
  *   SetHeld(true)             - (f)       - (f)          Holding, unless Fading
  *   SetHeld(false)            - (b, f)    - (b, f)       open (b, g)
  *   SetUnconfirmed(true)      - (f)       - (f)          Confirming, unless one above it
  *   SetUnconfirmed(false)     - (b, f)    - (b, f)       open (b); the ramp begins at 0
- *   SetClutched(true)         - (l)       - (l)          Disarmed (m)
- *   SetClutched(false)        - (n)       - (n)          -
+ *   SetClutched(true)         - (k)       - (k)          Disarmed (l)
+ *   SetClutched(false)        - (m)       - (m)          -
  *   NoteSilence               -           -              Fading, unless held
  *   NoteUnstable              -           -              Fading
  *   NoteNotReady              -           Disarmed (d)   Disarmed
@@ -54,7 +54,7 @@
  *   NoteData                  -           -              - (i)
  *
  *   (a) Ends a fade and a retreat; the ramp begins at 0.
- *   (b) The proxy begins at the tip: TakeRestart.
+ *   (b) The proxy begins at the tip: TakeRestart. No force is wanted then, until the tip moves.
  *   (c) Changes nothing while force flows, unless it fades, or other orders came at the same time.
  *   (d) The fault stays the reason.
  *   (e) The share of the data falls to 0 and rises again, as in Fading: see GetOpening.
@@ -65,10 +65,9 @@
  *       force flows.
  *   (i) Moves the opening towards the share of the data that are there, by 1 in FadeTime.
  *   (j) The ramp begins at 0.
- *   (k) As (b), if the reason is a fault.
- *   (l) Until SetClutched(false), Arm only has the force return then, and ends a fade.
- *   (m) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
- *   (n) As Arm, if the force returns. Disarm, FadeOut and NoteNotReady since then prevent it.
+ *   (k) Until SetClutched(false), Arm only has the force return then, and ends a fade.
+ *   (l) The force returns with SetClutched(false), unless the gate was fading after FadeOut.
+ *   (m) As Arm, if the force returns. Disarm, FadeOut and NoteNotReady since then prevent it.
  *
  * Faults, Disarm and the clutch act in the tick in which they come. Nothing that opens the gate
  * makes the share jump: it rises by RampTime, and the opening by FadeTime.

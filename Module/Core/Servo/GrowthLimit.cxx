@@ -93,8 +93,8 @@ Vector3 GrowthLimit::Apply(const GrowthInput& input) noexcept
   {
     this->Account(source, input.Tip, input.Recoverable);
     const double before = std::max(0.0, Dot(this->Sent, wanted) / norm);
-    const double most = std::min(this->FindMostShare() * norm, before + input.Growth);
-    const double sent = most < norm ? most / norm : 1.0;
+    const double share = std::min(input.Share, this->FindMostShare());
+    const double sent = std::min(share, (before + input.Growth) / norm);
     const bool isKnown = input.IsMeasured || !this->HasTip;
     // A device may be a tick late: then the hand felt the share of the last tick.
     this->LeastShare = std::min(isKnown ? this->LastShare : this->LeastShare, sent);

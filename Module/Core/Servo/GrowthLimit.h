@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The slew limit of the force on the hand: forces grow slowly, fall at once, and give no energy
- * away.
+ * The slew limit of the force on the hand, and the energy account of all that lowers a force:
+ * forces grow slowly, fall at once, and give no energy away.
  *
  * Only growth is limited. A limit on falls would hold the force after the tip has left a wall, and
  * push the hand out with energy that it never put in. Let W be the wanted force, w its direction, F
- * the force that is sent and F' the one sent before. Then F = s W with a share s from 0 to 1, and
+ * the force that is sent and F' the one sent before. Then F = s W with a share s from 0 to 1, at
+ * most the gate's (ForceGate.h), and
  *
  *   |F| <= max(0, F'.w) + rate * period.                                                       (1)
  *
@@ -15,8 +16,9 @@
  * force that is reversed starts from zero, one that turns by a few degrees a tick is not held back.
  *
  * (1) alone still makes a stiff wall active. On the way in W rises faster than the rate, so the
- * hand works against less than W; on the way out it gets all of W back. So the limit keeps an
- * account of the contact, which begins when W is zero or turns by a right angle:
+ * hand works against less than W; on the way out it gets all of W back. The gate's share does the
+ * same if it rises while the hand presses. So the limit keeps an account of the contact, which
+ * begins when W is zero or turns by a right angle:
  *
  *   Work = the work of the hand against W,   Paid = its work against F,   dPaid = s dWork,
  *
@@ -35,7 +37,8 @@
  *   k (p + 2 (p - r) dp/dr) <= k,
  *
  * which is why p is this function: the sampled loop is as stable with the limit as without. Until
- * something is held back, Paid = Work, s = 1, and F = W to the bit.
+ * something is held back, Paid = Work, s = 1, and F = W to the bit. A wall that was pressed while
+ * the gate's share was small stays soft until the tip leaves it or presses deeper.
  *
  * A device may report more slowly than the servo ticks. The tip then stands still for some ticks
  * and leaps, although the hand moved all the time, and s has changed meanwhile. So dPaid takes the
@@ -64,6 +67,7 @@ struct GrowthInput
   Vector3 Drag;            ///< N, the part of it that only takes energy, if that is known
   Vector3 Tip;             ///< m
   bool IsMeasured = false; ///< the tip was measured since the last Apply: it may rest, but is known
+  double Share = 1.0;      ///< of Wanted, that may be sent: 0 to 1
   double Growth = 0.0;     ///< N, that the force may be above the last one
   /** The most energy (J) that the hand can get back from Wanted; negative if it is not known. */
   double Recoverable = -1.0;
@@ -78,12 +82,12 @@ public:
    */
   void Reset() noexcept;
 
-  /** The force to send: at most what is wanted, and `Growth` above the last one. */
+  /** The force to send: at most `Share` of what is wanted, and `Growth` above the last one. */
   Vector3 Apply(const GrowthInput& input) noexcept;
 
   /**
-   * A smaller force along the last one was sent, without Apply. The contact goes on: it is not
-   * known where the tip is until the next Apply.
+   * A smaller force along the last one was sent. The contact goes on: it is not known where the tip
+   * is until the next Apply.
    */
   void Lower(const Vector3& force) noexcept;
 

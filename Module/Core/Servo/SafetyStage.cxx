@@ -44,19 +44,35 @@ bool SafetyStage::IsForceLeft() const noexcept
   return Dot(last, last) > 0.0;
 }
 
+GrowthInput SafetyStage::FindGrowth(
+  const SafetyInput& input, const SafetyLimits& limits) const noexcept
+{
+  const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
+  const double norm = Norm(input.Force);
+  GrowthInput growth;
+  growth.Wanted = clamped;
+  growth.Drag = norm > 0.0 ? Norm(clamped) / norm * input.Drag : Vector3{};
+  growth.Tip = input.Tip;
+  growth.IsMeasured = input.Fresh;
+  growth.Recoverable = FindRecoverable(input, Norm(clamped));
+  return growth;
+}
+
 Vector3 SafetyStage::Retreat(
   const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
 {
   // A force without fresh samples must end in time, even if forces may only grow slowly.
   const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
-  const Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
-  Vector3 next = last - ClampNorm(last, rate * input.Period);
+  Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
+  const double most = std::max(0.0, Norm(last) - rate * input.Period);
   if (input.Fresh || input.Alive)
   {
     // The position of the hand is known again: it gets no push that is not wanted there.
-    const double norm = Norm(last);
-    next = ClampNorm(next, norm > 0.0 ? gate.GetOpening() * Dot(input.Force, last) / norm : 0.0);
+    GrowthInput growth = this->FindGrowth(input, limits);
+    growth.Share = gate.GetOpening();
+    last = this->Growth.Apply(growth);
   }
+  const Vector3 next = ClampNorm(last, most);
   this->Growth.Lower(next);
   gate.NoteRetreat(this->Stale, this->IsForceLeft());
   return next;
@@ -133,8 +149,8 @@ Vector3 SafetyStage::FindCommand(
   }
   if (input.Elapsed > limits.WatchdogTime)
   {
-    // The loop itself stood still: earlier forces say nothing about the present one.
-    this->Growth.Reset();
+    // The loop itself stood still, and the device may have ended the force by itself.
+    this->Growth.Lower({});
   }
   if (gap)
   {
@@ -144,16 +160,9 @@ Vector3 SafetyStage::FindCommand(
   {
     return this->Retreat(input, limits, gate);
   }
-  const double share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
-  const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
-  const double norm = Norm(input.Force);
-  GrowthInput growth;
-  growth.Wanted = share * clamped;
-  growth.Drag = norm > 0.0 ? share * Norm(clamped) / norm * input.Drag : Vector3{};
-  growth.Tip = input.Tip;
-  growth.IsMeasured = input.Fresh;
+  GrowthInput growth = this->FindGrowth(input, limits);
+  growth.Share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
   growth.Growth = limits.MaximumForceRate * input.Period;
-  growth.Recoverable = share * FindRecoverable(input, Norm(clamped));
   return this->Damp(this->Growth.Apply(growth), input, limits, gate);
 }
 

@@ -10,21 +10,22 @@
  *    measurements, by their own times.
  *    So does a device that runs away against its force (PortObserver.h).
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
- * 4. The share that the gate lets through is taken (ForceGate.h).
- * 5. The growth of the force is limited (the slew limit, GrowthLimit.h). A force may fall at once.
- * 6. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
+ * 4. The share that the gate lets through is taken (ForceGate.h), and the growth of the force is
+ *    limited (the slew limit). A force may fall at once. GrowthLimit.h keeps the account of both:
+ *    work that the hand was spared on the way in is not given to it on the way out.
+ * 5. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
  *    end it, the force fades, with a fault.
  * Stiffness and damping are capped in the computation of the force: see HapticModel::Caps. Joint
  * commands are scaled down together, by the back end: SaturateTogether.
  *
- * The share is applied before the slew limit, so that no force that is sent grows faster than this
- * limit allows. A fault and disarming cut the force at once.
+ * No rule adds energy, and nothing grows faster than the slew limit allows. A fault and disarming
+ * cut the force at once.
  *
  * Without news, and without a sign that the device is alive, for WatchdogTime the force retreats:
  * the last force falls to zero at MaximumForceRate, or faster, so that it is gone after 20 ms. A
- * retreat goes on to zero even if samples come back. It then also stays below the part of the
- * wanted force along its direction, so that it never pushes a hand that has moved on. After the
- * loop itself stood still for WatchdogTime, the force starts from zero.
+ * retreat goes on to zero even if samples come back. It then follows the wanted force, by the same
+ * account, so that it never pushes a hand that has moved on. After the loop itself stood still for
+ * WatchdogTime, the force starts from zero.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h
@@ -102,6 +103,7 @@ private:
     const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept;
   Vector3 Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
     const ForceGate& gate) noexcept;
+  GrowthInput FindGrowth(const SafetyInput& input, const SafetyLimits& limits) const noexcept;
   Vector3 Retreat(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
   double MeasureSpeed(const SafetyInput& input) noexcept;
   bool IsForceLeft() const noexcept;

@@ -128,6 +128,7 @@ TEST(ConfirmGate, OnceConfirmedTheForceRisesFromZeroWithTheProxyAtTheTip)
   ForceGate gate;
   gate.SetUnconfirmed(true);
   gate.Arm();
+  EXPECT_TRUE(gate.TakeRestart());
   for (int i = 0; i < 50; ++i)
   {
     EXPECT_EQ(gate.Pass(0.1), 1.0) << "of the pushes";

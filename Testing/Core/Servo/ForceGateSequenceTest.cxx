@@ -60,7 +60,7 @@ struct Flags
     this->EndFadeOut();
     if (!flows)
     {
-      this->Restarts |= this->Fault != GateReason::None;
+      this->Restarts = true;
       this->IsArmed = true;
       this->Fault = GateReason::None;
       this->Ramp = 0.0;

@@ -294,15 +294,17 @@ void Apply(ForceGate& gate, Event event)
 /// Whether the proxy has to begin at the tip afterwards.
 bool ExpectsRestart(const std::string& causes, Event event)
 {
-  const bool wasFault = causes[0] == 'd' || causes[0] == 'O';
+  const bool isClutched = Has(causes, 'c') || Has(causes, 'C');
+  const bool isFelt = causes[0] == 'o' && !Has(causes, 'f') && !Has(causes, 's');
   switch (event)
   {
     case Arm:
-    case ArmFlowing:
     case ArmAmongOthers:
-      return wasFault && !Has(causes, 'c') && !Has(causes, 'C');
+      return !isClutched;
+    case ArmFlowing:
+      return !isClutched && !isFelt;
     case ClutchOut:
-      return wasFault && Has(causes, 'C');
+      return Has(causes, 'C');
     case ReleaseAtRest:
       return Has(causes, 'h') || Has(causes, 'r');
     case NoForce:

@@ -12,7 +12,7 @@
 
 #include "Core/Servo/LoopTiming.h"
 #include "Devices/Virtual/VirtualDevice.h"
-#include "GatedStage.h"
+#include "Rigs/GatedStage.h"
 #include "SampledLoop.h"
 
 #include <gtest/gtest.h>
@@ -146,7 +146,7 @@ public:
   GateReason GetFault() const { return this->Stage.Gate.GetFault(); }
 
   LoopTiming Timing;
-  servotest::GatedStage Stage;
+  rigs::GatedStage Stage;
   SafetyLimits Limits;
   SafetyInput Input;
   std::int64_t Now = Begin;

@@ -6,8 +6,8 @@
  * same way.
  */
 
-#include "GatedStage.h"
 #include "RegionRig.h"
+#include "Rigs/GatedStage.h"
 #include "Rigs/Growth.h"
 
 #include <cmath>
@@ -70,7 +70,7 @@ protected:
   ServoState State;
   ResidentServo Servo;
   TickRecord Record;
-  GatedStage Stage;
+  rigs::GatedStage Stage;
   SafetyLimits Limits;
   Vector3 Command;
 };

@@ -8,7 +8,7 @@
 #ifndef SafetyRig_h
 #define SafetyRig_h
 
-#include "GatedStage.h"
+#include "Rigs/GatedStage.h"
 #include "Rigs/Growth.h"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ protected:
     EXPECT_LT(Norm(this->Output - force), 1e-12);
   }
 
-  GatedStage Stage;
+  rigs::GatedStage Stage;
   SafetyLimits Limits;
   SafetyInput Input;
   Vector3 Output;

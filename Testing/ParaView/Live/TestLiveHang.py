@@ -41,6 +41,7 @@ with server:
     device.Armed = 1
     device.VirtualTip = [-9, 0, 0]
     live.check(live.poll(device, lambda: live.distance(device.TipPosition, [-9, 0, 0]) < 1e-9), "the tip is led out")
+    live.wait_ramp(device)
     device.VirtualTip = [-4, 0, 0]
     live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "armed again, it goes on", device.StatusText)
     later("KILL")

@@ -43,6 +43,7 @@ def hold_and_delete():
     live.check(live.poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
     device.Recording = 1
     device.Armed = 1
+    live.wait_ramp(device)
     device.VirtualTip = [-4, 0, 0]
     live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a hand is held", device.StatusText)
 

@@ -62,6 +62,11 @@ def growth(before, after):
     return length - max(0.0, sum(x * y for x, y in zip(before, after)) / length) if length else 0.0
 
 
+def wait_ramp(device):
+    """A wall that is pressed before stays soft until the tip leaves it."""
+    check(poll(device, lambda: "100 % of the force" in device.StatusText), "the ramp is over", device.StatusText)
+
+
 def press(device, start, end, armed=True):
     """Start at one place, and lead the tip to another one."""
     device.VirtualTip = start
@@ -70,6 +75,8 @@ def press(device, start, end, armed=True):
     check(poll(device, lambda: distance(device.TipPosition, start) < 1e-9), "the tip is at its start")
     check(poll(device, lambda: device.Residency == 1.0), "what is around the tip is here", device.StatusText)
     device.Armed = 1 if armed else 0
+    if armed:
+        wait_ramp(device)
     device.VirtualTip = end
     check(poll(device, lambda: distance(device.TipPosition, end) < 1e-9), "the tip is led")
 

@@ -140,8 +140,15 @@ protected:
           return this->Device->GetTipPosition()[2] == 5.0;
         });
     this->Device->Arm();
+    // A wall that is pressed during the ramp stays soft.
+    const bool isArmed = Eventually(
+      [this]
+      {
+        this->Device->UpdateState();
+        return IsFullyArmed(this->Device);
+      });
     Lasting->IsPressed = true;
-    Lasting->HadForce = isFelt && Eventually([] { return Lasting->GetForce() > 0.2; });
+    Lasting->HadForce = isFelt && isArmed && Eventually([] { return Lasting->GetForce() > 0.2; });
   }
   static void Forget()
   {

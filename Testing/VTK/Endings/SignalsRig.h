@@ -61,8 +61,7 @@ protected:
     Watched = this->Device;
     this->Device->SetServoRate(100.0);
     this->Begin();
-    this->Device->Arm();
-    return this->Lead(7.0, 7.0, 9.0) && this->WaitForce();
+    return this->ArmFully() && this->Lead(7.0, 7.0, 9.0) && this->WaitForce();
   }
 };
 } // namespace devicetest

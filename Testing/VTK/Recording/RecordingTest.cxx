@@ -35,6 +35,32 @@ TEST_F(Recording, MayBeginInContactWithADeviceThatIsMovedAndArmed)
   this->ExpectSame();
 }
 
+TEST_F(Recording, HoldsThatTheProxyBeginsAtTheTipWhenItIsArmed)
+{
+  this->Begin();
+  this->Wander(30);
+  this->StartRecording();
+  this->Wander(10);
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
+  this->Device->Arm();
+  ASSERT_TRUE(this->WaitTicks(10));
+  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  this->Wander(60);
+  this->ExpectSame();
+  vtkPointData* const points = this->Recorded->GetPointData();
+  vtkDataArray* const armed = points->GetArray("Armed");
+  vtkIdType first = 0;
+  while (first < armed->GetNumberOfTuples() && armed->GetComponent(first, 0) == 0.0)
+  {
+    ++first;
+  }
+  ASSERT_GT(first, 0);
+  ASSERT_LT(first, armed->GetNumberOfTuples());
+  EXPECT_GT(Length(points->GetArray("Force")->GetTuple3(first - 1)), 0.0);
+  EXPECT_EQ(points->GetArray("Enabled")->GetComponent(first, 0), 1.0);
+  EXPECT_EQ(Length(points->GetArray("Force")->GetTuple3(first)), 0.0);
+}
+
 TEST_F(Recording, MayBeInterrupted)
 {
   this->Begin();

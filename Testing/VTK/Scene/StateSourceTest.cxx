@@ -65,7 +65,7 @@ TEST_F(StateSource, IsTheStateOfTheDevice)
 {
   SetConstant(this->Filter->GetProperty()->GetFriction(), 0.4);
   this->Begin();
-  this->Device->Arm();
+  ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   ASSERT_TRUE(this->Lead(8.5, 7.0, 8.0));
   ASSERT_TRUE(this->WaitTicks(20));

@@ -28,7 +28,7 @@ protected:
   void Touch()
   {
     ASSERT_NO_FATAL_FAILURE(this->PushIn());
-    this->Run(600); // the ramp after arming
+    this->Run(30);
     ASSERT_GT(Length(this->Device->GetForce()), 0.5);
   }
   /// Until what was published is felt.

@@ -100,6 +100,16 @@ protected:
   {
     this->Run(ticks, [](vtkTable*, vtkIdType) {});
   }
+  /// A wall that is pressed before stays soft until the tip leaves it.
+  void RunUntilFullyArmed()
+  {
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        this->Style->UpdateHaptics();
+        return IsFullyArmed(this->Device);
+      }));
+  }
   /// The mouse is a stylus from here on, and is pushed into the middle of the picture.
   void PushIn()
   {
@@ -107,6 +117,7 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     this->Pointer(150, 150);
     this->Style->TouchModeOn();
+    this->RunUntilFullyArmed();
     for (int i = 0; i < 4; ++i)
     {
       this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);

@@ -65,9 +65,7 @@ TEST_F(Attention, AnUnattendedForceFadesAndIsArmedAgain)
   this->Device->SetAttentionTime(60.0);
   this->Device->Arm();
   // The force begins again from the tip.
-  ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
-  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
-  EXPECT_TRUE(this->WaitForce());
+  EXPECT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }
 

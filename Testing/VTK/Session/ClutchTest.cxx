@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * No force leaves while the clutch is on; afterwards it rises from zero, if it was armed before and
- * nothing has disarmed it since.
+ * No force leaves while the clutch is on; afterwards it rises from zero, with the proxy at the tip,
+ * if it was armed before and nothing has disarmed it since.
  */
 
 #include "Rigs/DeviceRig.h"
@@ -51,11 +51,18 @@ TEST_F(Clutch, TakesTheForceAndGivesItBackFromZero)
   this->Device->DrainStates(states);
   this->Device->SetClutch(false);
   EXPECT_GE(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "at once, as after Arm()";
+  ASSERT_TRUE(this->WaitTicks(10));
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0) << "the proxy begins at the tip";
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
+  ASSERT_TRUE(this->WaitFullyArmed());
+  ASSERT_TRUE(this->LeadInto(11.0));
   ASSERT_TRUE(this->WaitForce());
   this->Device->DrainStates(states);
   auto* const force = vtkDataArray::SafeDownCast(states->GetColumnByName("Command"));
+  auto* const tip = vtkDataArray::SafeDownCast(states->GetColumnByName("Tip"));
+  ASSERT_TRUE(force && tip);
   double before = 0.0;
-  for (vtkIdType i = 0; i < states->GetNumberOfRows(); ++i)
+  for (vtkIdType i = 0; i < states->GetNumberOfRows() && tip->GetTuple3(i)[2] < 9.1; ++i)
   {
     const double now = Length(force->GetTuple3(i));
     EXPECT_LE(now, before + 0.02) << "it rises over half a second";
@@ -105,6 +112,8 @@ TEST_F(Clutch, LetsArmTakeEffectAfterIt)
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   EXPECT_TRUE(this->IsForceless()) << this->Text();
   this->Device->SetClutch(false);
+  ASSERT_TRUE(this->WaitFullyArmed());
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 11.0));
   EXPECT_TRUE(this->WaitForce());
 }
 

@@ -50,9 +50,7 @@ TEST_F(DeviceLimits, TheMaximumForceIsHalfTheDevicesAndAtMostTheDevices)
 
 TEST_F(DeviceLimits, TheForceIsClampedWhileTheServoRuns)
 {
-  this->Begin();
-  this->Device->Arm();
-  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  this->BeginPressed();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetForce()[2] < -1.49; }));
   this->Device->SetMaximumForce(0.5);
   EXPECT_TRUE(

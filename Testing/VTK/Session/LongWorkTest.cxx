@@ -49,12 +49,6 @@ protected:
     ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
     this->Device->DrainStates(this->States);
   }
-  /// The hand leaves the ramp and presses it again.
-  bool PressAgain()
-  {
-    return this->Lead(7.0, 7.0, 5.0) && this->Lead(7.0, 7.0, 8.0) &&
-      this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; });
-  }
   bool WaitRest()
   {
     return this->Wait([this] { return Length(this->Device->GetForce()) == 0.0; });

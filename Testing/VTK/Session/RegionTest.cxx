@@ -30,7 +30,7 @@ protected:
   void Press()
   {
     this->Begin();
-    this->Device->Arm();
+    ASSERT_TRUE(this->ArmFully());
     ASSERT_TRUE(this->Lead(20.0, 20.0, 8.0));
     ASSERT_TRUE(this->Lead(20.0, 20.0, 13.0));
     ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) > 0.5; }));
@@ -114,8 +114,9 @@ TEST_F(Region, FadesOutAndDisarms)
   EXPECT_EQ(falling, 49) << "of 50 ticks, the last of which disarms";
   EXPECT_EQ(this->Device->GetAbsentTicks(), 0) << "the data were there";
   this->Device->FadeOut(); // nothing to fade
-  this->Device->Arm();
-  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->ArmFully());
+  EXPECT_EQ(this->Device->GetResidency(), 1.0);
+  ASSERT_TRUE(this->Lead(20.0, 20.0, 16.0));
   EXPECT_TRUE(this->WaitForce());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }

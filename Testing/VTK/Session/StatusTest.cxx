@@ -72,7 +72,11 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   EXPECT_NEAR(this->Device->GetComputedForce()[2], -1.5, 1e-6) << "500 N/m, 3 mm deep";
   EXPECT_NEAR(this->Device->GetProxyPosition()[2], 5.0, 1e-6);
   EXPECT_EQ(this->Device->GetContact(), 1);
-  this->Device->Arm();
+  // Armed inside, the hand feels nothing until it moves: the proxy begins at the tip.
+  ASSERT_TRUE(this->ArmFully());
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 8.0, 1e-6);
+  ASSERT_TRUE(this->LeadInto(11.0));
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetForce()[2] < -1.49; }));
   this->Device->Disarm();
   ASSERT_TRUE(this->WaitTicks(3));
@@ -102,7 +106,7 @@ TEST_F(DeviceStatus, ArmedBeforeStartIsArmedAfterIt)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   this->Device->SetVirtualTip(7.0, 7.0, 5.0);
   ASSERT_TRUE(this->Device->Start());
-  ASSERT_TRUE(this->WaitTicks(2));
+  ASSERT_TRUE(this->WaitFullyArmed());
   ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
   EXPECT_TRUE(this->WaitForce());
   this->Device->Stop();

@@ -143,8 +143,8 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
   device->SetVolumeHaptics(exploration.Filter);
   device->SetServoRate(exploration.ServoRate);
+  // Not armed: that would begin the touch again in a later tick.
   Demand(device->Start(), "the servo does not start", capture);
-  device->Arm();
   Demand(device->StartRecording(recorded.c_str()), "the recording does not start", capture);
   while (device->GetTick() < exploration.Tip.Path->GetNumberOfPoints())
   {

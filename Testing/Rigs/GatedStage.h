@@ -9,7 +9,7 @@
 
 #include "Core/Servo/SafetyStage.h"
 
-namespace servotest
+namespace rigs
 {
 class GatedStage
 {
@@ -18,8 +18,9 @@ public:
   void Arm()
   {
     this->Gate.Arm(false);
-    this->Stage.Reset();
+    this->Reset();
   }
+  void Reset() { this->Stage.Reset(); }
   VolumeHaptics::Vector3 Apply(
     const VolumeHaptics::SafetyInput& input, const VolumeHaptics::SafetyLimits& limits)
   {
@@ -32,6 +33,6 @@ public:
 private:
   VolumeHaptics::SafetyStage Stage;
 };
-} // namespace servotest
+} // namespace rigs
 
 #endif

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Random presses of a hand that is led through a conservative force field, in and out again,
+ * through the safety stage, to find out how much more energy it gets than it put in.
+ *
+ * The field is a spring wall, a plane or the inside of a sphere. Half of the walls have a proxy:
+ * where the gate wants it to begin at the tip, the wall begins there, too, until the tip has gone
+ * back. Armed inside a wall without one, a hand gets the energy of having been there, so that these
+ * are armed outside only.
+ *
+ * The device holds the force of a tick until the next one, so that a tick gives the hand the energy
+ * F . dx. Around a closed path a spring k gives k |dx|^2 / 2 a tick even without the stage: W held
+ * over dx is W . dx, and the integral of W along dx is that minus k |dx|^2 / 2. That leak of
+ * sampling is allowed for all motions with force. A device that says nothing of a motion can't be
+ * paid for it, nor a loop that stands still: the energy of the last force is allowed meanwhile.
+ */
+#ifndef RandomPresses_h
+#define RandomPresses_h
+
+#include "GatedStage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace rigs
+{
+
+/// The rules at work. None of them: only the clamp, at a force that nothing reaches.
+struct StageRules
+{
+  const char* Name;
+  bool Clamp = false;
+  bool Slew = false;
+  bool Ramp = false; ///< the gate is armed anew at random moments of a press
+  bool Fade = false; ///< the opening goes up and down, for data that come and go
+  bool Hold = false; ///< the owner holds and releases
+  bool Gap = false;  ///< samples stay away, the loop stands still
+  bool Trip = false; ///< faults, disarming, fades, the clutch; later it is armed again
+};
+
+inline constexpr StageRules AllStageRules[] = {
+  { "None" },
+  { "Clamp", true },
+  { "Slew", false, true },
+  { "Both", true, true },
+  { "Ramp", false, false, true },
+  { "Fade", false, false, false, true },
+  { "Hold", false, false, false, false, true },
+  { "Gap", false, false, false, false, false, true },
+  { "Trip", false, false, false, false, false, false, true },
+  { "All", true, true, true, true, true, true, true },
+};
+
+class RandomPresses
+{
+public:
+  /// Of the sums of a press (J), of thousands of products of some newtons and millimetres.
+  static constexpr double Tolerance = 1e-9;
+
+  RandomPresses(const StageRules& rules, unsigned seed)
+    : Active(rules)
+    , Engine(seed)
+  {
+    this->Limits.MaximumForce = rules.Clamp ? this->Draw(1.0, 6.0) : 1e6;
+    this->Limits.MaximumForceRate = rules.Slew ? std::pow(10.0, this->Draw(1.0, 3.0)) : 1e9;
+    this->Limits.RampTime = rules.Ramp ? this->Draw(0.02, 0.5) : 0.0;
+    this->Stiffness = std::pow(10.0, this->Draw(2.0, 3.5));
+    this->IsSphere = this->Draw(0.0, 1.0) < 0.5;
+    this->Input.Period = Period;
+    this->Hand = this->Input.Tip = this->Home();
+    this->Input.Stiffness = this->Draw(0.0, 1.0) < 0.5 ? 0.0 : this->Stiffness;
+    this->HasProxy = this->Draw(0.0, 1.0) < 0.5;
+    this->Start = this->Surface();
+    this->Stage.Arm();
+  }
+
+  /// Presses once. The energy (J) that the hand got above the leak of sampling.
+  double Press()
+  {
+    this->Given = this->Leak = 0.0;
+    const double inward = this->Draw(0.005, 0.05);
+    const double speed = std::pow(10.0, this->Draw(-1.5, 0.0));
+    this->MoveBy({ this->Draw(-0.005, 0.005), this->Draw(-0.005, 0.005), -inward }, speed);
+    const int pokes = static_cast<int>(this->Draw(0.0, 4.0));
+    for (int i = 0; i < pokes; ++i)
+    {
+      const double way = this->Draw(-0.4, 0.4) * inward;
+      this->MoveBy({ this->Draw(-0.01, 0.01), this->Draw(-0.01, 0.01), way }, speed);
+      this->Rest(static_cast<int>(this->Draw(0.0, 200.0)));
+    }
+    this->MoveBy(this->Home() - this->Hand, std::pow(10.0, this->Draw(-1.5, 0.0)));
+    this->Rest(5);
+    return this->Given - this->Leak;
+  }
+
+private:
+  static constexpr double Period = 1e-3; ///< s
+
+  double Draw(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(this->Engine);
+  }
+  bool Happens(double perSecond) { return this->Draw(0.0, 1.0) < perSecond * Period; }
+
+  VolumeHaptics::Vector3 Home() const { return { 0.0, 0.0, this->IsSphere ? 0.0 : 0.005 }; }
+  /// The way (m) towards the wall, and where it begins without a proxy.
+  double Depth(const VolumeHaptics::Vector3& x) const { return this->IsSphere ? Norm(x) : -x.Z; }
+  double Surface() const { return this->IsSphere ? 0.008 : 0.0; }
+  VolumeHaptics::Vector3 Field(const VolumeHaptics::Vector3& x) const
+  {
+    const double depth = this->Depth(x);
+    const double force = this->Stiffness * std::max(0.0, depth - this->Start);
+    return this->IsSphere ? (depth > 0.0 ? -force / depth : 0.0) * x
+                          : VolumeHaptics::Vector3{ 0.0, 0.0, force };
+  }
+  void FollowProxy()
+  {
+    const bool restarts = this->Stage.Gate.TakeRestart() && this->HasProxy;
+    const double depth = this->Depth(this->Input.Tip);
+    this->Start = std::max(this->Surface(), restarts ? depth : std::min(this->Start, depth));
+  }
+
+  void MoveBy(const VolumeHaptics::Vector3& way, double speed)
+  {
+    const int ticks = std::max(1, static_cast<int>(Norm(way) / (speed * Period)));
+    for (int i = 0; i < ticks; ++i)
+    {
+      this->Step((1.0 / ticks) * way);
+    }
+  }
+  void Rest(int ticks)
+  {
+    for (int i = 0; i < ticks; ++i)
+    {
+      this->Step({});
+    }
+  }
+
+  /// A tick: the force for where the tip is known to be, held while the hand moves on.
+  void Step(const VolumeHaptics::Vector3& way)
+  {
+    this->Input.Elapsed += Period;
+    const bool isStanding = this->Standing > 0;
+    this->Standing -= isStanding ? 1 : 0;
+    bool isSilent = false;
+    if (!isStanding)
+    {
+      isSilent = this->Tick();
+    }
+    this->Hand += way;
+    this->Given += Dot(this->Force, way);
+    this->Leak += isSilent || isStanding ? Norm(this->Force) * Norm(way) : 0.0;
+  }
+  /// True if the tip is not known.
+  bool Tick()
+  {
+    this->Trouble();
+    const bool isSilent = this->Silence > 0;
+    this->Silence -= isSilent ? 1 : 0;
+    this->Input.Fresh = !isSilent;
+    const VolumeHaptics::Vector3 before = this->Input.Tip;
+    const bool wasFelt = Norm(this->Field(before)) > 0.0;
+    this->Input.Tip = isSilent ? before : this->Hand;
+    this->FollowProxy();
+    this->Input.Force = this->Field(this->Input.Tip);
+    const bool isFelt = wasFelt || Norm(this->Input.Force) > 0.0;
+    const VolumeHaptics::Vector3 leap = this->Input.Tip - before;
+    // Exact for a plane; in a sphere, for steps much shorter than its radius.
+    this->Leak += isFelt ? 0.505 * this->Stiffness * Dot(leap, leap) : 0.0;
+    this->Input.Stretch = Norm(this->Input.Force) / this->Stiffness;
+    this->Force = this->Stage.Apply(this->Input, this->Limits);
+    this->Input.Elapsed = 0.0;
+    return isSilent;
+  }
+
+  void Trouble()
+  {
+    VolumeHaptics::ForceGate& gate = this->Stage.Gate;
+    if (this->Active.Ramp && this->MayArm() && this->Happens(20.0))
+    {
+      this->Stage.Arm();
+    }
+    if (this->Active.Trip)
+    {
+      this->Trip();
+    }
+    if (this->Active.Fade && this->Happens(10.0))
+    {
+      this->Residency = this->Draw(0.0, 1.0) < 0.5 ? 0.0 : 1.0;
+    }
+    if (this->Active.Hold && this->Happens(10.0))
+    {
+      this->IsHeld = !this->IsHeld;
+    }
+    gate.SetHeld(this->IsHeld);
+    gate.NoteData(this->Residency, Period);
+    if (this->Active.Gap && this->Happens(5.0))
+    {
+      this->Silence = static_cast<int>(this->Draw(1.0, 60.0));
+    }
+    if (this->Active.Gap && this->Happens(1.0))
+    {
+      this->Standing = static_cast<int>(this->Draw(1.0, 60.0));
+    }
+  }
+  bool MayArm() const { return this->HasProxy || this->Depth(this->Hand) <= this->Surface(); }
+  void Trip()
+  {
+    VolumeHaptics::ForceGate& gate = this->Stage.Gate;
+    if (this->Happens(10.0))
+    {
+      switch (this->Engine() % 5)
+      {
+        case 0:
+          gate.Disarm();
+          break;
+        case 1:
+          gate.NoteFault(VolumeHaptics::GateReason::OverSpeed);
+          break;
+        case 2:
+          gate.FadeOut();
+          break;
+        case 3:
+          gate.NoteSilence();
+          break;
+        default:
+          gate.SetClutched(true);
+          break;
+      }
+    }
+    if (this->MayArm() && this->Happens(20.0))
+    {
+      const bool isArmed = gate.Arm(this->Draw(0.0, 1.0) < 0.5);
+      if (gate.SetClutched(false) || isArmed)
+      {
+        this->Stage.Reset();
+      }
+    }
+  }
+
+  const StageRules Active;
+  std::mt19937 Engine;
+  GatedStage Stage;
+  VolumeHaptics::SafetyLimits Limits;
+  VolumeHaptics::SafetyInput Input;
+  VolumeHaptics::Vector3 Hand;  ///< m
+  VolumeHaptics::Vector3 Force; ///< N
+  double Stiffness = 0.0;
+  bool IsSphere = false;
+  bool HasProxy = false;
+  double Start = 0.0; ///< m, of the wall
+  double Residency = 1.0;
+  bool IsHeld = false;
+  int Silence = 0;  ///< ticks to come without samples
+  int Standing = 0; ///< ticks to come that the loop stands still
+  double Given = 0.0;
+  double Leak = 0.0;
+};
+
+} // namespace rigs
+
+#endif
