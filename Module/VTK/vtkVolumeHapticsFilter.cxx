@@ -267,12 +267,15 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   // If only the device has moved, as it does with every frame while it follows the camera, or holds
   // more or less than before, the baked volume is shared.
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
-  const vtkMTimeType time = std::max({ this->GetMTime(), image->GetMTime(),
-    scalars ? scalars->GetMTime() : 0, surface ? surface->GetMTime() : 0 });
+  const auto getTime = [&]
+  {
+    return std::max({ this->GetMTime(), image->GetMTime(), scalars ? scalars->GetMTime() : 0,
+      surface ? surface->GetMTime() : 0 });
+  };
   VolumeHaptics::Affine3 placement;
   auto model = this->LastBaked.lock();
   const bool isCurrent =
-    model && time == this->LastBakedTime && model->Baked->Settings.TickPeriod == 1.0 / rate;
+    model && getTime() == this->LastBakedTime && model->Baked->Settings.TickPeriod == 1.0 / rate;
   if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
   {
     model = std::make_shared<const VolumeHaptics::HapticModel>(*model, placement, deviceCaps);
@@ -287,7 +290,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
     return nullptr;
   }
   this->LastBaked = model;
-  this->LastBakedTime = time;
+  // Afterwards: the first bake makes what the property lacks.
+  this->LastBakedTime = getTime();
   return model;
 }
 
