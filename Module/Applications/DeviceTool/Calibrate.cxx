@@ -29,6 +29,8 @@ constexpr auto LookPeriod = std::chrono::milliseconds(10);
 constexpr double FullWay = 0.015;
 /// A device is armed, and a fade is over, after this time (s).
 constexpr double OrderTime = 2.0;
+/// The force rises over half a second after Arm.
+constexpr double RiseTime = 1.0;  // s
 constexpr double Patience = 60.0; // s, without --seconds
 /// The share of the largest force that good weights use, if the device's newtons are true.
 constexpr double LightShare = 0.1;
@@ -67,6 +69,17 @@ public:
     this->Device->Publish();
     this->Device->Arm();
     this->Armed = this->Last = Clock::now();
+  }
+  /// Until all of the force may flow: a spring that is stretched before stays soft.
+  bool WaitForForce()
+  {
+    HeldSample sample;
+    bool isOn = true;
+    while (isOn && SecondsSince(this->Armed) < RiseTime)
+    {
+      isOn = this->Look(sample);
+    }
+    return isOn;
   }
   /// A moment later; false, after an error, if the device gives no more force.
   bool Look(HeldSample& sample)
@@ -140,6 +153,10 @@ bool Measure(T& measurement, HeldHandle& handle, ToolStreams streams)
   HeldSample sample;
   LiveLine line(streams.Out);
   handle.Arm();
+  if (!handle.WaitForForce())
+  {
+    return false;
+  }
   while (!measurement.IsOver())
   {
     line.Show(measurement.GetRequest());
