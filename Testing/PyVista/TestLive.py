@@ -33,6 +33,9 @@ def test_script_is_felt(window, root, monkeypatch):
         interactor.SetKeySym("t")
         interactor.KeyPressEvent()
         assert haptics.style.GetTouchMode()
+        while "100 % of the force" not in haptics.device.GetStatusText():  # what is pressed before stays soft
+            assert haptics.device.IsRunning()
+            haptics.update()
         for step in range(40):
             interactor.MouseWheelForwardEvent() if step < 3 else None
             interactor.SetEventInformation(x + step, y, 0, 0)

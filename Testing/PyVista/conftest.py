@@ -58,6 +58,7 @@ class Hand:
         interactor = self.plotter.iren.interactor
         interactor.SetEventInformation(*self.pointer, 0, 0)
         self.press("t")
+        self.wait(lambda: "100 % of the force" in self.device.GetStatusText())
         for _ in range(steps):
             interactor.MouseWheelForwardEvent()
         self.wait(lambda: sum(x * x for x in self.device.GetForce()) > 0.01)

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from view import force, press, run, wait_until
+from view import force, lead_in, lead_out, press, run, wait_until
 
 
 def hit(view, key, event="KeyPressEvent"):
@@ -80,7 +80,8 @@ def disarm(view, device, link):
     wait_until(view, lambda: force(device) == 0.0, "the force was not taken away")
     hit(view, "a")
     assert device.Armed == 1, "the key took Armed for on"
-    wait_until(view, lambda: force(device) > 0.5, "the skin was not felt again")
+    lead_out(view, device)
+    lead_in(view, device)
 
 
 def method(view, device, link):

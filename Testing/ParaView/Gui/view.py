@@ -42,15 +42,27 @@ def wait_until(view, is_so, what):
         time.sleep(0.005)
 
 
+def lead_out(view, device):
+    """In front of the forehead."""
+    device.VirtualTip = [-25, -110, 45]
+    wait_until(view, lambda: get(device, "TipPosition") == [-25, -110, 45], "the tip did not get there")
+
+
+def lead_in(view, device):
+    """Into the forehead, armed. A wall that is pressed before all of the force may flow stays soft."""
+    wait_until(view, lambda: "100 % of the force" in "".join(get(device, "StatusText")), "the ramp was not over")
+    device.VirtualTip = [-25, -70, 45]
+    wait_until(view, lambda: force(device) > 0.5, "the skin was not felt")
+
+
 def press(view, device):
     """Into the forehead from the front."""
     device.VirtualTip = [-25, -110, 45]
     device.Running = 1
     device.UpdatePipeline()
-    wait_until(view, lambda: get(device, "TipPosition") == [-25, -110, 45], "the tip did not get there")
+    lead_out(view, device)
     device.Armed = 1
-    device.VirtualTip = [-25, -70, 45]
-    wait_until(view, lambda: force(device) > 0.5, "the skin was not felt")
+    lead_in(view, device)
 
 
 def run(case):
