@@ -148,8 +148,8 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   EXPECT_EQ(this->Display->GetTissueName(800.0), "hard");
   EXPECT_EQ(this->Display->GetTissueName(-1.0), "");
   this->Begin();
-  this->Device->Arm();
-  ASSERT_TRUE(this->Lead(7.0, 7.0, 7.0));
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(7.0));
   for (const char* words : { "Active: virtual.", "ticks/s", "missed", "1.00 N, sticking", "value" })
   {
     EXPECT_TRUE(
