@@ -27,6 +27,7 @@ public:
     return this->Stage.Apply(input, limits, this->Gate);
   }
   bool IsStale() const { return this->Stage.IsStale(); }
+  bool IsSoft() const { return this->Stage.IsSoft(); }
 
   VolumeHaptics::ForceGate Gate;
 

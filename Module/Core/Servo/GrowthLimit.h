@@ -91,6 +91,12 @@ public:
    */
   void Lower(const Vector3& force) noexcept;
 
+  /**
+   * Whether the account holds back more than a tenth of the wanted force: the hand was spared work
+   * on the way in, and has not pressed deeper since.
+   */
+  bool IsSoft() const noexcept { return this->FindMostShare() < 0.9; }
+
   /** The last force sent (N). */
   const Vector3& GetForce() const noexcept { return this->Sent; }
 

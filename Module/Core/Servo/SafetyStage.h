@@ -93,6 +93,9 @@ public:
   /** Whether the force is damped, because the loop swings by itself. */
   bool IsDamping() const noexcept { return this->Damper.IsEngaged(); }
 
+  /** Whether a wall feels softer than wanted until the tip leaves it: see GrowthLimit. */
+  bool IsSoft() const noexcept { return this->Growth.IsSoft(); }
+
   /** Whether the last samples are older than the watchdog allows. */
   bool IsStale() const noexcept { return this->Stale; }
 

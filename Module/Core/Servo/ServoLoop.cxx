@@ -345,6 +345,7 @@ void ServoLoop::Tell(std::int64_t start) noexcept
   s.Share = this->Gate.GetShare();
   s.Orders = static_cast<std::uint32_t>(OrdersOf(this->ArmCommandSeen));
   s.Stale = this->Safety.IsStale();
+  s.IsSoft = this->Safety.IsSoft();
   s.Signs = this->Signs.GetVerdict();
   this->Latest.Write(s);
   this->WrittenGeneration.store(s.Generation, std::memory_order_release);

@@ -55,6 +55,7 @@ struct ServoSnapshot
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< why Share is not 1
   bool Stale = false;                      ///< the tip is older than the watchdog allows
+  bool IsSoft = false;                     ///< see SafetyStage::IsSoft
   bool Awaiting = false;                   ///< missing data held force back
   double Share = 0.0;                      ///< the share of Record.Force that the gate let through
   double Residency = 1.0;                  ///< the gate's opening: Share without the ramp

@@ -99,7 +99,11 @@ std::string DescribeShare(const ServoSnapshot& state)
 {
   const std::string reason = DescribeReason(state.Gate, state.Reason);
   return " " + std::to_string(static_cast<int>(100.0 * state.Share)) + " % of the force passes" +
-    (reason.empty() ? "." : " (" + reason + ").");
+    (reason.empty() ? "." : " (" + reason + ").") +
+    (state.IsSoft
+        ? " The surface feels soft, because it was pressed before all of the force could flow: "
+          "leave it, or press deeper."
+        : "");
 }
 
 /** Times and caps as far as they are known. */

@@ -7,6 +7,7 @@
 
 #include "SafetyRig.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -117,6 +118,30 @@ TEST_F(Safety, RampsInOverTheRampTime)
     }
     EXPECT_NEAR(this->Apply({ 0.0, 3.0, 0.0 }).Y, 3.0, 1e-9);
   }
+}
+
+TEST_F(Safety, AWallThatIsPressedDuringTheRampIsSoftUntilTheTipLeavesIt)
+{
+  const auto press = [this](double depth)
+  {
+    while (std::abs(depth + this->Input.Tip.Z) > 1e-9)
+    {
+      this->Input.Tip.Z -= std::clamp(depth + this->Input.Tip.Z, -1e-4, 1e-4);
+      this->Apply({ 0.0, 0.0, 500.0 * std::max(0.0, -this->Input.Tip.Z) });
+    }
+    return this->Output.Z;
+  };
+  this->Limits.RampTime = 0.5;
+  this->Stage.Arm();
+  press(3e-3);
+  EXPECT_TRUE(this->Stage.IsSoft());
+  this->Repeat({ 0.0, 0.0, 1.5 }, 1000);
+  EXPECT_TRUE(this->Stage.IsSoft());
+  EXPECT_LT(this->Output.Z, 0.9 * 1.5);
+  press(-1e-3);
+  EXPECT_FALSE(this->Stage.IsSoft());
+  EXPECT_NEAR(press(3e-3), 1.5, 1e-9);
+  EXPECT_FALSE(this->Stage.IsSoft());
 }
 
 TEST_F(Safety, StaleSamplesLeadToZeroAndRampInAgain)

@@ -85,6 +85,28 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
 }
 
+TEST_F(DeviceStatus, ASurfaceThatWasPressedDuringTheRampIsCalledSoft)
+{
+  this->Begin();
+  bool wasRising = false;
+  // A busy machine may miss the ramp's half second.
+  for (int attempt = 0; attempt < 10 && !wasRising; ++attempt)
+  {
+    this->Device->Disarm();
+    ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
+    this->Device->Arm();
+    ASSERT_TRUE(this->Wait([this] { return IsRising(this->Device); }));
+    ASSERT_TRUE(this->LeadInto(8.0));
+    wasRising = IsRising(this->Device);
+  }
+  ASSERT_TRUE(wasRising);
+  ASSERT_TRUE(this->WaitFullyArmed());
+  EXPECT_TRUE(this->Says("feels soft"));
+  EXPECT_GT(this->Device->GetForce()[2], -1.4);
+  ASSERT_TRUE(this->PressAgain());
+  EXPECT_FALSE(this->Says("feels soft"));
+}
+
 TEST_F(DeviceStatus, ArmClearsAFaultAtOnce)
 {
   this->Begin();
