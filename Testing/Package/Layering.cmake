@@ -74,6 +74,7 @@ allow(Devices/Replay ${device_basis})
 
 allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers)
 allow(VTK/Files)
+allow(VTK/Labels VTK/Files)
 allow(VTK/Trace Core VTK/Baking VTK/Files)
 allow(VTK/Recording Core VTK/Files VTK/Trace)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Trace VTK/Recording)

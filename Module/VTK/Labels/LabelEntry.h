@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * One label of a table: what the table, the files of labels and field data have of it.
+ */
+#ifndef LabelEntry_h
+#define LabelEntry_h
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** Members without a value were never set. */
+struct LabelEntry
+{
+  std::optional<std::string> Name; ///< UTF-8
+  std::optional<std::array<double, 3>> Color;
+  std::optional<double> Stiffness;       ///< N/m
+  std::optional<double> Friction;        ///< dimensionless
+  std::optional<double> Viscosity;       ///< N
+  std::optional<double> SurfaceStrength; ///< N
+  std::optional<bool> Felt;
+  std::optional<bool> Forbidden;
+};
+
+inline bool operator==(const LabelEntry& a, const LabelEntry& b)
+{
+  return a.Name == b.Name && a.Color == b.Color && a.Stiffness == b.Stiffness &&
+    a.Friction == b.Friction && a.Viscosity == b.Viscosity &&
+    a.SurfaceStrength == b.SurfaceStrength && a.Felt == b.Felt && a.Forbidden == b.Forbidden;
+}
+
+/** By label, in rising order. */
+using LabelEntries = std::map<int, LabelEntry>;
+
+} // namespace VolumeHaptics
+
+#endif

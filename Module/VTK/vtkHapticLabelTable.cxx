@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticLabelTable.h"
+
+#include "VTK/Labels/LabelEntry.h"
+#include "VTK/Labels/LabelText.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+vtkStandardNewMacro(vtkHapticLabelTable);
+
+using VolumeHaptics::LabelEntries;
+using VolumeHaptics::LabelEntry;
+
+//------------------------------------------------------------------------------
+class vtkHapticLabelTable::vtkInternals
+{
+public:
+  LabelEntries Entries;
+  /** The labels in rising order, as long as IsListed. */
+  std::vector<int> Labels;
+  bool IsListed = false;
+
+  const LabelEntry* Find(int label) const
+  {
+    const auto entry = this->Entries.find(label);
+    return entry == this->Entries.end() ? nullptr : &entry->second;
+  }
+
+  /** Sets a member of an entry, which is created if needed. Returns whether that is a change. */
+  template <typename Value>
+  bool Change(int label, std::optional<Value> LabelEntry::*member, const Value& value)
+  {
+    const auto [entry, isNew] = this->Entries.try_emplace(label);
+    this->IsListed = this->IsListed && !isNew;
+    if (entry->second.*member == value)
+    {
+      return false;
+    }
+    entry->second.*member = value;
+    return true;
+  }
+
+  template <typename Value>
+  Value Get(int label, std::optional<Value> LabelEntry::*member, const Value& otherwise) const
+  {
+    const LabelEntry* const entry = this->Find(label);
+    return entry ? (entry->*member).value_or(otherwise) : otherwise;
+  }
+};
+
+namespace
+{
+
+constexpr std::array<double, 3> MiddleGrey = { 0.5, 0.5, 0.5 };
+constexpr double NotSet = -1.0;
+
+void PrintEntry(ostream& os, const LabelEntry& entry)
+{
+  os << (entry.Name ? entry.Name->c_str() : "(no name)");
+  if (entry.Color)
+  {
+    const std::array<double, 3>& color = *entry.Color;
+    os << ", colour " << color[0] << " " << color[1] << " " << color[2];
+  }
+  const auto print = [&os](const char* name, const std::optional<double>& value, const char* unit)
+  {
+    if (value)
+    {
+      os << ", " << name << " " << *value << unit;
+    }
+  };
+  print("stiffness", entry.Stiffness, " N/m");
+  print("friction", entry.Friction, "");
+  print("viscosity", entry.Viscosity, " N");
+  print("surface strength", entry.SurfaceStrength, " N");
+  os << (entry.Felt.value_or(true) ? "" : ", not felt")
+     << (entry.Forbidden.value_or(false) ? ", forbidden" : "") << "\n";
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHapticLabelTable::vtkHapticLabelTable()
+  : Internals(std::make_unique<vtkInternals>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHapticLabelTable::~vtkHapticLabelTable() = default;
+
+//------------------------------------------------------------------------------
+#define vtkHapticLabelTableMaterialMacro(name, member, text, unit)                    \
+  void vtkHapticLabelTable::Set##name(int label, double member)                       \
+  {                                                                                   \
+    if (!std::isfinite(member) || member < 0.0)                                       \
+    {                                                                                 \
+      vtkErrorMacro(<< "The " text " of label " << label << " can't be " << member    \
+                    << ". Give 0 or more" unit                                        \
+                       "; RemoveMaterial() lets the transfer functions hold again."); \
+      return;                                                                         \
+    }                                                                                 \
+    if (this->Internals->Change(label, &LabelEntry::name, member))                    \
+    {                                                                                 \
+      this->Modified();                                                               \
+    }                                                                                 \
+  }                                                                                   \
+  double vtkHapticLabelTable::Get##name(int label)                                    \
+  {                                                                                   \
+    return this->Internals->Get(label, &LabelEntry::name, NotSet);                    \
+  }
+
+vtkHapticLabelTableMaterialMacro(Stiffness, stiffness, "stiffness", " (N/m)");
+vtkHapticLabelTableMaterialMacro(Friction, friction, "friction", "");
+vtkHapticLabelTableMaterialMacro(Viscosity, viscosity, "viscosity", " (N)");
+vtkHapticLabelTableMaterialMacro(SurfaceStrength, strength, "surface strength", " (N)");
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::RemoveMaterial(int label)
+{
+  if (this->HasMaterial(label))
+  {
+    LabelEntry& entry = this->Internals->Entries[label];
+    entry.Stiffness.reset();
+    entry.Friction.reset();
+    entry.Viscosity.reset();
+    entry.SurfaceStrength.reset();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::HasMaterial(int label)
+{
+  const LabelEntry* const entry = this->Internals->Find(label);
+  return entry &&
+    (entry->Stiffness || entry->Friction || entry->Viscosity || entry->SurfaceStrength);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::SetLabelName(int label, const std::string& name)
+{
+  if (this->Internals->Change(label, &LabelEntry::Name, VolumeHaptics::MakeLabelName(name)))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticLabelTable::GetLabelName(int label)
+{
+  return this->Internals->Get(label, &LabelEntry::Name, std::string());
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::SetColor(int label, double red, double green, double blue)
+{
+  const std::array<double, 3> color = { red, green, blue };
+  // Not a number is in no range.
+  if (!std::all_of(color.begin(), color.end(), [](double c) { return c >= 0.0 && c <= 1.0; }))
+  {
+    vtkErrorMacro(<< "The colour of label " << label << " can't be " << red << ", " << green << ", "
+                  << blue << ". Give red, green and blue from 0 to 1.");
+    return;
+  }
+  if (this->Internals->Change(label, &LabelEntry::Color, color))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::SetColor(int label, const double color[3])
+{
+  this->SetColor(label, color[0], color[1], color[2]);
+}
+
+//------------------------------------------------------------------------------
+const double* vtkHapticLabelTable::GetColor(int label)
+{
+  const LabelEntry* const entry = this->Internals->Find(label);
+  return entry && entry->Color ? entry->Color->data() : MiddleGrey.data();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::GetColor(int label, double color[3])
+{
+  std::copy_n(this->GetColor(label), 3, color);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::HasColor(int label)
+{
+  const LabelEntry* const entry = this->Internals->Find(label);
+  return entry && entry->Color;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::SetFelt(int label, bool felt)
+{
+  if (this->Internals->Change(label, &LabelEntry::Felt, felt))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::GetFelt(int label)
+{
+  return this->Internals->Get(label, &LabelEntry::Felt, true);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::SetForbidden(int label, bool forbidden)
+{
+  if (this->Internals->Change(label, &LabelEntry::Forbidden, forbidden))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::GetForbidden(int label)
+{
+  return this->Internals->Get(label, &LabelEntry::Forbidden, false);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::SetStandOff(double distance)
+{
+  if (!std::isfinite(distance) || distance < 0.0)
+  {
+    vtkErrorMacro(<< "The stand-off from forbidden labels can't be " << distance
+                  << ". Give 0 or more (world units).");
+  }
+  else if (this->StandOff != distance)
+  {
+    this->StandOff = distance;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticLabelTable::GetNumberOfLabels()
+{
+  return static_cast<vtkIdType>(this->Internals->Entries.size());
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticLabelTable::GetLabel(vtkIdType index)
+{
+  if (index < 0 || index >= this->GetNumberOfLabels())
+  {
+    vtkErrorMacro(<< "There is no label with the index " << index << " in a table of "
+                  << this->GetNumberOfLabels() << " labels.");
+    return 0;
+  }
+  if (!this->Internals->IsListed)
+  {
+    this->Internals->Labels.clear();
+    this->Internals->Labels.reserve(this->Internals->Entries.size());
+    for (const auto& [label, entry] : this->Internals->Entries)
+    {
+      this->Internals->Labels.push_back(label);
+    }
+    this->Internals->IsListed = true;
+  }
+  return this->Internals->Labels[static_cast<std::size_t>(index)];
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::HasLabel(int label)
+{
+  return this->Internals->Find(label) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::RemoveLabel(int label)
+{
+  if (this->Internals->Entries.erase(label) > 0)
+  {
+    this->Internals->IsListed = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::RemoveAllLabels()
+{
+  if (!this->Internals->Entries.empty())
+  {
+    this->Internals->Entries.clear();
+    this->Internals->IsListed = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::DeepCopy(vtkHapticLabelTable* source)
+{
+  if (!source || source == this)
+  {
+    return;
+  }
+  this->SetStandOff(source->StandOff);
+  if (!(this->Internals->Entries == source->Internals->Entries))
+  {
+    this->Internals->Entries = source->Internals->Entries;
+    this->Internals->IsListed = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "StandOff: " << this->StandOff << "\n";
+  os << indent << "NumberOfLabels: " << this->GetNumberOfLabels() << "\n";
+  for (const auto& [label, entry] : this->Internals->Entries)
+  {
+    os << indent.GetNextIndent() << label << ": ";
+    PrintEntry(os, entry);
+  }
+}

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticLabelTable
+ * @brief   names, colours and materials of the labels of a segmentation
+ *
+ * Transfer functions can't tell tissues with the same scalar values apart. A label image can, and
+ * this table says what each of its labels feels like:
+ *
+ *   vtkNew<vtkHapticLabelTable> table;
+ *   table->SetLabelName(5, "liver");
+ *   table->SetStiffness(5, 300.0);
+ *   table->SetSurfaceStrength(5, 1.5);
+ *   table->SetForbidden(52, true); // the aorta
+ *
+ * Labels are integers of any sign; 0 has no special meaning, so that air, too, can have a material.
+ * Whatever is not set for a label comes from the transfer functions of vtkHapticProperty: a label
+ * with a name and a colour alone feels as if there were no label image, and a label whose stiffness
+ * alone is set takes friction, viscosity and surface strength from the functions.
+ *
+ * @sa vtkHapticProperty, vtkVolumeHapticsFilter
+ */
+#ifndef vtkHapticLabelTable_h
+#define vtkHapticLabelTable_h
+
+#include "vtkObject.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for ivars
+#include <string> // for names
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticLabelTable : public vtkObject
+{
+public:
+  static vtkHapticLabelTable* New();
+  vtkTypeMacro(vtkHapticLabelTable, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Stiffness k of the spring between proxy and tip, for surfaces of this label (N/m, 0 or more).
+   * The getter returns -1 if it is not set.
+   */
+  void SetStiffness(int label, double stiffness);
+  double GetStiffness(int label);
+  ///@}
+
+  ///@{
+  /**
+   * Coefficient of friction mu of this label's surfaces (0 or more). The getter returns -1 if it is
+   * not set.
+   */
+  void SetFriction(int label, double friction);
+  double GetFriction(int label);
+  ///@}
+
+  ///@{
+  /**
+   * Drag R of this label's tissue against any motion (N, 0 or more). The getter returns -1 if it is
+   * not set.
+   */
+  void SetViscosity(int label, double viscosity);
+  double GetViscosity(int label);
+  ///@}
+
+  ///@{
+  /**
+   * Surface strength T_N: the normal force at which a surface of this label is penetrated (N, 0 or
+   * more). The getter returns -1 if it is not set.
+   */
+  void SetSurfaceStrength(int label, double strength);
+  double GetSurfaceStrength(int label);
+  ///@}
+
+  /**
+   * Forgets stiffness, friction, viscosity and surface strength of a label; the transfer functions
+   * hold again.
+   */
+  void RemoveMaterial(int label);
+
+  /** Whether any of stiffness, friction, viscosity and surface strength of a label is set. */
+  bool HasMaterial(int label);
+
+  ///@{
+  /**
+   * The name of a label, UTF-8. A text that is not UTF-8 is taken for ISO 8859-1. The getter
+   * returns an empty text if there is no name.
+   */
+  void SetLabelName(int label, const std::string& name);
+  std::string GetLabelName(int label);
+  ///@}
+
+  ///@{
+  /**
+   * The colour of a label (red, green and blue, 0 to 1), for displays. The getter returns a middle
+   * grey if it is not set.
+   */
+  void SetColor(int label, double red, double green, double blue);
+  void SetColor(int label, const double color[3]) VTK_SIZEHINT(color, 3);
+  const double* GetColor(int label) VTK_SIZEHINT(3);
+  void GetColor(int label, double color[3]) VTK_SIZEHINT(color, 3);
+  bool HasColor(int label);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a label is felt at all. A label that is not felt has neither surfaces nor drag. Default
+   * true.
+   */
+  void SetFelt(int label, bool felt);
+  bool GetFelt(int label);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the tip is kept out of a label, at the distance StandOff. Default false.
+   */
+  void SetForbidden(int label, bool forbidden);
+  bool GetForbidden(int label);
+  ///@}
+
+  ///@{
+  /**
+   * How far from forbidden labels the tip is kept (world units, 0 or more). Default 0.
+   */
+  void SetStandOff(double distance);
+  vtkGetMacro(StandOff, double);
+  ///@}
+
+  ///@{
+  /**
+   * The labels of which anything is set, in rising order; index: from 0 on. An index that does not
+   * exist is an error, and returns 0.
+   */
+  vtkIdType GetNumberOfLabels();
+  int GetLabel(vtkIdType index);
+  ///@}
+
+  bool HasLabel(int label);
+  /** Forgets everything about a label. */
+  void RemoveLabel(int label);
+  void RemoveAllLabels();
+
+  /** Copies everything. */
+  void DeepCopy(vtkHapticLabelTable* source);
+
+protected:
+  vtkHapticLabelTable();
+  ~vtkHapticLabelTable() override;
+
+  double StandOff = 0.0;
+
+private:
+  vtkHapticLabelTable(const vtkHapticLabelTable&) = delete;
+  void operator=(const vtkHapticLabelTable&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
