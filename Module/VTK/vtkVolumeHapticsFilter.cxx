@@ -3,6 +3,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include "VTK/Baking/HapticHash.h"
+#include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticPlacement.h"
@@ -20,6 +21,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -78,11 +80,11 @@ std::string DescribeLackOfMemory(vtkImageData* image)
   return message.str();
 }
 
-/** Runs the sources of the image and the surface; false if one of them failed. */
+/** Runs the sources of the image, the surface and the labels; false if one of them failed. */
 bool UpdateSources(vtkAlgorithm* filter)
 {
   bool hasRun = true;
-  for (const int port : { 0, 2 }) // the servo does not use the path on port 1
+  for (const int port : { 0, 2, 3 }) // the servo does not use the path on port 1
   {
     if (vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0))
     {
@@ -113,10 +115,13 @@ vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   : Surfaces(new VolumeHaptics::HapticSurface)
   , Noise(new VolumeHaptics::HapticNoise)
   , Regions(new VolumeHaptics::RegionSeries)
+  , Labels(new VolumeHaptics::HapticLabels)
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->SetInputArrayToProcess(
+    1, 3, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 //------------------------------------------------------------------------------
@@ -135,6 +140,35 @@ void vtkVolumeHapticsFilter::SetSurfaceData(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetLabelData(vtkImageData* labels)
+{
+  this->SetInputDataInternal(3, labels);
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetLabelTable(vtkHapticLabelTable* table)
+{
+  if (this->LabelTable != table)
+  {
+    this->LabelTable = table;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticLabelTable* vtkVolumeHapticsFilter::GetLabelTable()
+{
+  return this->LabelTable;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkVolumeHapticsFilter::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->LabelTable ? std::max(time, this->LabelTable->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
 int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
@@ -142,7 +176,7 @@ int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* i
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
     return 1;
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 3 ? "vtkImageData" : "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -157,6 +191,31 @@ bool vtkVolumeHapticsFilter::ReadPlacement(
   }
   placement = VolumeHaptics::ScaledPlacement(this->MetersPerWorldUnit);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::BakeLabels(
+  std::shared_ptr<const VolumeHaptics::BakedLabels>& labels, std::string& error)
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
+  if (!image)
+  {
+    return true;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* const array = this->GetInputArrayToProcess(1, image, association);
+  if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    const char* const name = this->GetInputArrayInformation(1)->Get(vtkDataObject::FIELD_NAME());
+    error = (name ? "The label image on input port 3 has no numeric point array \"" +
+                  std::string(name) + "\"."
+                  : std::string("The label image on input port 3 has no point scalars.")) +
+      " Give its point data active scalars, or name a numeric point array with "
+      "SetInputArrayToProcess(1, 3, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
+    return false;
+  }
+  labels = this->Labels->Get(image, array, this->LabelTable, error);
+  return labels != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +239,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   HapticModelOptions options;
   error = this->CheckSettings(1.0 / tickPeriod);
   if (!error.empty() ||
-    !this->ReadPlacement(deviceToWorld, options.Description.DeviceToWorld, error))
+    !this->ReadPlacement(deviceToWorld, options.Description.DeviceToWorld, error) ||
+    !this->BakeLabels(options.Description.Labels, error))
   {
     return nullptr;
   }
@@ -267,10 +327,13 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   // If only the device has moved, as it does with every frame while it follows the camera, or holds
   // more or less than before, the baked volume is shared.
   vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
+  vtkImageData* const labels = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
+  vtkDataArray* const labelArray = labels ? this->GetInputArrayToProcess(1, labels) : nullptr;
   const auto getTime = [&]
   {
     return std::max({ this->GetMTime(), image->GetMTime(), scalars ? scalars->GetMTime() : 0,
-      surface ? surface->GetMTime() : 0 });
+      surface ? surface->GetMTime() : 0, labels ? labels->GetMTime() : 0,
+      labelArray ? labelArray->GetMTime() : 0 });
   };
   VolumeHaptics::Affine3 placement;
   auto model = this->LastBaked.lock();
@@ -328,7 +391,7 @@ int vtkVolumeHapticsFilter::RequestUpdateExtent(
     input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
     input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isFirst ? 1 : 0);
     input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    if (port == 0 && input->Has(Pipeline::WHOLE_EXTENT()))
+    if ((port == 0 || port == 3) && input->Has(Pipeline::WHOLE_EXTENT()))
     {
       constexpr int none[] = { 0, -1, 0, -1, 0, -1 };
       input->Set(
@@ -425,4 +488,14 @@ int vtkVolumeHapticsFilter::TouchPath(
 void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LabelTable: ";
+  if (this->LabelTable)
+  {
+    os << "\n";
+    this->LabelTable->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none)\n";
+  }
 }

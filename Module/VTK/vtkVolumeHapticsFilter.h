@@ -60,6 +60,17 @@
  * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of
  * the isosurface at IsoValue. Polygons and strips count; with point normals the force is shaded.
  *
+ * Port 3, optional: vtkImageData, the labels of a segmentation, with a geometry of its own: origin,
+ * spacing, direction and size may differ from those of port 0. The labels are its point scalars, of
+ * any integer type or whole numbers of a floating-point type. SetLabelTable gives them materials:
+ * k, mu and T_N at x_s are those of the label there, R at x_v is that of the label there. A label
+ * without an entry in the table, and all that lies outside the label image, has the material of the
+ * transfer functions. From one label to the next, materials go over within a voxel of the label
+ * image, by the trilinear shares of the labels of the eight voxels around. If no label at a place
+ * has a material, forces are the same as without labels, to the bit. The methods SURFACE_PROXY and
+ * LOCAL_SURFACE have one material, that of IsoValue, and FORCE_FIELD has none: labels don't change
+ * them. The whole label image has to be in memory, also if port 0 has a region of a larger volume.
+ *
  * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline, and the
  * point arrays
  *
@@ -98,12 +109,14 @@
 #ifndef vtkVolumeHapticsFilter_h
 #define vtkVolumeHapticsFilter_h
 
+#include "vtkSmartPointer.h" // for ivars
 #include "vtkVolumeHapticsAlgorithm.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::shared_ptr
 #include <string> // for std::string
 
+class vtkHapticLabelTable;
 class vtkImageData;
 class vtkInformation;
 class vtkMatrix4x4;
@@ -112,11 +125,13 @@ class vtkMatrix4x4;
 namespace VolumeHaptics
 {
 class HapticBaker;
+class HapticLabels;
 class HapticModel;
 class HapticSurface;
 class HapticNoise;
 class RegionSeries;
 struct Affine3;
+struct BakedLabels;
 struct ForceCaps;
 } // namespace VolumeHaptics
 #endif
@@ -139,6 +154,24 @@ public:
   void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetSurfaceData(vtkPolyData* surface);
   ///@}
+
+  ///@{
+  /**
+   * The label image, on port 3. SetInputArrayToProcess(1, 3, 0,
+   * vtkDataObject::FIELD_ASSOCIATION_POINTS, name) chooses another array than its point scalars.
+   */
+  void SetLabelConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(3, output); }
+  void SetLabelData(vtkImageData* labels);
+  ///@}
+
+  ///@{
+  /** The materials of the labels. Default: none, so that no label has a material. */
+  void SetLabelTable(vtkHapticLabelTable* table);
+  vtkHapticLabelTable* GetLabelTable();
+  ///@}
+
+  /** Includes the property, its functions and the label table. */
+  vtkMTimeType GetMTime() override;
 
   /**
    * MD5 of the touched scalars and of their shape, as a recording carries it; empty if there are
@@ -166,6 +199,8 @@ private:
   double EstimateHashTime();
   ///@}
 
+  /** Bakes the labels, if there are any; false after an error. */
+  bool BakeLabels(std::shared_ptr<const VolumeHaptics::BakedLabels>& labels, std::string& error);
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(
@@ -180,6 +215,8 @@ private:
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
   std::unique_ptr<VolumeHaptics::HapticNoise> Noise;
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
+  std::unique_ptr<VolumeHaptics::HapticLabels> Labels;
+  vtkSmartPointer<vtkHapticLabelTable> LabelTable;
 #endif
 
   vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;

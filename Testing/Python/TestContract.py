@@ -62,6 +62,10 @@ FILTER_PLAIN = (
     "SetGradientEstimatorToGaussian",
     "SetGradientEstimatorToCubicBSpline",
     "SetPathData",
+    "SetLabelData",
+    "SetLabelConnection",
+    "SetLabelTable",
+    "GetLabelTable",
     "SetInputArrayToProcess",
 )
 NO_GETTER = ("SetMethodByName", "SetPathConnection", "SetSurfaceConnection")

@@ -39,6 +39,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Settings(d.Settings)
   , Samples(d.Samples)
   , Mesh(d.Mesh)
+  , Labels(d.Labels)
   , Number(d.Number > 0 ? d.Number : NextNumber())
 {
 }

@@ -9,6 +9,7 @@
 
 #include "Core/Field/FieldSampler.h"
 #include "Core/Math/PiecewiseTable.h"
+#include "Core/Model/BakedLabels.h"
 #include "Core/Model/HapticModelDescription.h"
 
 #include <memory>
@@ -33,8 +34,9 @@ struct BakedVolume
   const Affine3 IndexToWorld;
   const double LargestSpacing; ///< world units
   const HapticSettings Settings;
-  const std::shared_ptr<const void> Samples;     ///< keeps the memory of Field alive
-  const std::shared_ptr<const SurfaceMesh> Mesh; ///< null without one
+  const std::shared_ptr<const void> Samples;       ///< keeps the memory of Field alive
+  const std::shared_ptr<const SurfaceMesh> Mesh;   ///< null without one
+  const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   /** Of the volume, the material and the settings; only regions of one volume may share one. */
   const std::uint64_t Number;
 };

@@ -20,6 +20,12 @@ Vector3 MakeFallbackNormal(const Matrix3& indexToDevice)
   return (1.0 / Norm(axis)) * axis;
 }
 
+Affine3 MakeIndexToLabel(const BakedVolume& baked)
+{
+  return baked.Labels ? Compose(Inverse(baked.Labels->IndexToWorld), baked.IndexToWorld)
+                      : Affine3{};
+}
+
 } // namespace
 
 HapticModel::HapticModel(const HapticModelDescription& description)
@@ -59,19 +65,25 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , GradientToReach(this->KernelLength * (this->DeviceToIndex.Linear * this->GradientToDevice))
   , FallbackReach(this->DeviceToIndex.Linear * (this->KernelLength * this->FallbackNormal))
   , Resident(this->Baked->Field.GetView())
+  , IndexToLabel(MakeIndexToLabel(*this->Baked))
 {
 }
 
-std::array<HapticModel::MemoryRange, 5> HapticModel::GetTables() const noexcept
+std::array<HapticModel::MemoryRange, 7> HapticModel::GetTables() const noexcept
 {
   const MaterialTable& materials = this->Baked->Materials;
   const DistinctnessTable& distinctness = this->Baked->Distinctness;
-  return { MemoryRange{ this, sizeof(*this) },
-    MemoryRange{ this->Baked.get(), sizeof(BakedVolume) },
+  const BakedLabels* const labels = this->Baked->Labels.get();
+  return {
+    MemoryRange{ this, sizeof(*this) }, MemoryRange{ this->Baked.get(), sizeof(BakedVolume) },
     MemoryRange{
       this->Baked->Kernel.Table.data(), this->Baked->Kernel.Table.size() * sizeof(double) },
     MemoryRange{ materials.GetMemory(), materials.GetMemorySize() - sizeof(materials) },
-    MemoryRange{ distinctness.GetMemory(), distinctness.GetMemorySize() - sizeof(distinctness) } };
+    MemoryRange{ distinctness.GetMemory(), distinctness.GetMemorySize() - sizeof(distinctness) },
+    labels ? MemoryRange{ labels->Table.GetEntries(), labels->Table.GetEntriesSize() }
+           : MemoryRange{},
+    labels ? MemoryRange{ labels->Table.GetPlaces(), labels->Table.GetPlacesSize() } : MemoryRange{}
+  };
 }
 
 std::size_t HapticModel::GetMemorySize() const noexcept
@@ -79,7 +91,8 @@ std::size_t HapticModel::GetMemorySize() const noexcept
   const BakedVolume& baked = *this->Baked;
   return sizeof(*this) + sizeof(baked) + baked.Kernel.Table.capacity() * sizeof(double) +
     baked.Materials.GetMemorySize() - sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() -
-    sizeof(baked.Distinctness) + (baked.Mesh ? baked.Mesh->GetMemorySize() : 0);
+    sizeof(baked.Distinctness) + (baked.Mesh ? baked.Mesh->GetMemorySize() : 0) +
+    (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0);
 }
 
 } // namespace VolumeHaptics

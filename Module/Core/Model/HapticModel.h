@@ -65,6 +65,8 @@ public:
   /** x_s - x_p, as index steps, without a gradient. */
   const Vector3 FallbackReach;
   const ResidentBox Resident; ///< of the samples in Baked->Field
+  /** From an index of the volume to one of the label image, if there is one. */
+  const Affine3 IndexToLabel;
 
   /** 0 at the volume's border, rising to 1 one kernel radius inside. */
   double BorderFade(const Vector3& index) const noexcept
@@ -85,7 +87,7 @@ public:
     std::size_t Size = 0; ///< bytes
   };
   /** The tables that every tick reads, without the samples and the mesh. */
-  std::array<MemoryRange, 5> GetTables() const noexcept;
+  std::array<MemoryRange, 7> GetTables() const noexcept;
 
   /** Bytes beyond the image. */
   std::size_t GetMemorySize() const noexcept;

@@ -19,6 +19,7 @@
 namespace VolumeHaptics
 {
 class SurfaceMesh;
+struct BakedLabels;
 
 /** Material functions of the scalar, and functions of the gradient magnitude per world unit. */
 struct HapticMaterial
@@ -44,7 +45,8 @@ struct HapticModelDescription
   int KernelRadius = 2; ///< voxels
   HapticMaterial Material;
   HapticSettings Settings;
-  std::shared_ptr<const SurfaceMesh> Mesh; ///< in the world; for HapticMethod::SurfaceProxy
+  std::shared_ptr<const SurfaceMesh> Mesh;   ///< in the world; for HapticMethod::SurfaceProxy
+  std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   /**
    * 0, or the BakedVolume::Number of a model of another region of the same volume, with the same
    * material and settings: a servo goes on from one to the other as if it had the whole.

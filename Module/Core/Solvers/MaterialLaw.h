@@ -127,15 +127,22 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
   return { push, tangent, Norm(tangent) };
 }
 
-/** The material at an index: read at x_s and x_v (eq. 13, section 3.3). */
+/**
+ * The material at an index: read at x_s and x_v (eq. 13, section 3.3), by value and by label.
+ */
 inline void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
   MaterialPoint& point) noexcept
 {
   // Before the values: their sampling hides the lookup's latency.
   const DistinctnessTable::Values distinct = model.Baked->Distinctness(surface.GradientMagnitude);
   const ValuePair values = model.Baked->Field.Values(index, surface.Reach);
-  const MaterialTable::Values inside = model.Baked->Materials(values.Ahead);
-  const MaterialTable::Values outside = model.Baked->Materials(values.Behind);
+  MaterialTable::Values inside = model.Baked->Materials(values.Ahead);
+  MaterialTable::Values outside = model.Baked->Materials(values.Behind);
+  if (const BakedLabels* const labels = model.Baked->Labels.get())
+  {
+    labels->Mix(model.IndexToLabel(index + surface.Reach), inside);
+    labels->Mix(model.IndexToLabel(index - surface.Reach), outside);
+  }
   point.Normal = surface.Normal;
   point.GradientMagnitude = surface.GradientMagnitude;
   point.SurfaceValue = values.Ahead;

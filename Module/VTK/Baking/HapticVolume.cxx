@@ -102,12 +102,6 @@ double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView&
   return 0.0;
 }
 
-std::string Describe(vtkDataArray* scalars)
-{
-  const char* const name = scalars->GetName();
-  return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
-}
-
 /**
  * Views the scalars; the error's cure needs the kernel radius (voxels). `holder` has to live as
  * long as the view: it is the array, or another one that shares its memory.
@@ -140,29 +134,24 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
   }
   else if (scalars->GetNumberOfTuples() != points)
   {
-    message << "The " << Describe(scalars) << " of the input image has "
+    message << "The " << DescribeArray(scalars) << " of the input image has "
             << scalars->GetNumberOfTuples() << " tuples for " << points
             << " points. Use point scalars with one tuple a point.";
   }
   else if (component >= components)
   {
-    message << "The " << Describe(scalars) << " of the input image has " << components
+    message << "The " << DescribeArray(scalars) << " of the input image has " << components
             << " component(s), but the property asks for component " << component
             << ". Lower vtkHapticProperty::SetComponent (it counts from 0).";
   }
   else
   {
-    bool located = false;
-    switch (scalars->GetDataType())
-    {
-      vtkTemplateMacro(located = LocateComponent<VTK_TT>(scalars, component, view, holder));
-      default:
-        break;
-    }
+    const bool located = LocateSamples(scalars, component, dimensions, view, holder);
     if (located && !view.Data)
     {
-      message << "The " << Describe(scalars) << " of the input image has no memory for component "
-              << component << " of its " << components
+      message << "The " << DescribeArray(scalars)
+              << " of the input image has no memory for component " << component << " of its "
+              << components
               << ". Give it values for all components, for example with SetArray, or ask for "
                  "another one with vtkHapticProperty::SetComponent (it counts from 0).";
       error = message.str();
@@ -170,17 +159,11 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
     }
     if (located)
     {
-      for (int a = 0; a < 3; ++a)
-      {
-        view.Dimensions[a] = dimensions[a];
-      }
-      view.Stride[1] = view.Stride[0] * dimensions[0];
-      view.Stride[2] = view.Stride[1] * dimensions[1];
       view.BorderValue = FirstFiniteCorner(scalars, component, view);
       return true;
     }
     message
-      << "The " << Describe(scalars) << " of the input image has the scalar type "
+      << "The " << DescribeArray(scalars) << " of the input image has the scalar type "
       << scalars->GetDataTypeAsString() << " in a " << scalars->GetClassName()
       << ", which is an unsupported scalar type. Convert it, for example with vtkImageCast to "
          "short or float.";
@@ -189,8 +172,47 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
   return false;
 }
 
-/** The map from an index that counts from the beginning of an extent. */
-bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, std::string& error)
+/** Lets a view of a region count its indices as the whole does. */
+void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view)
+{
+  const int* const extent = image->GetExtent();
+  for (int a = 0; a < 3; ++a)
+  {
+    view.First[a] = std::int64_t{ extent[2 * a] } - facts.Extent[2 * a];
+    view.Whole[a] = std::int64_t{ facts.Extent[2 * a + 1] } - facts.Extent[2 * a] + 1;
+  }
+  view.BorderValue = facts.BorderValue;
+}
+
+} // namespace
+
+std::string DescribeArray(vtkDataArray* scalars)
+{
+  const char* const name = scalars->GetName();
+  return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
+}
+
+bool LocateSamples(vtkDataArray* scalars, int component, const int dimensions[3], VolumeView& view,
+  vtkSmartPointer<vtkDataArray>& holder)
+{
+  bool located = false;
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(located = LocateComponent<VTK_TT>(scalars, component, view, holder));
+    default:
+      break;
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    view.Dimensions[a] = dimensions[a];
+  }
+  view.Stride[1] = view.Stride[0] * dimensions[0];
+  view.Stride[2] = view.Stride[1] * dimensions[1];
+  return located;
+}
+
+bool MakeIndexToWorld(
+  vtkImageData* image, const int extent[6], const char* name, Affine3& map, std::string& error)
 {
   const double* const spacing = image->GetSpacing();
   const double* const origin = image->GetOrigin();
@@ -213,19 +235,20 @@ bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, st
   if (!IsFinite({ spacing[0], spacing[1], spacing[2] }) || spacing[0] == 0.0 || spacing[1] == 0.0 ||
     spacing[2] == 0.0)
   {
-    message << "The spacing of the input image is (" << spacing[0] << ", " << spacing[1] << ", "
+    message << "The spacing of the " << name << " is (" << spacing[0] << ", " << spacing[1] << ", "
             << spacing[2]
             << "): it must be finite and not zero. Set the distance between voxels with "
                "vtkImageData::SetSpacing.";
   }
   else if (!IsFinite({ origin[0], origin[1], origin[2] }))
   {
-    message << "The origin of the input image is (" << origin[0] << ", " << origin[1] << ", "
+    message << "The origin of the " << name << " is (" << origin[0] << ", " << origin[1] << ", "
             << origin[2] << "): it must be finite. Set it with vtkImageData::SetOrigin.";
   }
   else if (!(std::abs(Determinant(d)) > singular * size))
   {
-    message << "The direction matrix of the input image is singular (determinant " << Determinant(d)
+    message << "The direction matrix of the " << name << " is singular (determinant "
+            << Determinant(d)
             << "): its axes do not span space. Set three independent axes with "
                "vtkImageData::SetDirectionMatrix.";
   }
@@ -237,28 +260,14 @@ bool MakeIndexToWorld(vtkImageData* image, const int extent[6], Affine3& map, st
   return false;
 }
 
-/** Lets a view of a region count its indices as the whole does. */
-void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view)
-{
-  const int* const extent = image->GetExtent();
-  for (int a = 0; a < 3; ++a)
-  {
-    view.First[a] = std::int64_t{ extent[2 * a] } - facts.Extent[2 * a];
-    view.Whole[a] = std::int64_t{ facts.Extent[2 * a + 1] } - facts.Extent[2 * a] + 1;
-  }
-  view.BorderValue = facts.BorderValue;
-}
-
-} // namespace
-
 bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   HapticVolume& volume, std::string& error)
 {
   WholeFacts& whole = volume.Whole;
   if (!MakeVolumeView(image, scalars, component, kernelRadius, volume.View, volume.Holder, error) ||
     !ReadWholeFacts(image, component, whole, error) ||
-    !MakeIndexToWorld(
-      image, whole.IsThere ? whole.Extent : image->GetExtent(), volume.IndexToWorld, error))
+    !MakeIndexToWorld(image, whole.IsThere ? whole.Extent : image->GetExtent(), "input image",
+      volume.IndexToWorld, error))
   {
     return false;
   }

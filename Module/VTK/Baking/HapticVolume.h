@@ -39,6 +39,24 @@ struct HapticVolume
 bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   HapticVolume& volume, std::string& error);
 
+/**
+ * Views the samples of a component without a copy; false if the type or the memory layout of the
+ * array is unsupported. `holder` has to live as long as the view: it is the array, or another one
+ * that shares its memory. The view's Data is null if the component has no memory.
+ */
+bool LocateSamples(vtkDataArray* scalars, int component, const int dimensions[3], VolumeView& view,
+  vtkSmartPointer<vtkDataArray>& holder);
+
+/**
+ * The map from an index that counts from the beginning of an extent. False, with an error about the
+ * image of that name, if there is none.
+ */
+bool MakeIndexToWorld(
+  vtkImageData* image, const int extent[6], const char* name, Affine3& map, std::string& error);
+
+/** The array's name for errors: array "Density". */
+std::string DescribeArray(vtkDataArray* scalars);
+
 /** The smallest spacing of an image (world units). */
 double SmallestSpacing(vtkImageData* image);
 

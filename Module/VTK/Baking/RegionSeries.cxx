@@ -52,7 +52,7 @@ bool RegionSeries::IsSame(const Entry& entry, const HapticModelDescription& e,
     entry.Facts.Time == facts.Time && entry.Array == array && d.View.Type == e.View.Type &&
     IsIdentical(d.IndexToWorld, e.IndexToWorld);
   return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
-    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh);
+    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels;
 }
 
 std::uint64_t RegionSeries::Find(

@@ -16,7 +16,7 @@ namespace VolumeHaptics
 {
 
 /**
- * When a filter, or its image or surface, last changed; 0 without a filter.
+ * When a filter, or its image, surface or label image, last changed; 0 without a filter.
  */
 inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter)
 {
@@ -25,7 +25,7 @@ inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter)
     return 0;
   }
   vtkMTimeType time = filter->GetMTime();
-  for (const int port : { 0, 2 }) // the image, the surface
+  for (const int port : { 0, 2, 3 }) // the image, the surface, the labels
   {
     vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0);
     vtkDataObject* const data = filter->GetInputDataObject(port, 0);

@@ -92,6 +92,54 @@ INSTANTIATE_TEST_SUITE_P(All, AllocationFree,
     testing::Values(HapticMethod::Proxy, HapticMethod::ForceField, HapticMethod::LocalSurface),
     testing::ValuesIn(AllEstimators), testing::Values(1, 2, 3, 4, 9)));
 
+namespace
+{
+/// Blocks of 4^3 voxels of the labels -2 to 2, of which all but 0 have a material.
+std::shared_ptr<const BakedLabels> MakeLabels(const TestVolume& volume)
+{
+  auto labels = std::make_shared<BakedLabels>();
+  labels->View = LabelView(volume.View);
+  labels->IndexToWorld.Linear = 0.7 * Matrix3{};
+  std::vector<LabelledMaterial> entries(4);
+  for (int i = 0; i < 4; ++i)
+  {
+    entries[i].Label = i < 2 ? i - 2 : i - 1;
+    entries[i].Material.Value = { 300.0 + 100.0 * i, 0.2, 0.5 + 0.5 * i, 0.1 };
+    entries[i].Material.IsSet.fill(true);
+    entries[i].Material.IsFelt = i != 3;
+  }
+  labels->Table = LabelTable(entries);
+  return labels;
+}
+} // namespace
+
+TEST(AllocationFreeLabels, NoTickAllocates)
+{
+  const TestVolume volume = MakeRamp(20);
+  TestVolume labels(ScalarType::Int16, { 24, 24, 24 });
+  labels.Fill<std::int16_t>([](std::int64_t i, std::int64_t j, std::int64_t k)
+    { return (i / 4 + 2 * (j / 4) + 3 * (k / 4)) % 5 - 2; });
+  for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
+  {
+    HapticModelDescription description = Describe(volume);
+    description.Labels = MakeLabels(labels);
+    description.Settings.Solver = solver;
+    const HapticModel model(description);
+    Wanderer wanderer(20.0);
+    ServoState state;
+    TickRecord record;
+    double work = 0.0;
+    const std::size_t before = CountAllocations().Calls;
+    for (int i = 0; i < 50000; ++i)
+    {
+      Tick(model, state, wanderer.Next(), record);
+      work += Norm(record.Force);
+    }
+    EXPECT_EQ(CountAllocations().Calls, before);
+    EXPECT_GT(work, 0.0);
+  }
+}
+
 // The counter itself: without these the test above would pass with a broken one.
 TEST(AllocationCounter, SeesNew)
 {

@@ -29,7 +29,7 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetLocalSurfaceShape(), vtkVolumeHapticsFilter::PLANE);
   EXPECT_EQ(filter->GetLocalSurfaceRate(), 60.0);
   EXPECT_EQ(filter->GetRecoveryTime(), 0.015);
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 4);
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
   ASSERT_NE(filter->GetProperty(), nullptr);
   EXPECT_EQ(filter->GetProperty(), filter->GetProperty());

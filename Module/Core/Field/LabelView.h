@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A typed view of a label image: no copy, no ownership.
+ *
+ * A label is an integer. Beyond the image there is no label; nor is there one where the image holds
+ * NoLabel or an unsigned number that does not fit into a signed one of 64 bits.
+ */
+#ifndef LabelView_h
+#define LabelView_h
+
+#include "Core/Field/VolumeView.h"
+#include "Core/Math/Vector3.h"
+
+#include <array>
+#include <limits>
+
+namespace VolumeHaptics
+{
+
+constexpr std::int64_t NoLabel = std::numeric_limits<std::int64_t>::min();
+
+/** The labels of the eight voxels around a position, with their trilinear shares. */
+struct LabelCell
+{
+  static constexpr int Corners = 8;
+
+  std::array<std::int64_t, Corners> Label;
+  std::array<double, Corners> Share; ///< their sum is 1; not set if the cell is uniform
+  bool IsUniform;                    ///< all labels are the first one
+};
+
+/** The voxels of a label image, at its own continuous indices. Borrows the memory. */
+class LabelView
+{
+public:
+  LabelView() = default;
+  /**
+   * The dimensions, strides and type of the view count; it is the whole image. Samples of floating
+   * point must be whole numbers.
+   */
+  explicit LabelView(const VolumeView& view) noexcept;
+
+  LabelCell Cell(const Vector3& index) const noexcept
+  {
+    return this->ReadCell(this->View, index.X, index.Y, index.Z);
+  }
+
+  /** The label of the nearest voxel. */
+  std::int64_t Nearest(const Vector3& index) const noexcept;
+
+  const VolumeView& GetView() const noexcept { return this->View; }
+
+private:
+  using CellFunction = LabelCell (*)(const VolumeView&, double x, double y, double z) noexcept;
+
+  VolumeView View;
+  CellFunction ReadCell = nullptr;
+};
+
+} // namespace VolumeHaptics
+
+#endif

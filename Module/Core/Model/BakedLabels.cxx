@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Model/BakedLabels.h"
+
+namespace VolumeHaptics
+{
+
+void BakedLabels::Mix(const Vector3& labelIndex, MaterialTable::Values& values) const noexcept
+{
+  constexpr int channels = LabelMaterial::Channels;
+  const LabelCell cell = this->View.Cell(labelIndex);
+  if (cell.IsUniform)
+  {
+    if (const LabelMaterial* const material = this->Table.Find(cell.Label[0]))
+    {
+      for (int c = 0; c < channels; ++c)
+      {
+        values[c] = material->IsSet[c] ? material->Value[c] : values[c];
+      }
+    }
+    return;
+  }
+  std::array<double, channels> sum{};
+  std::array<double, channels> share{};
+  const LabelMaterial* material = nullptr;
+  for (int corner = 0; corner < LabelCell::Corners; ++corner)
+  {
+    if (corner == 0 || cell.Label[corner] != cell.Label[corner - 1])
+    {
+      material = this->Table.Find(cell.Label[corner]);
+    }
+    for (int c = 0; c < channels && material; ++c)
+    {
+      if (material->IsSet[c])
+      {
+        sum[c] += cell.Share[corner] * material->Value[c];
+        share[c] += cell.Share[corner];
+      }
+    }
+  }
+  for (int c = 0; c < channels; ++c)
+  {
+    if (share[c] > 0.0)
+    {
+      // Rounding must not leave a share below 0.
+      const double rest = share[c] < 1.0 ? 1.0 - share[c] : 0.0;
+      values[c] = sum[c] + rest * values[c];
+    }
+  }
+}
+
+} // namespace VolumeHaptics

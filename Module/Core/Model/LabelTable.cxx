@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Model/LabelTable.h"
+
+namespace VolumeHaptics
+{
+
+LabelTable::LabelTable(const std::vector<LabelledMaterial>& entries)
+  : Entries(entries)
+{
+  std::size_t size = 2;
+  while (size < 2 * entries.size())
+  {
+    size *= 2;
+    --this->Shift;
+  }
+  this->Mask = size - 1;
+  this->Places.assign(size, 0);
+  std::uint32_t number = 0;
+  for (LabelledMaterial& entry : this->Entries)
+  {
+    LabelMaterial& material = entry.Material;
+    for (const int channel : { 2, 3 }) // T_N and R
+    {
+      if (!material.IsFelt)
+      {
+        material.Value[channel] = 0.0;
+        material.IsSet[channel] = true;
+      }
+    }
+    std::size_t at = this->Home(entry.Label);
+    while (this->Places[at] != 0)
+    {
+      at = (at + 1) & this->Mask;
+    }
+    this->Places[at] = ++number;
+  }
+}
+
+} // namespace VolumeHaptics

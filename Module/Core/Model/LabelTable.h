@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The materials of labels, baked for lookup in a tick.
+ */
+#ifndef LabelTable_h
+#define LabelTable_h
+
+#include "Core/Math/PiecewiseTable.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The material of a label. What is not set comes from the functions of the scalar. */
+struct LabelMaterial
+{
+  /** The channels of MaterialTable that a label may have: k, mu, T_N and R. */
+  static constexpr int Channels = 4;
+
+  std::array<double, Channels> Value{};
+  std::array<bool, Channels> IsSet{};
+  bool IsFelt = true; ///< if not, T_N and R are 0, and the label makes no surface
+  bool IsForbidden = false;
+};
+
+/** A label with its material. */
+struct LabelledMaterial
+{
+  std::int64_t Label = 0;
+  LabelMaterial Material;
+};
+
+/**
+ * Materials by label: a hash table that is at most half full, so that a lookup takes one or two
+ * looks for any number of labels. Immutable.
+ */
+class LabelTable
+{
+public:
+  LabelTable() = default;
+  /** Each label once. Channels whose surfaces nothing shall feel are set to 0 here. */
+  explicit LabelTable(const std::vector<LabelledMaterial>& entries);
+
+  /** The material of a label; null if it has none. */
+  const LabelMaterial* Find(std::int64_t label) const noexcept
+  {
+    if (this->Entries.empty())
+    {
+      return nullptr;
+    }
+    for (std::size_t at = this->Home(label);; at = (at + 1) & this->Mask)
+    {
+      const std::uint32_t entry = this->Places[at];
+      if (entry == 0)
+      {
+        return nullptr;
+      }
+      if (this->Entries[entry - 1].Label == label)
+      {
+        return &this->Entries[entry - 1].Material;
+      }
+    }
+  }
+
+  ///@{
+  /** Beyond the object. */
+  const void* GetEntries() const noexcept { return this->Entries.data(); }
+  std::size_t GetEntriesSize() const noexcept
+  {
+    return this->Entries.capacity() * sizeof(LabelledMaterial);
+  }
+  const void* GetPlaces() const noexcept { return this->Places.data(); }
+  std::size_t GetPlacesSize() const noexcept
+  {
+    return this->Places.capacity() * sizeof(std::uint32_t);
+  }
+  ///@}
+
+  /** Bytes beyond the object. */
+  std::size_t GetMemorySize() const noexcept
+  {
+    return this->GetEntriesSize() + this->GetPlacesSize();
+  }
+
+private:
+  /** Where the search for a label begins: the highest bits of a product mix all of the label's. */
+  std::size_t Home(std::int64_t label) const noexcept
+  {
+    constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U; // 2^64 over the golden ratio, odd
+    return static_cast<std::size_t>((static_cast<std::uint64_t>(label) * golden) >> this->Shift);
+  }
+
+  std::vector<LabelledMaterial> Entries;
+  std::vector<std::uint32_t> Places; ///< 1 + the place in Entries; 0: free
+  std::size_t Mask = 0;
+  int Shift = 63;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Baking/HapticLabels.h"
+
+#include "Core/Field/LabelSamples.h"
+#include "VTK/Baking/HapticVolume.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticLabelTable.h"
+#include "vtkImageData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr const char* LabelImage = "label image on input port 3";
+
+/** The first sample that is no whole number; -1 if there is none. */
+std::int64_t FindFraction(const VolumeView& view)
+{
+  return WithSampleType(view.Type,
+    [&view](auto sample) -> std::int64_t
+    {
+      using T = decltype(sample);
+      if constexpr (std::is_floating_point_v<T>)
+      {
+        // Doubles have all whole numbers up to this.
+        constexpr T most = T(9007199254740992.0);
+        const std::int64_t* const n = view.Dimensions;
+        const T* const data = static_cast<const T*>(view.Data);
+        const std::int64_t points = n[0] * n[1] * n[2];
+        for (std::int64_t i = 0; i < points; ++i)
+        {
+          const T value = data[i * view.Stride[0]];
+          // Also false for NaN.
+          if (!(std::abs(value) <= most && value == std::floor(value)))
+          {
+            return i;
+          }
+        }
+      }
+      return -1;
+    });
+}
+
+bool CheckArray(vtkImageData* image, vtkDataArray* labels, std::string& error)
+{
+  std::ostringstream message;
+  const std::string name = DescribeArray(labels);
+  if (image->GetNumberOfPoints() == 0)
+  {
+    message << "The " << LabelImage
+            << " is empty: its extent holds no points. Update its source, or disconnect it.";
+  }
+  else if (labels->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    message << "The " << name << " of the " << LabelImage << " has " << labels->GetNumberOfTuples()
+            << " tuples for " << image->GetNumberOfPoints()
+            << " points. Use point scalars with one tuple a point.";
+  }
+  else if (labels->GetNumberOfComponents() != 1)
+  {
+    message << "The " << name << " of the " << LabelImage << " has "
+            << labels->GetNumberOfComponents()
+            << " components, and a label is one number. Extract one of them, for example with "
+               "vtkImageExtractComponents.";
+  }
+  error = message.str();
+  return error.empty();
+}
+
+bool ReadLabels(vtkImageData* image, vtkDataArray* labels, BakedLabels& baked, std::string& error)
+{
+  VolumeView view;
+  vtkSmartPointer<vtkDataArray> holder;
+  const int* const extent = image->GetExtent();
+  if (!CheckArray(image, labels, error) ||
+    !MakeIndexToWorld(image, extent, LabelImage, baked.IndexToWorld, error))
+  {
+    return false;
+  }
+  if (!LocateSamples(labels, 0, image->GetDimensions(), view, holder))
+  {
+    std::ostringstream message;
+    message << "The " << DescribeArray(labels) << " of the " << LabelImage
+            << " has the scalar type " << labels->GetDataTypeAsString() << " in a "
+            << labels->GetClassName()
+            << ", which is unsupported. Convert it, for example with vtkImageCast to int.";
+    error = message.str();
+    return false;
+  }
+  const std::int64_t wrong = FindFraction(view);
+  if (wrong >= 0)
+  {
+    const std::int64_t* const n = view.Dimensions;
+    std::ostringstream message;
+    message << "The " << DescribeArray(labels) << " of the " << LabelImage << " has the value "
+            << labels->GetComponent(wrong, 0) << " at the point (" << wrong % n[0] << ", "
+            << wrong / n[0] % n[1] << ", " << wrong / (n[0] * n[1])
+            << "), and labels are whole numbers. Connect a segmentation, not an image of "
+               "intensities or probabilities, and resample it without interpolation.";
+    error = message.str();
+    return false;
+  }
+  baked.View = LabelView(view);
+  holder->Register(nullptr);
+  vtkDataArray* const held = holder;
+  baked.Samples = { static_cast<const void*>(held),
+    [held](const void*) { held->UnRegister(nullptr); } };
+  return true;
+}
+
+LabelTable BakeTable(vtkHapticLabelTable* table)
+{
+  std::vector<LabelledMaterial> entries;
+  for (vtkIdType i = 0; table && i < table->GetNumberOfLabels(); ++i)
+  {
+    const int label = table->GetLabel(i);
+    LabelledMaterial entry;
+    entry.Label = label;
+    entry.Material.Value = { table->GetStiffness(label), table->GetFriction(label),
+      table->GetSurfaceStrength(label), table->GetViscosity(label) };
+    for (int c = 0; c < LabelMaterial::Channels; ++c)
+    {
+      entry.Material.IsSet[c] = entry.Material.Value[c] >= 0.0; // -1: not set
+    }
+    entry.Material.IsFelt = table->GetFelt(label);
+    entry.Material.IsForbidden = table->GetForbidden(label);
+    // A name or a colour alone is no entry.
+    if (table->HasMaterial(label) || !entry.Material.IsFelt || entry.Material.IsForbidden)
+    {
+      entries.push_back(entry);
+    }
+  }
+  return LabelTable(entries);
+}
+
+} // namespace
+
+std::shared_ptr<const BakedLabels> HapticLabels::Get(
+  vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error)
+{
+  const Key key{ image, labels, table, image->GetMTime(), labels->GetMTime(),
+    table ? table->GetMTime() : 0 };
+  std::shared_ptr<const BakedLabels> baked = this->Baked.lock();
+  if (baked && key == this->BakedFrom)
+  {
+    return baked;
+  }
+  const auto made = std::make_shared<BakedLabels>();
+  if (!ReadLabels(image, labels, *made, error))
+  {
+    return nullptr;
+  }
+  made->Table = BakeTable(table);
+  this->BakedFrom = key;
+  this->Baked = made;
+  return made;
+}
+
+} // namespace VolumeHaptics

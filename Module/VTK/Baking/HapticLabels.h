@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From a label image and a vtkHapticLabelTable to the core's BakedLabels.
+ */
+#ifndef HapticLabels_h
+#define HapticLabels_h
+
+#include "Core/Model/BakedLabels.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <string>
+#include <tuple>
+
+class vtkDataArray;
+class vtkHapticLabelTable;
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** The labels that were baked last; baked again only after a change. */
+class HapticLabels
+{
+public:
+  /**
+   * Bakes labels that keep the array alive. The table may be null: then no label has a material. If
+   * the labels can't be used, returns null, and `error` names the input and the cure.
+   */
+  std::shared_ptr<const BakedLabels> Get(
+    vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error);
+
+private:
+  /** Image, array, table, and the last change of each. */
+  using Key =
+    std::tuple<const void*, const void*, const void*, vtkMTimeType, vtkMTimeType, vtkMTimeType>;
+
+  Key BakedFrom{};
+  std::weak_ptr<const BakedLabels> Baked; ///< valid while a model uses it
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The table of labels finds what was put into it, and only that. The model is std::map.
+ */
+
+#include "Core/Model/BakedLabels.h"
+#include "Rigs/TestVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+using namespace coretest;
+
+namespace
+{
+LabelledMaterial Stiff(std::int64_t label, double stiffness)
+{
+  LabelledMaterial entry;
+  entry.Label = label;
+  entry.Material.Value[0] = stiffness;
+  entry.Material.IsSet[0] = true;
+  return entry;
+}
+} // namespace
+
+TEST(LabelTable, FindsNothingWithoutEntries)
+{
+  EXPECT_EQ(LabelTable().Find(0), nullptr);
+  EXPECT_EQ(LabelTable(std::vector<LabelledMaterial>()).Find(NoLabel), nullptr);
+}
+
+TEST(LabelTable, FindsAMillionLabelsOfAllSignsAndSizes)
+{
+  std::mt19937_64 engine(5);
+  std::map<std::int64_t, double> model;
+  // A run, as segmentations have them; multiples of a power of two, which a poor hash piles up; and
+  // any numbers.
+  for (std::int64_t i = 0; i < 400000; ++i)
+  {
+    model[i - 200000] = static_cast<double>(i);
+    model[(i + 1) << 40] = static_cast<double>(-i);
+  }
+  for (int i = 0; i < 200000; ++i)
+  {
+    model[static_cast<std::int64_t>(engine())] = 0.5 + i;
+  }
+  model[std::numeric_limits<std::int64_t>::max()] = 7.0;
+  std::vector<LabelledMaterial> entries;
+  for (const auto& [label, stiffness] : model)
+  {
+    entries.push_back(Stiff(label, stiffness));
+  }
+  const LabelTable table(entries);
+  for (const auto& [label, stiffness] : model)
+  {
+    const LabelMaterial* const found = table.Find(label);
+    ASSERT_NE(found, nullptr) << label;
+    ASSERT_EQ(found->Value[0], stiffness) << label;
+  }
+  for (int i = 0; i < 200000; ++i)
+  {
+    const auto label = static_cast<std::int64_t>(engine());
+    ASSERT_EQ(table.Find(label) != nullptr, model.count(label) > 0) << label;
+  }
+}
+
+TEST(LabelTable, MixesBySharesAndLeavesTheRestToTheFunctions)
+{
+  TestVolume volume(ScalarType::Int32, { 3, 2, 2 });
+  volume.Fill<std::int32_t>(
+    [](std::int64_t i, std::int64_t, std::int64_t) { return 10 * static_cast<int>(i); });
+  LabelledMaterial soft = Stiff(10, 200.0);
+  soft.Material.Value[2] = 1.0;
+  soft.Material.IsSet[2] = true;
+  LabelledMaterial numb = Stiff(20, 900.0);
+  numb.Material.IsFelt = false;
+  BakedLabels labels;
+  labels.View = LabelView(volume.View);
+  labels.Table = LabelTable({ soft, numb });
+  const MaterialTable::Values functions{ 500.0, 0.3, 2.0, 0.7, 1.0 };
+  const auto mixed = [&](double x)
+  {
+    MaterialTable::Values values = functions;
+    labels.Mix({ x, 0.5, 0.5 }, values);
+    return values;
+  };
+  // Label 0 has no entry, 10 has k and T_N, 20 is not felt.
+  EXPECT_EQ(mixed(0.0), functions);
+  EXPECT_EQ(mixed(1.0), (MaterialTable::Values{ 200.0, 0.3, 1.0, 0.7, 1.0 }));
+  EXPECT_EQ(mixed(2.0), (MaterialTable::Values{ 900.0, 0.3, 0.0, 0.0, 1.0 }));
+  EXPECT_EQ(mixed(5.0), functions) << "beyond the image";
+  const MaterialTable::Values quarter = mixed(0.25);
+  const MaterialTable::Values half = mixed(1.5);
+  const double expectedQuarter[] = { 425.0, 0.3, 1.75, 0.7, 1.0 };
+  const double expectedHalf[] = { 550.0, 0.3, 0.5, 0.35, 1.0 };
+  for (int c = 0; c < 5; ++c)
+  {
+    EXPECT_NEAR(quarter[c], expectedQuarter[c], 1e-12) << c;
+    EXPECT_NEAR(half[c], expectedHalf[c], 1e-12) << c;
+  }
+}

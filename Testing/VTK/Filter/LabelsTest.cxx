@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Materials by label, with surfaces from the scalars. On the ramp V = 100 z, a spring of stiffness
+ * k that is pressed by h into a surface that holds gives the force k h: the closed form of all
+ * expectations here (T1 of the closed forms in Documentation/evaluation.md).
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkHapticLabelTable.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double Depth = 0.005; ///< m, of the press at the end of the path
+constexpr vtkIdType Last = 50;
+constexpr double Strong = 100.0; ///< N
+
+class LabelsTest : public ApiTest
+{
+protected:
+  LabelsTest() { SetConstant(this->Property->GetSurfaceStrength(), Strong); }
+
+  /// Labels 1 up to x = 7 and 2 from x = 8 on, on the grid of the image.
+  void SetHalves(int scalarType = VTK_SHORT)
+  {
+    this->Filter->SetLabelData(
+      MakeImage(16, scalarType, [](const Point& p) { return p[0] < 7.5 ? 1.0 : 2.0; }));
+    this->Filter->SetLabelTable(this->Table);
+  }
+
+  void PressAt(double x)
+  {
+    this->Filter->SetPathData(MakePath(Line({ x, 7, 5 }, { x, 7, 10 }, 50)));
+  }
+
+  /// The force against the hand at the end of the press.
+  double PressedForce(double x)
+  {
+    this->PressAt(x);
+    return -Get(this->Run(51), "Force", Last, 2);
+  }
+
+  vtkNew<vtkHapticLabelTable> Table;
+};
+
+class LabelsOfSolver
+  : public LabelsTest
+  , public testing::WithParamInterface<int>
+{
+protected:
+  LabelsOfSolver() { this->Filter->SetSolver(this->GetParam()); }
+};
+} // namespace
+
+TEST_P(LabelsOfSolver, TellTissuesOfOneValueApart)
+{
+  // L1.
+  this->SetHalves();
+  this->Table->SetStiffness(1, 200.0);
+  this->Table->SetStiffness(2, 800.0);
+  EXPECT_NEAR(this->PressedForce(4.0) / (200.0 * Depth), 1.0, 1e-9);
+  EXPECT_NEAR(this->PressedForce(11.0) / (800.0 * Depth), 1.0, 1e-9);
+}
+
+TEST_P(LabelsOfSolver, HaveAllFourQuantities)
+{
+  this->SetHalves();
+  this->Table->SetSurfaceStrength(1, 1.5);
+  this->Table->SetViscosity(1, 0.25);
+  this->Table->SetFriction(1, 0.4);
+  this->PressAt(4.0);
+  vtkPolyData* const output = this->Run(51);
+  // The default k is 500 N/m: the surface gives way at 1.5 N, and the drag adds its own.
+  EXPECT_NEAR(-Get(output, "Force", Last, 2), 1.75, 1e-9);
+  EXPECT_NEAR(Get(output, "NormalForce", Last), 1.5, 1e-9);
+  EXPECT_NEAR(Get(output, "DragForce", Last), 0.25, 1e-9);
+  EXPECT_EQ(Get(output, "SurfaceStrength", Last), 1.5);
+  EXPECT_EQ(Get(output, "Viscosity", Last), 0.25);
+  EXPECT_EQ(Get(output, "Friction", Last), 0.4);
+}
+
+TEST_P(LabelsOfSolver, WithoutEntryMakeNoDifference)
+{
+  // L4. A path across both labels and the border, in all contact states.
+  SetConstant(this->Property->GetSurfaceStrength(), 1.2);
+  SetConstant(this->Property->GetFriction(), 0.3);
+  SetConstant(this->Property->GetViscosity(), 0.1);
+  std::vector<Point> points = Line({ 3, 5, 4 }, { 12.5, 6, 11 }, 400);
+  const std::vector<Point> back = Line({ 12.5, 6, 11 }, { -2, 4, 3 }, 400);
+  points.insert(points.end(), back.begin(), back.end());
+  this->Filter->SetPathData(MakePath(points));
+  this->Run(802);
+  const auto without = Keep(this->Filter);
+  this->SetHalves();
+  this->Run(802);
+  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "an empty table";
+  this->Table->SetLabelName(1, "liver");
+  this->Table->SetColor(2, 1.0, 0.0, 0.0);
+  this->Table->SetStiffness(3, 77.0);
+  this->Table->SetStandOff(1.0);
+  this->Run(802);
+  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "entries without a material, or of others";
+  this->Filter->SetLabelTable(nullptr);
+  this->Run(802);
+  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "no table";
+  this->Filter->SetLabelTable(this->Table);
+  this->Table->SetStiffness(2, 77.0);
+  this->Run(802);
+  EXPECT_FALSE(IsSame(without, Keep(this->Filter))) << "the comparison sees an entry";
+  this->Table->RemoveMaterial(2);
+  this->Run(802);
+  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "the material was removed";
+}
+
+TEST_P(LabelsOfSolver, OfAnyTypeFeelTheSame)
+{
+  // L7.
+  this->Table->SetStiffness(1, 200.0);
+  this->Table->SetStiffness(2, 800.0);
+  this->Filter->SetPathData(MakePath(Line({ 3, 7, 6 }, { 12, 7, 8 }, 300)));
+  this->SetHalves(VTK_UNSIGNED_CHAR);
+  this->Run(301);
+  const auto first = Keep(this->Filter);
+  EXPECT_GT(Get(first, "Stiffness", 290), Get(first, "Stiffness", 20));
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
+         VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
+         VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
+  {
+    this->SetHalves(type);
+    this->Run(301);
+    EXPECT_TRUE(IsSame(first, Keep(this->Filter))) << type;
+  }
+}
+
+TEST_P(LabelsOfSolver, ThatAreNotFeltAreNotThere)
+{
+  this->SetHalves();
+  SetConstant(this->Property->GetViscosity(), 0.5);
+  this->Table->SetFelt(1, false);
+  this->PressAt(4.0);
+  vtkPolyData* const output = this->Run(51);
+  for (vtkIdType tick = 0; tick <= Last; ++tick)
+  {
+    ASSERT_EQ(Get(output, "Force", tick, 2), 0.0) << tick;
+  }
+  EXPECT_NEAR(this->PressedForce(11.0), 500.0 * Depth, 1e-9);
+}
+
+TEST_P(LabelsOfSolver, BeyondTheLabelImageTheFunctionsHold)
+{
+  // It covers x up to 5.
+  auto labels = vtkSmartPointer<vtkImageData>::New();
+  labels->SetDimensions(6, 16, 16);
+  labels->AllocateScalars(VTK_INT, 1);
+  labels->GetPointData()->GetScalars()->Fill(-3.0);
+  this->Filter->SetLabelData(labels);
+  this->Filter->SetLabelTable(this->Table);
+  this->Table->SetStiffness(-3, 900.0);
+  EXPECT_NEAR(this->PressedForce(4.0), 900.0 * Depth, 1e-9);
+  EXPECT_NEAR(this->PressedForce(6.0), 500.0 * Depth, 1e-9);
+  EXPECT_NEAR(this->PressedForce(12.0), 500.0 * Depth, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, LabelsOfSolver,
+  testing::Values(vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE));
+
+TEST_F(LabelsTest, GoOverWithinAVoxel)
+{
+  // PAPER shows the material itself: k = 200 + 600 (x - 7) between the voxels at x = 7 and x = 8.
+  this->Filter->SetSolverToPaper();
+  this->SetHalves();
+  this->Table->SetStiffness(1, 200.0);
+  this->Table->SetStiffness(2, 800.0);
+  this->Filter->SetPathData(MakePath(Line({ 6, 7, 6 }, { 9, 7, 6 }, 300)));
+  vtkPolyData* const output = this->Run(301);
+  for (vtkIdType tick = 1; tick <= 300; ++tick)
+  {
+    // A tick reads the material at the proxy before it, which had followed the tip.
+    const double x = 6.0 + 0.01 * static_cast<double>(tick - 1);
+    const double share = std::min(std::max(x - 7.0, 0.0), 1.0);
+    ASSERT_NEAR(Get(output, "Stiffness", tick), 200.0 + 600.0 * share, 1e-9) << tick;
+  }
+}
+
+TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
+{
+  // L3: three labels in space, sampled on the image's grid and on a finer one that is turned.
+  this->Table->SetStiffness(1, 200.0);
+  this->Table->SetStiffness(2, 800.0);
+  this->Table->SetSurfaceStrength(3, 0.5);
+  this->Filter->SetLabelTable(this->Table);
+  const auto labelAt = [](double x, double y) { return x < 6.5 ? 1 : (y < 7.5 ? 2 : 3); };
+  this->Filter->SetPathData(MakePath(Line({ 2, 4, 5 }, { 13, 11, 9 }, 500)));
+  this->Filter->SetLabelData(
+    MakeImage(16, VTK_UNSIGNED_CHAR, [&](const Point& p) { return labelAt(p[0], p[1]); }));
+  this->Run(501);
+  const auto onGrid = Keep(this->Filter);
+
+  // The same voxels, stored in another order: the axes of the image are y, -x and z.
+  vtkNew<vtkImageData> turned;
+  turned->SetDimensions(16, 16, 16);
+  turned->SetOrigin(15.0, 0.0, 0.0);
+  turned->SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1);
+  turned->AllocateScalars(VTK_INT, 1);
+  for (int k = 0; k < 16; ++k)
+  {
+    for (int j = 0; j < 16; ++j)
+    {
+      for (int i = 0; i < 16; ++i)
+      {
+        turned->SetScalarComponentFromDouble(i, j, k, 0, labelAt(15.0 - j, i));
+      }
+    }
+  }
+  this->Filter->SetLabelData(turned);
+  vtkPolyData* output = this->Run(501);
+  for (vtkIdType tick = 0; tick <= 500; ++tick)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_NEAR(Get(output, "Force", tick, axis), Get(onGrid, "Force", tick, axis), 1e-6) << tick;
+    }
+  }
+
+  // Voxels of 0.4 x 0.3 x 0.5 that are turned by 30 degrees about z, with an extent that does not
+  // begin at 0. Both images say the same except within a voxel of the faces between the labels.
+  const double c = std::cos(vtkMath::Pi() / 6.0);
+  const double s = std::sin(vtkMath::Pi() / 6.0);
+  vtkNew<vtkImageData> fine;
+  fine->SetExtent(-20, 70, -40, 60, 5, 40);
+  fine->SetSpacing(0.4, 0.3, 0.5);
+  fine->SetOrigin(1.0, 2.0, -2.5);
+  fine->SetDirectionMatrix(c, -s, 0, s, c, 0, 0, 0, 1);
+  fine->AllocateScalars(VTK_LONG_LONG, 1);
+  for (vtkIdType point = 0; point < fine->GetNumberOfPoints(); ++point)
+  {
+    const double* const at = fine->GetPoint(point);
+    fine->GetPointData()->GetScalars()->SetComponent(point, 0, labelAt(at[0], at[1]));
+  }
+  // PAPER carries nothing from a tick to the next but the proxy, so that ticks can be compared.
+  this->Filter->SetSolverToPaper();
+  SetConstant(this->Property->GetSurfaceStrength(), 0.0);
+  this->Table->SetSurfaceStrength(3, 0.0);
+  this->Filter->SetLabelData(
+    MakeImage(16, VTK_UNSIGNED_CHAR, [&](const Point& p) { return labelAt(p[0], p[1]); }));
+  this->Run(501);
+  const auto coarse = Keep(this->Filter);
+  this->Filter->SetLabelData(fine);
+  output = this->Run(501);
+  int compared = 0;
+  for (vtkIdType tick = 1; tick <= 500; ++tick)
+  {
+    const double x = Get(output, "Tip", tick - 1, 0);
+    const double y = Get(output, "Tip", tick - 1, 1);
+    if (std::abs(x - 6.5) > 1.0 && (x < 6.5 || std::abs(y - 7.5) > 1.0))
+    {
+      ++compared;
+      ASSERT_NEAR(Get(output, "Stiffness", tick), Get(coarse, "Stiffness", tick), 1e-6) << tick;
+    }
+  }
+  EXPECT_GT(compared, 300);
+}
+
+TEST_F(LabelsTest, AreReadAgainAfterAChange)
+{
+  this->SetHalves();
+  this->Table->SetStiffness(1, 200.0);
+  EXPECT_NEAR(this->PressedForce(4.0), 200.0 * Depth, 1e-9);
+  this->Table->SetStiffness(1, 300.0);
+  EXPECT_NEAR(-Get(this->Run(51), "Force", Last, 2), 300.0 * Depth, 1e-9);
+  auto* const labels = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
+  labels->GetPointData()->GetScalars()->Fill(5.0);
+  labels->GetPointData()->GetScalars()->Modified();
+  labels->Modified();
+  EXPECT_NEAR(-Get(this->Run(51), "Force", Last, 2), 500.0 * Depth, 1e-9);
+  this->Filter->SetLabelData(nullptr);
+  EXPECT_NEAR(-Get(this->Run(51), "Force", Last, 2), 500.0 * Depth, 1e-9);
+}
+
+TEST_F(LabelsTest, AMillionOfThemCanBeTold)
+{
+  constexpr int side = 100;
+  vtkNew<vtkImageData> labels;
+  labels->SetDimensions(side, side, side);
+  labels->SetSpacing(0.15, 0.15, 0.15);
+  labels->AllocateScalars(VTK_INT, 1);
+  for (vtkIdType point = 0; point < labels->GetNumberOfPoints(); ++point)
+  {
+    // One of either sign for each voxel.
+    const auto label = static_cast<int>(point) - 500000;
+    labels->GetPointData()->GetScalars()->SetComponent(point, 0, label);
+    this->Table->SetStiffness(label, 100.0 + 1e-3 * static_cast<double>(point));
+  }
+  this->Filter->SetLabelData(labels);
+  this->Filter->SetLabelTable(this->Table);
+  this->Filter->SetSolverToPaper();
+  this->Filter->SetPathData(MakePath(Line({ 4.05, 6.0, 4.5 }, { 4.05, 6.0, 4.55 }, 1)));
+  // x_s is two voxels of the image, 2 mm, ahead: the voxel (27, 40, 130 / 3) of the labels.
+  const double above = 6.5 / 0.15;
+  const double k = std::floor(above);
+  const auto stiffness = [](double i, double j, double at)
+  { return 100.0 + 1e-3 * (i + side * (j + side * at)); };
+  EXPECT_NEAR(Get(this->Run(2), "Stiffness", 1),
+    stiffness(27, 40, k) + (above - k) * (stiffness(27, 40, k + 1.0) - stiffness(27, 40, k)), 1e-6);
+}
