@@ -2,15 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticLabelTable.h"
 
+#include "VTK/Files/FileReplacement.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Labels/CsvLabels.h"
 #include "VTK/Labels/LabelEntry.h"
+#include "VTK/Labels/LabelFieldData.h"
+#include "VTK/Labels/LabelFiles.h"
 #include "VTK/Labels/LabelText.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkXMLImageDataReader.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkHapticLabelTable);
@@ -47,6 +59,36 @@ public:
     return true;
   }
 
+  /** Sets what the entries have. Returns whether that is a change. */
+  bool Merge(LabelEntries&& entries)
+  {
+    bool isChange = false;
+    for (auto& [label, from] : entries)
+    {
+      const auto [entry, isNew] = this->Entries.try_emplace(label);
+      LabelEntry merged = entry->second;
+      const auto take = [&merged, &source = from](auto member)
+      {
+        if (source.*member)
+        {
+          merged.*member = std::move(source.*member);
+        }
+      };
+      take(&LabelEntry::Name);
+      take(&LabelEntry::Color);
+      take(&LabelEntry::Stiffness);
+      take(&LabelEntry::Friction);
+      take(&LabelEntry::Viscosity);
+      take(&LabelEntry::SurfaceStrength);
+      take(&LabelEntry::Felt);
+      take(&LabelEntry::Forbidden);
+      isChange = isChange || isNew || !(merged == entry->second);
+      this->IsListed = this->IsListed && !isNew;
+      entry->second = std::move(merged);
+    }
+    return isChange;
+  }
+
   template <typename Value>
   Value Get(int label, std::optional<Value> LabelEntry::*member, const Value& otherwise) const
   {
@@ -60,6 +102,33 @@ namespace
 
 constexpr std::array<double, 3> MiddleGrey = { 0.5, 0.5, 0.5 };
 constexpr double NotSet = -1.0;
+
+/** The field data of a .vti. */
+bool ReadFieldDataOf(const std::string& file, vtkFieldData* data, std::string& error)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  // Its messages go to the caller's error instead of the console.
+  vtkNew<vtkCallbackCommand> quiet;
+  quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  reader->AddObserver(vtkCommand::ErrorEvent, quiet);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
+  reader->SetReaderErrorObserver(quiet);
+  reader->SetParserErrorObserver(quiet);
+  reader->SetFileName(file.c_str());
+  if (!reader->CanReadFile(file.c_str()))
+  {
+    error = "it is no VTK image (.vti), or not all of one. Save an image with the table.";
+    return false;
+  }
+  reader->Update();
+  if (reader->GetErrorCode() != 0)
+  {
+    error = "it is damaged. Check that the file is complete.";
+    return false;
+  }
+  data->ShallowCopy(reader->GetOutput()->GetFieldData());
+  return true;
+}
 
 void PrintEntry(ostream& os, const LabelEntry& entry)
 {
@@ -299,6 +368,95 @@ void vtkHapticLabelTable::RemoveAllLabels()
     this->Internals->IsListed = false;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::ReadFile(const char* path)
+{
+  const std::string file = path ? path : "";
+  if (file.empty())
+  {
+    vtkErrorMacro("There is no file to read labels from: its name is empty.");
+    return false;
+  }
+  LabelEntries entries;
+  std::optional<double> standOff;
+  std::string bytes;
+  std::string error;
+  bool isGood = VolumeHaptics::ReadLabelBytes(file, bytes, error);
+  if (isGood && VolumeHaptics::IsVtkFile(bytes))
+  {
+    vtkNew<vtkFieldData> data;
+    isGood = ReadFieldDataOf(file, data, error) &&
+      VolumeHaptics::ReadLabelFieldData(data, entries, standOff, error);
+  }
+  else
+  {
+    isGood = isGood && VolumeHaptics::ReadLabels(bytes, entries, error);
+  }
+  if (!isGood)
+  {
+    vtkErrorMacro(<< "No labels can be read from " << VolumeHaptics::Printable(file) << ": "
+                  << error);
+    return false;
+  }
+  this->SetStandOff(standOff.value_or(this->StandOff));
+  if (this->Internals->Merge(std::move(entries)))
+  {
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::WriteFile(const char* path)
+{
+  VolumeHaptics::FileReplacement file;
+  std::string error = "its name is empty.";
+  const std::string name = path ? path : "";
+  bool isGood =
+    !name.empty() && VolumeHaptics::CheckWritable(name, error) && file.Open(name, error);
+  if (isGood)
+  {
+    file.Write(VolumeHaptics::WriteCsv(this->Internals->Entries));
+    isGood = file.Commit(error);
+  }
+  if (!isGood)
+  {
+    vtkErrorMacro(<< "No labels can be written to \"" << VolumeHaptics::Printable(name)
+                  << "\": " << error);
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticLabelTable::ReadFieldData(vtkFieldData* data)
+{
+  LabelEntries entries;
+  std::optional<double> standOff;
+  std::string error;
+  if (!VolumeHaptics::ReadLabelFieldData(data, entries, standOff, error))
+  {
+    vtkErrorMacro(<< "No labels can be read from field data: " << error);
+    return false;
+  }
+  this->SetStandOff(standOff.value_or(this->StandOff));
+  if (this->Internals->Merge(std::move(entries)))
+  {
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticLabelTable::WriteFieldData(vtkFieldData* data)
+{
+  if (!data)
+  {
+    vtkErrorMacro("There is no field data to write labels to.");
+    return;
+  }
+  VolumeHaptics::WriteLabelFieldData(this->Internals->Entries, this->StandOff, data);
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,12 @@
  * with a name and a colour alone feels as if there were no label image, and a label whose stiffness
  * alone is set takes friction, viscosity and surface strength from the functions.
  *
+ * ReadFile reads names and colours that other programs store with their segmentations, and
+ * materials from CSV files. Files add up: one may have the names, another one the materials.
+ *
+ *   table->ReadFile("Liver.seg.nrrd");
+ *   table->ReadFile("materials.csv"); // label,name,stiffness,friction,viscosity,strength
+ *
  * @sa vtkHapticProperty, vtkVolumeHapticsFilter
  */
 #ifndef vtkHapticLabelTable_h
@@ -28,6 +34,8 @@
 
 #include <memory> // for ivars
 #include <string> // for names
+
+class vtkFieldData;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticLabelTable : public vtkObject
 {
@@ -140,6 +148,41 @@ public:
   /** Forgets everything about a label. */
   void RemoveLabel(int label);
   void RemoveAllLabels();
+
+  /**
+   * Reads labels from a file. Its contents tell the format, not its name; gzip is fine:
+   *
+   * - 3D Slicer and VolView, segmentation (.seg.nrrd): names and colours. If overlapping segments
+   *   of different layers have the same value, segment N gets the label N + 1;
+   * - NIfTI with a table in its header (TotalSegmentator --ml, Connectome Workbench, MRIcron);
+   * - ITK-SNAP, label descriptions;
+   * - FreeSurfer, colour table such as FreeSurferColorLUT.txt;
+   * - MRIcron, names (.txt) and colours (.lut);
+   * - VTK, image (.vti) with the arrays of WriteFieldData;
+   * - CSV whose first line names the columns: label (or index, id), name, stiffness (N/m),
+   *   friction, viscosity (N), strength (N), felt, forbidden (1 or 0), and color (#rrggbb). Only
+   *   label is needed, other columns are ignored, and empty cells set nothing.
+   *
+   * What the file has of a label replaces what the table had of it; everything else stays. Texts
+   * are UTF-8, or ISO 8859-1 if they are not. Returns false, with an error and no change, if the
+   * file can't be read.
+   */
+  bool ReadFile(VTK_FILEPATH const char* path);
+
+  /** Writes a CSV that ReadFile reads. False, with an error, if that fails. */
+  bool WriteFile(VTK_FILEPATH const char* path);
+
+  ///@{
+  /**
+   * The table as arrays with a tuple for each label, so that an image carries it in its field data:
+   * Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction, LabelViscosity,
+   * LabelSurfaceStrength, LabelFelt and LabelForbidden, -1 where nothing is set; and LabelStandOff,
+   * one number. Only Label is needed to read them, which changes the table as ReadFile does; false,
+   * with an error and no change, if that fails.
+   */
+  bool ReadFieldData(vtkFieldData* data);
+  void WriteFieldData(vtkFieldData* data);
+  ///@}
 
   /** Copies everything. */
   void DeepCopy(vtkHapticLabelTable* source);

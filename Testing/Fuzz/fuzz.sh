@@ -17,7 +17,7 @@ case $step in
 esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
-targets=(TouchAnything TouchDescriptor TouchFalcon)
+targets=(TouchAnything TouchDescriptor TouchFalcon TouchLabels)
 
 # All at once. What each found, and that one failed, is told at the end.
 if [ "$step" = search ]; then
@@ -46,7 +46,7 @@ options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,unde
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
   "$root/Module/Core/Field/FieldKernelsBaseline.cxx" &
 objects=()
-# Without what needs a device library.
+# Without what needs a device library or VTK.
 while read -r source; do
   file=$(basename "$source" .cxx)
   if [[ $file != FieldKernels* ]]; then
@@ -56,7 +56,8 @@ while read -r source; do
     clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
-done < <(find "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -name '*Driver.cxx' \
+done < <(find "$root"/Module/VTK/Files/HapticFiles.cxx "$root"/Module/VTK/Labels/{Color,Csv,LabelText,Nifti,Nrrd}*.cxx \
+  "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -name '*Driver.cxx' \
   -not -name '*Kind.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 # One after the other, so that a failure is seen.
 for job in $(jobs -p); do

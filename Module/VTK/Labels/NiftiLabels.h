@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The tables of labels that NIfTI files carry between header and samples.
+ *
+ * TotalSegmentator, and programs of the Human Connectome Project, store a header extension in XML,
+ * with an element <Label Key="5" Red="1" Green="0" Blue="0" Alpha="1">liver</Label> for each label.
+ * MRIcron and MRIcroGL store lines of label, tabulator and name, without an extension's head.
+ */
+#ifndef NiftiLabels_h
+#define NiftiLabels_h
+
+#include <cstddef>
+#include <string_view>
+
+namespace VolumeHaptics
+{
+
+/** Whether bytes, uncompressed, begin as a NIfTI file of version 1 or 2 does. */
+bool IsNifti(std::string_view bytes);
+
+/** The size of all that precedes the samples, from the first 540 bytes; at most what is given. */
+std::size_t GetNiftiHeadSize(std::string_view bytes, std::size_t most);
+
+enum class NiftiTable
+{
+  None,
+  Xml,
+  Names
+};
+
+/** Finds a table between header and samples. */
+NiftiTable FindNiftiTable(std::string_view bytes, std::string_view& table);
+
+} // namespace VolumeHaptics
+
+#endif
