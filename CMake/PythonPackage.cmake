@@ -36,6 +36,7 @@ set(package_files)
 foreach (file IN ITEMS
     __init__.py
     __main__.py
+    _identify.py
     _plotting.py
     _touch.py
     arrays.py

@@ -4,23 +4,43 @@
 
 # Measures what the solvers PAPER and PRECISE reach, prints the table and writes a report with plots.
 #
-# usage: Testing/evaluate.sh [--quick] [--volume FILE.mhd] [--output FOLDER]
+# usage: Testing/evaluate.sh [--quick] [--feel] [--volume FILE] [--chest FOLDER] [--mri FILE] [--output FOLDER]
 #
-# Installs what is missing and builds in build/test. The report goes to build/evaluation. The head CT that
-# Examples/explore.sh has fetched is measured, too, unless --volume names another.
+# Installs what is missing and builds in build/test. The report goes to build/evaluation. Real scans are fetched from
+# Debian and PyPI into build/explore/data and build/scans, unless the options name others; what can't be had is left
+# out, and said to be. --feel measures only how these feel.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '5,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '5,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 # shellcheck source=../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
-require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 xvfb xauth libgl1-mesa-dri libgtest-dev
+# shellcheck source=../Data/head-ct.sh
+source "$root/Data/head-ct.sh"
+# shellcheck source=../Data/scans.sh
+source "$root/Data/scans.sh"
+require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-venv xvfb xauth libgl1-mesa-dri libgtest-dev
 
 options=(--output "$root/build/evaluation")
-head_ct=$root/build/explore/data/Cranium.mhd
-[ -f "$head_ct" ] && options+=(--volume "$head_ct")
+# usage: add_scan OPTION FILE COMMAND FOLDER
+# Unless the caller's words have the option, fetches a scan into a folder by a command.
+words=" $* "
+add_scan()
+{
+  if [[ "$words" == *" $1 "* ]]; then
+    return
+  fi
+  if "$3" "$4"; then
+    options+=("$1" "$2")
+  else
+    echo "!!!! SKIPPED: the scan for $1, which could not be fetched, is not felt !!!!" >&2
+  fi
+}
+add_scan --volume "$root/build/explore/data/Cranium.mhd" get_head_ct "$root/build/explore/data"
+add_scan --chest "$root/build/scans/chest" get_chest_ct "$root/build/scans/chest"
+add_scan --mri "$root/build/scans/mri/ch2.nii.gz" get_head_mri "$root/build/scans/mri"
 
 cmake -S "$root" --preset dev -B "$root/build/test" > /dev/null
 cmake --build "$root/build/test" --target volumehaptics-evaluation

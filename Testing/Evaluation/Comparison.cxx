@@ -3,7 +3,6 @@
 #include "Comparison.h"
 
 #include "CostFit.h"
-#include "Feel.h"
 #include "Likeness.h"
 #include "Relief.h"
 
@@ -29,10 +28,6 @@ Comparison CompareMethods(vtkImageData* volume, const Effort& effort)
   compare(MakeBone(volume, BoneValue, effort, error), "likeness-bone");
   likeness.Text += error.empty() ? "" : " Bone is left out. " + error;
   all.Tables.push_back(std::move(likeness));
-  if (error.empty())
-  {
-    all.Tables.push_back(CompareFeel(volume, effort, all.Plots));
-  }
   all.Tables.push_back(CompareRelief(effort, all.Plots));
   all.Tables.push_back(CompareStability(effort, all.Plots));
   return all;

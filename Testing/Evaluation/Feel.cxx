@@ -8,15 +8,13 @@
 
 #include "VTK/Baking/HapticBaker.h"
 
-#include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkImageMedian3D.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <optional>
+#include <algorithm>
 
 using namespace VolumeHaptics;
 
@@ -26,138 +24,37 @@ namespace
 {
 using Filter = vtkVolumeHapticsFilter;
 
-constexpr double Step = 0.05;        // mm a tick: 50 mm/s
-constexpr double Depth = 2.0;        // mm
-constexpr double Smoothing = 5.0;    // mm, the scale of an arc's course
-constexpr double Backing = 4.0;      // mm
-constexpr double Leap = 0.5;         // mm, between neighbours of an arc
-constexpr double Shortest = 30.0;    // mm
-constexpr double Above = 10.0;       // mm, from which the hand comes
 constexpr std::size_t Settled = 200; // ticks of a stroke that are not judged
+constexpr std::size_t Window = 5;    // ticks in which a drop falls
+constexpr double LongMove = 0.3;     // mm in a tick
+constexpr double HalfTurn = 0.5 * TwoPi;
 
-/** A surface to stroke. */
-struct Target
+constexpr const char* ByDefault = "PRECISE";
+constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";
+
+enum class Data
 {
-  const char* Name;
-  double Level;  // HU
-  double Beyond; // mm, see FindArcs
+  AsIs,
+  Filtered,  ///< the volume without noise
+  SmoothMesh ///< the surface of the volume as the kernel smooths it
 };
-constexpr Target Targets[] = { { "skin", -300.0, 0.0 }, { "skull", 300.0, 10.0 } };
 
-/** A volume and the settings with which it is felt. */
+/** The settings with which a surface is felt. */
 struct Variant
 {
   std::string Name;
-  std::function<void(Filter*)> Set;
-  bool IsFiltered = false; ///< the volume without noise
+  std::function<void(Filter*, const FeltSurface&)> Set;
+  Data Of = Data::AsIs;
   int Colour = -1;
 };
 
-/** The outermost radius (mm) at which a value is reached, and stays so. */
-std::optional<double> FindRadius(const SmoothedVolume& volume, double level, const Vector3& middle,
-  const Vector3& out, const double* box)
+/** The result of all strokes of a variant. */
+struct Felt
 {
-  const double width = 0.5 * (box[1] - box[0]);
-  const double height = 0.5 * (box[3] - box[2]);
-  const double reach =
-    std::min(width / std::max(std::abs(out.X), 1e-9), height / std::max(std::abs(out.Y), 1e-9));
-  const auto value = [&](double radius) { return volume.Value(middle + radius * out); };
-  constexpr double step = 0.5;
-  for (double radius = reach - step; radius > Backing; radius -= step)
-  {
-    if (value(radius) < level)
-    {
-      continue;
-    }
-    double below = radius;
-    while (below > radius - Backing && value(below) >= level)
-    {
-      below -= step;
-    }
-    if (below > radius - Backing)
-    {
-      radius = below; // too thin
-      continue;
-    }
-    double inside = radius;
-    double outside = radius + step;
-    for (int i = 0; i < 20; ++i)
-    {
-      const double between = 0.5 * (inside + outside);
-      (value(between) < level ? outside : inside) = between;
-    }
-    return inside;
-  }
-  return {};
-}
-
-/** Smoothed by a Gaussian, with the ends repeated. */
-std::vector<double> Smooth(const std::vector<double>& values, double scale)
-{
-  const int reach = static_cast<int>(4.0 * scale);
-  const int last = static_cast<int>(values.size()) - 1;
-  std::vector<double> smooth(values.size());
-  for (int i = 0; i <= last; ++i)
-  {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (int j = -reach; j <= reach; ++j)
-    {
-      const double w = std::exp(-0.5 * j * j / (scale * scale));
-      sum += w * values[std::clamp(i + j, 0, last)];
-      weights += w;
-    }
-    smooth[i] = sum / weights;
-  }
-  return smooth;
-}
-
-/** A run of radii as an arc, without the ends, whose course is not smoothed from both sides. */
-std::optional<Arc> MakeArc(const std::vector<double>& radii, const std::vector<Vector3>& outs,
-  const Vector3& middle, double beyond)
-{
-  const auto margin = static_cast<std::size_t>(2.0 * Smoothing / Step);
-  if (static_cast<double>(radii.size()) * Step < Shortest + 4.0 * Smoothing)
-  {
-    return {};
-  }
-  const std::vector<double> course = Smooth(radii, Smoothing / Step);
-  const auto tip = [&](std::size_t i, double depth)
-  { return middle + (course[i] - depth) * outs[i]; };
-  Arc arc;
-  arc.Tips = { tip(margin, -Above) };
-  MoveTo(arc.Tips, tip(margin, Depth + beyond), Step);
-  MoveTo(arc.Tips, tip(margin, Depth), Step);
-  arc.Pressed = arc.Tips.size();
-  for (std::size_t i = margin; i < course.size() - margin; ++i)
-  {
-    arc.Tips.push_back(tip(i, Depth));
-  }
-  return arc;
-}
-
-/** Makes the ramps between the materials of a function at least so wide (HU). */
-void Widen(vtkPiecewiseFunction* function, double width)
-{
-  std::vector<std::array<double, 4>> nodes(function->GetSize());
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    function->GetNodeValue(i, nodes[i].data());
-  }
-  function->RemoveAllPoints();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    // Nodes come in pairs: the ends of a material's range.
-    const bool isLow = i % 2 == 0;
-    const std::size_t other = isLow ? i - 1 : i + 1;
-    const bool hasOther = isLow ? i > 0 : other < nodes.size();
-    const double gap = hasOther ? std::abs(nodes[other][0] - nodes[i][0]) : width;
-    const double shift = 0.5 * std::max(0.0, width - gap);
-    const double range = std::abs(nodes[isLow ? i + 1 : i - 1][0] - nodes[i][0]);
-    function->AddPoint(
-      nodes[i][0] + (isLow ? 1.0 : -1.0) * std::min(shift, 0.5 * range - 0.1), nodes[i][1]);
-  }
-}
+  Roughness All;
+  DropCauses Causes;
+  std::vector<double> First; ///< N, the force along the first stroke
+};
 
 vtkSmartPointer<vtkImageData> RemoveNoise(vtkImageData* volume)
 {
@@ -168,179 +65,369 @@ vtkSmartPointer<vtkImageData> RemoveNoise(vtkImageData* volume)
   return median->GetOutput();
 }
 
-std::vector<Variant> MakeVariants()
+std::array<vtkPiecewiseFunction*, 4> FunctionsOf(Filter* filter)
+{
+  vtkHapticProperty* const feel = filter->GetProperty();
+  return { feel->GetStiffness(), feel->GetFriction(), feel->GetViscosity(),
+    feel->GetSurfaceStrength() };
+}
+
+/** PRECISE with the settings whose roughness is taken apart. */
+void SetEdge(Filter* filter)
+{
+  filter->SetContactAlignment(Filter::EDGE);
+}
+
+std::vector<Variant> MakeMethods()
 {
   std::vector<Variant> variants;
   for (const Method& method : AllMethods())
   {
-    // A field of forces has no surface, and the law of local surfaces is not on trial.
-    if (method.Kind == Filter::PROXY || method.Kind == Filter::SURFACE_PROXY)
-    {
-      variants.push_back({ method.Name,
-        [method](Filter* filter)
-        {
-          filter->SetMethod(method.Kind);
-          filter->SetSolver(method.Solver);
-        },
-        false, method.Colour });
-    }
-  }
-  const auto edge = [](Filter* filter) { filter->SetContactAlignment(Filter::EDGE); };
-  const auto functions = [](Filter* filter)
-  {
-    vtkHapticProperty* const feel = filter->GetProperty();
-    return std::array<vtkPiecewiseFunction*, 4>{ feel->GetStiffness(), feel->GetFriction(),
-      feel->GetViscosity(), feel->GetSurfaceStrength() };
-  };
-  variants.push_back({ "PRECISE, Edge", edge });
-  variants.push_back({ "... without noise (median of 27)", edge, true });
-  variants.push_back({ "... ramps of 60 HU",
-    [=](Filter* filter)
-    {
-      edge(filter);
-      for (vtkPiecewiseFunction* const function : functions(filter))
+    variants.push_back({ method.Name,
+      [method](Filter* filter, const FeltSurface&)
       {
-        Widen(function, 60.0);
+        filter->SetMethod(method.Kind);
+        filter->SetSolver(method.Solver);
+      },
+      Data::AsIs, method.Colour });
+  }
+  variants.push_back({ SmoothedMesh,
+    [](Filter* filter, const FeltSurface&) { filter->SetMethod(Filter::SURFACE_PROXY); },
+    Data::SmoothMesh });
+  return variants;
+}
+
+std::vector<Variant> MakeVariants()
+{
+  std::vector<Variant> variants = MakeMethods();
+  variants.push_back({ "PRECISE, Distinctness", [](Filter* filter, const FeltSurface&) {
+                        filter->SetContactAlignment(Filter::DISTINCTNESS);
+                      } });
+  variants.push_back(
+    { "PRECISE, Edge", [](Filter* filter, const FeltSurface&) { SetEdge(filter); } });
+  variants.push_back({ "... without noise (median of 27)",
+    [](Filter* filter, const FeltSurface&) { SetEdge(filter); }, Data::Filtered });
+  variants.push_back({ "... wide ramps",
+    [](Filter* filter, const FeltSurface& surface)
+    {
+      SetEdge(filter);
+      for (vtkPiecewiseFunction* const function : FunctionsOf(filter))
+      {
+        Widen(function, surface.WideRamp);
       }
     } });
   variants.push_back({ "... one stiffness",
-    [=](Filter* filter)
+    [](Filter* filter, const FeltSurface&)
     {
-      edge(filter);
+      SetEdge(filter);
       SetConstant(filter->GetProperty()->GetStiffness(), 500.0);
     } });
   variants.push_back({ "... one strength",
-    [=](Filter* filter)
+    [](Filter* filter, const FeltSurface&)
     {
-      edge(filter);
+      SetEdge(filter);
       SetConstant(filter->GetProperty()->GetSurfaceStrength(), Impenetrable);
     } });
   variants.push_back({ "... one material",
-    [=](Filter* filter)
+    [](Filter* filter, const FeltSurface&)
     {
-      edge(filter);
+      SetEdge(filter);
       const double values[] = { 500.0, 0.2, 0.2, Impenetrable };
       for (std::size_t i = 0; i < 4; ++i)
       {
-        SetConstant(functions(filter)[i], values[i]);
+        SetConstant(FunctionsOf(filter)[i], values[i]);
       }
     } });
   return variants;
 }
 
-/** The force's magnitude along each arc, strokes only; none after an error of the filter. */
-std::vector<std::vector<double>> FeelArcs(
-  vtkImageData* volume, const Variant& variant, double level, const std::vector<Arc>& arcs)
+/** All of a surface's strokes, without force after an error of the filter. */
+Felt FeelArcs(const FeltSurface& surface, const Variant& variant, vtkImageData* filtered,
+  vtkPolyData* smoothMesh)
 {
   vtkNew<Filter> filter;
-  filter->SetInputDataObject(0, volume);
-  filter->GetProperty()->ApplyPreset("CT contrast");
-  filter->SetIsoValue(level);
+  filter->SetInputDataObject(
+    0, variant.Of == Data::Filtered ? filtered : surface.Image.GetPointer());
+  filter->GetProperty()->ApplyPreset(surface.Preset.c_str());
+  filter->SetIsoValue(surface.Level);
   filter->SetProxyRadius(ProbeRadius);
-  variant.Set(filter);
-  const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
-  std::vector<std::vector<double>> forces;
-  for (std::size_t i = 0; model && i < arcs.size(); ++i)
+  if (variant.Of == Data::SmoothMesh)
   {
-    const Trace trace = Play(*model, arcs[i].Tips);
-    forces.emplace_back();
-    for (std::size_t tick = arcs[i].Pressed + Settled; tick < trace.size(); ++tick)
+    filter->SetSurfaceData(smoothMesh);
+  }
+  variant.Set(filter, surface);
+  const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  Felt felt;
+  std::vector<Roughness> each;
+  for (std::size_t i = 0; model && i < surface.Arcs.size(); ++i)
+  {
+    const Arc& arc = surface.Arcs[i];
+    const Trace trace = Play(*model, arc.Tips);
+    const std::size_t first = arc.Pressed + Settled;
+    std::vector<double> force;
+    for (std::size_t tick = first; tick < trace.size(); ++tick)
     {
-      forces.back().push_back(Norm(trace[tick].Force));
+      force.push_back(Norm(trace[tick].Force));
+    }
+    each.push_back(FindRoughness(force));
+    AddDropCauses(trace, first, felt.Causes);
+    if (i == 0)
+    {
+      felt.First = std::move(force);
     }
   }
-  return forces;
+  felt.All = Average(each);
+  return felt;
+}
+
+Curve MakeCurve(const Variant& variant, const std::vector<double>& force)
+{
+  Curve curve{ variant.Name, {}, force, variant.Colour };
+  for (std::size_t i = 0; i < force.size(); ++i)
+  {
+    curve.X.push_back(0.001 * static_cast<double>(i));
+  }
+  return curve;
+}
+
+/** The figures that are required of the default settings, beside those of the mesh. */
+void AddRequired(
+  const std::string& name, const Roughness& felt, double smoothest, Figures& required)
+{
+  const double seconds = std::max(felt.Duration, 1e-9);
+  required.push_back({ name + ", 30-500 Hz", "% of the mean", felt.Both, smoothest });
+  required.push_back({ name + ", drops (> 30 % within 5 ms)", "/s", felt.Drops / seconds, 0.0 });
+  required.push_back({ name + ", largest step of |F| in a tick", "N", felt.LargestStep, 0.1 });
+}
+
+/** The position of a sample in the world. */
+Vector3 WorldPosition(vtkImageData* image, int i, int j, int k)
+{
+  double position[3];
+  image->TransformIndexToPhysicalPoint(i, j, k, position);
+  return { position[0], position[1], position[2] };
+}
+
+/** The middle of all samples of a label, and their box, which is empty if there are none. */
+struct LabelPlace
+{
+  Vector3 Middle;
+  double Box[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+};
+
+LabelPlace FindLabel(vtkImageData* labels, int label)
+{
+  LabelPlace place;
+  double count = 0.0;
+  int n[3];
+  labels->GetDimensions(n);
+  for (int k = 0; k < n[2]; ++k)
+  {
+    for (int j = 0; j < n[1]; ++j)
+    {
+      for (int i = 0; i < n[0]; ++i)
+      {
+        if (labels->GetScalarComponentAsDouble(i, j, k, 0) != label)
+        {
+          continue;
+        }
+        const Vector3 at = WorldPosition(labels, i, j, k);
+        place.Middle = place.Middle + at;
+        const double x[3] = { at.X, at.Y, at.Z };
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          double* const range = place.Box + 2 * axis;
+          range[0] = count > 0.0 ? std::min(range[0], x[axis]) : x[axis];
+          range[1] = count > 0.0 ? std::max(range[1], x[axis]) : x[axis];
+        }
+        count += 1.0;
+      }
+    }
+  }
+  place.Middle = (1.0 / std::max(count, 1.0)) * place.Middle;
+  return place;
 }
 } // namespace
 
-std::vector<Arc> FindArcs(vtkImageData* volume, double level, double beyond, const Effort& effort)
+void Widen(vtkPiecewiseFunction* function, double width)
 {
-  const SmoothedVolume smoothed(volume);
-  if (!smoothed.IsValid())
+  constexpr int samples = 16; // of a width, on either side
+  double range[2];
+  function->GetRange(range);
+  const double step = width / samples;
+  const auto count = static_cast<std::size_t>(std::ceil((range[1] - range[0]) / step)) + samples;
+  std::vector<double> sums(count + samples + 2, 0.0); // of the function before each sample
+  const double start = range[0] - width;
+  for (std::size_t i = 1; i < sums.size(); ++i)
   {
-    return {};
+    sums[i] = sums[i - 1] + function->GetValue(start + (static_cast<double>(i) - 0.5) * step);
   }
-  double box[6];
-  volume->GetBounds(box);
-  const int heights = effort.Pick(2, 6);
-  const int count = static_cast<int>(TwoPi * 80.0 / Step); // a head's radius is about 80 mm
-  std::vector<Arc> arcs;
-  for (int height = 0; height < heights; ++height)
+  function->RemoveAllPoints();
+  for (std::size_t i = 0; i + samples < sums.size(); ++i)
   {
-    const double share = 0.6 + 0.25 * (height + 0.5) / heights;
-    const Vector3 middle = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]),
-      box[4] + share * (box[5] - box[4]) };
-    std::vector<double> radii;
-    std::vector<Vector3> outs;
-    const auto end = [&]()
-    {
-      if (const auto arc = MakeArc(radii, outs, middle, beyond))
-      {
-        arcs.push_back(*arc);
-      }
-      radii.clear();
-      outs.clear();
-    };
-    for (int i = 0; i < count; ++i)
-    {
-      const double angle = TwoPi * i / count;
-      const Vector3 out = { std::cos(angle), std::sin(angle), 0.0 };
-      const auto radius = FindRadius(smoothed, level, middle, out, box);
-      if (!radius || (!radii.empty() && std::abs(*radius - radii.back()) > Leap))
-      {
-        end();
-      }
-      if (radius)
-      {
-        radii.push_back(*radius);
-        outs.push_back(out);
-      }
-    }
-    end();
+    function->AddPoint(start + (static_cast<double>(i) + 0.5 * samples) * step,
+      (sums[i + samples] - sums[i]) / samples);
   }
-  return arcs;
 }
 
-Table CompareFeel(vtkImageData* volume, const Effort& effort, std::vector<Plot>& plots)
+void AddDropCauses(const Trace& trace, std::size_t first, DropCauses& causes)
 {
-  Table table{ "Smooth or rough: strokes over skin and skull",
-    "Arcs at 50 mm/s, 2 mm under the smoothed course of the surface, preset \"CT contrast\". "
-    "Shares are the root mean square of the force in a band beside its mean. A drop is a fall by "
-    "more than 30 % within 5 ms, a reversal a rise after a fall, each by 5 % of the mean. The "
-    "lines that begin with ... take one cause away at a time.",
-    { "surface", "method", "mean (N)", "30-100 Hz (%)", "100-500 Hz (%)", "drops / s",
-      "reversals / s", "largest step (N)" },
-    {} };
-  const vtkSmartPointer<vtkImageData> quiet = RemoveNoise(volume);
-  for (const Target& target : Targets)
+  std::vector<double> force;
+  for (std::size_t i = first; i < trace.size(); ++i)
   {
-    const std::vector<Arc> arcs = FindArcs(volume, target.Level, target.Beyond, effort);
-    Plot plot{ std::string("feel-") + target.Name,
-      std::string("Force of a stroke over the ") + target.Name, "time (s)", "force (N)", {} };
+    force.push_back(Norm(trace[i].Force));
+  }
+  for (const std::size_t drop : FindDrops(force))
+  {
+    bool strength = false;
+    bool stiffness = false;
+    bool snap = false;
+    const auto differ = [](double a, double b, double factor)
+    { return std::max(a, b) > factor * std::min(a, b); };
+    for (std::size_t i = first + drop + 1 - Window; i <= first + drop; ++i)
+    {
+      const TickRecord& before = trace[i - 1];
+      const TickRecord& after = trace[i];
+      strength = strength || differ(before.SurfaceStrength, after.SurfaceStrength, 2.0);
+      stiffness = stiffness || differ(before.Stiffness, after.Stiffness, 1.2);
+      snap = snap || Norm(ProxyOf(after) - ProxyOf(before)) > LongMove;
+    }
+    ++causes.Drops;
+    causes.Strength += strength ? 1 : 0;
+    causes.Stiffness += stiffness ? 1 : 0;
+    causes.Snap += snap ? 1 : 0;
+    causes.Unexplained += strength || stiffness || snap ? 0 : 1;
+  }
+}
+
+std::vector<FeltSurface> FindHeadSurfaces(vtkImageData* volume, const Effort& effort)
+{
+  FeltSurface scalp{ "head CT", "scalp", "CT contrast", volume, -300.0, {} };
+  FeltSurface skull{ "head CT", "skull", "CT contrast", volume, 300.0, {} };
+  scalp.Arcs = FindArcs(volume, AroundHead(volume, scalp.Level, 0.0, effort));
+  skull.Arcs = FindArcs(volume, AroundHead(volume, skull.Level, 10.0, effort));
+  scalp.IsRequired = skull.IsRequired = true;
+  scalp.RoughestShare = 0.6;
+  return { scalp, skull };
+}
+
+std::vector<FeltSurface> FindChestSurfaces(
+  vtkImageData* volume, vtkImageData* labels, int liver, const Effort& effort)
+{
+  double box[6];
+  volume->GetBounds(box);
+  FeltSurface skin{ "chest CT", "skin", "CT contrast", volume, -300.0, {} };
+  Course front;
+  front.Level = skin.Level;
+  front.Up = { 0.0, -1.0, 0.0 }; // the face looks along -y
+  front.FirstAngle = 0.15 * HalfTurn;
+  front.LastAngle = 0.85 * HalfTurn;
+  front.Radius = 130.0;
+  const int heights = effort.Pick(1, 4);
+  for (int height = 0; height < heights; ++height)
+  {
+    front.Middles.push_back({ 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]),
+      box[4] + (0.3 + 0.4 * (height + 0.5) / heights) * (box[5] - box[4]) });
+  }
+  skin.Arcs = FindArcs(volume, front);
+  std::vector<FeltSurface> surfaces = { skin };
+  const LabelPlace place = labels ? FindLabel(labels, liver) : LabelPlace{};
+  if (place.Box[0] <= place.Box[1])
+  {
+    FeltSurface dome{ "chest CT", "liver", "CT contrast", volume, -400.0, {} };
+    Course up;
+    up.Level = dome.Level;
+    up.Up = { 0.0, 0.0, 1.0 };
+    up.FirstAngle = 0.2 * HalfTurn;
+    up.LastAngle = 0.8 * HalfTurn;
+    up.IsSeenFromInside = true;
+    for (int plane = 0; plane < effort.Pick(1, 6); ++plane)
+    {
+      const double share = 0.3 + 0.4 * (plane + 0.5) / effort.Pick(1, 6);
+      up.Middles.push_back(
+        { place.Middle.X, place.Box[2] + share * (place.Box[3] - place.Box[2]), place.Middle.Z });
+    }
+    dome.Arcs = FindArcs(volume, up);
+    surfaces.push_back(dome);
+  }
+  return surfaces;
+}
+
+std::vector<FeltSurface> FindMriSurfaces(vtkImageData* volume, const Effort& effort)
+{
+  FeltSurface scalp{ "head MRI", "scalp", "MRI", volume, 50.0, {}, 30.0 };
+  FeltSurface cortex{ "head MRI", "cortex", "MRI", volume, 70.0, {}, 30.0 };
+  scalp.Arcs = FindArcs(volume, AroundHead(volume, scalp.Level, 0.0, effort));
+  Course inside = AroundHead(volume, cortex.Level, 10.0, effort);
+  inside.IsSeenFromInside = true;
+  cortex.Arcs = FindArcs(volume, inside);
+  return { scalp, cortex };
+}
+
+Feel MeasureFeel(const std::vector<FeltSurface>& surfaces)
+{
+  Table roughness{ "Smooth or rough: strokes over the surfaces of scans",
+    "Arcs at 50 mm/s, 2 mm under the smoothed course of the surface. Shares are the root mean "
+    "square of the force in a band beside its mean. A drop is a fall by more than 30 % within "
+    "5 ms, a reversal a rise after a fall, each by 5 % of the mean. PRECISE has its default "
+    "settings; the lines that begin with ... take one cause away from \"PRECISE, Edge\" at a time. "
+    "Wide ramps: the functions are averaged over 60 HU, or 30 grey levels.",
+    { "surface", "method", "mean (N)", "30-100 Hz (%)", "100-500 Hz (%)", "30-500 Hz (%)",
+      "drops / s", "reversals / s", "largest step (N)" },
+    {} };
+  Table drops{ "What changes within the 5 ms of a drop",
+    "Of the drops above: those during which the strength of the surface changes more than "
+    "twofold, the stiffness by more than a fifth, the proxy moves by more than 0.3 mm in a tick, "
+    "and those with none of these.",
+    { "surface", "method", "drops", "strength", "stiffness", "snap of the proxy", "none" }, {} };
+  Feel feel;
+  for (const FeltSurface& surface : surfaces)
+  {
+    const std::string name = surface.Scan + ", " + surface.Name;
+    if (surface.Arcs.empty())
+    {
+      roughness.Rows.push_back({ name, "no arc of 30 mm", "", "", "", "", "", "", "" });
+      continue;
+    }
+    const vtkSmartPointer<vtkImageData> filtered = RemoveNoise(surface.Image);
+    const vtkSmartPointer<vtkPolyData> mesh =
+      SmoothedVolume(surface.Image).FindSurface(surface.Level);
+    Plot plot{ "feel-" + surface.Scan + "-" + surface.Name, "Force of a stroke: " + name,
+      "time (s)", "force (N)", {} };
+    std::replace(plot.File.begin(), plot.File.end(), ' ', '-');
+    Roughness precise;
+    Roughness smoothest;
     for (const Variant& variant : MakeVariants())
     {
-      const auto forces =
-        FeelArcs(variant.IsFiltered ? quiet.Get() : volume, variant, target.Level, arcs);
-      std::vector<Roughness> each;
-      std::transform(forces.begin(), forces.end(), std::back_inserter(each), FindRoughness);
-      const Roughness all = Average(each);
+      const Felt felt = FeelArcs(surface, variant, filtered, mesh);
+      const Roughness& all = felt.All;
       const double perSecond = all.Duration > 0.0 ? 1.0 / all.Duration : 0.0;
-      table.Rows.push_back({ target.Name, variant.Name, Number(all.Mean), Number(all.Low),
-        Number(all.High), Number(perSecond * all.Drops), Number(perSecond * all.Reversals),
-        Number(all.LargestStep) });
-      if (variant.Colour >= 0 && !forces.empty())
+      roughness.Rows.push_back({ name, variant.Name, Number(all.Mean), Number(all.Low),
+        Number(all.High), Number(all.Both), Number(perSecond * all.Drops),
+        Number(perSecond * all.Reversals), Number(all.LargestStep) });
+      const DropCauses& causes = felt.Causes;
+      if (causes.Drops > 0)
       {
-        Curve curve{ variant.Name, {}, forces.front(), variant.Colour };
-        for (std::size_t i = 0; i < curve.Y.size(); ++i)
-        {
-          curve.X.push_back(0.001 * static_cast<double>(i));
-        }
-        plot.Curves.push_back(std::move(curve));
+        drops.Rows.push_back({ name, variant.Name, std::to_string(causes.Drops),
+          std::to_string(causes.Strength), std::to_string(causes.Stiffness),
+          std::to_string(causes.Snap), std::to_string(causes.Unexplained) });
       }
+      if (variant.Colour >= 0)
+      {
+        plot.Curves.push_back(MakeCurve(variant, felt.First));
+      }
+      precise = variant.Name == ByDefault ? all : precise;
+      smoothest = variant.Name == SmoothedMesh ? all : smoothest;
     }
-    plots.push_back(std::move(plot));
+    feel.Found.Plots.push_back(std::move(plot));
+    if (surface.IsRequired)
+    {
+      AddRequired(name, precise,
+        surface.RoughestShare > 0.0 ? surface.RoughestShare : smoothest.Both, feel.Required);
+    }
   }
-  return table;
+  feel.Found.Tables = { std::move(roughness), std::move(drops) };
+  return feel;
 }
 
 } // namespace evaluation

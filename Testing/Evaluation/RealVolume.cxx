@@ -9,13 +9,11 @@
 
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
-#include "vtkMetaImageReader.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <chrono>
-#include <cstdio>
 
 using namespace VolumeHaptics;
 
@@ -57,19 +55,6 @@ Path PressSomewhere(const HapticModel& model, const double* bounds, std::mt19937
   return path;
 }
 } // namespace
-
-vtkSmartPointer<vtkImageData> ReadRealVolume(const std::string& file)
-{
-  vtkNew<vtkMetaImageReader> reader;
-  if (!reader->CanReadFile(file.c_str()))
-  {
-    std::fprintf(stderr, "%s is not a MetaImage (.mhd, .mha) that can be read.\n", file.c_str());
-    return nullptr;
-  }
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
 
 Figures MeasureRealVolume(vtkImageData* image, HapticSolver solver, const Effort& effort)
 {

@@ -9,15 +9,10 @@
 
 #include "Figure.h"
 
-#include "vtkSmartPointer.h"
-
 class vtkImageData;
 
 namespace evaluation
 {
-
-/** A MetaImage. Null, with a message on stderr, if the file can't be read. */
-vtkSmartPointer<vtkImageData> ReadRealVolume(const std::string& file);
 
 /**
  * Random presses on a CT, each a closed cycle: from the air towards the middle, across, and out

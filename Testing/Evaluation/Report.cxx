@@ -11,6 +11,7 @@ namespace evaluation
 namespace
 {
 constexpr const char* ComparisonTitle = "Compared with other methods";
+constexpr const char* FeelTitle = "The feel of real scans, and who could tell tissues apart";
 constexpr const char* SafetyTitle = "Devices that would hurt a hand";
 
 const char* Verdict(const Figure& figure)
@@ -29,6 +30,18 @@ void WritePicture(const std::string& title, const std::string& file, std::ostrea
   out << "\n![" << title << "](" << file << ".png)\n";
 }
 
+void WriteComparison(const char* title, const Comparison& comparison, std::ostream& out)
+{
+  out << "\n## " << title << "\n";
+  for (const Table& table : comparison.Tables)
+  {
+    WriteTable(table, out);
+  }
+  for (const Plot& plot : comparison.Plots)
+  {
+    WritePicture(plot.Title, plot.File, out);
+  }
+}
 } // namespace
 
 bool WriteReport(const Report& report, const std::string& folder)
@@ -54,15 +67,8 @@ bool WriteReport(const Report& report, const std::string& folder)
   {
     WritePicture(plot.Title, plot.File, out);
   }
-  out << "\n## " << ComparisonTitle << "\n";
-  for (const Table& table : report.Methods.Tables)
-  {
-    WriteTable(table, out);
-  }
-  for (const Plot& plot : report.Methods.Plots)
-  {
-    WritePicture(plot.Title, plot.File, out);
-  }
+  WriteComparison(FeelTitle, report.Scans.Found, out);
+  WriteComparison(ComparisonTitle, report.Methods, out);
   if (!report.Transfer.File.empty())
   {
     WritePicture(report.Transfer.Title, report.Transfer.File, out);
@@ -92,6 +98,12 @@ int PrintSections(const std::vector<Section>& sections)
     }
   }
   return missed;
+}
+
+void PrintFeel(const Feel& feel)
+{
+  std::printf("\n%s\n", FeelTitle);
+  std::for_each(feel.Found.Tables.begin(), feel.Found.Tables.end(), PrintTable);
 }
 
 void PrintComparison(const Comparison& comparison)

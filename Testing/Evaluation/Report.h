@@ -8,6 +8,7 @@
 #define Evaluation_Report_h
 
 #include "Comparison.h"
+#include "Feel.h"
 #include "PortSafety.h"
 
 namespace evaluation
@@ -29,6 +30,7 @@ struct Report
 {
   std::vector<Section> Sections;
   std::vector<Plot> Plots;
+  Feel Scans;
   Comparison Methods;
   Picture Transfer;
   PortSafety Safety;
@@ -42,6 +44,7 @@ bool WriteReport(const Report& report, const std::string& folder);
  * reached.
  */
 int PrintSections(const std::vector<Section>& sections);
+void PrintFeel(const Feel& feel);
 void PrintComparison(const Comparison& comparison);
 void PrintSafety(const PortSafety& safety);
 

@@ -4,7 +4,6 @@
 
 #include "Shapes.h"
 
-#include <complex>
 #include <numeric>
 
 namespace evaluation
@@ -31,35 +30,37 @@ double FindBand(const std::vector<double>& signal, double low, double high)
     windowed[i] = w * signal[i];
     weight += w * w;
   }
+  // Goertzel's recurrence, for several lines of the spectrum at once.
+  constexpr std::size_t lanes = 8;
   double power = 0.0;
   const double step = TicksPerSecond / n;
-  for (auto line = static_cast<std::size_t>(std::ceil(low / step)); line * step < high; ++line)
+  const auto last = static_cast<std::size_t>(std::ceil(high / step));
+  for (auto line = static_cast<std::size_t>(std::ceil(low / step)); line < last; line += lanes)
   {
-    std::complex<double> sum = 0.0;
-    const std::complex<double> turn = std::polar(1.0, -TwoPi * static_cast<double>(line) / n);
-    std::complex<double> phase = 1.0;
-    for (std::size_t i = 0; i < count; ++i)
+    double turn[lanes];
+    double one[lanes] = {};
+    double two[lanes] = {};
+    for (std::size_t lane = 0; lane < lanes; ++lane)
     {
-      sum += windowed[i] * phase;
-      phase *= turn;
+      turn[lane] = 2.0 * std::cos(TwoPi * static_cast<double>(line + lane) / n);
     }
-    power += 2.0 * std::norm(sum) / (n * weight);
+    for (const double sample : windowed)
+    {
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+      {
+        const double next = sample + turn[lane] * one[lane] - two[lane];
+        two[lane] = one[lane];
+        one[lane] = next;
+      }
+    }
+    for (std::size_t lane = 0; lane < lanes && line + lane < last; ++lane)
+    {
+      power += 2.0 *
+        (one[lane] * one[lane] + two[lane] * two[lane] - turn[lane] * one[lane] * two[lane]) /
+        (n * weight);
+    }
   }
   return std::sqrt(power);
-}
-
-int CountDrops(const std::vector<double>& force)
-{
-  int drops = 0;
-  for (std::size_t i = Window; i < force.size(); ++i)
-  {
-    if (force[i - Window] > LeastForce && force[i] < (1.0 - Fall) * force[i - Window])
-    {
-      ++drops;
-      i += 4 * Window; // the same fall is not counted again
-    }
-  }
-  return drops;
 }
 
 /** How often the force rises by a threshold after it has fallen by as much. */
@@ -81,6 +82,20 @@ int CountReversals(const std::vector<double>& force, double threshold)
   return reversals;
 }
 } // namespace
+
+std::vector<std::size_t> FindDrops(const std::vector<double>& force)
+{
+  std::vector<std::size_t> drops;
+  for (std::size_t i = Window; i < force.size(); ++i)
+  {
+    if (force[i - Window] > LeastForce && force[i] < (1.0 - Fall) * force[i - Window])
+    {
+      drops.push_back(i);
+      i += 4 * Window; // the same fall is not counted again
+    }
+  }
+  return drops;
+}
 
 Roughness FindRoughness(const std::vector<double>& force)
 {
@@ -104,7 +119,8 @@ Roughness FindRoughness(const std::vector<double>& force)
   }
   found.Low = 100.0 / mean * FindBand(rest, 30.0, 100.0);
   found.High = 100.0 / mean * FindBand(rest, 100.0, 500.0);
-  found.Drops = CountDrops(force);
+  found.Both = std::hypot(found.Low, found.High);
+  found.Drops = static_cast<int>(FindDrops(force).size());
   found.Reversals = CountReversals(force, ReversalShare * mean);
   for (std::size_t i = 1; i < force.size(); ++i)
   {
@@ -122,6 +138,7 @@ Roughness Average(const std::vector<Roughness>& strokes)
     all.Mean += one.Duration * one.Mean;
     all.Low += one.Duration * one.Low;
     all.High += one.Duration * one.High;
+    all.Both += one.Duration * one.Both;
     all.Drops += one.Drops;
     all.Reversals += one.Reversals;
     all.LargestStep = std::max(all.LargestStep, one.LargestStep);
@@ -131,6 +148,7 @@ Roughness Average(const std::vector<Roughness>& strokes)
     all.Mean /= all.Duration;
     all.Low /= all.Duration;
     all.High /= all.Duration;
+    all.Both /= all.Duration;
   }
   return all;
 }

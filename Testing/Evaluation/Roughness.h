@@ -10,6 +10,7 @@
 #ifndef Evaluation_Roughness_h
 #define Evaluation_Roughness_h
 
+#include <cstddef>
 #include <vector>
 
 namespace evaluation
@@ -22,10 +23,14 @@ struct Roughness
   double Mean = 0.0;        ///< N
   double Low = 0.0;         ///< root mean square between 30 and 100 Hz, % of the mean
   double High = 0.0;        ///< the same between 100 and 500 Hz
+  double Both = 0.0;        ///< the same between 30 and 500 Hz
   int Drops = 0;            ///< falls by more than 30 % within 5 ms
   int Reversals = 0;        ///< rises after falls, each by more than 5 % of the mean
   double LargestStep = 0.0; ///< N, from one tick to the next
 };
+
+/** The ticks at which a fall by more than 30 % within the last 5 ms ends. */
+std::vector<std::size_t> FindDrops(const std::vector<double>& force);
 
 /** Of a force (N) a tick; all zero for fewer than 100 ticks, or without force. */
 Roughness FindRoughness(const std::vector<double>& force);

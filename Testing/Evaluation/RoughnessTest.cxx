@@ -36,6 +36,8 @@ TEST(Roughness, ASineIsInTheBandOfItsFrequencyAlone)
   EXPECT_NEAR(sine(60.3).Low, share, 0.01 * share);
   EXPECT_LT(sine(60.3).High, 0.01 * share);
   EXPECT_NEAR(sine(217.7).High, share, 0.01 * share);
+  EXPECT_NEAR(sine(60.3).Both, share, 0.01 * share);
+  EXPECT_NEAR(sine(217.7).Both, share, 0.01 * share);
   EXPECT_LT(sine(217.7).Low, 0.01 * share);
   EXPECT_LT(sine(3.0).Low, 0.01 * share) << "a slow change is no roughness";
   EXPECT_LT(sine(3.0).High, 0.001 * share);
@@ -66,6 +68,15 @@ TEST(Roughness, FallsWithinFiveMillisecondsAreDrops)
   EXPECT_NEAR(saw(0.5, 0.005).LargestStep, 0.1, 1e-9);
 }
 
+TEST(Roughness, TellsWhereDropsEnd)
+{
+  std::vector<double> force(400, 1.0);
+  std::fill(force.begin() + 100, force.begin() + 150, 0.6);
+  std::fill(force.begin() + 300, force.end(), 0.65);
+  EXPECT_EQ(FindDrops(force), (std::vector<std::size_t>{ 100, 300 }));
+  EXPECT_TRUE(FindDrops(std::vector<double>(100, 0.04)).empty());
+}
+
 TEST(Roughness, WithoutForceOrTooShortThereIsNone)
 {
   EXPECT_EQ(FindRoughness({}).Duration, 0.0);
@@ -75,13 +86,14 @@ TEST(Roughness, WithoutForceOrTooShortThereIsNone)
 
 TEST(Roughness, StrokesCountByTheirLength)
 {
-  Roughness shortOne{ 1.0, 2.0, 4.0, 1.0, 3, 2, 0.5 };
-  Roughness longOne{ 3.0, 1.0, 0.0, 1.0, 1, 0, 0.1 };
+  Roughness shortOne{ 1.0, 2.0, 4.0, 1.0, 4.2, 3, 2, 0.5 };
+  Roughness longOne{ 3.0, 1.0, 0.0, 1.0, 1.0, 1, 0, 0.1 };
   const Roughness all = Average({ shortOne, longOne, {} });
   EXPECT_DOUBLE_EQ(all.Duration, 4.0);
   EXPECT_DOUBLE_EQ(all.Mean, 1.25);
   EXPECT_DOUBLE_EQ(all.Low, 1.0);
   EXPECT_DOUBLE_EQ(all.High, 1.0);
+  EXPECT_DOUBLE_EQ(all.Both, 1.8);
   EXPECT_EQ(all.Drops, 4);
   EXPECT_EQ(all.Reversals, 2);
   EXPECT_DOUBLE_EQ(all.LargestStep, 0.5);

@@ -10,7 +10,8 @@ In one call, of images and polydata or of NumPy arrays:
     trace = volumehaptics.touch(volume, tip, preset="CT contrast", kernel_radius=3)
 
 touch() is what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
-volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. volumehaptics.pyvista does the same with
+volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. identify() tells which materials a hand could tell
+apart. volumehaptics.pyvista does the same with
 PyVista's data, and makes its plotters touchable. volumehaptics.examples has a head to try them on, and
 
     python -m volumehaptics --demo
@@ -52,13 +53,14 @@ from .vtkVolumeHaptics import *
 
 if TYPE_CHECKING:
     from . import arrays, examples, pyvista
+    from ._identify import identify
     from .arrays import image, path
 
 __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
 
 # On demand: what needs NumPy, which the classes and touch() do not; and PyVista, if asked for by name alone.
 _MODULES = ("arrays", "examples")
-_FUNCTIONS = ("image", "path")
+_FUNCTIONS = {"identify": "._identify", "image": ".arrays", "path": ".arrays"}
 
 if not TYPE_CHECKING:  # a type checker would take every misspelt name for one of these
 
@@ -69,7 +71,7 @@ if not TYPE_CHECKING:  # a type checker would take every misspelt name for one o
         if name in _MODULES or name == "pyvista":
             return importlib.import_module(f".{name}", __name__)
         if name in _FUNCTIONS:
-            return getattr(importlib.import_module(".arrays", __name__), name)
+            return getattr(importlib.import_module(_FUNCTIONS[name], __name__), name)
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

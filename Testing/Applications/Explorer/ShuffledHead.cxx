@@ -4,10 +4,12 @@
 
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
+#include "vtkDataArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNIFTIImageWriter.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <vtksys/FStream.hxx>
 
@@ -86,7 +88,8 @@ std::string WriteNrrd(const std::string& folder, vtkImageData* shuffled, const s
   return Write(folder + "/head-" + space + ".nrrd", header, shuffled);
 }
 
-std::string WriteNifti(const std::string& folder, vtkImageData* shuffled)
+std::string WriteNifti(
+  const std::string& folder, vtkImageData* shuffled, double slope, double intercept)
 {
   vtkNew<vtkMatrix4x4> form; // to right-anterior-superior
   for (int row = 0; row < 3; ++row)
@@ -99,14 +102,21 @@ std::string WriteNifti(const std::string& folder, vtkImageData* shuffled)
     form->SetElement(row, 3, sign * shuffled->GetOrigin()[row]);
   }
   vtkNew<vtkImageData> plain; // its origin is in the matrix
-  plain->ShallowCopy(shuffled);
+  plain->DeepCopy(shuffled);
   plain->SetOrigin(0.0, 0.0, 0.0);
+  vtkDataArray* const stored = plain->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i)
+  {
+    stored->SetTuple1(i, (stored->GetTuple1(i) - intercept) / slope);
+  }
   const std::string path = folder + "/head.nii.gz";
   vtkNew<vtkNIFTIImageWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(plain);
   writer->SetSFormMatrix(form);
   writer->SetNIFTIVersion(1);
+  writer->SetRescaleSlope(slope);
+  writer->SetRescaleIntercept(intercept);
   writer->Write();
   return path;
 }

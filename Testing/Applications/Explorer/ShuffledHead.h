@@ -14,9 +14,11 @@ vtkSmartPointer<vtkImageData> ShuffleHead(vtkImageData* head);
 
 /// Write the shuffled head with its frame in the file's header, and return the file's name. The
 /// NRRD space is one of left-posterior-superior, right-anterior-superior and
-/// left-anterior-superior.
+/// left-anterior-superior. The NIfTI file stores numbers of which slope and intercept make the
+/// values.
 std::string WriteMetaImage(const std::string& folder, vtkImageData* shuffled);
 std::string WriteNrrd(const std::string& folder, vtkImageData* shuffled, const std::string& space);
-std::string WriteNifti(const std::string& folder, vtkImageData* shuffled);
+std::string WriteNifti(
+  const std::string& folder, vtkImageData* shuffled, double slope, double intercept);
 
 #endif

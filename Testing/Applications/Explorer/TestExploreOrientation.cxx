@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The head comes out of every format the same way up, at the same place, whatever the order of its
-// voxels in the file.
+// The head comes out of every format the same way up, at the same place, with the same values,
+// whatever the order of its voxels in the file and the numbers that are stored there.
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "HeadExploration.h"
 #include "ShuffledHead.h"
@@ -56,7 +56,13 @@ int TestExploreOrientation(int argc, char* argv[])
 
   Expect("a left-handed frame", head, Explore::AlignToAxes(shuffled));
   Expect("MetaImage", head, Explore::LoadVolume(WriteMetaImage(folder, shuffled)).Image);
-  Expect("NIfTI", head, Explore::LoadVolume(WriteNifti(folder, shuffled)).Image);
+  for (const auto& [slope, intercept] :
+    { std::pair<double, double>{ 1.0, 0.0 }, { 1.0, -1024.0 }, { 0.5, -1024.0 } })
+  {
+    Expect("NIfTI of values that are " + std::to_string(slope) + " times the stored ones plus " +
+        std::to_string(intercept),
+      head, Explore::LoadVolume(WriteNifti(folder, shuffled, slope, intercept)).Image);
+  }
   for (const char* space :
     { "left-posterior-superior", "right-anterior-superior", "left-anterior-superior" })
   {

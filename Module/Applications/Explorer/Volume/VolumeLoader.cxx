@@ -8,14 +8,21 @@
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
+#include "vtkDataArray.h"
+#include "vtkImageShiftScale.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageHeader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
+#include "vtkPointData.h"
 #include "vtkXMLImageDataReader.h"
 
 #include <vtksys/SystemTools.hxx>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace
 {
@@ -82,10 +89,42 @@ Volume ReadNrrd(const std::string& path)
   return volume;
 }
 
+/// Turns stored numbers into the values that a NIfTI header means by them, as vtkNIFTIImageReader
+/// does not. Whole numbers stay whole if the header only adds one.
+void ApplyNiftiScale(double slope, double intercept, Volume& volume)
+{
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  const bool isMeant = slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept);
+  if (!isMeant || (slope == 1.0 && intercept == 0.0) || !scalars)
+  {
+    return;
+  }
+  double range[2];
+  scalars->GetRange(range, 0);
+  using Short = std::numeric_limits<short>;
+  const bool isShort = slope == 1.0 && intercept == std::round(intercept) &&
+    scalars->GetDataTypeMax() <= std::numeric_limits<int>::max() &&
+    range[0] + intercept >= Short::min() && range[1] + intercept <= Short::max();
+  const bool isLong = scalars->GetDataTypeSize() > 2 && scalars->GetDataType() != VTK_FLOAT;
+  const int fraction = isLong ? VTK_DOUBLE : VTK_FLOAT;
+  vtkNew<vtkImageShiftScale> shift;
+  shift->SetInputData(volume.Image);
+  shift->SetShift(intercept / slope);
+  shift->SetScale(slope);
+  shift->SetOutputScalarType(isShort ? VTK_SHORT : fraction);
+  shift->Update();
+  volume.Image = shift->GetOutput();
+  std::ostringstream note;
+  note << "values are " << slope << " times the stored ones, plus " << intercept
+       << ", as the NIfTI header says";
+  volume.Notes.push_back(note.str());
+}
+
 Volume ReadNifti(const std::string& path)
 {
   vtkNew<vtkNIFTIImageReader> reader;
   Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {} };
+  ApplyNiftiScale(reader->GetRescaleSlope(), reader->GetRescaleIntercept(), volume);
   vtkMatrix4x4* matrix = reader->GetSFormMatrix();
   const char* form = "sform";
   if (!matrix)

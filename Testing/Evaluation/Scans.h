@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The scans that Testing/evaluate.sh fetches.
+ */
+#ifndef Evaluation_Scans_h
+#define Evaluation_Scans_h
+
+#include "NeedlePaths.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkImageData;
+
+namespace evaluation
+{
+
+/** Null or empty: not there. */
+struct Scans
+{
+  vtkSmartPointer<vtkImageData> Head; ///< Hounsfield units
+  vtkSmartPointer<vtkImageData> Chest;
+  vtkSmartPointer<vtkImageData> ChestLabels; ///< on the voxels of Chest
+  LabelNames Names;                          ///< of these labels
+  vtkSmartPointer<vtkImageData> Mri;         ///< T1, 0 to 255
+};
+
+/** Any volume that the explorer reads. Null, with a message on stderr, if it can't be read. */
+vtkSmartPointer<vtkImageData> ReadScan(const std::string& file);
+
+/**
+ * The CT (cxr.nii.gz), the labels (mask.nii.gz) and their names (structures.csv) of a folder.
+ * Returns false, with a message on stderr, if one can't be read.
+ */
+bool ReadChest(const std::string& folder, Scans& scans);
+
+} // namespace evaluation
+
+#endif
