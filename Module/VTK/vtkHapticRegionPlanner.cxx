@@ -57,8 +57,9 @@ RegionNeeds NeedsOf(vtkHapticRegionPlanner* p)
  * The largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Between points of the functions it is not
  * larger.
  */
-double FindSpring(vtkHapticProperty* property)
+double FindSpring(vtkVolumeHapticsFilter* filter)
 {
+  vtkHapticProperty* const property = filter->GetProperty();
   vtkPiecewiseFunction* const k = property->GetStiffness();
   vtkPiecewiseFunction* const functions[] = { k, property->GetSurfaceStrength(),
     property->GetFriction(), property->GetViscosity() };
@@ -80,11 +81,13 @@ double FindSpring(vtkHapticProperty* property)
   double longest = 0.0;
   for (const double x : places)
   {
-    const double stiffness = at(0, x);
+    const double own = at(0, x);
+    const double stiffness = filter->GetSameShape() ? filter->GetCouplingStiffness() : own;
     const double mu = at(2, x);
     const double force = at(1, x) * std::sqrt(1.0 + mu * mu) + drag;
-    longest =
-      stiffness > HapticModel::MinimumStiffness ? std::max(longest, force / stiffness) : longest;
+    longest = std::min(own, stiffness) > HapticModel::MinimumStiffness
+      ? std::max(longest, force / stiffness)
+      : longest;
   }
   return std::min(longest, LongestSpring);
 }
@@ -138,7 +141,7 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
   const int method = filter->GetMethod();
   const bool isSurface = method == vtkVolumeHapticsFilter::SURFACE_PROXY ||
     method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
-  const double spring = isSurface ? LongestSpring : FindSpring(filter->GetProperty());
+  const double spring = isSurface ? LongestSpring : FindSpring(filter);
   this->SetSpringLength(spring / this->MetersPerWorldUnit);
   double voxels = radius + ResidencySpare;
   if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)

@@ -80,8 +80,8 @@ public:
   /**
    * Take SpringLength, Reach, Band and MetersPerWorldUnit from the settings and the property of a
    * filter, and from Spacing and Direction of this planner. SpringLength is the largest (T_N sqrt(1
-   * + mu^2) + R) / k of the functions' points, at most 0.05 m. The methods of surfaces hold without
-   * limit, so with them it is 0.05 m.
+   * + mu^2) + R) / k of the functions' points, at most 0.05 m; with SameShape, k is the
+   * CouplingStiffness. The methods of surfaces hold without limit, so with them it is 0.05 m.
    */
   void UseSettingsOf(vtkVolumeHapticsFilter* filter);
 

@@ -154,6 +154,31 @@ public:
 
   ///@{
   /**
+   * One stiffness everywhere, the CouplingStiffness, instead of the stiffness of the material. A
+   * hand that strokes with a constant force then feels the shape that it sees; materials are told
+   * apart by surface strength, friction and drag. Default off.
+   *
+   * Off, a constant force f goes in by f/k, so that a change of the stiffness from k1 to k2 is felt
+   * as a step of f (1/k1 - 1/k2): 3.8 mm for 1 N from 150 to 350 N/m. On, the material's stiffness
+   * only decides what is felt: what has none (0.001 N/m or less) has none, as ever. The stiffness
+   * of labels is replaced alike.
+   */
+  vtkSetMacro(SameShape, bool);
+  vtkGetMacro(SameShape, bool);
+  vtkBooleanMacro(SameShape, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The stiffness (N/m) with SameShape, 0 or more. MaximumStiffness and the limits of a device cap
+   * it, too. Default 500.
+   */
+  vtkSetClampMacro(CouplingStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CouplingStiffness, double);
+  ///@}
+
+  ///@{
+  /**
    * C1 of eq. 1 (N per scalar unit per world unit), for the method FORCE_FIELD. Default 0.01.
    */
   vtkSetMacro(ForceFieldGain, double);
@@ -297,6 +322,8 @@ protected:
   int KernelRadius = 2;
   double ServoRate = 1000.0;
   double MetersPerWorldUnit = 0.001;
+  bool SameShape = false;
+  double CouplingStiffness = 500.0;
   double ForceFieldGain = 0.01;
   double ForceFieldDamping = 0.0;
   double IsoValue = 0.0;

@@ -55,6 +55,8 @@ void Deal(Dealer& dealer, Scene& scene)
   d.Settings.RecoveryTime = dealer.Between(0.0, 0.1);
   d.Settings.LocalShape = static_cast<LocalSurfaceShape>(dealer.Choose(2));
   d.Settings.Side = static_cast<SurfaceSide>(dealer.Choose(3));
+  d.Settings.SameShape = dealer.Choose(2) == 1;
+  d.Settings.CouplingStiffness = dealer.Between(0.0, 3000.0);
   d.Settings.Alignment = static_cast<ContactAlignment>(dealer.Choose(2));
   d.IndexToWorld.Linear = Matrix3::FromColumns({ dealer.Between(0.1, 3.0), 0.0, 0.0 },
     { dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0), 0.0 },

@@ -27,6 +27,8 @@ FILTER = {
     "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1", "SURFACE_PROXY", "Ruspini", "LOCAL_SURFACE", "Mark"),
     "SetSolver": ("PAPER", "PRECISE", "default"),
     "SetContactAlignment": ("DISTINCTNESS", "default", "EDGE"),
+    "SetSameShape": ("stiffness", "CouplingStiffness", "Default off"),
+    "SetCouplingStiffness": ("(N/m)", "Default 500"),
     "SetGradientEstimator": ("CENTRAL_DIFFERENCE", "GAUSSIAN", "CUBIC_BSPLINE"),
     "SetKernelRadius": ("voxels", "Default 2"),
     "SetServoRate": ("(Hz)", "1000"),

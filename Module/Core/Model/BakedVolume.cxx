@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Model/BakedVolume.h"
 
+#include "Core/Math/PolylineMask.h"
+#include "Core/Model/HapticModel.h"
+
 #include <atomic>
 
 namespace VolumeHaptics
@@ -26,12 +29,38 @@ GaussianWeights ChooseWeights(const HapticSettings& settings)
   return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
 }
 
+/** The stiffness of all materials that have one. */
+Polyline MakeStiffness(const HapticModelDescription& d)
+{
+  if (!d.Settings.SameShape)
+  {
+    return d.Material.Stiffness;
+  }
+  Polyline line = MaskAbove(d.Material.Stiffness, HapticModel::MinimumStiffness);
+  for (Vertex& vertex : line)
+  {
+    vertex.Y *= d.Settings.CouplingStiffness;
+  }
+  return line;
+}
+
+std::shared_ptr<const BakedLabels> MakeLabels(const HapticModelDescription& d)
+{
+  if (!d.Settings.SameShape || !d.Labels)
+  {
+    return d.Labels;
+  }
+  const auto labels = std::make_shared<BakedLabels>(*d.Labels);
+  labels->Table.SetOneStiffness(d.Settings.CouplingStiffness, HapticModel::MinimumStiffness);
+  return labels;
+}
+
 } // namespace
 
 BakedVolume::BakedVolume(const HapticModelDescription& d)
   : Kernel(MakeKernel(d))
   , Field(d.View, this->Kernel)
-  , Materials({ d.Material.Stiffness, d.Material.Friction, d.Material.SurfaceStrength,
+  , Materials({ MakeStiffness(d), d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })
   , Distinctness({ d.Material.Distinctness, d.Material.GradientVisibility })
   , IndexToWorld(d.IndexToWorld)
@@ -39,7 +68,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Settings(d.Settings)
   , Samples(d.Samples)
   , Mesh(d.Mesh)
-  , Labels(d.Labels)
+  , Labels(MakeLabels(d))
   , Number(d.Number > 0 ? d.Number : NextNumber())
 {
 }

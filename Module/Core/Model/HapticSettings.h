@@ -60,17 +60,19 @@ struct HapticSettings
   HapticSolver Solver = HapticSolver::Precise;
   ContactAlignment Alignment = ContactAlignment::Distinctness;
   SurfaceSide Side = SurfaceSide::Higher;
-  double TickPeriod = 1e-3;       ///< s
-  ForceCaps Caps;                 ///< of the user; the device has its own: HapticModel::Caps
-  double MaximumForce = 0.0;      ///< N on the hand; 0 does not limit
-  double ForceFieldGain = 0.0;    ///< C1 of eq. 1, N per (scalar per world unit)
-  double ForceFieldDamping = 0.0; ///< C2 of eq. 1, N s/m
-  double IsoValue = 0.0;          ///< of the surface of SurfaceProxy and LocalSurface
-  bool HasIsoSurface = false;     ///< the surface is that of IsoValue, not another mesh
-  double ProxyRadius = 0.5;       ///< world units, more than 0; of SurfaceProxy
-  bool ForceShading = true;       ///< of SurfaceProxy, if the mesh has normals
-  double LocalSurfaceRate = 60.0; ///< Hz, of the slow loop of LocalSurface
-  double RecoveryTime = 0.015;    ///< s, from one surface to the next, of LocalSurface
+  bool SameShape = false;           ///< one stiffness for all materials that have any
+  double CouplingStiffness = 500.0; ///< N/m, with SameShape
+  double TickPeriod = 1e-3;         ///< s
+  ForceCaps Caps;                   ///< of the user; the device has its own: HapticModel::Caps
+  double MaximumForce = 0.0;        ///< N on the hand; 0 does not limit
+  double ForceFieldGain = 0.0;      ///< C1 of eq. 1, N per (scalar per world unit)
+  double ForceFieldDamping = 0.0;   ///< C2 of eq. 1, N s/m
+  double IsoValue = 0.0;            ///< of the surface of SurfaceProxy and LocalSurface
+  bool HasIsoSurface = false;       ///< the surface is that of IsoValue, not another mesh
+  double ProxyRadius = 0.5;         ///< world units, more than 0; of SurfaceProxy
+  bool ForceShading = true;         ///< of SurfaceProxy, if the mesh has normals
+  double LocalSurfaceRate = 60.0;   ///< Hz, of the slow loop of LocalSurface
+  double RecoveryTime = 0.015;      ///< s, from one surface to the next, of LocalSurface
   LocalSurfaceShape LocalShape = LocalSurfaceShape::Plane;
 };
 

@@ -37,4 +37,13 @@ LabelTable::LabelTable(const std::vector<LabelledMaterial>& entries)
   }
 }
 
+void LabelTable::SetOneStiffness(double stiffness, double floor)
+{
+  for (LabelledMaterial& entry : this->Entries)
+  {
+    double& own = entry.Material.Value[0];
+    own = own > floor ? stiffness : own;
+  }
+}
+
 } // namespace VolumeHaptics

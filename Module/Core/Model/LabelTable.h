@@ -36,7 +36,7 @@ struct LabelledMaterial
 
 /**
  * Materials by label: a hash table that is at most half full, so that a lookup takes one or two
- * looks for any number of labels. Immutable.
+ * looks for any number of labels.
  */
 class LabelTable
 {
@@ -44,6 +44,9 @@ public:
   LabelTable() = default;
   /** Each label once. Channels whose surfaces nothing shall feel are set to 0 here. */
   explicit LabelTable(const std::vector<LabelledMaterial>& entries);
+
+  /** Gives labels this stiffness (N/m) whose own is more than a floor. */
+  void SetOneStiffness(double stiffness, double floor);
 
   /** The material of a label; null if it has none. */
   const LabelMaterial* Find(std::int64_t label) const noexcept

@@ -127,35 +127,4 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
   return line;
 }
 
-Polyline PositiveMask(const Polyline& line, double scale)
-{
-  const auto flag = [](bool positive) { return positive ? 1.0 : 0.0; };
-  Polyline mask{ { line.front().X, flag(line.front().Y > 0.0) } };
-  for (std::size_t i = 1; i < line.size(); ++i)
-  {
-    const Vertex& a = line[i - 1];
-    const Vertex& b = line[i];
-    if (!(a.X < b.X))
-    {
-      continue;
-    }
-    const bool positive = a.Y > 0.0 || b.Y > 0.0;
-    mask.push_back({ a.X, flag(positive) });
-    if (positive && !(b.Y > 0.0))
-    {
-      // Zero is reached at the node itself.
-      const double before = std::nextafter(b.X, a.X);
-      mask.push_back({ before, 1.0 });
-      mask.push_back({ before, 0.0 });
-    }
-    mask.push_back({ b.X, flag(positive && b.Y > 0.0) });
-  }
-  mask.push_back({ line.back().X, flag(line.back().Y > 0.0) });
-  for (Vertex& vertex : mask)
-  {
-    vertex.X *= scale;
-  }
-  return mask;
-}
-
 } // namespace VolumeHaptics

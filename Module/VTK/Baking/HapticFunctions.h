@@ -26,9 +26,6 @@ constexpr double CurveValueTolerance = 1e-3;
  */
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
 
-/** 1 if a polyline is positive, else 0, with the argument multiplied by `scale`. */
-Polyline PositiveMask(const Polyline& line, double scale = 1.0);
-
 } // namespace VolumeHaptics
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticModelBuilder.h"
 
+#include "Core/Math/PolylineMask.h"
 #include "Core/Model/SurfaceMesh.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 #include "VTK/Baking/HapticFunctions.h"
@@ -70,9 +71,9 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
     volume->GetIndependentComponents() ? std::min(property->GetComponent(), mostComponents - 1) : 0;
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
-  material.ScalarVisibility = PositiveMask(ToPolyline(volume->GetScalarOpacity(component), 1.0));
+  material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
   material.GradientVisibility =
-    PositiveMask(ToPolyline(volume->GetGradientOpacity(component), 1.0), 1.0 / average);
+    MaskAbove(ToPolyline(volume->GetGradientOpacity(component), 1.0), 0.0, 1.0 / average);
 }
 
 /** Keeps noise from being felt unless the user has set the gradient of a surface. */

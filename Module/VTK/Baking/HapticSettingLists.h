@@ -72,6 +72,13 @@ inline constexpr FilterSetting All[] = {
   HapticNumberMacro(MetersPerWorldUnit, 1e-12, 1e12, 0.001, "", NotBaked,
     "Metres of hand motion for one world unit, 1e-12 to 1e12. The default 0.001 means life-size "
     "for data in millimetres; 0.002 means twice life-size, and no stiffer."),
+  HapticFlagMacro(SameShape, false, &S::SameShape,
+    "One stiffness everywhere, the Coupling Stiffness, instead of the stiffness of the material. A "
+    "hand that strokes with a constant force then feels the shape that it sees; materials are told "
+    "apart by surface strength, friction and drag. Default off."),
+  HapticNumberMacro(CouplingStiffness, 0.0, VTK_DOUBLE_MAX, 500.0, "N/m", &S::CouplingStiffness,
+    "The stiffness (N/m) with Same Shape, 0 or more. Maximum Stiffness and the limits of a device "
+    "cap it, too. Default 500."),
   HapticNumberMacro(ForceFieldGain, -LargestNumber, LargestNumber, 0.01, "", &S::ForceFieldGain,
     "C1 of eq. 1 (N per scalar unit per world unit), for the method Force field. Default 0.01."),
   HapticNumberMacro(ForceFieldDamping, 0.0, VTK_DOUBLE_MAX, 0.0, "", &S::ForceFieldDamping,

@@ -21,6 +21,8 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetServoRate(), 1000.0);
   EXPECT_EQ(filter->GetMetersPerWorldUnit(), 0.001);
   EXPECT_EQ(filter->GetForceFieldDamping(), 0.0);
+  EXPECT_FALSE(filter->GetSameShape());
+  EXPECT_EQ(filter->GetCouplingStiffness(), 500.0);
   EXPECT_EQ(filter->GetMaximumForce(), 0.0);
   EXPECT_EQ(filter->GetMaximumStiffness(), 0.0);
   EXPECT_EQ(filter->GetIsoValue(), 0.0);
@@ -56,6 +58,8 @@ TEST(FilterState, EverySetterModifiesOnChangeOnly)
     { "LocalSurfaceShape", [&] { filter->SetLocalSurfaceShapeToQuadric(); } },
     { "LocalSurfaceRate", [&] { filter->SetLocalSurfaceRate(30.0); } },
     { "RecoveryTime", [&] { filter->SetRecoveryTime(0.05); } },
+    { "SameShape", [&] { filter->SameShapeOn(); } },
+    { "CouplingStiffness", [&] { filter->SetCouplingStiffness(300.0); } },
     { "MaximumForce", [&] { filter->SetMaximumForce(3.0); } },
     { "MaximumStiffness", [&] { filter->SetMaximumStiffness(800.0); } },
     { "Property", [&] { filter->SetProperty(property); } },
@@ -126,9 +130,10 @@ TEST(FilterState, PrintsEveryMember)
     }
     std::ostringstream text;
     filter->Print(text);
-    for (const char* const member : { "Property:", "Method:", "Solver:", "GradientEstimator:",
-           "KernelRadius:", "ServoRate:", "MetersPerWorldUnit:", "ForceFieldGain:",
-           "ForceFieldDamping:", "MaximumForce:", "MaximumStiffness:" })
+    for (const char* const member :
+      { "Property:", "Method:", "Solver:", "GradientEstimator:", "KernelRadius:", "ServoRate:",
+        "MetersPerWorldUnit:", "ForceFieldGain:", "ForceFieldDamping:", "SameShape:",
+        "CouplingStiffness:", "MaximumForce:", "MaximumStiffness:" })
     {
       EXPECT_NE(text.str().find(member), std::string::npos) << member;
     }

@@ -38,6 +38,8 @@ public:
     f->SetLocalSurfaceRate(this->Draw(100.0));
     f->SetRecoveryTime(this->Draw(0.5));
     f->SetContactAlignmentToEdge();
+    f->SameShapeOn();
+    f->SetCouplingStiffness(this->Draw(1000.0));
     f->SetMaximumForce(this->Draw(10.0));
     f->SetMaximumStiffness(this->Draw(3000.0));
     f->GetProperty()->SetComponent(2);

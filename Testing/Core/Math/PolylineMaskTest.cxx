@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Masks against their definition, evaluated the obvious way.
+ */
+
+#include "Core/Math/PolylineMask.h"
+#include "PolylineChecks.h"
+
+using namespace coretest;
+
+namespace
+{
+/// Levels of 0, 1 and 2, with steps and ramps between them.
+Polyline Levels(std::mt19937_64& engine)
+{
+  Polyline line = RandomLine(engine, -3.0, 6.0, 1 + int(engine() % 12));
+  for (Vertex& v : line)
+  {
+    v.Y = double(engine() % 3);
+  }
+  return line;
+}
+} // namespace
+
+TEST(PolylineMask, IsOneWhereTheFunctionIsAboveTheFloor)
+{
+  std::mt19937_64 engine(1);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    const Polyline line = Levels(engine);
+    const Polyline mask = MaskAbove(line, 0.001, 2.0);
+    std::array<Polyline, 5> lines;
+    lines.fill(line);
+    for (const double x : Arguments(lines, engine))
+    {
+      const double value = Evaluate(line, x);
+      // A ramp from below the floor may count as above it from its beginning on; there, beside 0,
+      // its value is rounded to 0.
+      if (value > 0.001 || (value == 0.0 && (x == 0.0 || std::isnormal(x))))
+      {
+        EXPECT_EQ(Evaluate(mask, 2.0 * x), value > 0.001 ? 1.0 : 0.0) << x;
+      }
+    }
+  }
+}
