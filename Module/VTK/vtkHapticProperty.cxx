@@ -5,10 +5,13 @@
 #include "VTK/Baking/HapticPresets.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Proposal/HapticProposal.h"
 
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -65,6 +68,29 @@ vtkStringArray* vtkHapticProperty::GetPresetNames()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHapticProperty::ProposeFromImage(vtkImageData* image)
+{
+  VolumeHaptics::MaterialProposal proposal;
+  std::string error;
+  if (!VolumeHaptics::ProposeFromVolume(image, this->Component, proposal, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  VolumeHaptics::FillFromProposal(proposal, this);
+  this->ProposedBoundaries = VolumeHaptics::MakeBoundaryTable(proposal);
+  this->ProposedKernelRadius = proposal.KernelRadius;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkHapticProperty::GetProposedBoundaries()
+{
+  return this->ProposedBoundaries;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticProperty::SetVisibilityFrom(vtkVolumeProperty* property)
 {
   if (this->VisibilityFrom != property)
@@ -100,6 +126,8 @@ void vtkHapticProperty::DeepCopy(vtkHapticProperty* source)
     (this->*function.Get)()->DeepCopy((source->*function.Get)());
   }
   this->SetVisibilityFrom(source->GetVisibilityFrom());
+  this->ProposedBoundaries = source->ProposedBoundaries;
+  this->ProposedKernelRadius = source->ProposedKernelRadius;
   for (const PropertySetting& setting : PropertySettings)
   {
     setting.Set(this, setting.Get(source));
@@ -141,6 +169,8 @@ void vtkHapticProperty::PrintSelf(ostream& os, vtkIndent indent)
   print("SurfaceStrength", this->SurfaceStrength);
   print("Distinctness", this->Distinctness);
   print("VisibilityFrom", this->VisibilityFrom);
+  print("ProposedBoundaries", this->ProposedBoundaries);
+  os << indent << "ProposedKernelRadius: " << this->ProposedKernelRadius << "\n";
   VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::PropertySettings);
   os << indent << "NoiseRamp: ";
   if (this->NoiseRamp[1] > 0.0)

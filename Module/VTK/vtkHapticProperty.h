@@ -33,8 +33,10 @@
 #include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
 
+class vtkImageData;
 class vtkPiecewiseFunction;
 class vtkStringArray;
+class vtkTable;
 class vtkVolumeProperty;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticProperty : public vtkObject
@@ -166,6 +168,37 @@ public:
   /** The names that ApplyPreset understands. */
   static vtkStringArray* GetPresetNames();
 
+  /**
+   * Fill all five functions, in place, and set the surface side from the edges of an image, for
+   * data of any unit: see Documentation/materials.md. Looks at about a million voxels of the active
+   * point scalars' Component, which takes about a second whatever the image's size.
+   *
+   * The values on both sides of the edges become materials of one stiffness, told apart by strength
+   * (3 N for the largest rise; 12 N for one that lies behind another material), friction and drag.
+   * Distinctness keeps the weakest of these edges, and neither noise nor shading. Take the result
+   * as a beginning, and edit it.
+   *
+   * Returns false, with an error and no change, if there is no edge to propose from: no or constant
+   * scalars, an image of less than 5 points along an axis, or nothing but noise.
+   */
+  bool ProposeFromImage(vtkImageData* image);
+
+  /**
+   * The KernelRadius (voxels) that suits what ProposeFromImage found: at least two standard
+   * deviations of the edges' blur, so that V(x_s) has reached the material inside; 2 to 5, or 1 if
+   * the image is not large enough. 0 before the first proposal.
+   */
+  vtkGetMacro(ProposedKernelRadius, int);
+
+  /**
+   * The boundaries that ProposeFromImage found, the most important one first; nullptr before the
+   * first proposal. Columns: Low and High, the values on both sides; Width, the standard deviation
+   * s of the blurred step (world units), V = Low + (High - Low) Phi(x / s); Slope, the largest
+   * gradient magnitude that a kernel of ProposedKernelRadius finds (scalar units per world unit);
+   * Share, of the area of all edges.
+   */
+  vtkTable* GetProposedBoundaries();
+
   ///@{
   /**
    * Voxels that the opacity functions of this volume property hide are not felt: surface strength
@@ -178,7 +211,10 @@ public:
   vtkVolumeProperty* GetVisibilityFrom();
   ///@}
 
-  /** Copy everything; the functions point by point, the visibility by reference. */
+  /**
+   * Copy everything; the functions point by point, the visibility and the boundaries of the last
+   * proposal by reference.
+   */
   void DeepCopy(vtkHapticProperty* source);
 
   /** Includes every function and the volume property of the visibility. */
@@ -198,6 +234,8 @@ protected:
   int SurfaceSide = HIGHER;
   bool DistinctnessFromNoise = true;
   double NoiseRamp[2] = { 0.0, 0.0 };
+  vtkSmartPointer<vtkTable> ProposedBoundaries;
+  int ProposedKernelRadius = 0;
 
 private:
   vtkHapticProperty(const vtkHapticProperty&) = delete;

@@ -54,6 +54,7 @@ set(solver_basis Core/Math Core/Field Core/Model)
 allow(Core/Math)
 allow(Core/Field Core/Math)
 allow(Core/Model Core/Math Core/Field)
+allow(Core/Proposal Core/Math Core/Field)
 allow(Core/Solvers ${solver_basis})
 allow(Core/Regions ${solver_basis} Core/Solvers)
 allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
@@ -73,6 +74,7 @@ allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 
 allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers)
+allow(VTK/Proposal Core/Math Core/Field Core/Proposal VTK/Baking)
 allow(VTK/Files)
 allow(VTK/Labels VTK/Files)
 allow(VTK/Trace Core VTK/Baking VTK/Files)
@@ -115,10 +117,10 @@ forbid("Core and Devices must not know VTK." "[\"</]vtk[A-Za-z0-9_]*\\.h" Core D
 forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|PiecewiseTable)\\.h" Devices)
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"
-  VTK/Baking VTK/Files VTK/Trace
+  VTK/Baking VTK/Proposal VTK/Files VTK/Trace
   VTK/vtkVolumeHapticsFilter.h VTK/vtkVolumeHapticsFilter.cxx
   VTK/vtkVolumeHapticsAlgorithm.h VTK/vtkVolumeHapticsAlgorithm.cxx)
-forbid("The module must not know ParaView or Qt." "[\"<](vtkPV|vtkSM|vtkSI|pq|Q[A-Z])" Core Devices VTK)
+forbid("The module must not know ParaView or Qt." "[\"<](vtkPV|vtkSM([A-OQ-Z]|P[a-z]|PV)|vtkSI|pq|Q[A-Z])" Core Devices VTK)
 forbid("The plugin's filters must not know devices or views." "(HapticDevice|HapticView|[\"<](pq|Q[A-Z]))"
   ../Plugin/Filters)
 forbid("The plugin's devices must not know views or Qt." "(HapticView|HapticController|HapticDock|[\"<](pq|Q[A-Z]))"

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The boundaries between materials, from many edges: clusters of their LH histogram.
+ */
+#ifndef Boundaries_h
+#define Boundaries_h
+
+#include "Core/Proposal/EdgeLine.h"
+
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The lines that cross from one material to another one. */
+struct Boundary
+{
+  /** The values of the materials on both sides. */
+  double Low = 0.0;
+  double High = 0.0;
+  /** A quarter of the lines rises by less than this: smaller than High - Low under a bias. */
+  double LeastRise = 0.0;
+  /** The standard deviation s of the blurred step (world units): V = Low + (High - Low) Phi(x/s).
+   */
+  double Width = 0.0;
+  /** Variance of the estimator's own blur (world units squared), which Width does not include. */
+  double Blur = 0.0;
+  /** Of the area of all boundaries. */
+  double Share = 0.0;
+  /** The share of the lines that are brighter towards the middle of all edges. */
+  double Inward = 0.0;
+};
+
+/**
+ * The values of materials as the histogram sees them. A multiplicative bias, such as that of a coil
+ * in MRI, moves all values of a logarithmic axis by the same amount; close to zero it is linear.
+ */
+class ValueAxis
+{
+public:
+  /** Logarithmic if the lines have no value below 0 other than noise, else linear. */
+  ValueAxis(const std::vector<EdgeLine>& lines, double noise);
+
+  double operator()(double value) const noexcept;
+  double Span() const noexcept { return this->Last - this->First; }
+  double First = 0.0;
+  double Last = 1.0;
+
+private:
+  double Scale = 0.0; ///< from here on it is logarithmic; 0: linear
+};
+
+/** In descending order of their shares; boundaries that hardly a line crosses are left out. */
+std::vector<Boundary> FindBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis);
+
+} // namespace VolumeHaptics
+
+#endif

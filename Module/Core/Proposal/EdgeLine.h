@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The edge that a line along the gradient crosses: its plateaus, and how fast the value rises
+ * between them.
+ *
+ * The values at both ends of the line, low and high, are those of an LH histogram. Slope and
+ * curvature (the first and the second derivative along the line) are kept against the share of the
+ * rise, (V - low) / (high - low), and divided by high - low. So the lines of one boundary can be
+ * averaged wherever each of them crosses it, and a multiplicative bias has no effect on them.
+ *
+ * Kindlmann and Durkin, "Semi-automatic generation of transfer functions for direct volume
+ * rendering", 1998, look at edges against their values; Sereda et al., "Visualization of boundaries
+ * in volumetric data sets using LH histograms", 2006, at the ends.
+ */
+#ifndef EdgeLine_h
+#define EdgeLine_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Math/Vector3.h"
+
+#include <array>
+
+namespace VolumeHaptics
+{
+
+struct EdgeLine
+{
+  /** The shares of the rise at which slope and curvature are kept are (k + 1/2) / Shares. */
+  static constexpr int Shares = 24;
+
+  double Low = 0.0;
+  double High = 0.0;
+  /** Whether both ends are plateaus; an end may also be the middle of a layer that is too thin. */
+  bool IsWide = false;
+  /** The area of the boundary for which the line stands (relative). */
+  double Weight = 0.0;
+  /**
+   * Where the edge is steepest, from the volume's first sample, and the direction from low to high
+   * (world units).
+   */
+  Vector3 Centre;
+  Vector3 Ahead;
+  /** Variance of the estimator's own blur along the line (world units squared). */
+  double Blur = 0.0;
+  /** First derivative / (High - Low), per world unit. */
+  std::array<float, Shares> Slope{};
+  /** Second derivative / (High - Low), per world unit squared. */
+  std::array<float, Shares> Curvature{};
+};
+
+/** The noise of a field as its edges see it: slopes are per voxel. */
+struct EdgeThresholds
+{
+  double Least = 0.0; ///< an edge has a slope of at least this
+  double Flat = 0.0;  ///< a plateau has a slope of at most this
+};
+
+/**
+ * Follows lines through a volume. Its sampler estimates gradients that are the derivatives of its
+ * values (GaussianWeights::OwnDerivative).
+ */
+class EdgeTracer
+{
+public:
+  /** `variance`: of the estimator's kernel along an axis (voxels squared). */
+  EdgeTracer(const FieldSampler& field, const Affine3& indexToWorld, double variance,
+    const EdgeThresholds& thresholds);
+
+  /** The slope at an index (per voxel, along the gradient in the world); 0 if it is not finite. */
+  double Slope(const Vector3& index) const noexcept;
+
+  /**
+   * The edge on whose slope an index stands. False if there is none: too little slope, no plateau
+   * within reach, or the border of the volume or samples that are not finite before it.
+   */
+  bool Trace(const Vector3& index, EdgeLine& line) const noexcept;
+
+private:
+  struct Ray;
+  struct Profile;
+
+  bool Aim(Ray& ray) const noexcept;
+  bool Climb(Ray& ray) const noexcept;
+  bool WalkSide(const Ray& ray, int side, Profile& profile) const noexcept;
+
+  const FieldSampler& Field;
+  Matrix3 WorldToIndex;
+  Matrix3 IndexToWorld;
+  double Variance;
+  EdgeThresholds Thresholds;
+};
+
+/** The variance of an estimator's kernel along an axis (voxels squared): what it adds to x^2. */
+double MeasureKernelVariance(const GradientKernel& kernel);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Proposal/MaterialProposal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+constexpr double LeastSalience = 0.03; // of area times rise of all boundaries
+constexpr double Salient = 0.1;
+/** Values closer than this share of the axis are one material. */
+constexpr double MergeShare = 0.06;
+constexpr double StartShare = 0.2; // of the slope of the weakest boundary: distinctness 0
+constexpr double FullShare = 0.5;  // the same: distinctness 1
+/** Boundaries are felt if the noise lies below this share of their slope. */
+constexpr double NoiseShare = 0.4;
+/** Of the gap to the next material over which a material is constant. */
+constexpr double ConstantShare = 0.2;
+/** V has reached 97.7 % of a material two widths behind the middle of its boundary. */
+constexpr double RadiusPerWidth = 2.0;
+constexpr int LeastRadius = 2;
+constexpr int LargestRadius = 5; // more smears what is thin, and takes long
+/** A boundary whose darker side lies inside is one that the brighter side alone would not show. */
+constexpr double DarkInside = 1.0 / 3.0;
+constexpr double BrightInside = 2.0 / 3.0;
+/** Of an uncut Gaussian that blurs as the kernel does (GradientKernel.h). */
+constexpr double BlurPerRadius = 0.5;
+constexpr double Friction[2] = { 0.1, 0.4 };
+constexpr double Viscosity[2] = { 0.1, 0.4 }; // N
+
+double Salience(const Boundary& boundary)
+{
+  return boundary.Share * (boundary.High - boundary.Low);
+}
+
+/** The largest slope (per world unit) of a boundary as a kernel's estimate shows it. */
+double FeltSlope(const Boundary& boundary, int radius, double spacing)
+{
+  const double blur = BlurPerRadius * radius * spacing;
+  const double width = std::sqrt(boundary.Width * boundary.Width + blur * blur);
+  constexpr double rootTwoPi = 2.5066282746310002;
+  return boundary.LeastRise / (rootTwoPi * width);
+}
+
+/** The boundaries that matter, in descending order. */
+std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
+{
+  double total = 0.0;
+  for (const Boundary& boundary : all)
+  {
+    total += Salience(boundary);
+  }
+  std::vector<Boundary> kept;
+  for (const Boundary& boundary : all)
+  {
+    if (Salience(boundary) >= LeastSalience * total)
+    {
+      kept.push_back(boundary);
+    }
+  }
+  std::sort(kept.begin(), kept.end(),
+    [](const Boundary& a, const Boundary& b) { return Salience(a) > Salience(b); });
+  return kept;
+}
+
+/** The values of the materials: both ends of all boundaries, those that are close as one. */
+std::vector<double> MergeEnds(const std::vector<Boundary>& boundaries, const ValueAxis& axis)
+{
+  struct End
+  {
+    double Value;
+    double Weight;
+  };
+  std::vector<End> ends;
+  for (const Boundary& boundary : boundaries)
+  {
+    ends.push_back({ boundary.Low, Salience(boundary) });
+    ends.push_back({ boundary.High, Salience(boundary) });
+  }
+  const auto byValue = [](const End& a, const End& b) { return a.Value < b.Value; };
+  std::sort(ends.begin(), ends.end(), byValue);
+  while (ends.size() > 1)
+  {
+    std::size_t closest = 0;
+    const auto gap = [&](std::size_t i) { return axis(ends[i + 1].Value) - axis(ends[i].Value); };
+    for (std::size_t i = 1; i + 1 < ends.size(); ++i)
+    {
+      closest = gap(i) < gap(closest) ? i : closest;
+    }
+    if (gap(closest) > MergeShare * axis.Span())
+    {
+      break;
+    }
+    End& one = ends[closest];
+    const End& other = ends[closest + 1];
+    const double weight = one.Weight + other.Weight;
+    one = { (one.Weight * one.Value + other.Weight * other.Value) / weight, weight };
+    ends.erase(ends.begin() + static_cast<std::ptrdiff_t>(closest) + 1);
+  }
+  std::vector<double> values;
+  values.reserve(ends.size());
+  for (const End& end : ends)
+  {
+    values.push_back(end.Value);
+  }
+  return values;
+}
+
+std::size_t FindNearest(const std::vector<double>& values, const ValueAxis& axis, double value)
+{
+  const auto distance = [&](double other) { return std::abs(axis(other) - axis(value)); };
+  const auto nearest = std::min_element(
+    values.begin(), values.end(), [&](double a, double b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(nearest - values.begin());
+}
+
+/** The numbers of the materials on both sides of a boundary. */
+struct Sides
+{
+  std::size_t Low;
+  std::size_t High;
+};
+
+ProposedSide ChooseSide(const MaterialProposal& proposal, const std::vector<Sides>& sides)
+{
+  const std::size_t last = proposal.Materials.size() - 1;
+  bool isMixed = false;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const double inward = proposal.Boundaries[i].Inward;
+    isMixed = isMixed || (proposal.Background == 0 && inward < DarkInside && sides[i].Low != 0) ||
+      (proposal.Background == last && inward > BrightInside && sides[i].High != last);
+  }
+  if (isMixed || (proposal.Background > 0 && proposal.Background < last))
+  {
+    return ProposedSide::Both;
+  }
+  return proposal.Background == 0 ? ProposedSide::Higher : ProposedSide::Lower;
+}
+
+/** Constant around each material, and blended in between. */
+Polyline Blend(const std::vector<double>& values, const std::vector<double>& quantity)
+{
+  Polyline line;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double below = i > 0 ? values[i] - values[i - 1] : 0.0;
+    const double above = i + 1 < values.size() ? values[i + 1] - values[i] : 0.0;
+    line.push_back({ values[i] - ConstantShare * (i > 0 ? below : above), quantity[i] });
+    line.push_back(
+      { values[i] + ConstantShare * (i + 1 < values.size() ? above : below), quantity[i] });
+  }
+  return line;
+}
+
+std::vector<double> ChooseStrengths(
+  const MaterialProposal& proposal, const std::vector<Sides>& sides)
+{
+  const std::size_t count = proposal.Materials.size();
+  const bool down = proposal.Side == ProposedSide::Lower;
+  std::vector<double> rise(count, 0.0); // of the boundaries that lead into a material
+  // Whether no other material lies behind; if there are more than two, one that is met straight
+  // from outside may hide others.
+  std::vector<bool> isLast(count, proposal.Side != ProposedSide::Both);
+  std::vector<bool> isBehind(count, count == 2);
+  double largest = 0.0;
+  double smallest = 0.0;
+  for (const Sides& side : sides)
+  {
+    const std::size_t into = down ? side.Low : side.High;
+    const std::size_t from = down ? side.High : side.Low;
+    const double height = proposal.Materials[side.High] - proposal.Materials[side.Low];
+    rise[into] = std::max(rise[into], height);
+    isLast[from] = false;
+    isBehind[into] = isBehind[into] || from != proposal.Background;
+    if (proposal.Side == ProposedSide::Both)
+    {
+      rise[from] = std::max(rise[from], height);
+    }
+    largest = std::max(largest, height);
+    smallest = smallest > 0.0 ? std::min(smallest, height) : height;
+  }
+  std::vector<double> strength(count);
+  std::size_t strongest = count;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    strength[i] = MaterialProposal::Strongest * (rise[i] > 0.0 ? rise[i] : smallest) / largest;
+    if (isLast[i] && isBehind[i] && (strongest == count || rise[i] > rise[strongest]))
+    {
+      strongest = i;
+    }
+  }
+  if (strongest < count)
+  {
+    strength[strongest] = MaterialProposal::Ceiling;
+  }
+  strength[proposal.Background] = 0.0;
+  return strength;
+}
+
+void FillFunctions(MaterialProposal& proposal, const std::vector<Sides>& sides)
+{
+  const std::size_t count = proposal.Materials.size();
+  std::vector<double> friction(count), viscosity(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    friction[i] = Friction[0] + share * (Friction[1] - Friction[0]);
+    viscosity[i] = Viscosity[0] + share * (Viscosity[1] - Viscosity[0]);
+  }
+  friction[proposal.Background] = 0.0;
+  viscosity[proposal.Background] = 0.0;
+  proposal.SurfaceStrength = Blend(proposal.Materials, ChooseStrengths(proposal, sides));
+  proposal.Friction = Blend(proposal.Materials, friction);
+  proposal.Viscosity = Blend(proposal.Materials, viscosity);
+}
+
+int ChooseRadius(const std::vector<Boundary>& boundaries, const ProposalFacts& facts)
+{
+  double total = 0.0;
+  for (const Boundary& boundary : boundaries)
+  {
+    total += Salience(boundary);
+  }
+  double width = 0.0;
+  for (const Boundary& boundary : boundaries)
+  {
+    width = Salience(boundary) >= Salient * total ? std::max(width, boundary.Width) : width;
+  }
+  const double radius = std::ceil(RadiusPerWidth * width / facts.LargestSpacing);
+  const int wanted = static_cast<int>(std::clamp<double>(radius, LeastRadius, LargestRadius));
+  return std::max(1, std::min(wanted, facts.MostRadius));
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+MaterialProposal ProposeMaterials(
+  const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts)
+{
+  MaterialProposal proposal;
+  std::vector<Boundary> salient = KeepSalient(boundaries);
+  proposal.KernelRadius = ChooseRadius(salient, facts);
+  const double noise = facts.NoiseGradient(proposal.KernelRadius);
+  const auto slope = [&](const Boundary& boundary)
+  { return FeltSlope(boundary, proposal.KernelRadius, facts.LargestSpacing); };
+  const auto isNoise = [&](const Boundary& boundary)
+  { return noise > NoiseShare * slope(boundary); };
+  salient.erase(std::remove_if(salient.begin(), salient.end(), isNoise), salient.end());
+  if (salient.empty())
+  {
+    return proposal;
+  }
+  proposal.Materials = MergeEnds(salient, axis);
+  proposal.Background = FindNearest(proposal.Materials, axis, facts.Outside);
+  std::vector<Sides> sides;
+  double weakest = slope(salient.front());
+  for (const Boundary& boundary : salient)
+  {
+    const std::size_t low = FindNearest(proposal.Materials, axis, boundary.Low);
+    const std::size_t high = FindNearest(proposal.Materials, axis, boundary.High);
+    if (low != high)
+    {
+      sides.push_back({ low, high });
+      proposal.Boundaries.push_back(boundary);
+      proposal.Slopes.push_back(slope(boundary));
+      weakest = std::min(weakest, slope(boundary));
+    }
+  }
+  if (proposal.Boundaries.empty())
+  {
+    return proposal;
+  }
+  proposal.Side = ChooseSide(proposal, sides);
+  FillFunctions(proposal, sides);
+  proposal.Distinctness = { { std::max(noise, StartShare * weakest), 0.0 },
+    { FullShare * weakest, 1.0 } };
+  return proposal;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Material functions that a volume's boundaries suggest.
+ *
+ * The values on both sides of the boundaries are materials. All of them have one stiffness, so that
+ * a surface is felt where it is; they are told apart by strength, friction and drag:
+ *
+ *   strength     Strongest dV / dV_max of the largest rise dV of a boundary that leads into it; the
+ *                Ceiling for the largest rise into a material with another one in front of it and
+ *                none behind
+ *   friction     rises from material to material, as their values do
+ *   drag         the same; none outside
+ *   distinctness 0 up to the larger one of 3.4 sigma_g and 0.2 g_max, 1 from 0.5 g_max on; g_max is
+ *                the largest slope that the estimator finds at the weakest boundary, and sigma_g
+ *                the noise of its gradients
+ *
+ * Around each value the functions are constant, and between two of them there is a wide blend: a
+ * steep function would turn noise and partial volumes into changes of the force.
+ */
+#ifndef MaterialProposal_h
+#define MaterialProposal_h
+
+#include "Core/Math/PiecewiseTable.h"
+#include "Core/Proposal/Boundaries.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+enum class ProposedSide : std::uint8_t
+{
+  Higher,
+  Lower,
+  Both
+};
+
+/** Facts about the volume that its edges do not tell. */
+struct ProposalFacts
+{
+  double Outside = 0.0;        ///< the value at the volume's border
+  double LargestSpacing = 1.0; ///< world units
+  int MostRadius = 2;          ///< of the kernel, as the volume allows it (voxels)
+  /** 3.4 times the noise of a gradient (scalar units per world unit), with a kernel's radius. */
+  std::function<double(int)> NoiseGradient;
+};
+
+struct MaterialProposal
+{
+  static constexpr double Stiffness = 500.0; // N/m
+  static constexpr double Strongest = 3.0;   // N: any device can break through
+  static constexpr double Ceiling = 12.0;    // N: more than most devices exert
+
+  std::vector<Boundary> Boundaries; ///< that are felt, in descending order of area times rise
+  std::vector<double> Slopes;       ///< the largest ones, as the kernel finds them
+  std::vector<double> Materials;    ///< their values, in ascending order
+  std::size_t Background = 0;       ///< which of them is outside
+  ProposedSide Side = ProposedSide::Higher;
+  int KernelRadius = 2; ///< voxels
+  Polyline SurfaceStrength;
+  Polyline Friction;
+  Polyline Viscosity;
+  Polyline Distinctness;
+};
+
+/** Without boundaries if none of them stands out of the noise. */
+MaterialProposal ProposeMaterials(
+  const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts);
+
+} // namespace VolumeHaptics
+
+#endif

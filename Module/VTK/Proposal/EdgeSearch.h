@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The edges of a volume, found at a bounded number of voxels on all cores.
+ */
+#ifndef EdgeSearch_h
+#define EdgeSearch_h
+
+#include "Core/Proposal/EdgeLine.h"
+
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * One voxel in each of at most about a million equal blocks, at a place in it that looks random but
+ * is always the same.
+ */
+std::vector<Vector3> ScatterVoxels(const VolumeView& view);
+
+/** The lines through those of the voxels that stand on an edge; some ten thousand at most. */
+std::vector<EdgeLine> FindEdges(
+  const VolumeView& view, const EdgeTracer& tracer, const EdgeThresholds& thresholds);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Proposal/HapticProposal.h"
+
+#include "Core/Field/NoiseEstimate.h"
+#include "VTK/Baking/HapticNoise.h"
+#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Proposal/EdgeSearch.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+constexpr int SearchRadius = 2; // of the kernel that looks for edges (voxels)
+constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
+/** Edges rise within a voxel by at least this share of the range; less is shading or rounding. */
+constexpr double LeastSlopeShare = 0.003;
+constexpr double NoiseThreshold = 3.4; // standard deviations, at which a noise ramp starts
+constexpr double FlatNoise = 2.0;      // standard deviations
+
+std::string NameOf(vtkDataArray* scalars)
+{
+  const char* const name = scalars->GetName();
+  return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
+}
+
+double LargestSpacing(const Affine3& indexToWorld)
+{
+  return LargestColumn(indexToWorld.Linear);
+}
+
+/** Where a plateau ends and an edge begins, by the noise and the range of the values. */
+EdgeThresholds MakeThresholds(double noise, const double range[2], const GradientKernel& kernel)
+{
+  const Polyline ramp = MakeNoiseRamp(noise, kernel, Affine3{});
+  EdgeThresholds thresholds;
+  thresholds.Least = LeastSlopeShare * (range[1] - range[0]);
+  if (!ramp.empty())
+  {
+    thresholds.Least = std::max(thresholds.Least, ramp.back().X);
+    thresholds.Flat = FlatNoise * ramp.front().X / NoiseThreshold;
+  }
+  return thresholds;
+}
+
+void Replace(vtkPiecewiseFunction* function, const Polyline& line)
+{
+  function->RemoveAllPoints();
+  function->ClampingOn();
+  function->UseLogScaleOff();
+  for (const Vertex& vertex : line)
+  {
+    function->AddPoint(vertex.X, vertex.Y);
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool ProposeFromVolume(
+  vtkImageData* image, int component, MaterialProposal& proposal, std::string& error)
+{
+  std::ostringstream message;
+  vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  HapticVolume volume;
+  if (!scalars)
+  {
+    error = !image
+      ? "There is no image to propose functions from: pass a vtkImageData."
+      : "The input image has no active point scalars to propose functions from: choose "
+        "an array with GetPointData()->SetActiveScalars(name), or turn cell data into "
+        "point data with vtkCellDataToPointData.";
+    return false;
+  }
+  if (!ReadVolume(image, scalars, component, SearchRadius, volume, error))
+  {
+    return false;
+  }
+  const VolumeView& view = volume.View;
+  const std::int64_t* const n = view.Dimensions;
+  const std::int64_t fewest = std::min({ n[0], n[1], n[2] });
+  double range[2];
+  scalars->GetFiniteRange(range, component);
+  if (fewest < LeastPoints)
+  {
+    message << "The input image is " << n[0] << " x " << n[1] << " x " << n[2]
+            << " points, in which edges can't be told from noise. Use an image of at least "
+            << LeastPoints << " points along every axis, or set the functions by hand.";
+  }
+  else if (!(range[0] <= range[1]))
+  {
+    message << "The " << NameOf(scalars)
+            << " of the input image has no finite value. Use another array or component.";
+  }
+  else if (!(range[1] - range[0] > 0.0))
+  {
+    message << "The " << NameOf(scalars) << " of the input image is " << range[0]
+            << " everywhere: there are no edges to propose functions from. Use another array or "
+               "component, or set the functions by hand.";
+  }
+  else
+  {
+    const GradientKernel kernel(
+      GradientEstimator::Gaussian, SearchRadius, GaussianWeights::OwnDerivative);
+    const double noise = volume.Whole.IsThere ? volume.Whole.Noise
+                                              : HapticNoise().Get(image, scalars, view, component);
+    const EdgeThresholds thresholds = MakeThresholds(noise, range, kernel);
+    const FieldSampler field(view, kernel);
+    const EdgeTracer tracer(field, volume.IndexToWorld, MeasureKernelVariance(kernel), thresholds);
+    const std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds);
+    const ValueAxis axis(lines, noise);
+    ProposalFacts facts;
+    facts.Outside = view.BorderValue;
+    facts.LargestSpacing = LargestSpacing(volume.IndexToWorld);
+    facts.MostRadius =
+      static_cast<int>(std::min<std::int64_t>(GradientKernel::MaximumRadius, (fewest - 1) / 2));
+    facts.NoiseGradient = [&](int radius)
+    {
+      const Polyline ramp = MakeNoiseRamp(
+        noise, GradientKernel(GradientEstimator::Gaussian, radius), volume.IndexToWorld);
+      return ramp.empty() ? 0.0 : ramp.front().X;
+    };
+    proposal = ProposeMaterials(FindBoundaries(lines, axis), axis, facts);
+    if (!proposal.Boundaries.empty())
+    {
+      return true;
+    }
+    message << "No edge between two materials stands out in the " << NameOf(scalars)
+            << " of the input image";
+    if (noise > 0.0)
+    {
+      message << ", whose noise has a standard deviation of " << noise
+              << ". Smooth it, for example with vtkImageGaussianSmooth, ";
+    }
+    else
+    {
+      message << ". Resample it if its edges are many voxels wide, ";
+    }
+    message << "or set the functions by hand.";
+  }
+  error = message.str();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property)
+{
+  const double k = MaterialProposal::Stiffness;
+  Replace(property->GetStiffness(),
+    { { proposal.SurfaceStrength.front().X, k }, { proposal.SurfaceStrength.back().X, k } });
+  Replace(property->GetFriction(), proposal.Friction);
+  Replace(property->GetViscosity(), proposal.Viscosity);
+  Replace(property->GetSurfaceStrength(), proposal.SurfaceStrength);
+  Replace(property->GetDistinctness(), proposal.Distinctness);
+  property->SetSurfaceSide(proposal.Side == ProposedSide::Higher ? vtkHapticProperty::HIGHER
+      : proposal.Side == ProposedSide::Lower                     ? vtkHapticProperty::LOWER
+                                                                 : vtkHapticProperty::BOTH);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const auto add = [&](const char* name, const auto& get)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (std::size_t i = 0; i < proposal.Boundaries.size(); ++i)
+    {
+      column->InsertNextValue(get(i));
+    }
+    table->AddColumn(column);
+  };
+  const std::vector<Boundary>& all = proposal.Boundaries;
+  add("Low", [&](std::size_t i) { return all[i].Low; });
+  add("High", [&](std::size_t i) { return all[i].High; });
+  add("Width", [&](std::size_t i) { return all[i].Width; });
+  add("Slope", [&](std::size_t i) { return proposal.Slopes[i]; });
+  add("Share", [&](std::size_t i) { return all[i].Share; });
+  return table;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The functions that the edges of an image suggest (vtkHapticProperty::ProposeFromImage).
+ */
+#ifndef HapticProposal_h
+#define HapticProposal_h
+
+#include "Core/Proposal/MaterialProposal.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkHapticProperty;
+class vtkImageData;
+class vtkTable;
+
+namespace VolumeHaptics
+{
+
+/**
+ * Looks at a bounded number of an image's voxels, on all cores. False, with the reason and the cure
+ * in `error`, if there is nothing to propose.
+ */
+bool ProposeFromVolume(
+  vtkImageData* image, int component, MaterialProposal& proposal, std::string& error);
+
+/** Sets the five functions, in place, and the side of a property. */
+void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property);
+
+/** The boundaries as vtkHapticProperty::GetProposedBoundaries documents them. */
+vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal);
+
+} // namespace VolumeHaptics
+
+#endif
