@@ -37,6 +37,7 @@ foreach (file IN ITEMS
     __init__.py
     __main__.py
     _identify.py
+    _labels.py
     _plotting.py
     _touch.py
     arrays.py

@@ -50,6 +50,24 @@ def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
     assert (np.linalg.norm(device.GetForce()) > 0.5) == felt
 
 
+def test_labels_have_materials(window, hands):
+    """A label that is not felt lets the tip through, until its table says otherwise."""
+    hand = hands(labels=np.ones((33, 33, 33), np.uint8), materials={1: {"name": "ball", "felt": False}})
+    table = hand.haptics.filter.GetLabelTable()
+    assert table.GetLabelName(1) == "ball"
+    device, sight = hand.device, hand.plotter.camera.direction
+    for felt in (False, True):
+        table.SetFelt(1, felt)
+        for distance in (24, 15):
+            device.SetVirtualTip(*(-distance * x for x in sight))
+            hand.wait(lambda: np.linalg.norm(np.add(device.GetTipPosition(), distance * np.array(sight))) < 1e-6)
+            device.Arm()
+            hand.wait(lambda: "100 % of the force" in device.GetStatusText())
+        tick = device.GetTick()
+        hand.wait(lambda: device.GetTick() > tick + 700)
+        assert (np.linalg.norm(device.GetForce()) > 0.1) == felt
+
+
 def test_closing_the_plotter_stops_everything(window, hands):
     hand = hands()
     hand.push()

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkVolume
 
+from ._labels import Labels, Materials, set_labels
 from ._touch import Errors, configure, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
@@ -195,6 +196,8 @@ def add_haptics(
     *,
     device: str | vtkHapticDevice = "virtual",
     visibility: bool | vtkVolume = True,
+    labels: Labels | None = None,
+    materials: Materials | None = None,
     **settings: Any,
 ) -> Haptics:
     """Makes a volume in a plotter one to be touched: press t with the pointer on it.
@@ -208,6 +211,8 @@ def add_haptics(
         open and stays so.
     visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one
         (True, default). False: what is hidden is felt, too.
+    labels, materials: a segmentation and what its labels feel like, as for volumehaptics.touch(). The table is
+        haptics.filter.GetLabelTable(); what is changed in it is felt at once.
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
@@ -242,7 +247,8 @@ def add_haptics(
         haptics.device, haptics._owns_device = device, False
     look = volume if visibility is True else visibility
     try:
-        _prepare(haptics, image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None, settings)
+        _prepare(haptics, image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None, settings,
+                 labels, materials)
         _start(haptics, device)
         length = image.GetLength()
         haptics.representation.SetRadius(SIZE * length)
@@ -256,13 +262,22 @@ def add_haptics(
     return haptics
 
 
-def _prepare(haptics: Haptics, image: vtkImageData, preset: str | None, look: Any, settings: dict[str, Any]) -> None:
+def _prepare(
+    haptics: Haptics,
+    image: vtkImageData,
+    preset: str | None,
+    look: Any,
+    settings: dict[str, Any],
+    labels: Labels | None,
+    materials: Materials | None,
+) -> None:
     touch = haptics.filter
     with Errors(touch, touch.GetProperty()) as errors:
         configure(touch, preset, settings, errors, "add_haptics")
         if look is not None:
             touch.GetProperty().SetVisibilityFrom(look)
         touch.SetInputData(image)
+        set_labels(touch, image, labels, materials)
         touch.Update()  # without a path, only checks
     if errors:
         raise ValueError("; ".join(errors))

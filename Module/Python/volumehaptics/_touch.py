@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
+from ._labels import Labels, Materials, set_labels
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
@@ -132,6 +133,9 @@ def touch(
     volume: vtkImageData | np.ndarray,
     tip: vtkPolyData | np.ndarray,
     preset: str | None = None,
+    *,
+    labels: Labels | None = None,
+    materials: Materials | None = None,
     **settings: Any,
 ) -> vtkPolyData:
     """The forces on a hand whose stylus goes through a volume.
@@ -142,6 +146,12 @@ def touch(
         "Time" (s) if ticks are something else, or an array of shape (N, 3).
     preset: the feel of the tissues, "CT contrast", "CT physical" or "MRI": see vtkHapticProperty. Default:
         500 N/m everywhere.
+    labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with
+        the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData().
+    materials: what the labels feel like: {"liver": dict(stiffness=300, surface_strength=1.5), 52: dict(felt=False)},
+        by name or number, with the quantities of vtkHapticLabelTable; or such a table, or a file for its
+        ReadFile(), or several of these, of which the later ones add to the earlier ones. What is not set comes from
+        the preset.
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
         vtkHapticProperty of one's own. A tuple is several arguments.
@@ -178,6 +188,7 @@ def touch(
     with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures:
         configure(haptics, preset, settings, errors, "touch")
         haptics.SetInputData(image)
+        set_labels(haptics, image, labels, materials)
         haptics.SetPathData(path)
         haptics.Update()
     # The executive only repeats that the filter failed.

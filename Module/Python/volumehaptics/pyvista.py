@@ -51,7 +51,7 @@ def touch(
         made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s.
     preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere.
     scalars: the name of the point array that is felt. Default: the active scalars.
-    settings: of vtkVolumeHapticsFilter, in snake_case, as for volumehaptics.touch().
+    settings: of vtkVolumeHapticsFilter, in snake_case, and labels and materials, as for volumehaptics.touch().
 
     The trace's points are the proxy (world units), a tick each, in one polyline; trace["Force"] is the force on
     the hand (N), and vtkVolumeHapticsFilter lists the other arrays. Errors are those of volumehaptics.touch(),

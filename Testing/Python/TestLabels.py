@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""touch() with a segmentation and the materials of its labels.
+
+The volume is a ramp, V = 100 z, pressed 2 mm from z = 10 on, so that the force is k times 2 mm: 1 N with 500 N/m.
+"""
+
+import numpy as np
+import pytest
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from volumehaptics import image, touch, vtkHapticLabelTable, vtkHapticProperty
+from volumehaptics.arrays import arrays
+
+SIZE = (32, 17, 24)
+VOLUME = np.broadcast_to(100.0 * np.arange(32).reshape(-1, 1, 1), SIZE).copy()
+# Label 1 in the half of small x, 2 in the other.
+LABELS = np.where(np.arange(24) < 12, 1, 2).astype(np.int16) * np.ones(SIZE, np.int16)
+
+
+def press(x, labels=LABELS, volume=VOLUME, **options):
+    """The force (N)."""
+    points = np.linspace((x, 8, 10), (x, 8, 12), 21)
+    return -arrays(touch(volume, points, labels=labels, **options))["Force"][-1][2]
+
+
+def felt(**options):
+    return [round(press(x, **options), 9) for x in (5, 18)]
+
+
+def named_table():
+    table = vtkHapticLabelTable()
+    table.SetLabelName(1, "liver")
+    table.SetLabelName(2, "spleen")
+    return table
+
+
+def test_labels_of_the_same_values_feel_different():
+    assert felt(materials={1: dict(stiffness=200), 2: dict(stiffness=800)}) == [0.4, 1.6]
+    assert felt(materials={1: dict(stiffness=200)}) == [0.4, 1.0]
+    assert felt(materials={np.int64(2): {"felt": False}}) == [1.0, 0.0]
+    assert felt() == felt(labels=None) == [1.0, 1.0]
+
+
+@pytest.mark.parametrize("dtype", ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"))
+def test_labels_of_every_type(dtype):
+    assert felt(labels=LABELS.astype(dtype), materials={2: dict(stiffness=800)}) == [1.0, 1.6]
+
+
+def test_a_mask_is_labels():
+    assert felt(labels=LABELS == 2, materials={1: dict(stiffness=800)}) == [1.0, 1.6]
+
+
+def test_materials_by_name():
+    named = named_table()
+    named.SetLabelName(7, "spleen")  # two labels of one name
+    soft = {"spleen": dict(stiffness=100.0, surface_strength=9.0, friction=0.5, viscosity=0.25, color=(1, 0, 0.5),
+                           felt=True, forbidden=False, name="the spleen")}
+    assert felt(materials=[named, soft]) == [1.0, 0.2]
+    assert named.GetStiffness(2) == -1.0  # it is the user's
+
+
+def test_files_add_up(tmp_path):
+    names = tmp_path / "Höhle.csv"
+    names.write_text("label,name\n1,Leber\n2,Höhle 肝\n", encoding="utf-8")
+    assert felt(materials=[names, {"Höhle 肝": dict(stiffness=800)}]) == [1.0, 1.6]
+    values = tmp_path / "values.csv"
+    values.write_text("label,stiffness\n1,100\n2,200\n", encoding="utf-8")
+    assert felt(materials=values) == [0.2, 0.4]
+    assert felt(materials=[str(values), str(names), {"Leber": dict(stiffness=300)}]) == [0.6, 0.4]
+
+
+def test_a_table_is_used_as_it_is():
+    table = named_table()
+    table.SetStiffness(1, 200)
+    assert felt(materials=table) == felt(label_table=table) == [0.4, 1.0]
+
+
+def test_an_image_has_its_own_geometry_and_names():
+    """Its voxels are half as large, it begins elsewhere, and its axes y and z run backwards."""
+    segmentation = image(np.full((64, 40, 12), 2, np.uint8), spacing=(0.5, 0.5, 0.5), origin=(15, 18, 31.5))
+    segmentation.SetDirectionMatrix(1, 0, 0, 0, -1, 0, 0, 0, -1)
+    named_table().WriteFieldData(segmentation.GetFieldData())
+    assert felt(labels=segmentation, materials={"spleen": dict(stiffness=800)}) == [1.0, 1.6]
+
+
+def test_an_array_lies_on_the_volume():
+    volume = image(VOLUME, spacing=(1, 1, 1), origin=(-7, 0, 0))
+    assert round(press(6, volume=volume, materials={2: dict(stiffness=800)}), 9) == 1.6
+    assert round(press(3, volume=volume, materials={2: dict(stiffness=800)}), 9) == 1.0
+    cut = vtkImageData()
+    cut.ShallowCopy(volume)
+    cut.SetExtent(3, 26, 0, 16, 0, 31)
+    assert round(press(9, volume=cut, materials={2: dict(stiffness=800)}), 9) == 1.6
+
+
+def test_goes_with_a_property():
+    soft = vtkHapticProperty()
+    soft.GetStiffness().AddPoint(0.0, 50.0)
+    assert felt(property=soft, materials={1: dict(stiffness=200)}) == [0.4, 0.1]
+
+
+@pytest.mark.parametrize("materials, error, said", (
+    ({"livr": dict(stiffness=1)}, ValueError, "'livr'; is it 'liver'.*'spleen'"),
+    ({1: dict(stifness=1)}, TypeError, "'stifness'; is it 'stiffness'"),
+    ({1: dict(stiffness=-1)}, ValueError, "stiffness of label 1 can't be -1"),
+    ({1: dict(stiffness="soft")}, TypeError, "stiffness='soft' of label 1"),
+    ({1: dict(color=(1, 2, 3))}, ValueError, "colour of label 1"),
+    ({1: dict(color="red")}, TypeError, "color='red' of label 1"),
+    ({1: 300}, TypeError, "label 1 is a dict"),
+    ({1.5: dict(stiffness=1)}, TypeError, "number or a name, not 1.5"),
+    ({True: dict(stiffness=1)}, TypeError, "number or a name, not True"),
+    ({1 << 40: dict(stiffness=1)}, ValueError, "label 1099511627776"),
+    ("none.csv", ValueError, "none.csv: does not exist"),
+    (5, TypeError, "materials are a dict"),
+))
+def test_materials_that_cannot_be(materials, error, said):
+    with pytest.raises(error, match=said):
+        press(5, materials=[named_table(), materials])
+
+
+def test_labels_that_cannot_be():
+    with pytest.raises(TypeError, match="give labels="):
+        touch(VOLUME, [(5, 8, 10)], materials={1: dict(stiffness=1)})
+    with pytest.raises(ValueError, match=r"\(32, 17, 23\).*\(32, 17, 24\)"):
+        press(5, labels=LABELS[:, :, :-1].copy())
+    with pytest.raises(ValueError, match="whole"):
+        press(5, labels=LABELS + 0.5, materials={1: dict(stiffness=1)})
+    with pytest.raises(TypeError, match="label_table"):
+        press(5, materials={}, label_table=vtkHapticLabelTable())
