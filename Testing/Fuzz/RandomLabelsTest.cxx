@@ -37,6 +37,9 @@ const std::string Files[] = { Nifti(),
   "# ITK\n 1 255 0 51 1 1 1 \"Left ventricle\"\n 2 0 1 2 1 1 1 \"\"\n",
   "#No. Label\n0 Unknown 0 0 0 0\n17 Left-Hippocampus 220 216 20 0\n",
   "1 Precentral_L 2001\r\n48\tTapetum_L\r\n",
+  "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 2 1 1\nspace: RAS\n"
+  "space directions: none (1,0,0) (0,1,0) (0,0,1)\nspace origin: (1,2,3)\nencoding: raw\n\n"
+  "\1\2\1\2",
   "NRRD0004\ntype: uchar\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=a\\n\n"
   "Segment1_LabelValue:=1\nSegment1_Color:=1 0 0.25\n\n\1" };
 } // namespace

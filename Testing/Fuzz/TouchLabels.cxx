@@ -7,10 +7,12 @@
 #include "VTK/Labels/ColorTables.h"
 #include "VTK/Labels/CsvLabels.h"
 #include "VTK/Labels/NiftiLabels.h"
+#include "VTK/Labels/NrrdImage.h"
 #include "VTK/Labels/NrrdLabels.h"
 
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 using namespace VolumeHaptics;
 
@@ -72,6 +74,33 @@ void TouchReader(Reader read, std::string_view bytes)
   CheckEntries(entries);
   CheckRoundTrip(entries);
 }
+
+void TouchSegmentation(std::string_view bytes)
+{
+  NrrdHeader header;
+  NrrdImage image;
+  std::string error;
+  if (!ReadNrrdHeader(bytes, header, error) || !ReadNrrdImage(header, image, error))
+  {
+    Check(!error.empty() && error.back() == '.', "a refusal has a reason");
+    return;
+  }
+  constexpr std::size_t most = 100000;
+  if (image.CountBytes() > most)
+  {
+    return;
+  }
+  std::string_view rest = bytes.substr(header.Size);
+  const auto read = [&rest](char* to, std::size_t size)
+  {
+    const std::size_t had = rest.copy(to, size);
+    rest.remove_prefix(had);
+    return had;
+  };
+  std::vector<int> labels(image.CountVoxels());
+  Check(ReadNrrdSamples(header, image, read, labels.data(), error) || !error.empty(),
+    "a refusal has a reason");
+}
 } // namespace
 
 void TouchLabels(const std::uint8_t* bytes, std::size_t size)
@@ -82,6 +111,7 @@ void TouchLabels(const std::uint8_t* bytes, std::size_t size)
   {
     TouchReader(read, text);
   }
+  TouchSegmentation(text);
   IsCsv(text);
   IsItkSnapTable(text);
   IsFreeSurferTable(text);

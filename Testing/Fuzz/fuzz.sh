@@ -56,7 +56,7 @@ while read -r source; do
     clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
-done < <(find "$root"/Module/VTK/Files/HapticFiles.cxx "$root"/Module/VTK/Labels/{Color,Csv,LabelText,Nifti,Nrrd}*.cxx \
+done < <(find "$root"/Module/VTK/Files/HapticFiles.cxx "$root"/Module/VTK/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
   "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -name '*Driver.cxx' \
   -not -name '*Kind.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 # One after the other, so that a failure is seen.

@@ -5,9 +5,13 @@
 The volume is a ramp, V = 100 z, pressed 2 mm from z = 10 on, so that the force is k times 2 mm: 1 N with 500 N/m.
 """
 
+import gzip
+
 import numpy as np
 import pytest
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from volumehaptics import image, touch, vtkHapticLabelTable, vtkHapticProperty
 from volumehaptics.arrays import arrays
 
@@ -97,6 +101,55 @@ def test_goes_with_a_property():
     soft = vtkHapticProperty()
     soft.GetStiffness().AddPoint(0.0, 50.0)
     assert felt(property=soft, materials={1: dict(stiffness=200)}) == [0.4, 0.1]
+
+
+def write_nrrd(file, labels, origin="(0,0,0)"):
+    """After teem.sourceforge.net/nrrd/format.html: two layers of the value 1 each, along the first, fastest axis."""
+    sizes = " ".join(map(str, labels.shape[::-1]))
+    layers = np.stack([labels == 1, labels == 2], axis=-1).astype(np.uint8)
+    file.write_bytes((f"NRRD0004\ntype: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 {sizes}\n"
+                      f"space directions: none (1,0,0) (0,1,0) (0,0,1)\nspace origin: {origin}\nencoding: gzip\n"
+                      "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Name:=liver\n"
+                      "Segment1_LabelValue:=1\nSegment1_Layer:=1\nSegment1_Name:=spleen\n\n").encode()
+                     + gzip.compress(layers.tobytes()))
+
+
+def test_a_file_has_labels_and_names(tmp_path):
+    file = tmp_path / "Höhle.seg.nrrd"
+    write_nrrd(file, LABELS)
+    assert felt(labels=file, materials={"spleen": dict(stiffness=800)}) == [1.0, 1.6]
+    assert felt(labels=str(file), materials={1: dict(stiffness=200)}) == [0.4, 1.0]
+    # As many voxels, so that it lies on the volume; with fewer, where it says.
+    write_nrrd(file, LABELS, "(5,5,5)")
+    assert felt(labels=file, materials={"spleen": dict(stiffness=800)}) == [1.0, 1.6]
+    write_nrrd(file, LABELS[:, :, :-1], "(8,0,0)")
+    assert felt(labels=file, materials={"liver": dict(stiffness=200)}) == [1.0, 0.4]
+
+
+@pytest.mark.parametrize("ending", (".nii", ".nii.gz", ".mha", ".vti"))
+def test_files_that_vtk_reads(tmp_path, ending):
+    """VTK's writers; NIfTI's has no names."""
+    file = str(tmp_path / f"labels{ending}")
+    segmentation = image(LABELS)
+    named_table().WriteFieldData(segmentation.GetFieldData())
+    writer = {".mha": vtkMetaImageWriter, ".vti": vtkXMLImageDataWriter}.get(ending, vtkNIFTIImageWriter)()
+    writer.SetInputData(segmentation)
+    writer.SetFileName(file)
+    writer.Write()
+    key = "spleen" if ending == ".vti" else 2
+    assert felt(labels=file, materials={key: dict(stiffness=800)}) == [1.0, 1.6]
+
+
+def test_files_of_labels_that_cannot_be(tmp_path):
+    with pytest.raises(ValueError, match="no file 'none.seg.nrrd'"):
+        press(5, labels="none.seg.nrrd")
+    file = tmp_path / "labels.seg.nrrd"
+    file.write_bytes(b"NRRD0004\ntype: float\n\n")
+    with pytest.raises(ValueError, match="labels.seg.nrrd.*whole numbers"):
+        press(5, labels=file)
+    (tmp_path / "labels.xyz").write_bytes(b"1")
+    with pytest.raises(ValueError, match="ending"):
+        press(5, labels=tmp_path / "labels.xyz")
 
 
 @pytest.mark.parametrize("materials, error, said", (

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from .vtkVolumeHaptics import vtkHapticLabelTable, vtkVolumeHapticsFilter
+from .vtkVolumeHaptics import vtkHapticLabelTable, vtkHapticSegmentationReader, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
     import numpy as np
 
-Labels = Union[vtkImageData, "np.ndarray"]
+Labels = Union[vtkImageData, "np.ndarray", str, os.PathLike]
 Materials = Union[vtkHapticLabelTable, Mapping[Union[int, str], Mapping[str, Any]], str, os.PathLike, Iterable]
 
 _SETTERS = {
@@ -94,9 +94,62 @@ def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None
                         f"{type(materials).__name__}")
 
 
+def _make_reader(file: str) -> Any:
+    """A reader for a label image, by the ending of its name."""
+    ending = file.lower()
+    if ending.endswith((".nrrd", ".seg")):
+        return vtkHapticSegmentationReader()
+    if ending.endswith((".nii", ".nii.gz")):
+        from vtkmodules.vtkIOImage import vtkNIFTIImageReader
+
+        return vtkNIFTIImageReader()
+    if ending.endswith((".mha", ".mhd")):
+        from vtkmodules.vtkIOImage import vtkMetaImageReader
+
+        return vtkMetaImageReader()
+    if ending.endswith(".vti"):
+        from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+        return vtkXMLImageDataReader()
+    raise ValueError(f"{file!r} has an ending that is not known here: .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti. "
+                     "Cure: read the labels yourself, and give the image")
+
+
+def _read(volume: vtkImageData, file: str) -> vtkImageData:
+    """A label image with its table in its field data. It lies on the volume if they have the same voxels."""
+    from ._touch import Errors
+
+    if not os.path.isfile(file):
+        raise ValueError(f"there is no file {file!r} of labels")
+    reader = _make_reader(file)
+    with Errors(reader, reader.GetExecutive()) as errors:
+        reader.SetFileName(file)
+        reader.Update()
+    if errors:
+        raise ValueError(errors[0])
+    image = vtkImageData()
+    image.ShallowCopy(reader.GetOutput())
+    if not image.GetFieldData().HasArray("Label"):
+        table = vtkHapticLabelTable()
+        with Errors(table):  # without names there are numbers
+            table.ReadFile(file)
+        table.WriteFieldData(image.GetFieldData())
+    return _lay(image, volume) if image.GetDimensions() == volume.GetDimensions() else image
+
+
+def _lay(image: vtkImageData, volume: vtkImageData) -> vtkImageData:
+    image.SetExtent(volume.GetExtent())
+    image.SetOrigin(volume.GetOrigin())
+    image.SetSpacing(volume.GetSpacing())
+    image.SetDirectionMatrix(volume.GetDirectionMatrix())
+    return image
+
+
 def _make_image(volume: vtkImageData, labels: Labels) -> vtkImageData:
     if isinstance(labels, vtkImageData):
         return labels
+    if isinstance(labels, (str, os.PathLike)):
+        return _read(volume, os.fspath(labels))
     from . import arrays
 
     if getattr(getattr(labels, "dtype", None), "name", "") == "bool":
@@ -105,11 +158,7 @@ def _make_image(volume: vtkImageData, labels: Labels) -> vtkImageData:
     if image.GetDimensions() != volume.GetDimensions():
         raise ValueError(f"the labels have the shape {labels.shape}, and the volume has {volume.GetDimensions()[::-1]} "
                          "voxels [z, y, x]. Cure: volumehaptics.image(labels, spacing, origin)")
-    image.SetExtent(volume.GetExtent())
-    image.SetOrigin(volume.GetOrigin())
-    image.SetSpacing(volume.GetSpacing())
-    image.SetDirectionMatrix(volume.GetDirectionMatrix())
-    return image
+    return _lay(image, volume)
 
 
 def set_labels(

@@ -147,7 +147,9 @@ def touch(
     preset: the feel of the tissues, "CT contrast", "CT physical" or "MRI": see vtkHapticProperty. Default:
         500 N/m everywhere.
     labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with
-        the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData().
+        the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData(). Or a file,
+        .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti, with its names, if it has any; if it has as many voxels as the
+        volume along each axis, it is taken to lie on it, since not all readers of volumes know directions.
     materials: what the labels feel like: {"liver": dict(stiffness=300, surface_strength=1.5), 52: dict(felt=False)},
         by name or number, with the quantities of vtkHapticLabelTable; or such a table, or a file for its
         ReadFile(), or several of these, of which the later ones add to the earlier ones. What is not set comes from

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Labels/NrrdFile.h"
+
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Labels/LabelFiles.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** By how much deflate can shrink zeros at most (zlib's technical details). */
+constexpr double LargestCompression = 1032.0;
+constexpr std::size_t MostAtOnce = 1 << 24; // bytes for zlib, which counts with 32 bits
+
+} // namespace
+
+bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
+{
+  file.Name = name;
+  std::string bytes;
+  if (!ReadLabelBytes(name, bytes, error))
+  {
+    return false;
+  }
+  if (!IsNrrd(bytes))
+  {
+    error = "it is no NRRD file. Give a .seg.nrrd of 3D Slicer; VTK reads other label images, and "
+            "vtkHapticLabelTable their names.";
+    return false;
+  }
+  if (!ReadNrrdHeader(bytes, file.Header, error) || !ReadNrrdImage(file.Header, file.Image, error))
+  {
+    return false;
+  }
+  struct stat status;
+  const double size = stat(name.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
+  // Memory is asked for before the samples are read.
+  if (static_cast<double>(file.Image.CountBytes()) > size * LargestCompression)
+  {
+    error = "it has fewer samples than its header says. Check that the file is complete.";
+    return false;
+  }
+  return true;
+}
+
+bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
+{
+  const int descriptor = OpenToRead(file.Name);
+  // What is compressed begins behind the header; zlib reads what is not compressed as it is.
+  const bool isBehind = descriptor >= 0 && file.Image.IsCompressed &&
+    lseek(descriptor, static_cast<off_t>(file.Header.Size), SEEK_SET) >= 0;
+  const gzFile opened = descriptor < 0 ? nullptr : gzdopen(descriptor, "rb");
+  if (!opened)
+  {
+    error = "can't be read (" + DescribeError(errno) + "). Check its permissions.";
+    if (descriptor >= 0)
+    {
+      close(descriptor);
+    }
+    return false;
+  }
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> closer(opened, gzclose);
+  const auto read = [opened](char* to, std::size_t size)
+  {
+    std::size_t had = 0;
+    while (had < size)
+    {
+      const auto part = static_cast<unsigned>(std::min(size - had, MostAtOnce));
+      const int got = gzread(opened, to + had, part);
+      if (got <= 0)
+      {
+        break;
+      }
+      had += static_cast<std::size_t>(got);
+    }
+    return had;
+  };
+  std::string header(isBehind ? 0 : file.Header.Size, '\0');
+  if (read(header.data(), header.size()) != header.size())
+  {
+    error = "it changed while it was read. Read it again.";
+    return false;
+  }
+  return ReadNrrdSamples(file.Header, file.Image, read, labels, error);
+}
+
+} // namespace VolumeHaptics
