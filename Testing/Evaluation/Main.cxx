@@ -77,6 +77,11 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
     add(FindMriSurfaces(scans.Mri, effort));
   }
   Feel feel = MeasureFeel(surfaces);
+  if (scans.Chest)
+  {
+    RunNeedleProtocol(
+      scans.Chest, scans.ChestLabels, scans.Names, effort.Pick(20, 2000), feel.Found);
+  }
   feel.Found.Tables.push_back(CompareOnBumpyBall(effort));
   feel.Found.Tables.push_back(IdentifyOnSlabs("CT contrast").Confusions);
   if (scans.Head)

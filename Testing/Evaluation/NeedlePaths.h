@@ -9,15 +9,15 @@
  * Rendering of Partially Segmented Data for Liver Puncture Simulation", Scientific Reports 7:671,
  * 2017: planned paths that avoid bone; force by partly segmented data against force by fully
  * segmented data. They had 31 222 paths in 10 patients, and a needle that stays in its track; here
- * it is the proxy of this project.
+ * it is the proxy of this project in one patient.
  */
 #ifndef Evaluation_NeedlePaths_h
 #define Evaluation_NeedlePaths_h
 
-#include "Methods.h"
-#include "Table.h"
+#include "Comparison.h"
 
 #include <map>
+#include <optional>
 #include <set>
 
 namespace evaluation
@@ -38,9 +38,10 @@ struct NeedleLabels
 NeedleLabels SortLabels(const LabelNames& names);
 
 /**
- * Paths from 5 mm outside of the skin to random points of the liver, at most 150 mm long. Nothing
- * within 3 mm of a path is bone by its label or above 200 HU, and no lung or heart lies in it. The
- * same ones for the same seed; fewer than wanted after 1000 attempts for each.
+ * Paths from 5 mm outside of the skin to random points of the liver, at most 150 mm long, with
+ * nothing but air before the skin. Nothing within 6 mm of a path is bone by its label or above
+ * 200 HU, and no lung or heart lies in it. The same ones for the same seed; fewer than wanted after
+ * 1000 attempts for each.
  */
 std::vector<Path> PlanNeedlePaths(vtkImageData* image, vtkImageData* labels,
   const NeedleLabels& sorted, std::size_t count, unsigned seed = 17);
@@ -50,11 +51,26 @@ struct ForceError
 {
   double RootMeanSquare = 0.0; ///< N, of a path; then the mean of all paths
   double Largest = 0.0;        ///< N
+  double Typical = 0.0;        ///< N, the largest of a path, median of all paths
   double Affected = 0.0;       ///< %, of ticks at which they differ by more than 0.01 N
 };
 
 /** Of traces of the same paths, tick by tick. */
 ForceError CompareForces(const std::vector<Trace>& some, const std::vector<Trace>& others);
+
+/**
+ * The value (HU) at which the preset "CT contrast" has the material of a structure, by its name as
+ * TotalSegmentator gives it; none for what has contents of its own (stomach, bowel).
+ */
+std::optional<double> TissueValueOf(const std::string& structure);
+
+/**
+ * The protocol with "CT contrast": by functions of the value alone (partly segmented) against
+ * materials by label (fully segmented). Adds the mean and worst errors beside those of the paper,
+ * and a plot of the forces along a path.
+ */
+ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const LabelNames& names,
+  std::size_t count, Comparison& found);
 
 } // namespace evaluation
 

@@ -12,6 +12,8 @@
 
 #include "vtkImageData.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 using namespace evaluation;
@@ -93,5 +95,44 @@ TEST(NeedlePaths, ErrorsOfForcesThatDifferByAKnownAmount)
   const ForceError two = CompareForces({ one, one }, { other, one });
   EXPECT_NEAR(two.RootMeanSquare, 0.25, 1e-12) << "the mean of paths";
   EXPECT_NEAR(two.Affected, 12.5, 1e-9);
+  EXPECT_NEAR(CompareForces({ one, one, one }, { one, one, other }).Typical, 0.0, 1e-12);
+  EXPECT_NEAR(CompareForces({ one, one, one }, { other, one, other }).Typical, 1.0, 1e-12);
+}
+
+TEST(NeedlePaths, LabelsChangeTheForceOnlyWhereValuesMislead)
+{
+  const auto labels =
+    SampleImage([](const Vector3& x) { return Norm(x) < LiverRadius ? 5.0 : 0.0; }, 40.0);
+  // A liver as dense as the flesh around it has the material that its value tells; one as light
+  // as fat has not.
+  for (const double liver : { 50.0, -90.0 })
+  {
+    const auto image = SampleImage(
+      [&](const Vector3& x)
+      {
+        const double flesh = BlurredStep(SkinRadius - Norm(x), 1.0, 1050.0) - 1000.0;
+        return flesh + BlurredStep(LiverRadius - Norm(x), 1.0, liver - 50.0);
+      },
+      40.0);
+    Comparison found;
+    const ForceError error = RunNeedleProtocol(image, labels, { { 5, "liver" } }, 5, found);
+    ASSERT_EQ(found.Tables.size(), 1u);
+    EXPECT_EQ(found.Tables[0].Rows.size(), 2u);
+    ASSERT_EQ(found.Plots.size(), 1u);
+    EXPECT_GT(
+      *std::max_element(found.Plots[0].Curves[0].Y.begin(), found.Plots[0].Curves[0].Y.end()), 0.3)
+      << "the skin resists";
+    if (liver == 50.0)
+    {
+      EXPECT_LT(error.Largest, 1e-6);
+      EXPECT_EQ(error.Affected, 0.0);
+    }
+    else
+    {
+      EXPECT_GT(error.Largest, 0.02);
+      EXPECT_GT(error.Affected, 5.0);
+      EXPECT_LT(error.Affected, 70.0) << "not before the liver";
+    }
+  }
 }
 } // namespace
