@@ -5,19 +5,25 @@
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticFunctionChart.h"
 #include "VTK/Charts/HapticHistogram.h"
+#include "VTK/Proposal/EdgeHistogram.h"
+#include "VTK/Proposal/HapticProposal.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"
+#include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkTimeStamp.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkHapticFunctionEditor);
 
@@ -54,8 +60,19 @@ struct vtkHapticFunctionEditor::vtkInternals
   int Held = 0;     // the button, between press and release
   int CanDraw = -1; // not known yet
   bool IsCounting = false;
+  bool IsProposing = false;
+  vtkSmartPointer<vtkHapticProperty> Proposal; // not taken yet
+  vtkSmartPointer<vtkTable> Boundaries;        // that the chart shows
+  vtkTimeStamp EdgeTime;
 
   int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
+
+  /** The property whose edges are to be shown: the proposal, or one that was proposed before. */
+  vtkHapticProperty* GetProposed() const
+  {
+    vtkHapticProperty* const any = this->Proposal ? this->Proposal : this->Property;
+    return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
+  }
 
   /** From the display to the viewport. */
   void ToViewport(int& x, int& y) const
@@ -167,9 +184,112 @@ vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
 double vtkHapticFunctionEditor::EstimateUpdateTime()
 {
   auto& d = *this->Internals;
-  return d.Chart.ShowsData(d.Image, d.GetComponent())
-    ? 0.0
-    : VolumeHaptics::EstimateHistogramTime(d.Image);
+  constexpr double proposing = 1.0; // s, measured on a desktop computer of 2023
+  vtkHapticProperty* const proposed = d.GetProposed();
+  return (d.IsProposing ? proposing : 0.0) +
+    (d.Chart.ShowsData(d.Image, d.GetComponent()) ? 0.0
+                                                  : VolumeHaptics::EstimateHistogramTime(d.Image)) +
+    (this->ShowsEdges() || !proposed
+        ? 0.0
+        : VolumeHaptics::EstimateEdgeTime(proposed->GetProposedKernelRadius()));
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::Propose()
+{
+  auto& d = *this->Internals;
+  if (!d.Property || !d.Image || d.IsCounting)
+  {
+    vtkErrorMacro("There is nothing to propose functions from: call SetProperty and SetInputData.");
+    return false;
+  }
+  const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
+  const vtkSmartPointer<vtkImageData> image(d.Image);
+  VolumeHaptics::MaterialProposal proposal;
+  std::string error;
+  d.IsCounting = d.IsProposing = true;
+  this->InvokeEvent(vtkCommand::StartEvent);
+  const bool isThere = VolumeHaptics::ProposeFromVolume(image, d.GetComponent(), proposal, error);
+  if (isThere)
+  {
+    d.Proposal = vtkSmartPointer<vtkHapticProperty>::New();
+    VolumeHaptics::FillFromProposal(proposal, d.Proposal);
+    d.Chart.ShowData(d.Image, d.GetComponent());
+    this->UpdateEdges();
+    this->Modified();
+  }
+  d.IsCounting = d.IsProposing = false;
+  this->InvokeEvent(vtkCommand::EndEvent);
+  if (!isThere)
+  {
+    vtkErrorMacro(<< error);
+  }
+  return isThere;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::HasProposal()
+{
+  return this->Internals->Proposal != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::TakeProposal()
+{
+  auto& d = *this->Internals;
+  const auto proposal = std::exchange(d.Proposal, nullptr);
+  if (!proposal || !d.Property)
+  {
+    return false;
+  }
+  VolumeHaptics::CopyProposal(proposal, d.Property);
+  this->Modified();
+  this->InvokeEvent(vtkCommand::InteractionEvent);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::DropProposal()
+{
+  const bool isThere = std::exchange(this->Internals->Proposal, nullptr) != nullptr;
+  if (isThere)
+  {
+    this->Modified();
+  }
+  return isThere;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::ShowsEdges()
+{
+  const auto& d = *this->Internals;
+  vtkHapticProperty* const proposed = d.GetProposed();
+  return proposed
+    ? d.Boundaries == proposed->GetProposedBoundaries() && d.EdgeTime > d.Image->GetMTime()
+    : !d.Chart.ShowsEdges();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::UpdateEdges()
+{
+  auto& d = *this->Internals;
+  vtkHapticProperty* const proposed = d.GetProposed();
+  d.Boundaries = proposed ? proposed->GetProposedBoundaries() : nullptr;
+  d.EdgeTime.Modified();
+  if (!proposed)
+  {
+    d.Chart.HideEdges();
+    return;
+  }
+  constexpr double room = 1.25;
+  VolumeHaptics::EdgeHistogram histogram;
+  std::copy_n(d.Chart.GetDataRange(), 2, histogram.Values);
+  double range[2];
+  vtkDataArray::SafeDownCast(d.Boundaries->GetColumnByName("Slope"))->GetRange(range);
+  histogram.MostSlope = room * range[1];
+  VolumeHaptics::CountEdges(
+    d.Image, d.GetComponent(), proposed->GetProposedKernelRadius(), histogram);
+  d.Chart.ShowEdges(histogram, d.Boundaries);
 }
 
 //------------------------------------------------------------------------------
@@ -178,11 +298,13 @@ void vtkHapticFunctionEditor::Update()
   auto& d = *this->Internals;
   const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
   // Observers may render during the work: that shows the chart as it is.
-  if (!d.IsCounting && !d.Chart.ShowsData(d.Image, d.GetComponent()))
+  const bool showsData = d.Chart.ShowsData(d.Image, d.GetComponent());
+  if (!d.IsCounting && !(showsData && this->ShowsEdges()))
   {
     d.IsCounting = true;
     this->InvokeEvent(vtkCommand::StartEvent);
     d.Chart.ShowData(d.Image, d.GetComponent());
+    this->UpdateEdges();
     d.IsCounting = false;
     this->InvokeEvent(vtkCommand::EndEvent);
   }
@@ -195,6 +317,14 @@ void vtkHapticFunctionEditor::UpdateChart()
   vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
   d.Chart.Place(this->Rectangle);
   this->Update();
+  const auto get = Choices[this->Function].Get;
+  d.Chart.ShowProposed(d.Proposal && get ? (d.Proposal.Get()->*get)() : nullptr);
+  if (vtkHapticProperty* const felt = d.GetProposed())
+  {
+    vtkPiecewiseFunction* const distinctness = felt->GetDistinctness();
+    const double* const range = distinctness->GetRange();
+    d.Chart.ShowDistinctness(range[0], range[1]);
+  }
   d.Chart.ShowFunction(function, Choices[this->Function].Quantity, d.Held != 0);
   if (!function)
   {
@@ -319,6 +449,7 @@ void vtkHapticFunctionEditor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Property: " << d.Property.Get() << "\n";
   os << indent << "VolumeProperty: " << d.VolumeProperty.Get() << "\n";
   os << indent << "InputData: " << d.Image.Get() << "\n";
+  os << indent << "Proposal: " << (d.Proposal ? "to be taken" : "(none)") << "\n";
   os << indent << "Function: " << this->GetTitle() << "\n";
   os << indent << "Rectangle: " << this->Rectangle[0] << ", " << this->Rectangle[1] << ", "
      << this->Rectangle[2] << ", " << this->Rectangle[3] << "\n";

@@ -27,6 +27,15 @@
  * is added: that adds the constant at both ends of the axis, too. So looking at a function never
  * changes it.
  *
+ * If the functions of an image are not known, they may propose themselves:
+ *
+ *   editor->Propose();      // the proposal is dashed, over the edges that it was made from
+ *   editor->TakeProposal(); // it becomes the property's functions, to be dragged as any other
+ *
+ * The edges are a histogram of value (to the right) and gradient magnitude (upwards), in which each
+ * boundary between two materials is an arc. Dotted lines are the gradient magnitudes at which
+ * distinctness begins, and from which on it is full. They stay while the property has a proposal.
+ *
  * The editor takes no events by itself. An interactor style passes the events that it wants:
  *
  *   bool used = editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);
@@ -109,6 +118,24 @@ public:
   void NextFunction();
   ///@}
 
+  ///@{
+  /**
+   * Propose looks for functions that suit the input data (vtkHapticProperty::ProposeFromImage), and
+   * shows them beside those of the property, dashed, until they are taken or dropped. It returns
+   * false, with an error, if there is no property, or nothing to propose; the work takes about a
+   * second, between vtkCommand::StartEvent and vtkCommand::EndEvent.
+   *
+   * TakeProposal makes the proposal the property's functions and surface side, and invokes
+   * vtkCommand::InteractionEvent; the kernel's radius that suits it is
+   * vtkHapticProperty::GetProposedKernelRadius. TakeProposal and DropProposal return whether there
+   * was a proposal.
+   */
+  bool Propose();
+  bool HasProposal();
+  bool TakeProposal();
+  bool DropProposal();
+  ///@}
+
   /** Its name and unit, as the title shows them: "Stiffness (N/m)". */
   std::string GetTitle();
 
@@ -182,6 +209,8 @@ private:
   void operator=(const vtkHapticFunctionEditor&) = delete;
 
   void UpdateChart();
+  bool ShowsEdges();
+  void UpdateEdges();
   bool Send(int event, int button, int x, int y);
 
   struct vtkInternals;

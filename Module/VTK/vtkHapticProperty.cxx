@@ -78,10 +78,15 @@ bool vtkHapticProperty::ProposeFromImage(vtkImageData* image)
     return false;
   }
   VolumeHaptics::FillFromProposal(proposal, this);
-  this->ProposedBoundaries = VolumeHaptics::MakeBoundaryTable(proposal);
-  this->ProposedKernelRadius = proposal.KernelRadius;
-  this->Modified();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticProperty::NoteProposal(vtkTable* boundaries, int kernelRadius)
+{
+  this->ProposedBoundaries = boundaries;
+  this->ProposedKernelRadius = kernelRadius;
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------

@@ -199,6 +199,11 @@ public:
    */
   vtkTable* GetProposedBoundaries();
 
+#ifndef __VTK_WRAP__
+  /** Sets GetProposedBoundaries and GetProposedKernelRadius. */
+  void NoteProposal(vtkTable* boundaries, int kernelRadius);
+#endif
+
   ///@{
   /**
    * Voxels that the opacity functions of this volume property hide are not felt: surface strength

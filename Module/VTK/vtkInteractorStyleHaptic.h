@@ -37,6 +37,9 @@
  *   m           the next method: see NextMethod()
  *   h and g     head-up display: text and graph
  *   v and n     function editor: on and off, and the next function
+ *   p           let functions propose themselves in the editor; again: take the proposal, and the
+ *               filter's KernelRadius with it
+ *   Backspace   drop the proposal
  *
  * Mouse events over the function editor go to the editor.
  *

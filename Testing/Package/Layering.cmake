@@ -81,7 +81,7 @@ allow(VTK/Trace Core VTK/Baking VTK/Files)
 allow(VTK/Recording Core VTK/Files VTK/Trace)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Trace VTK/Recording)
 allow(VTK/Scene Core VTK/Baking VTK/Session)
-allow(VTK/Charts)
+allow(VTK/Charts VTK/Proposal/EdgeHistogram.h)
 allow(VTK/Setup Core/Model VTK/Baking)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with

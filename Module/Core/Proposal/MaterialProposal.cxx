@@ -37,12 +37,12 @@ double Salience(const Boundary& boundary)
 }
 
 /** The largest slope (per world unit) of a boundary as a kernel's estimate shows it. */
-double FeltSlope(const Boundary& boundary, int radius, double spacing)
+double FeltSlope(const Boundary& boundary, int radius, double searchVariance)
 {
-  const double blur = BlurPerRadius * radius * spacing;
-  const double width = std::sqrt(boundary.Width * boundary.Width + blur * blur);
+  const double scale = BlurPerRadius * radius;
+  const double blur = boundary.Blur * scale * scale / searchVariance;
   constexpr double rootTwoPi = 2.5066282746310002;
-  return boundary.LeastRise / (rootTwoPi * width);
+  return boundary.LeastRise / (rootTwoPi * std::sqrt(boundary.Width * boundary.Width + blur));
 }
 
 /** The boundaries that matter, in descending order. */
@@ -246,7 +246,7 @@ MaterialProposal ProposeMaterials(
   proposal.KernelRadius = ChooseRadius(salient, facts);
   const double noise = facts.NoiseGradient(proposal.KernelRadius);
   const auto slope = [&](const Boundary& boundary)
-  { return FeltSlope(boundary, proposal.KernelRadius, facts.LargestSpacing); };
+  { return FeltSlope(boundary, proposal.KernelRadius, facts.SearchVariance); };
   const auto isNoise = [&](const Boundary& boundary)
   { return noise > NoiseShare * slope(boundary); };
   salient.erase(std::remove_if(salient.begin(), salient.end(), isNoise), salient.end());

@@ -87,16 +87,21 @@ HapticFunctionChart::HapticFunctionChart()
   // The control points work between 0 and 1. The other plots do as well, on an invisible axis:
   // plots on other axes would be painted before or after all of these. The left axis shows the
   // value of 1.
-  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{ this->Bars, this->Curve, this->Points })
+  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{
+         this->Bars, this->Edges, this->Proposed, this->Curve, this->Points })
   {
     this->Chart->AddPlot(plot);
     this->Chart->SetPlotCorner(plot, RightBottom);
   }
   this->Bars->SetColor(196, 202, 212, 255);
   this->Bars->GetPen()->SetOpacity(0);
+  this->Edges->SetVisible(false);
+  this->Proposed->SetColor(0, 130, 75, 255);
+  this->Proposed->SetWidth(2.0f);
+  this->Proposed->GetPen()->SetLineType(vtkPen::DASH_LINE);
   this->Curve->SetColor(0, 92, 175, 255);
   this->Curve->SetWidth(2.0f);
-  for (vtkPlot* plot : { static_cast<vtkPlot*>(this->Bars), static_cast<vtkPlot*>(this->Curve) })
+  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{ this->Bars, this->Proposed, this->Curve })
   {
     plot->SetInteractive(false);
     plot->SetSelectable(false);
@@ -136,7 +141,7 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
   this->ShownComponent = component;
   this->DataTime.Modified();
   this->HasData = FillHistogram(image, component, this->BarTable, this->DataRange);
-  this->Bars->SetVisible(this->HasData);
+  this->Bars->SetVisible(this->HasData && !this->HasEdges);
   const char* name = nullptr;
   if (this->HasData)
   {
@@ -152,6 +157,27 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
 }
 
 //------------------------------------------------------------------------------
+void HapticFunctionChart::ShowEdges(const EdgeHistogram& histogram, vtkTable* boundaries)
+{
+  this->Edges->ShowEdges(histogram, boundaries);
+  this->HasEdges = true;
+  this->Edges->SetVisible(true);
+  this->Bars->SetVisible(false);
+}
+
+void HapticFunctionChart::HideEdges()
+{
+  this->HasEdges = false;
+  this->Edges->SetVisible(false);
+  this->Bars->SetVisible(this->HasData);
+}
+
+void HapticFunctionChart::ShowDistinctness(double start, double full)
+{
+  this->Edges->ShowDistinctness(start, full);
+}
+
+//------------------------------------------------------------------------------
 void HapticFunctionChart::ShowFunction(
   vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged)
 {
@@ -164,14 +190,20 @@ void HapticFunctionChart::ShowFunction(
   this->Curve->SetVisible(function != nullptr);
   this->Points->SetVisible(function != nullptr);
   const std::string touched = function ? this->Points->DescribeCurrentPoint() : std::string();
-  this->Chart->SetTitle(quantity.Title + (touched.empty() ? touched : ": " + touched));
+  const std::string note = this->ProposedFunction ? ", dashed: proposed" : "";
+  this->Chart->SetTitle(quantity.Title + (touched.empty() ? note : ": " + touched));
   if (function && !dragged)
   {
     this->FitAxes(function, quantity);
   }
   if (function)
   {
-    this->DrawCurve(function, quantity);
+    this->DrawCurve(function, quantity, this->CurveTable, this->Curve);
+  }
+  this->Proposed->SetVisible(function && this->ProposedFunction);
+  if (function && this->ProposedFunction)
+  {
+    this->DrawCurve(this->ProposedFunction, quantity, this->ProposedTable, this->Proposed);
   }
 }
 
@@ -182,6 +214,12 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   double to = this->DataRange[1];
   double highest = function->GetSize() == 0 ? quantity.EmptyValue : 0.0;
   double ends[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (int i = 0; this->ProposedFunction && i < this->ProposedFunction->GetSize(); ++i)
+  {
+    double node[4];
+    this->ProposedFunction->GetNodeValue(i, node);
+    highest = node[1] <= quantity.Most ? std::max(highest, node[1]) : highest;
+  }
   for (int i = 0; i < function->GetSize(); ++i)
   {
     double node[4];
@@ -226,7 +264,8 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
 }
 
 //------------------------------------------------------------------------------
-void HapticFunctionChart::DrawCurve(vtkPiecewiseFunction* function, const EditedQuantity& quantity)
+void HapticFunctionChart::DrawCurve(vtkPiecewiseFunction* function, const EditedQuantity& quantity,
+  vtkTable* table, vtkPlotLine* curve)
 {
   const double from = this->Range[0];
   const double to = this->Range[1];
@@ -255,10 +294,10 @@ void HapticFunctionChart::DrawCurve(vtkPiecewiseFunction* function, const Edited
     x->InsertNextValue(place);
     y->InsertNextValue(HapticControlPointsItem::ToShare(value, this->Scale));
   }
-  this->CurveTable->Initialize();
-  this->CurveTable->AddColumn(x);
-  this->CurveTable->AddColumn(y);
-  this->Curve->SetInputData(this->CurveTable, 0, 1);
+  table->Initialize();
+  table->AddColumn(x);
+  table->AddColumn(y);
+  curve->SetInputData(table, 0, 1);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #define HapticFunctionChart_h
 
 #include "VTK/Charts/HapticControlPointsItem.h"
+#include "VTK/Charts/HapticEdgePlot.h"
 
 #include "vtkBlockItem.h"
 #include "vtkChartXY.h"
@@ -21,6 +22,7 @@
 #include "vtkVector.h"
 
 class vtkImageData;
+class vtkTable;
 
 namespace VolumeHaptics
 {
@@ -62,6 +64,23 @@ public:
   bool ShowsData(vtkImageData* image, int component) const;
   ///@}
 
+  ///@{
+  /**
+   * Shows edges behind the function instead of the histogram of values, and which gradient
+   * magnitudes are felt.
+   */
+  void ShowEdges(const EdgeHistogram& histogram, vtkTable* boundaries);
+  void HideEdges();
+  bool ShowsEdges() const { return this->HasEdges; }
+  void ShowDistinctness(double start, double full);
+  ///@}
+
+  /** Shows a second, dashed function, or none. */
+  void ShowProposed(vtkPiecewiseFunction* proposed) { this->ProposedFunction = proposed; }
+
+  /** The range of the data (scalar units). */
+  const double* GetDataRange() const { return this->DataRange; }
+
   /** Shows a function, or none; while it is dragged the axes stay unchanged. */
   void ShowFunction(vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged);
 
@@ -78,16 +97,20 @@ public:
 
 private:
   void FitAxes(vtkPiecewiseFunction* function, const EditedQuantity& quantity);
-  void DrawCurve(vtkPiecewiseFunction* function, const EditedQuantity& quantity);
+  void DrawCurve(vtkPiecewiseFunction* function, const EditedQuantity& quantity, vtkTable* table,
+    vtkPlotLine* curve);
 
   vtkNew<vtkContextActor> Actor;
   vtkNew<OpenContextScene> Scene;
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
   vtkNew<vtkPlotBar> Bars;
+  vtkNew<HapticEdgePlot> Edges;
+  vtkNew<vtkPlotLine> Proposed;
   vtkNew<vtkPlotLine> Curve;
   vtkNew<HapticControlPointsItem> Points;
   vtkNew<vtkTable> BarTable;
+  vtkNew<vtkTable> ProposedTable;
   vtkNew<vtkTable> CurveTable;
 
   const EditedQuantity* Shown = nullptr;
@@ -95,6 +118,8 @@ private:
   int ShownComponent = 0;
   vtkTimeStamp DataTime;
   bool HasData = false;
+  bool HasEdges = false;
+  vtkPiecewiseFunction* ProposedFunction = nullptr;
   double DataRange[2] = { 0.0, 1.0 };
   double Range[2] = { 0.0, 1.0 };
   double Scale = 1.0;

@@ -4,6 +4,7 @@
 
 #include "Core/Field/NoiseEstimate.h"
 #include "VTK/Baking/HapticNoise.h"
+#include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Proposal/EdgeSearch.h"
 
@@ -14,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -65,6 +67,29 @@ void Replace(vtkPiecewiseFunction* function, const Polyline& line)
   {
     function->AddPoint(vertex.X, vertex.Y);
   }
+}
+
+/** The boundaries as vtkHapticProperty::GetProposedBoundaries documents them. */
+vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const auto add = [&](const char* name, const auto& get)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (std::size_t i = 0; i < proposal.Boundaries.size(); ++i)
+    {
+      column->InsertNextValue(get(i));
+    }
+    table->AddColumn(column);
+  };
+  const std::vector<Boundary>& all = proposal.Boundaries;
+  add("Low", [&](std::size_t i) { return all[i].Low; });
+  add("High", [&](std::size_t i) { return all[i].High; });
+  add("Width", [&](std::size_t i) { return all[i].Width; });
+  add("Slope", [&](std::size_t i) { return proposal.Slopes[i]; });
+  add("Share", [&](std::size_t i) { return all[i].Share; });
+  return table;
 }
 
 } // namespace
@@ -119,10 +144,11 @@ bool ProposeFromVolume(
                                               : HapticNoise().Get(image, scalars, view, component);
     const EdgeThresholds thresholds = MakeThresholds(noise, range, kernel);
     const FieldSampler field(view, kernel);
-    const EdgeTracer tracer(field, volume.IndexToWorld, MeasureKernelVariance(kernel), thresholds);
+    ProposalFacts facts;
+    facts.SearchVariance = MeasureKernelVariance(kernel);
+    const EdgeTracer tracer(field, volume.IndexToWorld, facts.SearchVariance, thresholds);
     const std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds);
     const ValueAxis axis(lines, noise);
-    ProposalFacts facts;
     facts.Outside = view.BorderValue;
     facts.LargestSpacing = LargestSpacing(volume.IndexToWorld);
     facts.MostRadius =
@@ -168,29 +194,18 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
   property->SetSurfaceSide(proposal.Side == ProposedSide::Higher ? vtkHapticProperty::HIGHER
       : proposal.Side == ProposedSide::Lower                     ? vtkHapticProperty::LOWER
                                                                  : vtkHapticProperty::BOTH);
+  property->NoteProposal(MakeBoundaryTable(proposal), proposal.KernelRadius);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal)
+void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property)
 {
-  auto table = vtkSmartPointer<vtkTable>::New();
-  const auto add = [&](const char* name, const auto& get)
+  for (const PropertyFunction& function : PropertyFunctions)
   {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(name);
-    for (std::size_t i = 0; i < proposal.Boundaries.size(); ++i)
-    {
-      column->InsertNextValue(get(i));
-    }
-    table->AddColumn(column);
-  };
-  const std::vector<Boundary>& all = proposal.Boundaries;
-  add("Low", [&](std::size_t i) { return all[i].Low; });
-  add("High", [&](std::size_t i) { return all[i].High; });
-  add("Width", [&](std::size_t i) { return all[i].Width; });
-  add("Slope", [&](std::size_t i) { return proposal.Slopes[i]; });
-  add("Share", [&](std::size_t i) { return all[i].Share; });
-  return table;
+    (property->*function.Get)()->DeepCopy((proposed->*function.Get)());
+  }
+  property->SetSurfaceSide(proposed->GetSurfaceSide());
+  property->NoteProposal(proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius());
 }
 
 } // namespace VolumeHaptics

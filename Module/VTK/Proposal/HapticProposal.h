@@ -9,13 +9,10 @@
 
 #include "Core/Proposal/MaterialProposal.h"
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 
 class vtkHapticProperty;
 class vtkImageData;
-class vtkTable;
 
 namespace VolumeHaptics
 {
@@ -27,11 +24,11 @@ namespace VolumeHaptics
 bool ProposeFromVolume(
   vtkImageData* image, int component, MaterialProposal& proposal, std::string& error);
 
-/** Sets the five functions, in place, and the side of a property. */
+/** Sets the five functions of a property, in place, its side and its table of boundaries. */
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property);
 
-/** The boundaries as vtkHapticProperty::GetProposedBoundaries documents them. */
-vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal);
+/** Sets the same from a property that was filled before. */
+void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property);
 
 } // namespace VolumeHaptics
 

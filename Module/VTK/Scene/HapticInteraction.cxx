@@ -5,11 +5,13 @@
 #include "VTK/Scene/HapticViewRay.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <utility>
 
@@ -278,12 +280,44 @@ bool HapticInteraction::PressKey(const std::string& key)
   {
     scene.Editor->NextFunction();
   }
+  else if (key == "p" && scene.Editor)
+  {
+    this->Propose();
+  }
+  else if (key == "BackSpace" && scene.Editor)
+  {
+    scene.Editor->DropProposal();
+  }
   else
   {
     return false;
   }
   this->Frames.Draw(true);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::Propose()
+{
+  vtkHapticFunctionEditor* const editor = this->Scene.Editor;
+  if (editor->GetVisibility() && editor->TakeProposal())
+  {
+    vtkVolumeHapticsFilter* const filter =
+      this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
+    if (filter && filter->GetProperty() == editor->GetProperty())
+    {
+      filter->SetKernelRadius(editor->GetProperty()->GetProposedKernelRadius());
+    }
+    return;
+  }
+  editor->VisibilityOn();
+  this->IsProposing = true;
+  const bool isThere = editor->HasProposal() || editor->Propose();
+  this->IsProposing = false;
+  if (!isThere)
+  {
+    this->Frames.Notify("No functions can be proposed for this volume");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -301,8 +335,8 @@ bool HapticInteraction::ReleaseKey(const std::string& key)
 bool HapticInteraction::TypeKey(char key) const
 {
   // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
-  // animation.
-  return (this->Touch.IsOn() && key == 'f') || key == 'm';
+  // animation, and its p picks a prop.
+  return (this->Touch.IsOn() && key == 'f') || key == 'm' || (key == 'p' && this->Scene.Editor);
 }
 
 //------------------------------------------------------------------------------
@@ -321,7 +355,9 @@ void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
     if (begins && scene.Device && scene.Editor)
     {
       this->DeviceAtRest = scene.Device;
-      scene.Device->BeginLongWork("the histogram is counted", scene.Editor->EstimateUpdateTime());
+      scene.Device->BeginLongWork(
+        this->IsProposing ? "functions are proposed" : "the histogram is counted",
+        scene.Editor->EstimateUpdateTime());
     }
     return;
   }

@@ -95,6 +95,8 @@ public:
 private:
   void LeaveDevice();
   void FollowWork(vtkObject* worker, bool begins);
+  /** Makes a proposal in the editor, or takes the one that it shows. */
+  void Propose();
 
   FilterPublisher Publisher;
   HapticShownVolumes Volumes;
@@ -102,6 +104,7 @@ private:
   int Reader = 0;       ///< the number of this reader of the device's states
   double Updated = 0.0; ///< the device's time (s) at the last update
   bool EditorHasMouse = false;
+  bool IsProposing = false;
   vtkNew<vtkCallbackCommand> DisarmObserver;
   vtkNew<vtkCallbackCommand> WorkObserver; ///< observes the device and the editor
   /// the device that has no force while the editor counts

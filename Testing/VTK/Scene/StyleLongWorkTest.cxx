@@ -14,6 +14,7 @@
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cmath>
 #include <random>
 
 // Charts and their text need these modules, whose headers are not included here.
@@ -88,6 +89,18 @@ protected:
     image->SetDimensions(n, n, n);
     image->GetPointData()->SetScalars(samples);
     this->Editor->SetInputData(image);
+  }
+  /// 0 outside of a ball, 100 inside, and a blur of 2.5 voxels between.
+  void GiveEditorAnEdge()
+  {
+    constexpr int n = 64;
+    constexpr double middle = 0.5 * (n - 1);
+    this->Editor->SetInputData(apitest::MakeImage(n, VTK_FLOAT,
+      [](const apitest::Point& x)
+      {
+        const double r = std::hypot(x[0] - middle, x[1] - middle, x[2] - middle);
+        return 50.0 * std::erfc((r - 18.0) / (2.5 * std::sqrt(2.0)));
+      }));
   }
   /// Outside of the ball, every voxel has pieces of the isosurface at -4000.
   void GiveMethodMuch()
@@ -168,6 +181,46 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfASmallVolume)
   EXPECT_EQ(this->Editor->EstimateUpdateTime(), 0.0);
   EXPECT_EQ(this->Works, 0);
   EXPECT_FALSE(this->HasShown("Force is off"));
+}
+
+TEST_F(StyleLongWork, AreFunctionsThatProposeThemselves)
+{
+  this->GiveEditorAnEdge();
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  vtkHapticProperty* const property = this->Filter->GetProperty();
+  this->Press("p");
+  EXPECT_TRUE(this->HasShown("Force is off while functions are proposed"));
+  EXPECT_TRUE(this->Editor->GetVisibility());
+  EXPECT_TRUE(this->Editor->HasProposal());
+  EXPECT_EQ(property->GetProposedKernelRadius(), 0) << "nothing changes before it is taken";
+  this->ExpectPause();
+  this->Press("p");
+  EXPECT_FALSE(this->Editor->HasProposal());
+  EXPECT_EQ(property->GetProposedKernelRadius(), 5);
+  EXPECT_EQ(this->Filter->GetKernelRadius(), 5);
+  EXPECT_EQ(property->GetSurfaceStrength()->GetValue(100.0), 12.0);
+  EXPECT_EQ(this->Works, 1) << "to take it is no work";
+}
+
+TEST_F(StyleLongWork, LeavesNoProposalThatIsDropped)
+{
+  this->GiveEditorAnEdge();
+  this->Press("p");
+  EXPECT_TRUE(this->Editor->HasProposal());
+  this->Press("BackSpace");
+  EXPECT_FALSE(this->Editor->HasProposal());
+  EXPECT_EQ(this->Filter->GetProperty()->GetProposedBoundaries(), nullptr);
+}
+
+TEST_F(StyleLongWork, TellsThatThereIsNothingToPropose)
+{
+  this->GiveEditorMuch();
+  const apitest::MessageLog log(this->Editor);
+  this->Press("p");
+  ASSERT_EQ(log.Errors.size(), 1U);
+  EXPECT_NE(log.Errors[0].find("7 everywhere"), std::string::npos);
+  EXPECT_FALSE(this->Editor->HasProposal());
+  EXPECT_TRUE(this->HasShown("No functions can be proposed"));
 }
 
 TEST_F(StyleLongWork, IsTheMeshOfTheNextMethod)

@@ -53,6 +53,7 @@ Keys
   t  touch mode       a  arm, disarm        Escape  let go
   m  next method      h  status             g  graph              3  stereo
   v  function editor  n  next function      c  recentre           k  clutch
+  p  propose functions, again: take them    Backspace  drop the proposal
   + -  workspace      Home  home a device     q  close
 )";
 } // namespace

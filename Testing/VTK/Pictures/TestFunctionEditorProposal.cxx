@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Functions that the head phantom proposes: over its edges, dashed, beside those of a preset; taken
+// and dropped.
+#include "vtkAutoInit.h"
+#include "vtkCallbackCommand.h"
+#include "vtkHapticFunctionEditor.h"
+#include "vtkHapticProperty.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+#include "vtkTestUtilities.h"
+#include "vtkXMLImageDataReader.h"
+
+// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
+VTK_MODULE_INIT(vtkRenderingFreeType);
+
+namespace
+{
+bool Check(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    cerr << "failed: " << what << "\n";
+  }
+  return holds;
+}
+} // namespace
+
+int TestFunctionEditorProposal(int argc, char* argv[])
+{
+  vtkNew<vtkXMLImageDataReader> head;
+  char* const file = vtkTestUtilities::GetArgOrEnvOrDefault("--volume", argc, argv, "", "");
+  head->SetFileName(file);
+  head->Update();
+  delete[] file;
+
+  vtkNew<vtkHapticProperty> property;
+  property->ApplyPreset("CT contrast");
+  vtkPiecewiseFunction* const strength = property->GetSurfaceStrength();
+  const int points = strength->GetSize();
+  vtkNew<vtkHapticFunctionEditor> editor;
+  editor->SetProperty(property);
+  editor->SetInputData(head->GetOutput());
+  editor->SetFunctionToSurfaceStrength();
+  editor->SetRectangle(5, 5, 400, 280);
+  int edits = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&edits);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  editor->AddObserver(vtkCommand::InteractionEvent, count);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.32, 0.34, 0.43);
+  renderer->AddViewProp(editor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(410, 290);
+  window->AddRenderer(renderer);
+
+  bool passed = Check(!editor->HasProposal() && !editor->TakeProposal() && !editor->DropProposal(),
+    "no proposal at first");
+  // One that is dropped changes nothing.
+  passed &= Check(editor->Propose() && editor->HasProposal(), "the phantom proposes functions");
+  window->Render();
+  passed &= Check(editor->DropProposal() && !editor->HasProposal(), "a proposal is dropped");
+  window->Render();
+  passed &= Check(strength->GetSize() == points && !property->GetProposedBoundaries() && edits == 0,
+    "a proposal changes nothing until it is taken");
+  passed &= Check(editor->Propose(), "again");
+  window->Render();
+  const int picture = vtkRegressionTestImage(window);
+  passed &= Check(editor->TakeProposal() && !editor->HasProposal() && edits == 1, "it is taken");
+  passed &= Check(strength == property->GetSurfaceStrength() &&
+      strength->GetValue(-1000.0) == 0.0 && strength->GetValue(1500.0) == 12.0 &&
+      property->GetProposedBoundaries() && property->GetProposedKernelRadius() >= 2,
+    "the property has the proposal");
+  window->Render();
+  // The points of what was taken are dragged as any other.
+  double place[2];
+  const double height = strength->GetValue(1500.0);
+  editor->GetDisplayPosition(property->GetSurfaceStrength()->GetRange()[1], height, place);
+  const int x = static_cast<int>(place[0] + 0.5);
+  const int y = static_cast<int>(place[1] + 0.5);
+  editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);
+  editor->MouseMove(x, y - 30);
+  editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, x, y - 30);
+  passed &= Check(strength->GetValue(3000.0) < height - 0.5, "a point of it is dragged");
+  return passed && picture == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+}
