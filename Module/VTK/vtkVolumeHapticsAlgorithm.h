@@ -105,6 +105,37 @@ public:
   void SetContactAlignmentToEdge() { this->SetContactAlignment(EDGE); }
   ///@}
 
+  enum GeometryType
+  {
+    FROM_SCALARS = 0,
+    FROM_LABELS = 1,
+    FROM_BOTH = 2
+  };
+
+  ///@{
+  /**
+   * Which image makes the surfaces of the method PROXY. FROM_SCALARS (default): the volume.
+   * FROM_LABELS: the label image, with walls between its labels. FROM_BOTH: the volume, and walls
+   * between labels where it has no distinct surface.
+   *
+   * A wall is where two labels have the same share of the voxels around, weighted by a Gaussian of
+   * 0.355 (KernelRadius + 2) voxels of the label image (1.4 by default); its normal is the shares'
+   * gradient. On a ball of R voxels it lies the square of that over R inside, and sheets thinner
+   * than 1.35 times that have none. The structure of a wall is the harder label: one with an entry
+   * in the label table before one without; then the one with more surface strength, then with more
+   * stiffness, then with the higher number. With vtkHapticProperty::SetSurfaceSideToLower() it is
+   * the softer one. Labels that are not felt have no walls between them. A wall holds as firmly as
+   * the surface strength says; neither distinctness nor ContactAlignment change it. Over the last
+   * KernelRadius + 1 voxels inside the label image walls fade. With FROM_BOTH a wall stands in for
+   * the surface of the volume where the distinctness of that is less than one half.
+   */
+  vtkSetClampMacro(Geometry, int, FROM_SCALARS, FROM_BOTH);
+  vtkGetMacro(Geometry, int);
+  void SetGeometryFromScalars() { this->SetGeometry(FROM_SCALARS); }
+  void SetGeometryFromLabels() { this->SetGeometry(FROM_LABELS); }
+  void SetGeometryFromBoth() { this->SetGeometry(FROM_BOTH); }
+  ///@}
+
   enum GradientEstimatorType
   {
     CENTRAL_DIFFERENCE = 0,
@@ -318,6 +349,7 @@ protected:
   int Method = PROXY;
   int Solver = PRECISE;
   int ContactAlignment = DISTINCTNESS;
+  int Geometry = FROM_SCALARS;
   int GradientEstimator = GAUSSIAN;
   int KernelRadius = 2;
   double ServoRate = 1000.0;

@@ -198,6 +198,13 @@ bool vtkVolumeHapticsFilter::BakeLabels(
   std::shared_ptr<const VolumeHaptics::BakedLabels>& labels, std::string& error)
 {
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
+  if (!image && this->Method == PROXY && this->Geometry != FROM_SCALARS)
+  {
+    error =
+      "The geometry is to come from labels, and there is no label image. Connect one to input "
+      "port 3 with SetLabelConnection, or call SetGeometryFromScalars.";
+    return false;
+  }
   if (!image)
   {
     return true;

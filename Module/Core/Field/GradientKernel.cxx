@@ -61,9 +61,8 @@ namespace
 {
 
 /** a_i in place of the smoothing weights; the derivative's are left to Differentiate. */
-void ComputeFittedValueWeights(int radius, double fraction, double* value, double* slope)
+void ComputeFittedValueWeights(int radius, double s, double fraction, double* value, double* slope)
 {
-  const double s = GradientKernel::OwnScalePerRadius * radius;
   const double cut = radius + 1.0;
   const double scale = 1.0 / (2.0 * s * s);
   const double atCut = cut * cut * scale;
@@ -111,10 +110,16 @@ void Interpolate(const GradientKernel& kernel, int interval, double* coefficient
   for (int j = 0; j < order; ++j)
   {
     const double fraction = (interval + node(j)) / GradientKernel::Intervals;
-    const auto compute = kernel.Weights == GaussianWeights::OwnDerivative
-      ? ComputeFittedValueWeights
-      : ComputeGaussianWeights;
-    compute(kernel.Radius, fraction, weights[j].data(), weights[j].data() + kernel.Taps);
+    double* const smoothing = weights[j].data();
+    double* const derivative = smoothing + kernel.Taps;
+    if (kernel.Weights == GaussianWeights::OwnDerivative)
+    {
+      ComputeFittedValueWeights(kernel.Radius, kernel.OwnScale, fraction, smoothing, derivative);
+    }
+    else
+    {
+      ComputeGaussianWeights(kernel.Radius, fraction, smoothing, derivative);
+    }
   }
   for (int i = 0; i < count; ++i)
   {
@@ -149,11 +154,13 @@ void Interpolate(const GradientKernel& kernel, int interval, double* coefficient
 
 } // namespace
 
-GradientKernel::GradientKernel(GradientEstimator estimator, int radius, GaussianWeights weights)
+GradientKernel::GradientKernel(
+  GradientEstimator estimator, int radius, GaussianWeights weights, double ownScale)
   : Estimator(estimator)
   , Weights(weights)
   , Radius(std::clamp(radius, 1, MaximumRadius))
   , Taps(2 * (this->Radius + 1))
+  , OwnScale(ownScale > 0.0 ? ownScale : OwnScalePerRadius * this->Radius)
 {
   if (estimator != GradientEstimator::Gaussian)
   {

@@ -79,6 +79,8 @@ struct GradientKernel
   int Radius = 2;
   /** Taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius + 1. */
   int Taps = 6;
+  /** Of the Gaussian of GaussianWeights::OwnDerivative, in voxels. */
+  double OwnScale = 0.0;
   /**
    * The Gaussian's weights, Taps for smoothing and Taps for the derivative: for each interval, the
    * constant coefficients of all of them, then the linear ones, and so on.
@@ -86,8 +88,9 @@ struct GradientKernel
   std::vector<double> Table;
 
   GradientKernel() = default;
-  GradientKernel(
-    GradientEstimator estimator, int radius, GaussianWeights weights = GaussianWeights::FittedLine);
+  /** A scale (voxels) of 0 is the default one of OwnDerivative. */
+  GradientKernel(GradientEstimator estimator, int radius,
+    GaussianWeights weights = GaussianWeights::FittedLine, double ownScale = 0.0);
 
   KernelView GetView() const { return { this->Table.data(), this->Radius, this->Taps }; }
 };

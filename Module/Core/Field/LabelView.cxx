@@ -43,8 +43,20 @@ bool LocatePart(double position, std::int64_t count, AxisPart& part) noexcept
   return true;
 }
 
+/** Trilinear shares at fractions of a cell. */
+void SetShares(double x, double y, double z, LabelCell& cell) noexcept
+{
+  const double along[2] = { 1.0 - x, x };
+  const double across[4] = { (1.0 - y) * (1.0 - z), y * (1.0 - z), (1.0 - y) * z, y * z };
+  for (int c = 0; c < LabelCell::Corners; ++c)
+  {
+    cell.Share[c] = along[c & 1] * across[c >> 1];
+  }
+}
+
+/** A cell that may lack some of its voxels. */
 template <typename T>
-LabelCell ReadLabels(const VolumeView& view, double x, double y, double z) noexcept
+LabelCell ReadAtBorder(const VolumeView& view, double x, double y, double z) noexcept
 {
   AxisPart axes[3];
   if (!LocatePart(x, view.Dimensions[0], axes[0]) || !LocatePart(y, view.Dimensions[1], axes[1]) ||
@@ -52,41 +64,60 @@ LabelCell ReadLabels(const VolumeView& view, double x, double y, double z) noexc
   {
     return CellOutside();
   }
-  const std::int64_t corner =
-    axes[0].Low * view.Stride[0] + axes[1].Low * view.Stride[1] + axes[2].Low * view.Stride[2];
   const T* const data = static_cast<const T*>(view.Data);
-  bool isInside = true;
-  for (const AxisPart& axis : axes)
-  {
-    isInside = isInside && axis.HasLow && axis.HasHigh;
-  }
   LabelCell cell;
   cell.IsUniform = true;
   for (int c = 0; c < LabelCell::Corners; ++c)
   {
     const int bits[3] = { c & 1, (c >> 1) & 1, c >> 2 };
     bool exists = true;
-    for (int a = 0; a < 3 && !isInside; ++a)
+    std::int64_t offset = 0;
+    for (int a = 0; a < 3; ++a)
     {
       exists = exists && (bits[a] ? axes[a].HasHigh : axes[a].HasLow);
+      offset += (axes[a].Low + bits[a]) * view.Stride[a];
     }
-    cell.Label[c] = exists ? ToLabel(data[corner + bits[0] * view.Stride[0] +
-                               bits[1] * view.Stride[1] + bits[2] * view.Stride[2]])
-                           : NoLabel;
+    cell.Label[c] = exists ? ToLabel(data[offset]) : NoLabel;
     cell.IsUniform = cell.IsUniform && cell.Label[c] == cell.Label[0];
   }
-  if (!cell.IsUniform)
+  SetShares(axes[0].Fraction, axes[1].Fraction, axes[2].Fraction, cell);
+  return cell;
+}
+
+template <typename T>
+LabelCell ReadLabels(const VolumeView& view, double x, double y, double z) noexcept
+{
+  const auto isWithin = [&view](double position, int axis)
+  { return position >= 0.0 && position < static_cast<double>(view.Dimensions[axis] - 1); };
+  if (!(isWithin(x, 0) && isWithin(y, 1) && isWithin(z, 2)))
   {
-    for (int c = 0; c < LabelCell::Corners; ++c)
-    {
-      const int bits[3] = { c & 1, (c >> 1) & 1, c >> 2 };
-      cell.Share[c] = 1.0;
-      for (int a = 0; a < 3; ++a)
-      {
-        cell.Share[c] *= bits[a] ? axes[a].Fraction : 1.0 - axes[a].Fraction;
-      }
-    }
+    return ReadAtBorder<T>(view, x, y, z);
   }
+  const auto i = static_cast<std::int64_t>(x);
+  const auto j = static_cast<std::int64_t>(y);
+  const auto k = static_cast<std::int64_t>(z);
+  const std::int64_t* const step = view.Stride;
+  const T* const front = static_cast<const T*>(view.Data) + i * step[0] + j * step[1] + k * step[2];
+  const T* const back = front + step[2];
+  const T samples[LabelCell::Corners] = { front[0], front[step[0]], front[step[1]],
+    front[step[1] + step[0]], back[0], back[step[0]], back[step[1]], back[step[1] + step[0]] };
+  LabelCell cell;
+  cell.IsUniform = true;
+  for (const T sample : samples)
+  {
+    cell.IsUniform &= sample == samples[0];
+  }
+  if (cell.IsUniform)
+  {
+    cell.Label[0] = ToLabel(samples[0]);
+    return cell;
+  }
+  for (int c = 0; c < LabelCell::Corners; ++c)
+  {
+    cell.Label[c] = ToLabel(samples[c]);
+  }
+  SetShares(
+    x - static_cast<double>(i), y - static_cast<double>(j), z - static_cast<double>(k), cell);
   return cell;
 }
 

@@ -26,9 +26,9 @@ struct LabelCell
 {
   static constexpr int Corners = 8;
 
-  std::array<std::int64_t, Corners> Label;
-  std::array<double, Corners> Share; ///< their sum is 1; not set if the cell is uniform
-  bool IsUniform;                    ///< all labels are the first one
+  std::array<std::int64_t, Corners> Label; ///< only the first one is set if the cell is uniform
+  std::array<double, Corners> Share;       ///< their sum is 1; not set if the cell is uniform
+  bool IsUniform;                          ///< all labels are the first one
 };
 
 /** The voxels of a label image, at its own continuous indices. Borrows the memory. */

@@ -55,6 +55,17 @@ std::shared_ptr<const BakedLabels> MakeLabels(const HapticModelDescription& d)
   return labels;
 }
 
+std::unique_ptr<const LabelWalls> MakeWalls(
+  const HapticModelDescription& d, const BakedLabels* labels)
+{
+  if (!labels || d.Settings.Geometry == SurfaceGeometry::Scalars)
+  {
+    return nullptr;
+  }
+  // The default radius of 2 makes a scale of 1.4 voxels.
+  return std::make_unique<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1);
+}
+
 } // namespace
 
 BakedVolume::BakedVolume(const HapticModelDescription& d)
@@ -69,6 +80,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Samples(d.Samples)
   , Mesh(d.Mesh)
   , Labels(MakeLabels(d))
+  , Walls(MakeWalls(d, this->Labels.get()))
   , Number(d.Number > 0 ? d.Number : NextNumber())
 {
 }

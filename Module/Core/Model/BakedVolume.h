@@ -11,6 +11,7 @@
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/BakedLabels.h"
 #include "Core/Model/HapticModelDescription.h"
+#include "Core/Model/LabelWalls.h"
 
 #include <memory>
 
@@ -37,6 +38,8 @@ struct BakedVolume
   const std::shared_ptr<const void> Samples;       ///< keeps the memory of Field alive
   const std::shared_ptr<const SurfaceMesh> Mesh;   ///< null without one
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
+  /** Null if all surfaces are those of the scalars. */
+  const std::unique_ptr<const LabelWalls> Walls;
   /** Of the volume, the material and the settings; only regions of one volume may share one. */
   const std::uint64_t Number;
 };

@@ -26,6 +26,28 @@ Affine3 MakeIndexToLabel(const BakedVolume& baked)
                       : Affine3{};
 }
 
+const Affine3& LabelToWorld(const BakedVolume& baked)
+{
+  return baked.Labels ? baked.Labels->IndexToWorld : baked.IndexToWorld;
+}
+
+/** World units: KernelRadius voxels of the coarser image. */
+double FindLabelReach(const BakedVolume& baked)
+{
+  return baked.Kernel.Radius *
+    std::fmax(baked.LargestSpacing, LargestColumn(LabelToWorld(baked).Linear));
+}
+
+double FindMostSteps(const HapticModel& model)
+{
+  double most = model.MostVoxelsPerMeter;
+  for (const Vector3& row : model.DeviceToLabel.Linear.Row)
+  {
+    most = model.Baked->Walls ? std::fmax(most, Norm(row)) : most;
+  }
+  return most;
+}
+
 } // namespace
 
 HapticModel::HapticModel(const HapticModelDescription& description)
@@ -66,6 +88,11 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , FallbackReach(this->DeviceToIndex.Linear * (this->KernelLength * this->FallbackNormal))
   , Resident(this->Baked->Field.GetView())
   , IndexToLabel(MakeIndexToLabel(*this->Baked))
+  , DeviceToLabel(Compose(this->IndexToLabel, this->DeviceToIndex))
+  , LabelGradientToDevice(Transpose(this->DeviceToWorldRotation) *
+      Transpose(Inverse(LabelToWorld(*this->Baked).Linear)))
+  , LabelReach(FindLabelReach(*this->Baked) / this->WorldUnitsPerMeter)
+  , MostStepsPerMeter(FindMostSteps(*this))
 {
 }
 
@@ -92,7 +119,8 @@ std::size_t HapticModel::GetMemorySize() const noexcept
   return sizeof(*this) + sizeof(baked) + baked.Kernel.Table.capacity() * sizeof(double) +
     baked.Materials.GetMemorySize() - sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() -
     sizeof(baked.Distinctness) + (baked.Mesh ? baked.Mesh->GetMemorySize() : 0) +
-    (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0);
+    (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0) +
+    (baked.Walls ? sizeof(LabelWalls) + baked.Walls->GetMemorySize() : 0);
 }
 
 } // namespace VolumeHaptics

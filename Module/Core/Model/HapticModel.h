@@ -65,8 +65,25 @@ public:
   /** x_s - x_p, as index steps, without a gradient. */
   const Vector3 FallbackReach;
   const ResidentBox Resident; ///< of the samples in Baked->Field
-  /** From an index of the volume to one of the label image, if there is one. */
+  ///@{
+  /** From an index of the volume, and from the device, to an index of the label image. */
   const Affine3 IndexToLabel;
+  const Affine3 DeviceToLabel;
+  ///@}
+  /** Turns a gradient per index step of the label image into one per world unit on device axes. */
+  const Matrix3 LabelGradientToDevice;
+  /** The distance (m) of x_s and x_v from a proxy at a wall between labels. */
+  const double LabelReach;
+  /** The most index steps in 1 m of the volume or, if its walls are felt, of the label image. */
+  const double MostStepsPerMeter;
+
+  /** The index steps of a displacement (m), of the finer image of those that are felt. */
+  double StepsOf(const Vector3& displacement) const noexcept
+  {
+    const double steps = Norm(this->DeviceToIndex.Linear * displacement);
+    return this->Baked->Walls ? std::fmax(steps, Norm(this->DeviceToLabel.Linear * displacement))
+                              : steps;
+  }
 
   /** 0 at the volume's border, rising to 1 one kernel radius inside. */
   double BorderFade(const Vector3& index) const noexcept

@@ -36,6 +36,14 @@ enum class ContactAlignment : std::uint8_t
   Edge          ///< not before V(x_p) >= (V(x_s) + V(x_v))/2
 };
 
+/** The image whose surfaces are felt; of HapticMethod::Proxy. */
+enum class SurfaceGeometry : std::uint8_t
+{
+  Scalars,
+  Labels, ///< walls between labels alone; see LabelWalls.h
+  Both    ///< those between labels where the scalars have no distinct surface
+};
+
 /** The shape that stands in for the surface near the proxy; of HapticMethod::LocalSurface. */
 enum class LocalSurfaceShape : std::uint8_t
 {
@@ -59,6 +67,7 @@ struct HapticSettings
   HapticMethod Method = HapticMethod::Proxy;
   HapticSolver Solver = HapticSolver::Precise;
   ContactAlignment Alignment = ContactAlignment::Distinctness;
+  SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< Scalars without labels
   SurfaceSide Side = SurfaceSide::Higher;
   bool SameShape = false;           ///< one stiffness for all materials that have any
   double CouplingStiffness = 500.0; ///< N/m, with SameShape

@@ -35,6 +35,27 @@ struct LabelledMaterial
 };
 
 /**
+ * The place of a label in the order from soft to hard, which tells on which side of a wall its
+ * structure lies: labels that are not felt, those without an entry, those with one; among these by
+ * T_N, then by k; then by number.
+ */
+struct LabelOrder
+{
+  int Kind = 0; ///< 0: not felt; 1: without an entry; 2: with one
+  double Strength = 0.0;
+  double Stiffness = 0.0;
+  std::int64_t Label = 0;
+};
+
+inline bool operator<(const LabelOrder& a, const LabelOrder& b) noexcept
+{
+  return a.Kind != b.Kind        ? a.Kind < b.Kind
+    : a.Strength != b.Strength   ? a.Strength < b.Strength
+    : a.Stiffness != b.Stiffness ? a.Stiffness < b.Stiffness
+                                 : a.Label < b.Label;
+}
+
+/**
  * Materials by label: a hash table that is at most half full, so that a lookup takes one or two
  * looks for any number of labels.
  */
@@ -67,6 +88,25 @@ public:
         return &this->Entries[entry - 1].Material;
       }
     }
+  }
+
+  LabelOrder OrderOf(std::int64_t label) const noexcept
+  {
+    constexpr int strength = 2; // the channels
+    constexpr int stiffness = 0;
+    constexpr double none = -1.0;
+    const LabelMaterial* const material = this->Find(label);
+    if (!material)
+    {
+      return { 1, none, none, label };
+    }
+    if (!material->IsFelt)
+    {
+      return {};
+    }
+    const auto value = [&](int channel)
+    { return material->IsSet[channel] ? material->Value[channel] : none; };
+    return { 2, value(strength), value(stiffness), label };
   }
 
   ///@{

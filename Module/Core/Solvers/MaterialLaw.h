@@ -30,8 +30,10 @@ struct Surface
   Vector3 Normal; ///< unit, into the structure
   Vector3 Reach;  ///< x_s - x_p, as index steps
   double GradientMagnitude = 0.0;
-  double Value = 0.0; ///< the estimator's own value, whose gradient this is
-  double Fade = 0.0;  ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
+  double Value = 0.0;  ///< the estimator's own value, whose gradient this is
+  double Fade = 0.0;   ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
+  bool IsWall = false; ///< between labels; its Value is that of LabelWall
+  double Depth = 0.0;  ///< of a wall: its value, turned as the normal is
 };
 
 /** A lag as the sum of its part along the normal and its tangential part. */
@@ -70,8 +72,8 @@ inline double Capped(double value, double cap) noexcept
   return cap > 0.0 ? std::min(value, cap) : value;
 }
 
-/** The surface through an index, with an ascending normal. */
-inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexcept
+/** The scalars' surface through an index, with an ascending normal. */
+inline Surface FindFieldSurface(const HapticModel& model, const Vector3& index) noexcept
 {
   Surface surface;
   surface.Normal = model.FallbackNormal;
@@ -100,6 +102,29 @@ inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexc
   return surface;
 }
 
+/** Where the geometry is that of labels, or of both: FieldSurface.cxx. */
+Surface FindWall(const HapticModel& model, const Vector3& index) noexcept;
+
+/** The surface through an index, with an ascending normal. */
+inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexcept
+{
+  return model.Baked->Walls ? FindWall(model, index) : FindFieldSurface(model, index);
+}
+
+/** The depth (as LabelWall::Value) down to which a wall holds with all of its strength, and 0. */
+constexpr double WallHolds = 0.5;
+constexpr double WallEnds = 0.9;
+/** A wall begins to hold this little before it, so that a proxy comes to rest in front of it. */
+constexpr double WallBegins = 5e-3;
+
+/** The distinctness of a wall: 1 on it and just behind it, 0 before it and farther behind. */
+inline double DistinctnessOfWall(double depth) noexcept
+{
+  const double before = 1.0 + depth / WallBegins;
+  const double behind = (WallEnds - depth) / (WallEnds - WallHolds);
+  return std::clamp(std::min(before, behind), 0.0, 1.0);
+}
+
 /** Whether, by the settings, the structure lies against the gradient. */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
@@ -116,6 +141,7 @@ inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surfac
   {
     surface.Normal = -surface.Normal;
     surface.Reach = -surface.Reach;
+    surface.Depth = -surface.Depth;
   }
   return isDescending;
 }
@@ -134,7 +160,9 @@ inline void ReadMaterials(const HapticModel& model, const Vector3& index, const 
   MaterialPoint& point) noexcept
 {
   // Before the values: their sampling hides the lookup's latency.
-  const DistinctnessTable::Values distinct = model.Baked->Distinctness(surface.GradientMagnitude);
+  const DistinctnessTable::Values distinct = surface.IsWall
+    ? DistinctnessTable::Values{ DistinctnessOfWall(surface.Depth), 1.0 }
+    : model.Baked->Distinctness(surface.GradientMagnitude);
   const ValuePair values = model.Baked->Field.Values(index, surface.Reach);
   MaterialTable::Values inside = model.Baked->Materials(values.Ahead);
   MaterialTable::Values outside = model.Baked->Materials(values.Behind);

@@ -28,6 +28,8 @@ inline constexpr SettingChoice MethodNames[] = { { "Proxy", "Proxy" },
 inline constexpr SettingChoice SolverNames[] = { { "Paper", "Paper" }, { "Precise", "Precise" } };
 inline constexpr SettingChoice ContactAlignmentNames[] = { { "Distinctness", "Distinctness" },
   { "Edge", "Edge" } };
+inline constexpr SettingChoice GeometryNames[] = { { "FromScalars", "From scalars" },
+  { "FromLabels", "From labels" }, { "FromBoth", "From both" } };
 inline constexpr SettingChoice GradientEstimatorNames[] = { { "CentralDifference",
                                                               "Central difference" },
   { "Gaussian", "Gaussian" }, { "CubicBSpline", "Cubic B-spline" } };
@@ -58,6 +60,10 @@ inline constexpr FilterSetting All[] = {
     "Where a surface begins to hold, with the solver Precise. Distinctness (default): as soon as "
     "distinctness and strength say so, which on a blurred edge is some voxels before its middle. "
     "Edge: not before the middle of the edge, so that what is felt lies on what is seen."),
+  HapticChoiceMacro(Geometry, Owner::FROM_SCALARS, &S::Geometry,
+    "Which image makes the surfaces of the method Proxy. From scalars (default): the volume. From "
+    "labels: the label image, with walls between its labels. From both: the volume, and walls "
+    "between labels where it has no distinct surface."),
   HapticChoiceMacro(GradientEstimator, Owner::GAUSSIAN, &D::Estimator,
     "How gradients are estimated. Central difference: of six trilinear samples Kernel Radius "
     "voxels away. Gaussian (default): the derivative of a Gaussian of scale 0.53 Kernel Radius "

@@ -88,6 +88,13 @@ TEST_F(BadLabelsTest, ADirectionMustSpanSpace)
   this->ExpectError({ "direction matrix of the label image on input port 3", "singular" });
 }
 
+TEST_F(BadLabelsTest, GeometryNeedsLabels)
+{
+  this->Filter->SetLabelData(nullptr);
+  this->Filter->SetGeometryFromLabels();
+  this->ExpectError({ "no label image", "port 3", "SetGeometryFromScalars" });
+}
+
 TEST_F(BadLabelsTest, AThinImageIsFelt)
 {
   // One voxel thin, far away: labels need no gradient, and nothing is there.

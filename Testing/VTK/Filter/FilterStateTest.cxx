@@ -107,6 +107,8 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PRECISE);
   filter->SetSolverToPaper();
   EXPECT_EQ(filter->GetSolver(), vtkVolumeHapticsFilter::PAPER);
+  filter->SetGeometry(99);
+  EXPECT_EQ(filter->GetGeometry(), vtkVolumeHapticsFilter::FROM_BOTH);
   filter->SetContactAlignment(99);
   EXPECT_EQ(filter->GetContactAlignment(), vtkVolumeHapticsFilter::EDGE);
   filter->SetServoRate(0.0);

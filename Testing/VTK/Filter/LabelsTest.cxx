@@ -173,6 +173,77 @@ TEST_P(LabelsOfSolver, BeyondTheLabelImageTheFunctionsHold)
 INSTANTIATE_TEST_SUITE_P(Both, LabelsOfSolver,
   testing::Values(vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE));
 
+TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
+{
+  // L1 with the geometry of labels: a wall at z = 7.5, pressed to z = 9.5.
+  this->Filter->SetInputData(MakeImage(16, VTK_SHORT, [](const Point&) { return 40.0; }));
+  this->Filter->SetLabelData(MakeImage(16, VTK_UNSIGNED_SHORT,
+    [](const Point& p) { return p[2] < 7.5 ? 0.0 : (p[0] < 7.5 ? 1000.0 : 2000.0); }));
+  this->Filter->SetLabelTable(this->Table);
+  this->Filter->SetGeometryFromLabels();
+  this->Table->SetStiffness(1000, 200.0);
+  this->Table->SetStiffness(2000, 800.0);
+  for (const auto& [x, stiffness] : { std::pair(4.0, 200.0), std::pair(11.0, 800.0) })
+  {
+    this->Filter->SetPathData(MakePath(Line({ x, 7, 5 }, { x, 7, 9.5 }, 450)));
+    vtkPolyData* const output = this->Run(451);
+    EXPECT_EQ(Get(output, "Force", 200, 2), 0.0);
+    EXPECT_EQ(Get(output, "Stiffness", 450), stiffness);
+    EXPECT_NEAR(output->GetPoint(450)[2], 7.5, 0.015);
+    const double depth = 1e-3 * (9.5 - output->GetPoint(450)[2]);
+    EXPECT_NEAR(-Get(output, "Force", 450, 2) / (stiffness * depth), 1.0, 1e-9);
+    EXPECT_NEAR(Get(output, "Normal", 450, 2), 1.0, 1e-6);
+  }
+  // The volume has no surface of its own.
+  this->Filter->SetGeometryFromScalars();
+  EXPECT_EQ(Get(this->Run(451), "Force", 450, 2), 0.0);
+  this->Filter->SetGeometryFromBoth();
+  EXPECT_NEAR(Get(this->Run(451), "Force", 450, 2), -800.0 * 0.002, 0.012);
+}
+
+TEST_P(LabelsOfSolver, LeaveSurfacesOfTheVolumeAlone)
+{
+  // The ramp is a surface everywhere: with both geometries it is what is felt.
+  this->SetHalves();
+  this->PressAt(4.0);
+  this->Run(51);
+  const auto scalars = Keep(this->Filter);
+  this->Filter->SetGeometryFromBoth();
+  this->Run(51);
+  EXPECT_TRUE(IsSame(scalars, Keep(this->Filter)));
+  // Of the labels' own, it meets none: their only wall is at x = 7.5.
+  this->Filter->SetGeometryFromLabels();
+  EXPECT_EQ(Get(this->Run(51), "Force", Last, 2), 0.0);
+}
+
+TEST_F(LabelsTest, OtherMethodsDoNotFeelThem)
+{
+  this->Filter->SetIsoValue(700.0);
+  SetConstant(this->Property->GetFriction(), 0.3);
+  this->Filter->SetPathData(MakePath(Line({ 3, 7, 5 }, { 12, 7, 9 }, 200)));
+  for (const int method : { vtkVolumeHapticsFilter::FORCE_FIELD,
+         vtkVolumeHapticsFilter::SURFACE_PROXY, vtkVolumeHapticsFilter::LOCAL_SURFACE })
+  {
+    this->Filter->SetMethod(method);
+    this->Filter->SetLabelData(nullptr);
+    this->Filter->SetGeometryFromScalars();
+    this->Run(201);
+    const auto without = Keep(this->Filter);
+    this->SetHalves();
+    this->Table->SetStiffness(1, 77.0);
+    this->Table->SetFelt(2, false);
+    this->Filter->SetGeometryFromLabels();
+    vtkPolyData* const output = this->Run(201);
+    for (vtkIdType tick = 0; tick <= 200; ++tick)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        ASSERT_EQ(Get(output, "Force", tick, axis), Get(without, "Force", tick, axis)) << method;
+      }
+    }
+  }
+}
+
 TEST_F(LabelsTest, GoOverWithinAVoxel)
 {
   // PAPER shows the material itself: k = 200 + 600 (x - 7) between the voxels at x = 7 and x = 8.

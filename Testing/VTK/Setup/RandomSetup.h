@@ -40,6 +40,7 @@ public:
     f->SetContactAlignmentToEdge();
     f->SameShapeOn();
     f->SetCouplingStiffness(this->Draw(1000.0));
+    f->SetGeometryFromBoth();
     f->SetMaximumForce(this->Draw(10.0));
     f->SetMaximumStiffness(this->Draw(3000.0));
     f->GetProperty()->SetComponent(2);

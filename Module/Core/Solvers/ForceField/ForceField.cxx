@@ -24,7 +24,7 @@ Vector3 FindFieldDamping(
 void StepForceField(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
 {
   const Vector3 index = model.DeviceToIndex(record.Tip);
-  const Surface surface = Law::FindSurface(model, index);
+  const Surface surface = Law::FindFieldSurface(model, index);
   Law::ReadMaterials(model, index, surface, record);
   record.Proxy = record.Tip;
   if (!state.Enabled)

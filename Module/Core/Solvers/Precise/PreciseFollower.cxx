@@ -222,7 +222,8 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
   }
   // The proxy may have left the surface and met it again.
   const double inward = Dot(motion.Displacement, here.Normal);
-  if (!this->State.IsHeld || std::abs(inward) > Rounding * Norm(motion.Displacement))
+  if (!this->State.IsHeld || std::abs(inward) > Rounding * Norm(motion.Displacement) ||
+    !this->Field.IsOfLevel(here, this->State.Level))
   {
     this->State.IsHeld = true;
     this->State.Level = here.Value + here.Slope * inward;

@@ -63,7 +63,7 @@ PrecisePoint PreciseSurroundings::Look(const Vector3& proxy, const Vector3& lag)
   point.Value = surface.Value;
   const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
   point.Slope = isDescending ? -slope : slope;
-  if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge &&
+  if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
     point.SurfaceStrength > 0.0)
   {
     point.SurfaceStrength *= AtEdge(point, this->Model.Baked->Field.Value(index), isDescending);
@@ -89,10 +89,17 @@ bool PreciseSurroundings::IsBeyond(const Vector3& a, const Vector3& b) const noe
   return beyond(i.X, j.X, 0) || beyond(i.Y, j.Y, 1) || beyond(i.Z, j.Z, 2);
 }
 
+bool PreciseSurroundings::IsOfLevel(const PrecisePoint& here, double level) const noexcept
+{
+  return !this->Model.Baked->Walls ||
+    std::abs(level - here.Value) * this->Model.MostStepsPerMeter <=
+    FarthestLevel * std::abs(here.Slope);
+}
+
 double PreciseSurroundings::ToLevel(
   const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept
 {
-  const double most = FarthestLevel / this->Model.MostVoxelsPerMeter;
+  const double most = FarthestLevel / this->Model.MostStepsPerMeter;
   const double push = Dot(lag, here.Normal);
   const double displacement = (level - here.Value) / here.Slope;
   // Not past the tip, and not so far out that the surface could not hold the spring.

@@ -59,11 +59,17 @@ public:
   /** The length of a displacement (m) in voxels. */
   double Voxels(const Vector3& displacement) const noexcept
   {
-    return Norm(this->Model.DeviceToIndex.Linear * displacement);
+    return this->Model.StepsOf(displacement);
   }
 
   /** Voxels per metre along the axis of the smallest spacing. */
-  double GetVoxelsPerMeter() const noexcept { return this->Model.MostVoxelsPerMeter; }
+  double GetVoxelsPerMeter() const noexcept { return this->Model.MostStepsPerMeter; }
+
+  /**
+   * Whether a level can be that of the surface at a point: walls between labels have other levels
+   * than the scalars, and the next wall has another one than the last.
+   */
+  bool IsOfLevel(const PrecisePoint& here, double level) const noexcept;
 
   /** Whether both positions lie beyond the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;

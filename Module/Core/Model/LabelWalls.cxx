@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Model/LabelWalls.h"
+
+#include "Core/Field/LabelSamples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+
+/** The taps of a kernel at a position. Those beyond the image repeat the voxel at its border. */
+struct LabelWalls::Taps
+{
+  static constexpr int Most = GradientKernel::MaximumTaps;
+
+  int Count;
+  bool IsContiguous; ///< the taps along x are neighbours in memory
+  /** Along each axis: the weights of the value, then those of the derivative. */
+  double Weights[3][2 * Most];
+  std::int64_t Offset[3][Most];
+  ///@{
+  /** Of the weights along x: the sums of the first ones. */
+  double Value[Most + 1];
+  double Slope[Most + 1];
+  ///@}
+};
+
+/** The labels around a position with their shares, and the gradients of these. */
+struct LabelWalls::Around
+{
+  /** More labels than this around one position count as the last one of them. */
+  static constexpr int Most = 32;
+
+  struct Part
+  {
+    std::int64_t Label;
+    double Share;
+    Vector3 Gradient;
+  };
+
+  int Count = 0;
+  int Latest = 0;
+  Part Parts[Most];
+
+  Part& Find(std::int64_t label) noexcept
+  {
+    if (this->Count > 0 && this->Parts[this->Latest].Label == label)
+    {
+      return this->Parts[this->Latest];
+    }
+    for (int i = 0; i < this->Count; ++i)
+    {
+      if (this->Parts[i].Label == label)
+      {
+        this->Latest = i;
+        return this->Parts[i];
+      }
+    }
+    if (this->Count < Most)
+    {
+      this->Latest = this->Count++;
+      this->Parts[this->Latest] = { label, 0.0, {} };
+    }
+    return this->Parts[this->Latest];
+  }
+};
+
+namespace
+{
+
+/** Weights at a position within the image; returns the first tap's index. */
+std::int64_t FindWeights(const GradientKernel& kernel, double position, double* weights) noexcept
+{
+  const double place = position * GradientKernel::Intervals;
+  const double whole = std::floor(place);
+  const auto interval = static_cast<std::int64_t>(whole);
+  const double t = place - whole;
+  const int count = 2 * kernel.Taps;
+  const double* const c = kernel.Table.data() +
+    (interval % GradientKernel::Intervals) * GradientKernel::Coefficients * count;
+  for (int i = 0; i < count; ++i)
+  {
+    double sum = c[(GradientKernel::Coefficients - 1) * count + i];
+    for (int power = GradientKernel::Coefficients - 2; power >= 0; --power)
+    {
+      sum = sum * t + c[power * count + i];
+    }
+    weights[i] = sum;
+  }
+  return interval / GradientKernel::Intervals - kernel.Radius;
+}
+
+} // namespace
+
+template <typename T, int N>
+void LabelWalls::Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept
+{
+  // 0 stands for any number.
+  const int count = N > 0 ? N : taps.Count;
+  const std::int64_t* const step = taps.Offset[0];
+  for (int k = 0; k < count; ++k)
+  {
+    const double valueZ = taps.Weights[2][k];
+    const double slopeZ = taps.Weights[2][count + k];
+    for (int j = 0; j < count; ++j)
+    {
+      const double valueY = taps.Weights[1][j];
+      const double slopeY = taps.Weights[1][count + j];
+      const T* const row = static_cast<const T*>(view.Data) + taps.Offset[2][k] + taps.Offset[1][j];
+      const auto add = [&](T sample, int begin, int end)
+      {
+        Around::Part& part = around.Find(ToLabel(sample));
+        const double value = taps.Value[end] - taps.Value[begin];
+        const double slope = taps.Slope[end] - taps.Slope[begin];
+        part.Share += valueZ * valueY * value;
+        part.Gradient +=
+          { valueZ * valueY * slope, valueZ * slopeY * value, slopeZ * valueY * value };
+      };
+      if (N > 0 && taps.IsContiguous)
+      {
+        const T* const from = row + step[0];
+        bool isUniform = true;
+        for (int i = 1; i < N; ++i)
+        {
+          isUniform &= from[i] == from[0];
+        }
+        if (isUniform)
+        {
+          add(from[0], 0, N);
+          continue;
+        }
+      }
+      int begin = 0;
+      for (int i = 1; i <= count; ++i)
+      {
+        if (i == count || row[step[i]] != row[step[begin]])
+        {
+          add(row[step[begin]], begin, i);
+          begin = i;
+        }
+      }
+    }
+  }
+}
+
+template <typename T>
+auto LabelWalls::ChooseGather(int taps) noexcept -> GatherFunction
+{
+  switch (taps)
+  {
+    case 6:
+      return &Gather<T, 6>;
+    case 8:
+      return &Gather<T, 8>;
+    case 10:
+      return &Gather<T, 10>;
+    default:
+      return &Gather<T, 0>;
+  }
+}
+
+LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radius)
+  : Kernel(GradientEstimator::Gaussian, radius, GaussianWeights::OwnDerivative,
+      ScalePerCut * (radius + 1))
+  , View(view.GetView())
+  , Table(table)
+  , Last{ static_cast<double>(this->View.Dimensions[0] - 1),
+    static_cast<double>(this->View.Dimensions[1] - 1),
+    static_cast<double>(this->View.Dimensions[2] - 1) }
+  , GatherShares(WithSampleType(this->View.Type,
+      [this](auto sample) { return ChooseGather<decltype(sample)>(this->Kernel.Taps); }))
+{
+}
+
+LabelWall LabelWalls::Find(const Vector3& index) const noexcept
+{
+  LabelWall wall;
+  // Also false for NaN.
+  const bool isInside = index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
+    index.X <= this->Last.X && index.Y <= this->Last.Y && index.Z <= this->Last.Z;
+  if (!isInside)
+  {
+    return wall;
+  }
+  Taps taps;
+  taps.Count = this->Kernel.Taps;
+  const double position[3] = { index.X, index.Y, index.Z };
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::int64_t first = FindWeights(this->Kernel, position[a], taps.Weights[a]);
+    const std::int64_t last = this->View.Dimensions[a] - 1;
+    for (int i = 0; i < taps.Count; ++i)
+    {
+      taps.Offset[a][i] = std::clamp<std::int64_t>(first + i, 0, last) * this->View.Stride[a];
+    }
+  }
+  taps.IsContiguous = this->View.Stride[0] == 1 &&
+    taps.Offset[0][taps.Count - 1] - taps.Offset[0][0] == taps.Count - 1;
+  taps.Value[0] = taps.Slope[0] = 0.0;
+  for (int i = 0; i < taps.Count; ++i)
+  {
+    taps.Value[i + 1] = taps.Value[i] + taps.Weights[0][i];
+    taps.Slope[i + 1] = taps.Slope[i] + taps.Weights[0][taps.Count + i];
+  }
+  Around around;
+  this->GatherShares(this->View, taps, around);
+  if (around.Count < 2)
+  {
+    return wall;
+  }
+
+  // From the hardest label on; the nearest of the walls between labels of different order.
+  LabelOrder order[Around::Most];
+  int sorted[Around::Most];
+  for (int i = 0; i < around.Count; ++i)
+  {
+    order[i] = this->Table.OrderOf(around.Parts[i].Label);
+    sorted[i] = i;
+    for (int at = i; at > 0 && order[sorted[at - 1]] < order[sorted[at]]; --at)
+    {
+      std::swap(sorted[at - 1], sorted[at]);
+    }
+  }
+  double share = 0.0;
+  Vector3 gradient;
+  double nearest = 2.0;
+  for (int i = 0; i + 1 < around.Count; ++i)
+  {
+    const Around::Part& part = around.Parts[sorted[i]];
+    share += part.Share;
+    gradient += part.Gradient;
+    const double value = 2.0 * share - 1.0;
+    if (order[sorted[i + 1]] < order[sorted[i]] && std::abs(value) < nearest)
+    {
+      nearest = std::abs(value);
+      wall = { true, value, 2.0 * gradient };
+    }
+  }
+  return wall;
+}
+
+double LabelWalls::BorderFade(const Vector3& index) const noexcept
+{
+  const Vector3 inside = Least(index, this->Last - index);
+  const double nearest = std::min(std::min(inside.X, inside.Y), inside.Z);
+  return std::clamp(nearest / this->Kernel.Radius, 0.0, 1.0);
+}
+
+} // namespace VolumeHaptics

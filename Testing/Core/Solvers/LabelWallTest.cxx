@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Walls between labels under a hand, in a volume of one value. A wall that lies at w and holds
+ * gives a tip at depth h the force k (h - w): the closed form of these tests.
+ */
+
+#include "Rigs/CoreScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+using namespace coretest;
+
+namespace
+{
+constexpr double Millimetre = 1e-3;
+
+LabelledMaterial Entry(std::int64_t label, double stiffness, double strength)
+{
+  LabelledMaterial entry;
+  entry.Label = label;
+  entry.Material.Value = { stiffness, 0.0, strength, 0.0 };
+  entry.Material.IsSet = { true, false, true, false };
+  return entry;
+}
+
+/// A volume of zeros, and labels on the same grid.
+class LabelledScene
+{
+public:
+  explicit LabelledScene(std::int64_t side, const std::function<int(const Vector3&)>& label,
+    const std::vector<LabelledMaterial>& entries)
+    : Volume(ScalarType::Int16, { side, side, side })
+    , Labels(ScalarType::UInt8, { side, side, side })
+  {
+    this->Labels.Fill<std::uint8_t>(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+        return label({ double(i), double(j), double(k) });
+      });
+    auto baked = std::make_shared<BakedLabels>();
+    baked->View = LabelView(this->Labels.View);
+    baked->Table = LabelTable(entries);
+    this->Description = Describe(this->Volume);
+    this->Description.Labels = baked;
+    this->Description.Settings.Geometry = SurfaceGeometry::Labels;
+  }
+
+  TestVolume Volume;
+  TestVolume Labels;
+  HapticModelDescription Description;
+};
+
+/// Moves a tip from tick to tick, in millimetres.
+class Hand
+{
+public:
+  explicit Hand(const HapticModel& model)
+    : Model(model)
+  {
+  }
+
+  const TickRecord& MoveTo(const Vector3& to, double step = 0.1)
+  {
+    const double length = Norm(to - this->At);
+    const int ticks = this->IsThere ? std::max(1, int(std::ceil(length / step))) : 1;
+    const Vector3 from = this->IsThere ? this->At : to;
+    for (int i = 1; i <= ticks; ++i)
+    {
+      this->At = from + (double(i) / ticks) * (to - from);
+      Tick(this->Model, this->State, Millimetre * this->At, this->Record);
+    }
+    this->At = to;
+    this->IsThere = true;
+    return this->Record;
+  }
+
+private:
+  const HapticModel& Model;
+  ServoState State;
+  TickRecord Record;
+  Vector3 At;
+  bool IsThere = false;
+};
+
+class LabelWallOfSolver : public testing::TestWithParam<HapticSolver>
+{
+};
+} // namespace
+
+TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
+{
+  // L1 with the geometry from labels: 200 N/m and 800 N/m behind one wall at z = 11.5.
+  const auto labels = [](const Vector3& x) { return x.Z < 11.5 ? 0 : (x.X < 11.5 ? 1 : 2); };
+  LabelledScene scene(24, labels, { Entry(1, 200.0, 50.0), Entry(2, 800.0, 50.0) });
+  scene.Description.Settings.Solver = this->GetParam();
+  const HapticModel model(scene.Description);
+  for (const auto& [x, stiffness] : { std::pair(6.0, 200.0), std::pair(17.0, 800.0) })
+  {
+    Hand hand(model);
+    EXPECT_EQ(Norm(hand.MoveTo({ x, 12, 8 }).Force), 0.0);
+    EXPECT_EQ(Norm(hand.MoveTo({ x, 12, 11.4 }).Force), 0.0) << "not before the wall";
+    const TickRecord& pressed = hand.MoveTo({ x, 12, 13.5 }, 0.01);
+    EXPECT_NEAR(pressed.Stiffness, stiffness, 1e-9 * stiffness);
+    EXPECT_NEAR(pressed.Proxy.Z, 11.5 * Millimetre, 0.015 * Millimetre);
+    // Of one and the same k, exactly.
+    EXPECT_NEAR(-pressed.Force.Z / (stiffness * (13.5 * Millimetre - pressed.Proxy.Z)), 1.0, 1e-9);
+    const TickRecord& left = hand.MoveTo({ x, 12, 8 });
+    EXPECT_EQ(Norm(left.Force), 0.0) << "the way out is free";
+  }
+}
+
+TEST_P(LabelWallOfSolver, GivesWayAtItsStrength)
+{
+  const auto labels = [](const Vector3& x) { return x.Z < 11.5 ? 0 : 1; };
+  LabelledScene scene(40, labels, { Entry(1, 500.0, 1.0) });
+  scene.Description.Settings.Solver = this->GetParam();
+  const HapticModel model(scene.Description);
+  Hand hand(model);
+  hand.MoveTo({ 20, 20, 8 });
+  double most = 0.0;
+  for (double z = 8.0; z < 22.0; z += 0.05)
+  {
+    most = std::max(most, Norm(hand.MoveTo({ 20, 20, z }).Force));
+  }
+  EXPECT_NEAR(most, 1.0, 1e-3);
+  EXPECT_EQ(Norm(hand.MoveTo({ 20, 20, 22 }).Force), 0.0) << "inside a label nothing holds";
+  // Nor does the wall hold on the way back, which leads out of the structure.
+  for (double z = 22.0; z > 8.0; z -= 0.05)
+  {
+    ASSERT_LT(Norm(hand.MoveTo({ 20, 20, z }).Force), 1e-9) << z;
+  }
+}
+
+TEST_P(LabelWallOfSolver, IsNotThereIfNothingIsFelt)
+{
+  // The skin is not felt, and the bone behind it is.
+  const auto labels = [](const Vector3& x) { return x.Z < 8.5 ? 0 : (x.Z < 14.5 ? 1 : 2); };
+  LabelledMaterial skin = Entry(1, 300.0, 5.0);
+  skin.Material.IsFelt = false;
+  LabelledMaterial air = Entry(0, 300.0, 0.0);
+  air.Material.IsFelt = false;
+  LabelledScene scene(24, labels, { air, skin, Entry(2, 500.0, 50.0) });
+  scene.Description.Settings.Solver = this->GetParam();
+  const HapticModel model(scene.Description);
+  Hand hand(model);
+  for (double z = 4.0; z < 14.4; z += 0.1)
+  {
+    ASSERT_EQ(Norm(hand.MoveTo({ 12, 12, z }).Force), 0.0) << z;
+  }
+  EXPECT_NEAR(hand.MoveTo({ 12, 12, 16.5 }, 0.01).Force.Z, -500.0 * 2.0 * Millimetre, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Both, LabelWallOfSolver, testing::Values(HapticSolver::Paper, HapticSolver::Precise));
+
+TEST(LabelWall, IsNeverFallenThrough)
+{
+  // L6: 10^6 crossings of an oblique wall by tips of up to 3 m/s that press with less than T_N.
+  const Vector3 normal = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };
+  const Vector3 middle{ 16, 16, 16 };
+  const auto labels = [&](const Vector3& x) { return Dot(x - middle, normal) > 0.0 ? 1 : 0; };
+  constexpr double stiffness = 500.0;
+  constexpr double strength = 2.0;
+  LabelledScene scene(32, labels, { Entry(1, stiffness, strength) });
+  const HapticModel model(scene.Description);
+  const Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, -1.0, 0.0 };
+  const Vector3 v = Cross(normal, u);
+  std::mt19937_64 engine(7);
+  const auto draw = [&](double low, double high)
+  { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; };
+  // The wall of voxels is bumpy by some tenths.
+  constexpr double bumps = 0.4;
+  constexpr double deepest = 0.9 * strength / stiffness / Millimetre - bumps;
+  constexpr int crossings = 40000;
+  constexpr double fastest = 3.0; // mm in a tick of 1 ms
+  ServoState state;
+  TickRecord record;
+  Vector3 tip = middle - 2.0 * normal;
+  Tick(model, state, Millimetre * tip, record);
+  int through = 0;
+  double pressed = 0.0;
+  for (int i = 0; i < crossings; ++i)
+  {
+    const Vector3 in =
+      middle + draw(-5.0, 5.0) * u + draw(-5.0, 5.0) * v + draw(0.5, deepest) * normal;
+    const Vector3 out =
+      middle + draw(-5.0, 5.0) * u + draw(-5.0, 5.0) * v - draw(0.5, 3.0) * normal;
+    for (const Vector3& to : { in, out })
+    {
+      // The last tick of a way is as fast as the hand; those before are as fast as it may be.
+      const Vector3 way = to - tip;
+      const int ticks = static_cast<int>(std::ceil(Norm(way) / fastest));
+      for (int tick = 1; tick <= ticks; ++tick)
+      {
+        Tick(model, state, Millimetre * (tip + (double(tick) / ticks) * way), record);
+        const double depth = Dot((1.0 / Millimetre) * record.Proxy - middle, normal);
+        through += depth > bumps ? 1 : 0;
+      }
+      tip = to;
+      pressed += &to == &in ? 0.0 : Norm(record.Force);
+    }
+  }
+  EXPECT_EQ(through, 0);
+}
