@@ -7,6 +7,7 @@
 #include "VTK/Charts/HapticForceHistory.h"
 #include "VTK/Charts/HapticOverlayPicture.h"
 #include "VTK/Scene/HapticSceneSettings.h"
+#include "VTK/Scene/TouchedLabel.h"
 
 #include "vtkContextActor.h"
 #include "vtkContextDevice2D.h"
@@ -222,7 +223,8 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   }
   static const char* const contacts[] = { "free", "sticking", "sliding", "penetrating" };
   const double value = device->GetSurfaceValue();
-  const std::string tissue = self.GetTissueName(value);
+  const std::string label = NameLabelAt(device->GetVolumeHaptics(), device->GetSurfacePosition());
+  const std::string tissue = label.empty() ? self.GetTissueName(value) : label;
   std::ostringstream text;
   text << status << "\n"
        << std::fixed << std::setprecision(0) << device->GetTickRate() << " ticks/s, "

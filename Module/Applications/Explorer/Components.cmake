@@ -52,6 +52,7 @@ set(Explore_SOURCES
   View/ViewFrame.cxx
   Volume/DicomFolder.cxx
   Volume/HeaderText.cxx
+  Volume/LabelLoader.cxx
   Volume/VolumeChecks.cxx
   Volume/VolumeLoader.cxx
   Volume/VolumeOrientation.cxx)

@@ -9,6 +9,7 @@
 #include "Applications/Explorer/Report/ReportFiles.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Scene/ExplorerScene.h"
+#include "Applications/Explorer/Volume/LabelLoader.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -100,8 +101,12 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
 int Run(const Explore::Options& options)
 {
   std::cout << "Reading " << options.VolumePath << std::endl;
-  Explore::Exploration exploration =
-    Explore::ExploreVolume(Explore::LoadVolume(options.VolumePath), options.How);
+  Explore::Volume volume = Explore::LoadVolume(options.VolumePath);
+  if (!options.Labels.empty())
+  {
+    Explore::LoadLabels(volume, options.Labels, options.Materials);
+  }
+  Explore::Exploration exploration = Explore::ExploreVolume(volume, options.How);
   const std::string summary = Explore::Summarise(exploration);
   std::cout << "\n" << summary << std::endl;
 

@@ -110,6 +110,14 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     options.Folder = value;
     options.Pictures = true;
   }
+  else if (name == "--labels")
+  {
+    options.Labels = value;
+  }
+  else if (name == "--materials")
+  {
+    options.Materials.push_back(value);
+  }
   else if (name == "--preset")
   {
     options.How.Preset = value;
@@ -210,6 +218,11 @@ Options ParseOptions(int argc, char* argv[])
     throw InputError("volumehaptics-explore", "no volume was named",
       "name a volume file or a DICOM folder; Examples/explore.sh gets a head CT by itself");
   }
+  if (!options.Materials.empty() && options.Labels.empty())
+  {
+    throw InputError("--materials " + options.Materials.front(), "has no labels that it is for",
+      "name the segmentation, as in --labels Liver.seg.nrrd");
+  }
   return options;
 }
 
@@ -238,6 +251,10 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
                     split-viewport, dresden, left, right, fake, emulate
   --preset NAME     materials: auto (default), histogram)" +
     presets + R"(
+  --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
+                    have names in the window, and materials of their own
+  --materials FILE  a table of what the labels feel like, such as a CSV with the columns label, name,
+                    stiffness, friction, viscosity, strength; several of these options add up
   --method NAME     of the path, and the first of the window: )" +
     methods + R"(
                     (default proxy, the others for comparison)

@@ -8,6 +8,7 @@
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 
 #include <string>
+#include <vector>
 
 namespace Explore
 {
@@ -17,6 +18,8 @@ struct Options
   bool CheckDisplay = false; // test the display and do nothing else
   bool Live = false;         // in real time through the servo loop, too
   std::string VolumePath;
+  std::string Labels;                 // file of a segmentation
+  std::vector<std::string> Materials; // files of tables for it
   std::string Folder = "explore-pictures";
   bool Pictures = false; // even if there is a display
   DeviceChoice Device;   // of the window

@@ -10,6 +10,8 @@
 #include "Rigs/DeviceRig.h"
 
 #include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticLabelTable.h>
+#include <vtkPointData.h>
 
 using namespace devicetest;
 
@@ -159,4 +161,44 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   }
   this->Display->RemoveAllTissues();
   EXPECT_EQ(this->Display->GetTissueName(10.0), "");
+}
+
+TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
+{
+  // Layers of 0.5 mm across z, numbered from the top at z = 15.5 down, in a row as wide as the
+  // volume; of every second one the table has a name.
+  vtkNew<vtkImageData> labels;
+  labels->SetDimensions(2, 2, 32);
+  labels->SetSpacing(20.0, 20.0, 0.5);
+  labels->SetOrigin(-1.0, -1.0, 15.5);
+  labels->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, -1);
+  labels->AllocateScalars(VTK_SHORT, 1);
+  vtkNew<vtkHapticLabelTable> table;
+  for (vtkIdType i = 0; i < labels->GetNumberOfPoints(); ++i)
+  {
+    labels->GetPointData()->GetScalars()->SetTuple1(i, static_cast<double>(i / 4));
+  }
+  for (int layer = 0; layer < 32; layer += 2)
+  {
+    table->SetLabelName(layer, "layer " + std::to_string(layer) + " \xC3\xB6");
+    table->SetFelt(layer + 1, true);
+  }
+  this->Display->AddTissue("ramp", -1e9, 1e9);
+  this->Display->SetDevice(this->Device);
+  this->BeginPressed();
+  EXPECT_NE(this->Display->GetText().find("ramp, value"), std::string::npos);
+  this->Filter->SetLabelData(labels);
+  this->Filter->SetLabelTable(table);
+  const double* const position = this->Device->GetSurfacePosition();
+  const int layer = static_cast<int>(std::lround((15.5 - position[2]) / 0.5));
+  const std::string name = layer % 2 == 0 ? "\nlayer " + std::to_string(layer) + " \xC3\xB6, value"
+                                          : "\nlabel " + std::to_string(layer) + ", value";
+  EXPECT_NE(this->Display->GetText().find(name), std::string::npos) << this->Display->GetText();
+  // What the table does not know, and what is outside of the labels, is named by value.
+  table->RemoveLabel(layer);
+  EXPECT_NE(this->Display->GetText().find("ramp, value"), std::string::npos);
+  table->SetLabelName(layer, "back");
+  EXPECT_NE(this->Display->GetText().find("back, value"), std::string::npos);
+  labels->SetOrigin(-1.0, -1.0, 150.0);
+  EXPECT_NE(this->Display->GetText().find("ramp, value"), std::string::npos);
 }

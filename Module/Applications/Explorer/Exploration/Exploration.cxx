@@ -63,6 +63,11 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   result.Tip = PlanTipPath(map, result.View, result.Values.MetersPerWorldUnit, result.ServoRate);
 
   filter->SetInputData(0, volume.Image);
+  if (volume.Labels)
+  {
+    filter->SetLabelData(volume.Labels);
+    filter->SetLabelTable(volume.LabelTable);
+  }
   ScaleMethods(filter, result.Values, result.Body);
   filter->SetMethodByName(settings.Method.c_str());
   result.Method = filter->GetMethodText();

@@ -66,13 +66,13 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
 Volume ReadVti(const std::string& path)
 {
   vtkNew<vtkXMLImageDataReader> reader;
-  return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {} };
+  return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {}, {}, {} };
 }
 
 Volume ReadMetaImage(const std::string& path)
 {
   vtkNew<vtkMetaImageReader> reader;
-  Volume volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {} };
+  Volume volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
   Explore::ApplyMetaImageOrientation(path, volume.Image);
   return volume;
 }
@@ -80,7 +80,7 @@ Volume ReadMetaImage(const std::string& path)
 Volume ReadNrrd(const std::string& path)
 {
   vtkNew<vtkNrrdReader> reader;
-  Volume volume{ Run(reader.Get(), path, "NRRD"), {}, "NRRD", {} };
+  Volume volume{ Run(reader.Get(), path, "NRRD"), {}, "NRRD", {}, {}, {} };
   const std::string note = Explore::ApplyNrrdOrientation(path, volume.Image);
   if (!note.empty())
   {
@@ -123,7 +123,7 @@ void ApplyNiftiScale(double slope, double intercept, Volume& volume)
 Volume ReadNifti(const std::string& path)
 {
   vtkNew<vtkNIFTIImageReader> reader;
-  Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {} };
+  Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {}, {}, {} };
   ApplyNiftiScale(reader->GetRescaleSlope(), reader->GetRescaleIntercept(), volume);
   vtkMatrix4x4* matrix = reader->GetSFormMatrix();
   const char* form = "sform";
@@ -178,7 +178,7 @@ Volume ReadFile(const std::string& path)
 
 namespace Explore
 {
-Volume LoadVolume(const std::string& path)
+Volume ReadVolume(const std::string& path)
 {
   if (!vtksys::SystemTools::PathExists(path))
   {
@@ -205,6 +205,12 @@ Volume LoadVolume(const std::string& path)
   std::string folder = path;
   vtksys::SystemTools::ConvertToUnixSlashes(folder);
   volume.Name = vtksys::SystemTools::GetFilenameName(folder);
+  return volume;
+}
+
+Volume LoadVolume(const std::string& path)
+{
+  Volume volume = ReadVolume(path);
   CheckVolume(path, volume);
   volume.Image = AlignToAxes(volume.Image);
   return volume;

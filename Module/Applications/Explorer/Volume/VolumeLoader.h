@@ -3,6 +3,7 @@
 #ifndef Explore_VolumeLoader_h
 #define Explore_VolumeLoader_h
 
+#include "vtkHapticLabelTable.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -21,7 +22,14 @@ struct Volume
   std::string Name;               // last part of the path
   std::string Format;             // e.g. "NIfTI"
   std::vector<std::string> Notes; // assumptions and changes while loading
+  // A segmentation, if there is one, with the geometry of its own file.
+  vtkSmartPointer<vtkImageData> Labels;
+  vtkSmartPointer<vtkHapticLabelTable> LabelTable;
 };
+
+/// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
+/// axes of any direction.
+Volume ReadVolume(const std::string& path);
 
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd or a folder of DICOM slices. Throws InputError for
 /// anything else, with the fault and the cure.

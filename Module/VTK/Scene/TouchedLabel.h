@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The label of what is touched, for displays.
+ */
+#ifndef TouchedLabel_h
+#define TouchedLabel_h
+
+#include <string>
+
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/**
+ * The name of the label of the voxel around a position (world) in a filter's label image, as its
+ * label table has it, or "label 5" for one without a name. Empty if there is no label image, if the
+ * position is outside of it, or if the table does not know the label.
+ */
+std::string NameLabelAt(vtkVolumeHapticsFilter* filter, const double position[3]);
+
+} // namespace VolumeHaptics
+
+#endif
