@@ -249,7 +249,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate
-  --preset NAME     materials: auto (default), histogram)" +
+  --preset NAME     materials: auto (default: "CT contrast" for Hounsfield units, else propose), propose
+                    (what the volume's own edges suggest), histogram)" +
     presets + R"(
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
                     have names in the window, and materials of their own

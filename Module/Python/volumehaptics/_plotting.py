@@ -207,6 +207,7 @@ def add_haptics(
     volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
         show it, such as an isosurface. Default: the plotter's only volume.
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
+        "propose": what the volume's own edges suggest, as in touch().
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
         open and stays so.
     visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one
@@ -273,7 +274,7 @@ def _prepare(
 ) -> None:
     touch = haptics.filter
     with Errors(touch, touch.GetProperty()) as errors:
-        configure(touch, preset, settings, errors, "add_haptics")
+        configure(touch, image, preset, settings, errors, "add_haptics")
         if look is not None:
             touch.GetProperty().SetVisibilityFrom(look)
         touch.SetInputData(image)

@@ -105,13 +105,25 @@ def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) ->
 
 
 def configure(
-    haptics: vtkVolumeHapticsFilter, preset: str | None, settings: dict[str, Any], errors: Errors, caller: str
+    haptics: vtkVolumeHapticsFilter,
+    image: vtkImageData,
+    preset: str | None,
+    settings: dict[str, Any],
+    errors: Errors,
+    caller: str,
 ) -> None:
     """The settings, then the preset; what of them is not known is an error, which errors may explain."""
     for name, value in settings.items():
         if not _set(haptics, name, value, caller):
             raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
-    if preset is not None and not haptics.GetProperty().ApplyPreset(preset):
+    material = haptics.GetProperty()
+    if preset == "propose":
+        known = material.ProposeFromImage(image)
+        if known and "kernel_radius" not in settings:
+            haptics.SetKernelRadius(material.GetProposedKernelRadius())
+    else:
+        known = preset is None or material.ApplyPreset(preset)
+    if not known:
         raise ValueError("; ".join(errors))
 
 
@@ -145,7 +157,8 @@ def touch(
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
         "Time" (s) if ticks are something else, or an array of shape (N, 3).
     preset: the feel of the tissues, "CT contrast", "CT physical" or "MRI": see vtkHapticProperty. Default:
-        500 N/m everywhere.
+        500 N/m everywhere. "propose", for data of any unit: functions from the edges of the volume, with the kernel
+        radius that suits them unless settings have one: see vtkHapticProperty.ProposeFromImage().
     labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with
         the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData(). Or a file,
         .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti, with its names, if it has any; if it has as many voxels as the
@@ -188,7 +201,7 @@ def touch(
 
     haptics = vtkVolumeHapticsFilter()
     with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures:
-        configure(haptics, preset, settings, errors, "touch")
+        configure(haptics, image, preset, settings, errors, "touch")
         haptics.SetInputData(image)
         set_labels(haptics, image, labels, materials)
         haptics.SetPathData(path)

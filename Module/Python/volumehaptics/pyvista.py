@@ -49,7 +49,8 @@ def touch(
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a pyvista.PolyData, such as of
         pyvista.Line or pyvista.Spline, or an array of shape (N, 3). With a point array "Time" (s), ticks are
         made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s.
-    preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere.
+    preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere. "propose": what the
+        volume's own edges suggest, as in volumehaptics.touch().
     scalars: the name of the point array that is felt. Default: the active scalars.
     settings: of vtkVolumeHapticsFilter, in snake_case, and labels and materials, as for volumehaptics.touch().
 

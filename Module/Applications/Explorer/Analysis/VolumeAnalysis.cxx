@@ -113,7 +113,7 @@ void SetKind(Explore::Analysis& analysis, int scalarType)
   else if (whole && analysis.Range[0] >= 0.0 && analysis.Range[1] <= 255.0)
   {
     analysis.Kind = Explore::VolumeKind::EightBit;
-    reason << " fit into 8 bits: taken for MRI";
+    reason << " fit into 8 bits: thresholds from the histogram";
   }
   else
   {

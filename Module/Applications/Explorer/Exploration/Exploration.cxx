@@ -9,7 +9,6 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Path/SurfaceMap.h"
 
-#include "vtkHapticProperty.h"
 #include "vtkNew.h"
 #include "vtkTimerLog.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -48,7 +47,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   result.View = MakeViewFrame(result.Values.Centre, settings.Front, settings.Up);
 
   vtkNew<vtkVolumeHapticsFilter> filter;
-  result.Materials = ApplyMaterials(settings.Preset, result.Values, filter->GetProperty());
+  result.Materials = ApplyMaterials(settings.Preset, result.Values, volume.Image, filter);
   result.Estimator = SetEstimator(filter, settings.Gradient);
   result.KernelRadius = filter->GetKernelRadius();
   result.ServoRate = filter->GetServoRate();

@@ -3,9 +3,13 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
 
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkStringArray.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <limits>
 
@@ -46,17 +50,19 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->GetDistinctness()->AddPoint(gradient, 1.0);
 }
 
-std::string PresetForKind(VolumeKind kind)
+/// Why nothing could be proposed; empty if it was.
+std::string Propose(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
-  switch (kind)
+  vtkHapticProperty* const property = filter->GetProperty();
+  const Explore::MessageCapture capture;
+  if (!property->ProposeFromImage(image))
   {
-    case VolumeKind::CT:
-      return "CT contrast";
-    case VolumeKind::EightBit:
-      return "MRI";
-    default:
-      return "histogram";
+    std::string reason = capture.FirstError();
+    reason.resize(reason.find_last_not_of('.') + 1);
+    return reason.empty() ? "no functions can be proposed" : reason;
   }
+  filter->SetKernelRadius(property->GetProposedKernelRadius());
+  return {};
 }
 } // namespace
 
@@ -86,26 +92,44 @@ std::size_t FindTissue(const std::vector<Tissue>& table, double value)
   return row;
 }
 
-std::string ApplyMaterials(
-  const std::string& preset, const Analysis& analysis, vtkHapticProperty* property)
+std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, vtkImageData* image,
+  vtkVolumeHapticsFilter* filter)
 {
-  const std::string name = preset == "auto" ? PresetForKind(analysis.Kind) : preset;
+  const bool isAutomatic = preset == "auto";
+  std::string name = preset;
+  if (isAutomatic)
+  {
+    name = analysis.Kind == VolumeKind::CT ? "CT contrast" : "propose";
+  }
+  if (name == "propose")
+  {
+    const std::string reason = Propose(image, filter);
+    if (reason.empty())
+    {
+      return name;
+    }
+    if (!isAutomatic)
+    {
+      throw InputError("--preset propose", reason, "take another preset");
+    }
+    name = "histogram";
+  }
   if (name == "histogram")
   {
-    HistogramMaterials(analysis, property);
+    HistogramMaterials(analysis, filter->GetProperty());
     return name;
   }
   vtkStringArray* known = vtkHapticProperty::GetPresetNames();
   if (known->LookupValue(name) < 0)
   {
-    std::string list = "auto, histogram";
+    std::string list = "auto, propose, histogram";
     for (vtkIdType i = 0; i < known->GetNumberOfValues(); ++i)
     {
       list += ", " + known->GetValue(i);
     }
     throw InputError("--preset '" + name + "'", "there is no such preset", "take one of: " + list);
   }
-  property->ApplyPreset(name.c_str());
+  filter->GetProperty()->ApplyPreset(name.c_str());
   return name;
 }
 } // namespace Explore

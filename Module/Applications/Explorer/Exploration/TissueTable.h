@@ -5,10 +5,11 @@
 
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 
-#include "vtkHapticProperty.h"
-
 #include <string>
 #include <vector>
+
+class vtkImageData;
+class vtkVolumeHapticsFilter;
 
 namespace Explore
 {
@@ -26,11 +27,13 @@ std::vector<Tissue> MakeTissueTable(const Analysis& analysis);
 /// The row of the table that holds the value.
 std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 
-/// "auto" takes the preset that suits the kind of volume; "histogram" builds materials on the
-/// histogram's thresholds; anything else must be a preset of vtkHapticProperty (InputError if not).
-/// Returns the name of the materials.
-std::string ApplyMaterials(
-  const std::string& preset, const Analysis& analysis, vtkHapticProperty* property);
+/// Sets the functions of a filter's property. "auto" takes the preset for Hounsfield units, else
+/// "propose", or if the image has no edges to propose from, "histogram". "propose" takes what the
+/// edges of the image suggest, and the filter's KernelRadius with it; "histogram" builds materials
+/// on the histogram's thresholds; anything else must be a preset of vtkHapticProperty. Throws
+/// InputError. Returns the name of the materials.
+std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, vtkImageData* image,
+  vtkVolumeHapticsFilter* filter);
 } // namespace Explore
 
 #endif

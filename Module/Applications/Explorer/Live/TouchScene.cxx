@@ -8,6 +8,7 @@
 #include "Applications/Explorer/View/StereoModes.h"
 
 #include "vtkCamera.h"
+#include "vtkHapticProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtksys/SystemTools.hxx"
 

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes that no preset fits feel as their own edges suggest: the head phantom in 8 bits, and as
+// numbers from 0 to 1. Without edges, the histogram decides.
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Expectations.h"
+#include "HeadExploration.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageShiftScale.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// Hounsfield units from -1000 to 1500 as 0 to `most`.
+Explore::Volume Scaled(const Explore::Volume& head, double most, int type)
+{
+  vtkNew<vtkImageShiftScale> scale;
+  scale->SetInputData(head.Image);
+  scale->SetShift(1000.0);
+  scale->SetScale(most / 2500.0);
+  scale->SetOutputScalarType(type);
+  scale->ClampOverflowOn();
+  scale->Update();
+  Explore::Volume volume = head;
+  volume.Image = scale->GetOutput();
+  return volume;
+}
+
+void ExpectProposal(const std::string& what, const Explore::Volume& volume, double most)
+{
+  const Explore::Exploration e = Explore::ExploreVolume(volume, Explore::Settings());
+  Expect(e.Materials == "propose", what + " proposes its materials, not " + e.Materials);
+  vtkHapticProperty* const feel = e.Filter->GetProperty();
+  Expect(e.KernelRadius == feel->GetProposedKernelRadius(), what + ": its kernel is used");
+  const auto strength = [&](double hounsfield)
+  { return feel->GetSurfaceStrength()->GetValue((hounsfield + 1000.0) * most / 2500.0); };
+  Expect(strength(-1000.0) == 0.0, what + ": air is not felt");
+  Expect(strength(40.0) > 0.5 && strength(40.0) < 3.5, what + ": soft tissue can be penetrated");
+  Expect(strength(1000.0) == 12.0, what + ": bone is the strongest");
+  vtkDataArray* const force = e.Trace->GetPointData()->GetArray("Force");
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < force->GetNumberOfTuples(); ++i)
+  {
+    const double* const f = force->GetTuple(i);
+    largest = std::max(largest, std::hypot(f[0], f[1], f[2]));
+  }
+  Expect(largest > 0.5 && largest < 20.0, what + ": the path feels it");
+}
+} // namespace
+
+int TestExploreProposal(int argc, char* argv[])
+{
+  const Explore::Volume head = Explore::LoadVolume(Argument(argc, argv, "--volume"));
+  ExpectProposal("8 bits", Scaled(head, 255.0, VTK_UNSIGNED_CHAR), 255.0);
+  ExpectProposal("0 to 1", Scaled(head, 1.0, VTK_FLOAT), 1.0);
+
+  const Explore::Exploration ct = Explore::ExploreVolume(head, Explore::Settings());
+  Expect(ct.Materials == "CT contrast", "Hounsfield units have a preset");
+
+  // A ramp has no edges.
+  vtkNew<vtkImageData> ramp;
+  ramp->SetDimensions(24, 24, 24);
+  ramp->AllocateScalars(VTK_FLOAT, 1);
+  for (vtkIdType i = 0; i < ramp->GetNumberOfPoints(); ++i)
+  {
+    ramp->GetPointData()->GetScalars()->SetComponent(i, 0, 0.04 * (i % 24));
+  }
+  const Explore::Analysis analysis = Explore::AnalyseVolume(ramp);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  Expect(Explore::ApplyMaterials("auto", analysis, ramp, filter) == "histogram",
+    "without edges the histogram decides");
+  std::string message;
+  try
+  {
+    Explore::ApplyMaterials("propose", analysis, ramp, filter);
+  }
+  catch (const Explore::InputError& error)
+  {
+    message = error.what();
+  }
+  Expect(message.find("--preset propose: No edge") == 0 &&
+      message.find("Cure: take another preset.") != std::string::npos,
+    "a wish that can't be met is an error, not: " + message);
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
