@@ -7,6 +7,7 @@
 #include "Core/Regions/RegionPlan.h"
 #include "Core/Regions/Residency.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
+#include "Core/Solvers/Precise/FarSide.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/WholeFacts.h"
@@ -149,6 +150,12 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
     // See Residency.cxx: the corners of the cube in which a surface is searched for, and the reach
     // of its curvature.
     voxels += LocalCornerReach + radius;
+  }
+  else if (method == vtkVolumeHapticsFilter::PROXY &&
+    filter->GetSolver() == vtkVolumeHapticsFilter::PRECISE &&
+    filter->GetMaterialPlacement() == vtkVolumeHapticsFilter::FAR_SIDE)
+  {
+    voxels += (FarSide::FarthestRadii - 1.0) * radius;
   }
   this->SetReach(voxels * voxel +
     (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0));

@@ -105,6 +105,28 @@ public:
   void SetContactAlignmentToEdge() { this->SetContactAlignment(EDGE); }
   ///@}
 
+  enum MaterialPlacementType
+  {
+    KERNEL = 0,
+    FAR_SIDE = 1
+  };
+
+  ///@{
+  /**
+   * Which values the materials of a surface belong to, with the solver PRECISE. KERNEL (default):
+   * those a kernel radius to either side of the proxy, as in the paper. FAR_SIDE: those that a
+   * blurred edge leads to, so that skin feels as what lies behind it, from the first touch on.
+   *
+   * FAR_SIDE follows the normal to the first plateau on either side, 3 KernelRadius voxels at most.
+   * Along a surface in contact the values follow over 2.5 voxels of the proxy's path, so that no
+   * material steps. The arrays SurfaceValue and MediumValue are the values that were read.
+   */
+  vtkSetClampMacro(MaterialPlacement, int, KERNEL, FAR_SIDE);
+  vtkGetMacro(MaterialPlacement, int);
+  void SetMaterialPlacementToKernel() { this->SetMaterialPlacement(KERNEL); }
+  void SetMaterialPlacementToFarSide() { this->SetMaterialPlacement(FAR_SIDE); }
+  ///@}
+
   enum GeometryType
   {
     FROM_SCALARS = 0,
@@ -349,6 +371,7 @@ protected:
   int Method = PROXY;
   int Solver = PRECISE;
   int ContactAlignment = DISTINCTNESS;
+  int MaterialPlacement = KERNEL;
   int Geometry = FROM_SCALARS;
   int GradientEstimator = GAUSSIAN;
   int KernelRadius = 2;

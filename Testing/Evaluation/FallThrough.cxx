@@ -22,21 +22,27 @@ HapticMaterial WallMaterial()
   return material;
 }
 constexpr double WholeFrom = -1.18;
+/** Where the wall is whole; with alignment Edge, from the edge's middle on. */
+double FindWhole(const HapticModel& model)
+{
+  return model.Baked->Settings.Alignment == ContactAlignment::Edge ? 0.0 : WholeFrom;
+}
 /** 90 % of T_N/k behind the beginning of the whole wall: less than it holds. */
-constexpr double Deepest = WholeFrom + 0.9 * 4.0;
+constexpr double Deepest = 0.9 * 4.0;
 /** A proxy that is this far past its rest position is falling. */
-constexpr double Through = WholeFrom + 0.3;
+constexpr double Through = 0.3;
 
 /** Whether a random tip that comes in, stays a while and slides is let through. */
 bool FallsThrough(const HapticModel& model, std::mt19937& random)
 {
   Uniform uniform(random);
+  const double whole = FindWhole(model);
   const Vector3& u = OddAside;
   const Vector3& v = OddUp;
   Path path = { uniform(-8.0, 8.0) * u + uniform(-8.0, 8.0) * v + uniform(-8.0, -5.0) * OddNormal };
   const double speed = uniform(0.0, 1.0) * uniform(0.0, 1.0) * (Fastest - 0.2) + 0.2;
   const Vector3 goal =
-    uniform(-8.0, 8.0) * u + uniform(-8.0, 8.0) * v + uniform(0.0, Deepest) * OddNormal;
+    uniform(-8.0, 8.0) * u + uniform(-8.0, 8.0) * v + uniform(0.0, whole + Deepest) * OddNormal;
   MoveTo(path, goal, speed);
   path.push_back(goal);
   MoveTo(path, goal + uniform(-6.0, 6.0) * u + uniform(-6.0, 6.0) * v, Fastest);
@@ -46,7 +52,7 @@ bool FallsThrough(const HapticModel& model, std::mt19937& random)
   for (const Vector3& tip : path)
   {
     Tick(model, state, 0.001 * tip, tick);
-    if (Dot(ProxyOf(tick), OddNormal) > Through)
+    if (Dot(ProxyOf(tick), OddNormal) > whole + Through)
     {
       return true;
     }

@@ -150,6 +150,7 @@ std::unique_ptr<HapticModel> Volume::Bake(const Touching& touching) const
   d.Material = touching.Material;
   d.Settings.Solver = touching.Solver;
   d.Settings.Alignment = touching.Alignment;
+  d.Settings.Placement = touching.Placement;
   d.Settings.Side = touching.Side;
   return std::make_unique<HapticModel>(d);
 }

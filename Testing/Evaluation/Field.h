@@ -37,6 +37,7 @@ struct Touching
 {
   VolumeHaptics::HapticSolver Solver = VolumeHaptics::HapticSolver::Precise;
   VolumeHaptics::ContactAlignment Alignment = VolumeHaptics::ContactAlignment::Distinctness;
+  VolumeHaptics::MaterialPlacement Placement = VolumeHaptics::MaterialPlacement::Kernel;
   VolumeHaptics::SurfaceSide Side = VolumeHaptics::SurfaceSide::Higher;
   VolumeHaptics::GradientEstimator Estimator = VolumeHaptics::GradientEstimator::Gaussian;
   int KernelRadius = 2;

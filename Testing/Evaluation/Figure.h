@@ -67,6 +67,8 @@ struct Candidate
 {
   VolumeHaptics::HapticSolver Solver;
   VolumeHaptics::GradientEstimator Estimator;
+  VolumeHaptics::MaterialPlacement Placement = VolumeHaptics::MaterialPlacement::Kernel;
+  VolumeHaptics::ContactAlignment Alignment = VolumeHaptics::ContactAlignment::Distinctness;
 };
 
 inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::HapticMaterial& m)
@@ -74,6 +76,8 @@ inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::Hapt
   Touching touching;
   touching.Solver = candidate.Solver;
   touching.Estimator = candidate.Estimator;
+  touching.Placement = candidate.Placement;
+  touching.Alignment = candidate.Alignment;
   touching.Material = m;
   return touching;
 }
@@ -92,6 +96,8 @@ Figures MeasureEnergy(const Candidate& candidate, const Effort& effort);
 Figures MeasureAngle(const Candidate& candidate, const Effort& effort);
 /** The position at which alignment Edge first holds on a blurred step. */
 Figures MeasureAlignment(const Candidate& candidate, const Effort& effort);
+/** Proxy and force on a bumpy ball, with alignment Edge. */
+Figures MeasureBumps(const Candidate& candidate, const Effort& effort);
 /** The cost of a tick. For readers, not for tests. */
 Figures MeasureSpeed(const Candidate& candidate, const Effort& effort);
 

@@ -43,6 +43,18 @@ TEST_P(EvaluationFigures, AreReachedByPrecise)
   }
 }
 
+// Materials of the far side are those of the closed forms, too, where functions are constant.
+TEST_P(EvaluationFigures, AreReachedWithTheFarSide)
+{
+  const auto& [subject, estimator] = this->GetParam();
+  const Candidate candidate{ HapticSolver::Precise, estimator, MaterialPlacement::FarSide };
+  for (const Figure& figure : subject.Figures(candidate, {}))
+  {
+    EXPECT_TRUE(figure.IsReached()) << figure.Name << ": " << figure.Value << " " << figure.Unit
+                                    << " is not below " << figure.Bound;
+  }
+}
+
 TEST_P(EvaluationFigures, TellPaperFromPrecise)
 {
   const auto& [subject, estimator] = this->GetParam();
@@ -62,7 +74,23 @@ const Subject Subjects[] = {
   { "Energy", MeasureEnergy, true },
   { "Angle", MeasureAngle, true },
   { "Alignment", MeasureAlignment, true },
+  { "Bumps", MeasureBumps, true },
 };
+
+// On an edge that holds from its middle on, with the strength that it gains there.
+TEST(EvaluationFiguresAtTheEdge, AreReachedWithTheFarSide)
+{
+  const Candidate candidate{ HapticSolver::Precise, GradientEstimator::Gaussian,
+    MaterialPlacement::FarSide, ContactAlignment::Edge };
+  for (const Measure measure : { MeasureFallThrough, MeasureRipple, MeasureEnergy, MeasureAngle })
+  {
+    for (const Figure& figure : measure(candidate, {}))
+    {
+      EXPECT_TRUE(figure.IsReached()) << figure.Name << ": " << figure.Value << " " << figure.Unit
+                                      << " is not below " << figure.Bound;
+    }
+  }
+}
 
 INSTANTIATE_TEST_SUITE_P(All, EvaluationFigures,
   testing::Combine(testing::ValuesIn(Subjects),

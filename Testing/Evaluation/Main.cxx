@@ -42,7 +42,7 @@ Figures MeasureAll(const Candidate& candidate, const Effort& effort)
 {
   Figures all;
   for (const auto& measure : { MeasureClosedForms, MeasureTracking, MeasureFallThrough,
-         MeasureRipple, MeasureEnergy, MeasureAngle, MeasureAlignment, MeasureSpeed })
+         MeasureRipple, MeasureEnergy, MeasureAngle, MeasureAlignment, MeasureBumps, MeasureSpeed })
   {
     const Figures figures = measure(candidate, effort);
     all.insert(all.end(), figures.begin(), figures.end());

@@ -58,6 +58,7 @@ void Deal(Dealer& dealer, Scene& scene)
   d.Settings.SameShape = dealer.Choose(2) == 1;
   d.Settings.CouplingStiffness = dealer.Between(0.0, 3000.0);
   d.Settings.Alignment = static_cast<ContactAlignment>(dealer.Choose(2));
+  d.Settings.Placement = static_cast<MaterialPlacement>(dealer.Choose(2));
   d.IndexToWorld.Linear = Matrix3::FromColumns({ dealer.Between(0.1, 3.0), 0.0, 0.0 },
     { dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0), 0.0 },
     { 0.0, dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0) });

@@ -11,6 +11,7 @@ METHODS = {
     "Precise": PRECISE,
     "Edge": {"ContactAlignment": 1},
     "SameShape": {"SameShape": 1, "CouplingStiffness": 350.0},
+    "FarSide": {"ContactAlignment": 1, "MaterialPlacement": 1},
     "CubicBSpline": {"GradientEstimator": 2, "KernelRadius": 3},
     "CentralDifference": {"GradientEstimator": 0, "MaximumForce": 1.5, "MaximumStiffness": 300.0},
     "Paper": {"Solver": 0, "ServoRate": 2000.0},

@@ -44,6 +44,13 @@ enum class SurfaceGeometry : std::uint8_t
   Both    ///< those between labels where the scalars have no distinct surface
 };
 
+/** The value that a surface's material belongs to; of HapticSolver::Precise. */
+enum class MaterialPlacement : std::uint8_t
+{
+  Kernel, ///< V(x_s) and V(x_v), a kernel radius to either side of the proxy
+  FarSide ///< those of the plateaus on either side of the edge; see FarSide.h
+};
+
 /** The shape that stands in for the surface near the proxy; of HapticMethod::LocalSurface. */
 enum class LocalSurfaceShape : std::uint8_t
 {
@@ -68,6 +75,7 @@ struct HapticSettings
   HapticSolver Solver = HapticSolver::Precise;
   ContactAlignment Alignment = ContactAlignment::Distinctness;
   SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< Scalars without labels
+  MaterialPlacement Placement = MaterialPlacement::Kernel;
   SurfaceSide Side = SurfaceSide::Higher;
   bool SameShape = false;           ///< one stiffness for all materials that have any
   double CouplingStiffness = 500.0; ///< N/m, with SameShape

@@ -4,6 +4,7 @@
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
+#include "Core/Solvers/Precise/FarSide.h"
 #include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics
@@ -36,7 +37,14 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
     const double bend = radius * model.Baked->LargestSpacing;
     return (LocalDistance(model) + bend) * perUnit + kernel;
   }
-  return Most(model.KernelLength * model.VoxelsPerMeter + spare, kernel);
+  const Vector3 values = model.KernelLength * model.VoxelsPerMeter + spare;
+  if (settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Precise &&
+    settings.Placement == MaterialPlacement::FarSide)
+  {
+    const double walk = FarSide::FarthestRadii * radius;
+    return Most(values, Vector3{ walk, walk, walk } + spare);
+  }
+  return Most(values, kernel);
 }
 
 } // namespace

@@ -7,8 +7,8 @@
  * A model of a region (VolumeView::Whole) has borders of two kinds. At the volume's own borders
  * surfaces fade (HapticModel::BorderFade). At the region's other borders they must not; the force
  * is scaled by the *residency* of the tick instead. Let c be the smallest distance (voxels) between
- * these borders and all samples that the tick can read (kernels, x_s, x_v, and the path between tip
- * and proxy). Then
+ * these borders and all samples that the tick can read (kernels, x_s, x_v or the walk of FarSide.h,
+ * and the path between tip and proxy). Then
  *
  *   residency = s(c / ResidencyBand),   s(t) = t^2 (3 - 2 t) on 0 ... 1,
  *

@@ -125,6 +125,14 @@ inline double DistinctnessOfWall(double depth) noexcept
   return std::clamp(std::min(before, behind), 0.0, 1.0);
 }
 
+/** W_d, and the visibility of the gradient. */
+inline DistinctnessTable::Values FindDistinctness(
+  const HapticModel& model, const Surface& surface) noexcept
+{
+  return surface.IsWall ? DistinctnessTable::Values{ DistinctnessOfWall(surface.Depth), 1.0 }
+                        : model.Baked->Distinctness(surface.GradientMagnitude);
+}
+
 /** Whether, by the settings, the structure lies against the gradient. */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
@@ -154,16 +162,12 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
 }
 
 /**
- * The material at an index: read at x_s and x_v (eq. 13, section 3.3), by value and by label.
+ * The material of the surface through an index, with these values inside and outside, and with the
+ * labels at x_s and x_v (eq. 13, section 3.3).
  */
-inline void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
-  MaterialPoint& point) noexcept
+inline void SetMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
+  const DistinctnessTable::Values& distinct, const ValuePair& values, MaterialPoint& point) noexcept
 {
-  // Before the values: their sampling hides the lookup's latency.
-  const DistinctnessTable::Values distinct = surface.IsWall
-    ? DistinctnessTable::Values{ DistinctnessOfWall(surface.Depth), 1.0 }
-    : model.Baked->Distinctness(surface.GradientMagnitude);
-  const ValuePair values = model.Baked->Field.Values(index, surface.Reach);
   MaterialTable::Values inside = model.Baked->Materials(values.Ahead);
   MaterialTable::Values outside = model.Baked->Materials(values.Behind);
   if (const BakedLabels* const labels = model.Baked->Labels.get())
@@ -179,6 +183,16 @@ inline void ReadMaterials(const HapticModel& model, const Vector3& index, const 
   point.Friction = inside[1];
   point.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
   point.Viscosity = outside[3] * (outside[4] * distinct[1]);
+}
+
+/** The material at an index: read at x_s and x_v (section 3.3), by value and by label. */
+inline void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
+  MaterialPoint& point) noexcept
+{
+  // Before the values: their sampling hides the lookup's latency.
+  const DistinctnessTable::Values distinct = FindDistinctness(model, surface);
+  SetMaterials(
+    model, index, surface, distinct, model.Baked->Field.Values(index, surface.Reach), point);
 }
 
 /** The material at the isovalue, for methods that touch an isosurface. False if it is not felt. */

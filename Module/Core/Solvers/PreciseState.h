@@ -15,11 +15,25 @@
 namespace VolumeHaptics
 {
 
+/** The values that a walk along the normal has found (FarSide.h). */
+struct FarValues
+{
+  double Ahead = 0.0;
+  double Behind = 0.0;
+  /**
+   * 1 where V rises evenly over the whole walk, so that there is no edge; 0 where a plateau or
+   * another edge ends it on one side.
+   */
+  double Evenness = 0.0;
+};
+
 /** A material point with the estimator's own value and its slope. */
 struct PrecisePoint : MaterialPoint
 {
-  double Value = 0.0; ///< the estimator's own
-  double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
+  double Value = 0.0;    ///< the estimator's own
+  double Slope = 0.0;    ///< of Value along the normal, per metre; 0 without a gradient
+  FarValues Far;         ///< of the last walk
+  double FarLasts = 0.0; ///< voxels of the proxy's path for which Far stands
 };
 
 /** The state that PRECISE carries from tick to tick. */

@@ -89,7 +89,7 @@ bool Read(double number, std::uint32_t& value)
   return isGood;
 }
 
-/** Every number of a state, in the order of the structs. */
+/** Every number of a state. Those that were added later come last: older files lack them. */
 template <typename State, typename Function>
 void VisitState(State& state, Function&& visit)
 {
@@ -98,6 +98,12 @@ void VisitState(State& state, Function&& visit)
   visit(state.Enabled);
   VisitPrecise(state.Precise, visit);
   VisitLocal(state.Local, visit);
+  // Behind those of before.
+  auto& here = state.Precise.Here;
+  visit(here.Far.Ahead);
+  visit(here.Far.Behind);
+  visit(here.Far.Evenness);
+  visit(here.FarLasts);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -135,6 +141,7 @@ bool IsPossible(const PreciseState& precise)
     precise.StepPrediction > 0.0 && precise.StepPrediction <= MostStatePrediction &&
     IsDirection(here.Normal) && here.GradientMagnitude >= 0.0 && IsAmount(here.Stiffness) &&
     IsAmount(here.Friction) && IsAmount(here.Viscosity) && IsAmount(here.SurfaceStrength) &&
+    here.Far.Evenness >= 0.0 && here.Far.Evenness <= 1.0 && here.FarLasts >= 0.0 &&
     precise.CachedSampleDistance >= 0.0;
 }
 

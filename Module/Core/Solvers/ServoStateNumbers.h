@@ -14,9 +14,11 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 64;
+constexpr int ServoStateSize = 68;
+/** In recordings from before MaterialPlacement; the other numbers are 0 then. */
+constexpr int OldServoStateSize = 64;
 
-/** A state for a file: every number of it, in the order of the structs. */
+/** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
 /** False for numbers that no tick produces, but a file may contain. */

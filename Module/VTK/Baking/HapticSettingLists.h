@@ -30,6 +30,8 @@ inline constexpr SettingChoice ContactAlignmentNames[] = { { "Distinctness", "Di
   { "Edge", "Edge" } };
 inline constexpr SettingChoice GeometryNames[] = { { "FromScalars", "From scalars" },
   { "FromLabels", "From labels" }, { "FromBoth", "From both" } };
+inline constexpr SettingChoice MaterialPlacementNames[] = { { "Kernel", "Kernel" },
+  { "FarSide", "Far side" } };
 inline constexpr SettingChoice GradientEstimatorNames[] = { { "CentralDifference",
                                                               "Central difference" },
   { "Gaussian", "Gaussian" }, { "CubicBSpline", "Cubic B-spline" } };
@@ -64,6 +66,10 @@ inline constexpr FilterSetting All[] = {
     "Which image makes the surfaces of the method Proxy. From scalars (default): the volume. From "
     "labels: the label image, with walls between its labels. From both: the volume, and walls "
     "between labels where it has no distinct surface."),
+  HapticChoiceMacro(MaterialPlacement, Owner::KERNEL, &S::Placement,
+    "Which values the materials of a surface belong to, with the solver Precise. Kernel (default): "
+    "those a kernel radius to either side of the proxy, as in the paper. Far side: those that a "
+    "blurred edge leads to, so that skin feels as what lies behind it, from the first touch on."),
   HapticChoiceMacro(GradientEstimator, Owner::GAUSSIAN, &D::Estimator,
     "How gradients are estimated. Central difference: of six trilinear samples Kernel Radius "
     "voxels away. Gaussian (default): the derivative of a Gaussian of scale 0.53 Kernel Radius "

@@ -100,14 +100,17 @@ void RecordedPathReader::ReadPlacements()
 
 void RecordedPathReader::ReadBegin()
 {
-  vtkDataArray* const state = this->FindField(RecordingNames::InitialState, ServoStateSize, 1);
+  vtkDataArray* const found = this->Path->GetFieldData()->GetArray(RecordingNames::InitialState);
+  const bool isOld = found && found->GetNumberOfComponents() == OldServoStateSize;
+  vtkDataArray* const state =
+    this->FindField(RecordingNames::InitialState, isOld ? OldServoStateSize : ServoStateSize, 1);
   vtkDataArray* const period = this->FindField(RecordingNames::TickPeriod, 1, 1);
   this->ReadCaps();
   if (!state || !period)
   {
     return;
   }
-  std::array<double, ServoStateSize> numbers;
+  std::array<double, ServoStateSize> numbers{};
   state->GetTuple(0, numbers.data());
   this->Require(
     AreOfAState(numbers), RecordingNames::InitialState, 0, "a state that the servo can be in");

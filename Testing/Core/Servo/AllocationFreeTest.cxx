@@ -19,7 +19,8 @@ using namespace coretest;
 namespace
 {
 class AllocationFree
-  : public testing::TestWithParam<std::tuple<HapticMethod, GradientEstimator, int>>
+  : public testing::TestWithParam<
+      std::tuple<HapticMethod, GradientEstimator, int, MaterialPlacement>>
 {
 };
 
@@ -42,7 +43,7 @@ HapticMaterial RichMaterial()
 
 TEST_P(AllocationFree, NoTickAllocates)
 {
-  const auto [method, estimator, radius] = this->GetParam();
+  const auto [method, estimator, radius, placement] = this->GetParam();
   TestVolume volume(ScalarType::Float32, { 20, 20, 20 });
   std::mt19937_64 engine(3);
   volume.Fill<float>(
@@ -56,6 +57,7 @@ TEST_P(AllocationFree, NoTickAllocates)
   description.KernelRadius = radius;
   description.Material = RichMaterial();
   description.Settings.Method = method;
+  description.Settings.Placement = placement;
   description.Settings.Side = SurfaceSide::Both;
   description.Settings.MaximumForce = 3.0;
   description.Settings.ForceFieldGain = 0.01;
@@ -90,7 +92,11 @@ TEST_P(AllocationFree, NoTickAllocates)
 INSTANTIATE_TEST_SUITE_P(All, AllocationFree,
   testing::Combine(
     testing::Values(HapticMethod::Proxy, HapticMethod::ForceField, HapticMethod::LocalSurface),
-    testing::ValuesIn(AllEstimators), testing::Values(1, 2, 3, 4, 9)));
+    testing::ValuesIn(AllEstimators), testing::Values(1, 2, 3, 4, 9),
+    testing::Values(MaterialPlacement::Kernel)));
+INSTANTIATE_TEST_SUITE_P(FarSide, AllocationFree,
+  testing::Combine(testing::Values(HapticMethod::Proxy), testing::ValuesIn(AllEstimators),
+    testing::Values(1, 2, 9), testing::Values(MaterialPlacement::FarSide)));
 
 namespace
 {

@@ -65,7 +65,8 @@ protected:
   }
 
   const Vector3 Outside = (26.0 / 23.4) * TipOf(0);
-  HapticModelDescription Whole = DescribeBall(this->GetParam().Method, this->GetParam().Solver);
+  HapticModelDescription Whole =
+    DescribeBall(this->GetParam().Method, this->GetParam().Solver, this->GetParam().Placement);
   std::shared_ptr<const HapticModel> Model;
   ServoState State;
   ResidentServo Servo;

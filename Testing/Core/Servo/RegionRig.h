@@ -38,7 +38,8 @@ inline const TestVolume& Ball()
   return ball;
 }
 
-inline HapticModelDescription DescribeBall(HapticMethod method, HapticSolver solver)
+inline HapticModelDescription DescribeBall(
+  HapticMethod method, HapticSolver solver, MaterialPlacement placement)
 {
   HapticModelDescription d = Describe(Ball());
   d.IndexToWorld.Linear =
@@ -46,6 +47,7 @@ inline HapticModelDescription DescribeBall(HapticMethod method, HapticSolver sol
   d.IndexToWorld.Offset = { -35.3, -0.9 * 36.1, -1.1 * 35.8 };
   d.Settings.Method = method;
   d.Settings.Solver = solver;
+  d.Settings.Placement = placement;
   d.Settings.IsoValue = 500.0;
   d.Settings.HasIsoSurface = method == HapticMethod::LocalSurface;
   d.Settings.ForceFieldGain = 0.01;
@@ -112,9 +114,11 @@ struct MethodCase
   const char* Name;
   HapticMethod Method;
   HapticSolver Solver;
+  MaterialPlacement Placement = MaterialPlacement::Kernel;
 };
 inline constexpr MethodCase MethodCases[] = {
   { "Precise", HapticMethod::Proxy, HapticSolver::Precise },
+  { "FarSide", HapticMethod::Proxy, HapticSolver::Precise, MaterialPlacement::FarSide },
   { "Paper", HapticMethod::Proxy, HapticSolver::Paper },
   { "ForceField", HapticMethod::ForceField, HapticSolver::Precise },
   { "LocalSurface", HapticMethod::LocalSurface, HapticSolver::Precise },

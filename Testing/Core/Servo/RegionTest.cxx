@@ -60,7 +60,8 @@ protected:
       this->GetParam().Method == HapticMethod::Proxy ? 50 : -1);
   }
 
-  HapticModelDescription Whole = DescribeBall(this->GetParam().Method, this->GetParam().Solver);
+  HapticModelDescription Whole =
+    DescribeBall(this->GetParam().Method, this->GetParam().Solver, this->GetParam().Placement);
 };
 } // namespace
 

@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 using namespace coretest;
 
 namespace
@@ -115,13 +117,19 @@ TEST(PreciseTick, StifferTissueUnderARestingHandKeepsTheForceAndSofterKeepsTheSt
   EXPECT_NEAR(Norm(record.Force), 100.0 * 1.75 / 2000.0, 1e-9) << "what is lost is lost";
 }
 
-TEST(PreciseTick, AStoredStateGoesOnToTheBit)
+class PreciseTickState
+  : public testing::TestWithParam<std::tuple<MaterialPlacement, ContactAlignment>>
+{
+};
+
+TEST_P(PreciseTickState, GoesOnToTheBitIfStored)
 {
   const TestVolume volume = MakeRamp();
   HapticModelDescription description = Describe(volume);
   description.Material.Friction = ConstantPolyline(0.3);
   description.Material.Viscosity = ConstantPolyline(0.2);
   description.Material.Stiffness = { { 0.0, 300.0 }, { 2000.0, 1500.0 } };
+  std::tie(description.Settings.Placement, description.Settings.Alignment) = this->GetParam();
   const HapticModel model(description);
   ServoState state;
   TickRecord a;
@@ -137,3 +145,7 @@ TEST(PreciseTick, AStoredStateGoesOnToTheBit)
     ASSERT_EQ(Norm(a.Force - b.Force), 0.0);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, PreciseTickState,
+  testing::Combine(testing::Values(MaterialPlacement::Kernel, MaterialPlacement::FarSide),
+    testing::Values(ContactAlignment::Distinctness, ContactAlignment::Edge)));

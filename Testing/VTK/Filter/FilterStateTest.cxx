@@ -111,6 +111,10 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   EXPECT_EQ(filter->GetGeometry(), vtkVolumeHapticsFilter::FROM_BOTH);
   filter->SetContactAlignment(99);
   EXPECT_EQ(filter->GetContactAlignment(), vtkVolumeHapticsFilter::EDGE);
+  filter->SetMaterialPlacement(-1);
+  EXPECT_EQ(filter->GetMaterialPlacement(), vtkVolumeHapticsFilter::KERNEL);
+  filter->SetMaterialPlacementToFarSide();
+  EXPECT_EQ(filter->GetMaterialPlacement(), vtkVolumeHapticsFilter::FAR_SIDE);
   filter->SetServoRate(0.0);
   EXPECT_EQ(filter->GetServoRate(), 1.0);
   filter->SetMetersPerWorldUnit(-1.0);

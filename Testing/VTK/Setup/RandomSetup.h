@@ -41,6 +41,7 @@ public:
     f->SameShapeOn();
     f->SetCouplingStiffness(this->Draw(1000.0));
     f->SetGeometryFromBoth();
+    f->SetMaterialPlacementToFarSide();
     f->SetMaximumForce(this->Draw(10.0));
     f->SetMaximumStiffness(this->Draw(3000.0));
     f->GetProperty()->SetComponent(2);

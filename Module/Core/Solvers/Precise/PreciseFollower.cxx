@@ -45,7 +45,7 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
   const Vector3 lag = from - this->Proxy;
   if (this->State.CachedSampleDistance > LongestSampleDistance)
   {
-    this->LookAround(lag);
+    this->LookAround(lag, this->FindTouched(lag));
     this->Refresh(Norm(lag));
   }
   Vector3 at = from;
@@ -91,9 +91,16 @@ void PreciseFollower::Write(TickRecord& record) const noexcept
   }
 }
 
-void PreciseFollower::LookAround(const Vector3& lag) noexcept
+const PrecisePoint* PreciseFollower::FindTouched(const Vector3& lag) const noexcept
 {
-  this->State.Here = this->Field.Look(this->Proxy, lag);
+  const PrecisePoint& here = this->State.Here;
+  const bool holds = Law::IsFelt(here) && here.SurfaceStrength > 0.0 && Dot(lag, here.Normal) > 0.0;
+  return holds ? &here : nullptr;
+}
+
+void PreciseFollower::LookAround(const Vector3& lag, const PrecisePoint* touched) noexcept
+{
+  this->State.Here = this->Field.Look(this->Proxy, lag, touched, this->State.CachedSampleDistance);
   this->State.CachedSampleDistance = 0.0;
 }
 
@@ -129,7 +136,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   {
     if (this->IsTwoSided && Dot(tip - this->Proxy, this->State.Here.Normal) < 0.0)
     {
-      this->LookAround(tip - this->Proxy);
+      this->LookAround(tip - this->Proxy, nullptr);
       PassOn(this->State.Spring, this->State.Here.Stiffness, Norm(tip - this->Proxy));
     }
     Motion motion = this->Plan(tip, isFirst ? &before : nullptr);
@@ -167,7 +174,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
     }
     const double share = voxels > LongestStep ? LongestStep / voxels : 1.0;
     const Arrival end = this->Field.Arrive(
-      { this->Proxy, this->State.Spring, this->State.Level }, motion, share, tip);
+      { this->Proxy, this->State.Spring, this->State.Level, this->FindTouched(tip - this->Proxy) },
+      motion, share, tip);
     const Vector3 lag = tip - end.Proxy;
     const Vector3 lagBefore = tip - this->Proxy;
     // Only the return to the level makes the spring longer, and only a few times.

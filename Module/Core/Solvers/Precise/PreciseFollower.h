@@ -33,8 +33,10 @@ public:
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
-  /** Samples the material at the proxy. */
-  void LookAround(const Vector3& lag) noexcept;
+  /** The material at the proxy, if its surface takes a part of the spring's force; else null. */
+  const PrecisePoint* FindTouched(const Vector3& lag) const noexcept;
+  /** Samples the material at the proxy; `touched` as in PreciseSurroundings::Look. */
+  void LookAround(const Vector3& lag, const PrecisePoint* touched) noexcept;
   /**
    * Takes over a change of the tissue at the proxy that no motion has caused since the last tick.
    */

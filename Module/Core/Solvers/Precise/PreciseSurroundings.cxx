@@ -3,7 +3,7 @@
 #include "Core/Solvers/Precise/PreciseSurroundings.h"
 
 #include "Core/Math/RootBracket.h"
-#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Solvers/Precise/FarSide.h"
 #include "Core/Solvers/Precise/PreciseSolver.h"
 
 namespace VolumeHaptics
@@ -21,6 +21,14 @@ constexpr int MostTrials = 10;
 constexpr double FarthestLevel = 0.25;
 /** At an edge, V(x_p) may be this share of |V(x_s) - V(x_v)| below their mean. */
 constexpr double EdgeTolerance = 1e-3;
+/** The share of the edge's height over which a graded edge gains its strength. */
+constexpr double EdgeWidth = 0.5;
+/** N; how steeply it gains it at the beginning, per share of EdgeWidth. */
+constexpr double EdgeStrength = 20.0;
+/** A ramp that is less even than this is an edge. */
+constexpr double EdgeEvenness = 0.5;
+/** More than 1, so that rounding does not make an edge of an even ramp. */
+constexpr double MostEvenness = 1.1;
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
 double AtEdge(const MaterialPoint& point, double value, bool isDescending) noexcept
@@ -29,6 +37,35 @@ double AtEdge(const MaterialPoint& point, double value, bool isDescending) noexc
   const double width = EdgeTolerance * std::abs(point.SurfaceValue - point.MediumValue);
   const double share = 1.0 + (isDescending ? -above : above) / std::max(width, 1e-300);
   return std::clamp(share, 0.0, 1.0);
+}
+
+/**
+ * The strength of a graded edge of height h:
+ *
+ *   T' = min(T, EdgeStrength s/(1 - s)),   s = (V - middle)/(EdgeWidth h),
+ *
+ * and 0 before the middle: so the strength does not step if the middle wanders along a surface. An
+ * even ramp has no middle; with its evenness, s rises to 1. If h is less than the gradient's `rise`
+ * over the kernel radius, then the edge is elsewhere, and s falls to 0.
+ *
+ * V is V(x_p) or the estimator's own value, the one that is farther inside: the latter carries less
+ * noise, but in a sheet that is thinner than the kernel it does not reach the middle.
+ */
+double GradedStrength(
+  const PrecisePoint& point, double value, double rise, bool isDescending) noexcept
+{
+  const double inside = isDescending ? std::min(value, point.Value) : std::max(value, point.Value);
+  const double middle = 0.5 * (point.SurfaceValue + point.MediumValue);
+  const double height = std::abs(point.SurfaceValue - point.MediumValue);
+  const double above = isDescending ? middle - inside : inside - middle;
+  const double even =
+    std::clamp((point.Far.Evenness - EdgeEvenness) / (1.0 - EdgeEvenness), 0.0, 1.0);
+  const double past =
+    std::clamp(above / std::max(EdgeWidth * height, 1e-300) + even * MostEvenness, 0.0, 1.0);
+  const double share = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
+  const double edge = EdgeStrength * share;
+  const double whole = point.SurfaceStrength * AtEdge(point, inside, isDescending);
+  return std::min(whole, edge / std::max(1.0 - share, 1e-12));
 }
 
 } // namespace
@@ -52,23 +89,69 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
   }
 }
 
-PrecisePoint PreciseSurroundings::Look(const Vector3& proxy, const Vector3& lag) noexcept
+PrecisePoint PreciseSurroundings::Look(
+  const Vector3& proxy, const Vector3& lag, const PrecisePoint* touched, double voxels) noexcept
 {
   ++this->Looks;
   const Vector3 index = this->Model.DeviceToIndex(proxy);
   Surface surface = Law::FindSurface(this->Model, index);
   const bool isDescending = Law::Orient(this->Model, lag, surface);
   PrecisePoint point;
-  Law::ReadMaterials(this->Model, index, surface, point);
+  // Before the values: their sampling hides the lookup's latency.
+  const DistinctnessTable::Values distinct = Law::FindDistinctness(this->Model, surface);
+  const ValuePair values =
+    this->FindValues(index, surface, isDescending, distinct[0], touched, voxels, point);
+  Law::SetMaterials(this->Model, index, surface, distinct, values, point);
   point.Value = surface.Value;
   const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
   point.Slope = isDescending ? -slope : slope;
   if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
     point.SurfaceStrength > 0.0)
   {
-    point.SurfaceStrength *= AtEdge(point, this->Model.Baked->Field.Value(index), isDescending);
+    const double value = this->Model.Baked->Field.Value(index);
+    point.SurfaceStrength = this->Model.Baked->Settings.Placement == MaterialPlacement::FarSide
+      ? GradedStrength(point, value, this->FindRise(surface), isDescending)
+      : point.SurfaceStrength * AtEdge(point, value, isDescending);
   }
   return point;
+}
+
+double PreciseSurroundings::FindRise(const Surface& surface) const noexcept
+{
+  return surface.GradientMagnitude * this->Model.KernelLength * this->Model.WorldUnitsPerMeter;
+}
+
+ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& surface,
+  bool isDescending, double distinctness, const PrecisePoint* touched, double voxels,
+  PrecisePoint& point) const noexcept
+{
+  const BakedVolume& baked = *this->Model.Baked;
+  const double share = distinctness * surface.Fade;
+  if (baked.Settings.Placement == MaterialPlacement::Kernel || surface.IsWall || share <= 0.0)
+  {
+    return baked.Field.Values(index, surface.Reach);
+  }
+  const bool goesOn = touched && Dot(touched->Normal, surface.Normal) > 0.0;
+  if (goesOn && voxels < touched->FarLasts)
+  {
+    point.Far = touched->Far;
+    point.FarLasts = touched->FarLasts - voxels;
+  }
+  else
+  {
+    const double rise = this->FindRise(surface);
+    point.Far =
+      FindFarSide(baked.Field, index, surface.Reach, baked.Kernel.Radius, rise, isDescending);
+    point.FarLasts = FarSide::WalkInterval;
+    if (share < 1.0)
+    {
+      const ValuePair nearby = baked.Field.Values(index, surface.Reach);
+      point.Far.Ahead = nearby.Ahead + share * (point.Far.Ahead - nearby.Ahead);
+      point.Far.Behind = nearby.Behind + share * (point.Far.Behind - nearby.Behind);
+    }
+  }
+  return goesOn && IsSameEdge(*touched, point.Far) ? FollowFarSide(*touched, point.Far, voxels)
+                                                   : ValuePair{ point.Far.Ahead, point.Far.Behind };
 }
 
 bool PreciseSurroundings::CanGoOn() const noexcept
@@ -125,7 +208,7 @@ Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
 {
   Arrival end{ start.Proxy + displacement, {}, 0.0, start.Spring };
   const Vector3 lag = tip - end.Proxy;
-  end.There = this->Look(end.Proxy, lag);
+  end.There = this->Look(end.Proxy, lag, start.Touched, this->Voxels(displacement));
   PassOn(end.Spring, end.There.Stiffness, Norm(lag));
   if (motion.IsHeld && end.There.Slope != 0.0)
   {

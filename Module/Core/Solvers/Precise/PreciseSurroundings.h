@@ -9,6 +9,7 @@
 #define PreciseSurroundings_h
 
 #include "Core/Model/HapticModel.h"
+#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/PreciseState.h"
 
 namespace VolumeHaptics
@@ -28,6 +29,8 @@ struct Departure
   Vector3 Proxy;
   PassiveSpring Spring;
   double Level; ///< of the surface, if the motion is held
+  /** The material there, if a surface takes a force; else null. Of MaterialPlacement::FarSide. */
+  const PrecisePoint* Touched;
 };
 
 /** The end of a motion. */
@@ -51,8 +54,12 @@ public:
   {
   }
 
-  /** The material at a proxy. With two-sided surfaces the normal follows the lag. */
-  PrecisePoint Look(const Vector3& proxy, const Vector3& lag) noexcept;
+  /**
+   * The material at a proxy. With two-sided surfaces the normal follows the lag. `touched` is the
+   * material of a surface in contact that many voxels before, or null: see FarSide.h.
+   */
+  PrecisePoint Look(
+    const Vector3& proxy, const Vector3& lag, const PrecisePoint* touched, double voxels) noexcept;
   /** Whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
 
@@ -101,6 +108,16 @@ private:
     const Arrival& end) const noexcept;
   Arrival DrawBack(const Departure& start, const Motion& motion, const Vector3& displacement,
     const Vector3& tip, const Arrival& end, const Remainder& rest) noexcept;
+
+  /** The change of V over the kernel radius, by the gradient. */
+  double FindRise(const Surface& surface) const noexcept;
+  /**
+   * The values from which the material of a surface is read, by MaterialPlacement. Writes the walk
+   * of a point.
+   */
+  ValuePair FindValues(const Vector3& index, const Surface& surface, bool isDescending,
+    double distinctness, const PrecisePoint* touched, double voxels,
+    PrecisePoint& point) const noexcept;
 
   const HapticModel& Model;
   int Looks = 0;

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/Precise/FarSide.h"
+
+#include <cmath>
+#include <limits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A smaller rise is none: its reciprocal would not be finite. */
+constexpr double LeastRise = std::numeric_limits<double>::min();
+
+/** From 0 at `low` to 1 at `high`, without a kink. */
+double SmoothStep(double low, double high, double x) noexcept
+{
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/** The walk to one side. */
+struct Walk
+{
+  double Far;    ///< the value found so far
+  double Last;   ///< V at the last sample
+  double Valley; ///< Far where the rise was smallest since the largest one
+  double Weight = 1.0;
+  double Change = 0.0; ///< of V in this step
+  double Rise = 0.0;   ///< the same, positive along the gradient
+  double Largest = 0.0;
+  double Smallest = 0.0; ///< since the largest one
+
+  /** @param sign 1 if V rises in the direction of this walk, else -1. */
+  void Step(double value, double sign) noexcept
+  {
+    this->Change = value - this->Last;
+    this->Rise = sign * this->Change;
+    this->Last = value;
+    this->Largest = std::max(this->Largest, this->Rise);
+  }
+
+  void Add(double inverseOfMost) noexcept
+  {
+    const bool isValley = this->Rise >= this->Largest || this->Rise <= this->Smallest;
+    this->Smallest = isValley ? this->Rise : this->Smallest;
+    const double before = 1.0 -
+      SmoothStep(FarSide::Rise, FarSide::NextEdge, (this->Rise - this->Smallest) * inverseOfMost);
+    this->Far = this->Valley + before * (this->Far - this->Valley);
+    this->Weight *= before * SmoothStep(FarSide::Flat, FarSide::Steep, this->Rise * inverseOfMost);
+    this->Far += this->Weight * this->Change;
+    this->Valley = isValley ? this->Far : this->Valley;
+  }
+};
+
+} // namespace
+
+FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vector3& reach,
+  double radius, double rise, bool isDescending) noexcept
+{
+  const double part = radius / (FarSide::StepsPerRadius * Norm(reach));
+  const Vector3 step = part * reach;
+  const double sign = isDescending ? -1.0 : 1.0;
+  const double start = field.Value(index);
+  Walk ahead{ start, start, start };
+  Walk behind{ start, start, start };
+  double evenness = 0.0;
+  for (int j = 1; j <= FarSide::MostSteps; ++j)
+  {
+    const ValuePair values = field.Values(index, static_cast<double>(j) * step);
+    ahead.Step(values.Ahead, sign);
+    behind.Step(values.Behind, -sign);
+    const double most = std::max(part * rise, std::max(ahead.Largest, behind.Largest));
+    const double inverse = most > LeastRise ? 1.0 / most : 0.0;
+    ahead.Add(inverse);
+    behind.Add(inverse);
+    evenness = std::min(ahead.Weight, behind.Weight) *
+      std::max(0.0, std::min(ahead.Rise, behind.Rise) * inverse);
+    if (ahead.Weight == 0.0 && behind.Weight == 0.0)
+    {
+      break;
+    }
+  }
+  const auto finite = [start](double far) { return std::isfinite(far) ? far : start; };
+  return { finite(ahead.Far), finite(behind.Far), evenness };
+}
+
+} // namespace VolumeHaptics

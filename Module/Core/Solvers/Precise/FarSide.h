@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The values on either side of a blurred edge: MaterialPlacement::FarSide.
+ *
+ * A scanner blurs the edge between two tissues to a ramp. A kernel radius inside the proxy the
+ * value is somewhere on that ramp, and the material of that value is that of neither tissue; it
+ * changes with every wiggle of the edge. The far side is the value that the ramp leads to:
+ *
+ *   const FarValues far = FindFarSide(field, index, reach, radius, rise, isDescending);
+ *
+ * ## The walk
+ *
+ * From the proxy x_p, the walk goes along the normal to both sides, in steps of a quarter of the
+ * kernel radius (in voxels along the normal) and FarSide::MostSteps at most: three radii. Let a_j
+ * be the rise of V in step j, m the largest rise of both sides so far or that of the estimator's
+ * gradient, and l the smallest rise of this side since its largest one, in the step that ended at
+ * F_l. The value F of a side goes on from F_0 = V(x_p) as
+ *
+ *   F_j = F_l + v_j (F_j-1 - F_l) + w_j (V_j - V_j-1),   w_j = w_j-1 v_j u_j,   w_0 = 1.
+ *
+ * u_j rises smoothly from 0, at a_j/m = FarSide::Flat, to 1 at FarSide::Steep: the walk ends where
+ * the ramp is flat. v_j falls from 1, at (a_j - l)/m = FarSide::Rise, to 0 at FarSide::NextEdge: if
+ * another edge begins, F is the value between the two, so that the skull is not read through the
+ * scalp. On an edge that is blurred by a Gaussian of 0.5 to 2 voxels (with the default radius of 2)
+ * F is the plateau's value within 2.5 % of the edge's height.
+ *
+ * ## Along a surface
+ *
+ * While a surface takes a force, the values of its material follow the walk's over
+ * FarSide::PathLength voxels of the proxy's path s:
+ *
+ *   dV/ds = (F - V)/PathLength.
+ *
+ * A walk stands for FarSide::WalkInterval voxels of it. So no material steps along a surface,
+ * whatever the walk finds: noise, or an edge that forks. A new contact begins with the values of
+ * its own place; and so does a walk that has found another edge, or none, which is what a proxy
+ * meets that has gone through a surface.
+ */
+#ifndef FarSide_h
+#define FarSide_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Solvers/PreciseState.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+namespace FarSide
+{
+constexpr double StepsPerRadius = 4.0;
+constexpr int MostSteps = 12;
+/** The farthest samples of a walk, in kernel radii. */
+constexpr double FarthestRadii = MostSteps / StepsPerRadius;
+///@{
+/** Shares of the largest rise. */
+constexpr double Flat = 0.03;
+constexpr double Steep = 0.12;
+constexpr double Rise = 0.05;
+constexpr double NextEdge = 0.2;
+///@}
+///@{
+/** Voxels of the proxy's path along a surface. */
+constexpr double PathLength = 2.5;
+constexpr double WalkInterval = 0.5;
+///@}
+/** The least share of its height by which an edge stays the same. */
+constexpr double SharedHeight = 0.3;
+} // namespace FarSide
+
+/**
+ * The values of the plateaus ahead and behind. `reach` points along the normal (index steps),
+ * `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along `reach`; it
+ * falls if it is descending.
+ */
+FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vector3& reach,
+  double radius, double rise, bool isDescending) noexcept;
+
+/**
+ * Whether a walk has found the edge of a surface, not the plateau behind it, or the next edge: they
+ * share a part of their values.
+ */
+inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexcept
+{
+  const auto [low, high] = std::minmax(touched.SurfaceValue, touched.MediumValue);
+  const auto [farLow, farHigh] = std::minmax(far.Ahead, far.Behind);
+  return std::min(high, farHigh) - std::max(low, farLow) >= FarSide::SharedHeight * (high - low);
+}
+
+/** The values of a surface after a path of some voxels, on which a walk has found `far`. */
+inline ValuePair FollowFarSide(
+  const MaterialPoint& touched, const FarValues& far, double voxels) noexcept
+{
+  const double share = voxels / (voxels + FarSide::PathLength);
+  return { touched.SurfaceValue + share * (far.Ahead - touched.SurfaceValue),
+    touched.MediumValue + share * (far.Behind - touched.MediumValue) };
+}
+
+} // namespace VolumeHaptics
+
+#endif

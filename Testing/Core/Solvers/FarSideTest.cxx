@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The walk to the plateaus on either side of an edge. Expectations are the values from which the
+ * edges are built: V1 + (V2 - V1) Phi(z/s), with the normal distribution Phi.
+ */
+
+#include "Core/Solvers/Precise/FarSide.h"
+#include "Rigs/TestVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+using namespace coretest;
+
+namespace
+{
+constexpr double Middle = 31.3; // voxels: the edges stand here
+constexpr double Radius = 2.0;  // voxels
+constexpr double Tolerance = 0.025;
+
+double Phi(double x)
+{
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
+
+/// A volume that changes along z only, by a function of the distance from the middle.
+class Layers
+{
+public:
+  explicit Layers(const std::function<double(double)>& value)
+    : Volume(ScalarType::Float64, { 8, 8, 64 })
+    , Kernel(GradientEstimator::Gaussian, static_cast<int>(Radius))
+  {
+    this->Volume.Fill<double>([&](std::int64_t, std::int64_t, std::int64_t k)
+      { return value(static_cast<double>(k) - Middle); });
+    this->Field = FieldSampler(this->Volume.View, this->Kernel);
+  }
+
+  FarValues Find(double distance, bool isDescending = false) const
+  {
+    const Vector3 reach = { 0.0, 0.0, isDescending ? -Radius : Radius };
+    return FindFarSide(
+      this->Field, { 3.2, 3.7, Middle + distance }, reach, Radius, 0.0, isDescending);
+  }
+
+  double Value(double distance) const { return this->Field.Value({ 3.2, 3.7, Middle + distance }); }
+
+  TestVolume Volume;
+  GradientKernel Kernel;
+  FieldSampler Field;
+};
+} // namespace
+
+TEST(FarSide, IsThePlateausOfABlurredEdge)
+{
+  for (const double blur : { 0.5, 0.75, 1.0, 1.5, 2.0 })
+  {
+    const Layers edge([&](double z) { return -1000.0 + 1060.0 * Phi(z / blur); });
+    for (double at = -0.5; at <= 0.5; at += 0.1)
+    {
+      const FarValues far = edge.Find(at);
+      EXPECT_NEAR(far.Ahead, 60.0, 1060.0 * Tolerance) << blur << " from " << at;
+      EXPECT_NEAR(far.Behind, -1000.0, 1060.0 * Tolerance) << blur << " from " << at;
+      EXPECT_LT(far.Evenness, 0.5);
+      // The same edge with the structure on its lower side.
+      const FarValues lower = edge.Find(at, true);
+      EXPECT_EQ(lower.Ahead, far.Behind);
+      EXPECT_EQ(lower.Behind, far.Ahead);
+    }
+  }
+}
+
+TEST(FarSide, IsTheFirstPlateauNotTheSkullThroughTheScalp)
+{
+  for (const double blur : { 0.5, 0.7, 0.85 })
+  {
+    const double thickness = 4.0;
+    const Layers head([&](double z)
+      { return -1000.0 + 1050.0 * Phi(z / blur) + 1000.0 * Phi((z - thickness) / blur); });
+    for (double at = -0.3; at <= 0.3; at += 0.1)
+    {
+      ASSERT_GT(head.Value(at + FarSide::FarthestRadii * Radius), 900.0) << "the skull is in reach";
+      EXPECT_NEAR(head.Find(at).Ahead, 50.0, 80.0) << blur << " from " << at;
+      EXPECT_NEAR(head.Find(at).Behind, -1000.0, 1050.0 * 0.04);
+      // On the skull the scalp is the medium.
+      EXPECT_NEAR(head.Find(thickness + at).Behind, 50.0, 80.0) << blur << " from " << at;
+      EXPECT_NEAR(head.Find(thickness + at).Ahead, 1050.0, 1000.0 * Tolerance);
+    }
+  }
+}
+
+TEST(FarSide, IsThreeRadiiAwayOnAnEvenRamp)
+{
+  const Layers ramp([](double z) { return 100.0 * z; });
+  const FarValues far = ramp.Find(0.4);
+  EXPECT_NEAR(far.Ahead, 100.0 * (0.4 + 3.0 * Radius), 1e-9);
+  EXPECT_NEAR(far.Behind, 100.0 * (0.4 - 3.0 * Radius), 1e-9);
+  EXPECT_NEAR(far.Evenness, 1.0, 1e-12);
+}
+
+TEST(FarSide, EndsAtTheBorder)
+{
+  const Layers ramp([](double z) { return 100.0 * z; });
+  const double last = 63.0 - Middle;
+  EXPECT_NEAR(ramp.Find(last - 1.0).Ahead, 100.0 * last, 1e-9);
+  EXPECT_EQ(ramp.Find(last - 1.0).Evenness, 0.0);
+}
+
+TEST(FarSide, IsFiniteWhateverTheSamplesAre)
+{
+  const double odd[] = { std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::infinity(), 1.7e308, -1.7e308, 1e-310, 0.0 };
+  std::mt19937_64 engine(5);
+  TestVolume volume(ScalarType::Float64, { 8, 8, 64 });
+  volume.Fill<double>(
+    [&](std::int64_t, std::int64_t, std::int64_t k)
+    {
+      const auto dice = engine() % 12;
+      return dice < 6 ? odd[dice] : static_cast<double>(k);
+    });
+  const GradientKernel kernel(GradientEstimator::Gaussian, 2);
+  const FieldSampler field(volume.View, kernel);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+    const Vector3 index = { 9.0 * uniform() - 1.0, 9.0 * uniform() - 1.0, 66.0 * uniform() - 1.0 };
+    const Vector3 reach = { uniform() - 0.5, uniform() - 0.5, uniform() - 0.5 };
+    const FarValues far = FindFarSide(field, index, reach, Radius, 0.0, i % 2 == 0);
+    ASSERT_TRUE(std::isfinite(far.Ahead) && std::isfinite(far.Behind));
+    ASSERT_GE(far.Evenness, 0.0);
+    ASSERT_LE(far.Evenness, 1.0 + 1e-12);
+  }
+}
