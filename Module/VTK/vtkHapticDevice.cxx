@@ -218,6 +218,7 @@ vtkHapticDeviceStateMacro(int, Buttons, GetState().Buttons);
 vtkHapticDeviceStateMacro(double*, TurnRate, TurnRate);
 vtkHapticDeviceStateMacro(int, Contact, GetState().Record.Contact);
 vtkHapticDeviceStateMacro(double, SurfaceValue, GetState().Record.SurfaceValue);
+vtkHapticDeviceStateMacro(vtkTypeInt64, Label, Label);
 vtkHapticDeviceStateMacro(double, NormalForce, GetState().Record.NormalForce);
 vtkHapticDeviceStateMacro(double, FrictionForce, GetState().Record.FrictionForce);
 vtkHapticDeviceStateMacro(double, DragForce, GetState().Record.DragForce);

@@ -320,6 +320,11 @@ public:
   double GetFrictionForce();
   double GetDragForce();
   ///@}
+  /**
+   * Of the latest state: the label just inside the surface, that is, at the proxy plus r times the
+   * normal; 0 if the filter has no label image, or none there. vtkHapticLabelTable has its name.
+   */
+  vtkTypeInt64 GetLabel();
   ///@{
   /**
    * Of the latest state (world): the unit normal inwards; the positions x_s and x_v at which the

@@ -21,6 +21,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -30,6 +31,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +46,15 @@ bool IsFinite(const VolumeHaptics::TickRecord& record)
   return IsFinite(record.Proxy) && IsFinite(record.Force) && IsFinite(record.Normal) &&
     std::isfinite(record.NormalForce) && std::isfinite(record.FrictionForce) &&
     std::isfinite(record.DragForce);
+}
+
+/** Whether the settings of a recording tell of labels. */
+bool WasMadeWithLabels(vtkPolyData* recording)
+{
+  auto* const settings = vtkStringArray::SafeDownCast(
+    recording->GetFieldData()->GetAbstractArray(VolumeHaptics::RecordingNames::Settings));
+  return settings && settings->GetNumberOfValues() > 0 &&
+    settings->GetValue(0).find(VolumeHaptics::RecordingNames::LabelHash) != std::string::npos;
 }
 
 /** Whether another piece makes the trace. */
@@ -374,11 +385,22 @@ std::string vtkVolumeHapticsFilter::HashScalars()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::HashLabels()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
+  vtkDataArray* const labels = image ? this->GetInputArrayToProcess(1, image) : nullptr;
+  return labels ? VolumeHaptics::HashArray(labels, image->GetDimensions()) : std::string();
+}
+
+//------------------------------------------------------------------------------
 double vtkVolumeHapticsFilter::EstimateHashTime()
 {
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
   vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
-  return scalars ? VolumeHaptics::EstimateHashTime(scalars) : 0.0;
+  vtkImageData* const labelled = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
+  vtkDataArray* const labels = labelled ? this->GetInputArrayToProcess(1, labelled) : nullptr;
+  return (scalars ? VolumeHaptics::EstimateHashTime(scalars) : 0.0) +
+    (labels ? VolumeHaptics::EstimateHashTime(labels) : 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -452,6 +474,16 @@ int vtkVolumeHapticsFilter::TouchPath(
   {
     error = model ? error : imageError;
     vtkErrorMacro(<< Printable(error));
+    return 0;
+  }
+
+  if (tips.IsRecording && !model->Baked->Labels && WasMadeWithLabels(path))
+  {
+    vtkErrorMacro(
+      "The recording on port 1 was made with labels, and there is no label image. Connect "
+      "the same one to input port 3 with SetLabelConnection, and give the same table with "
+      "SetLabelTable: the recording's field array Settings has the label image's hash "
+      "(HashLabels) and the table.");
     return 0;
   }
 

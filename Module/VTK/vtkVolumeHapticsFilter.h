@@ -94,6 +94,8 @@
  *                      the last value is the energy that was created (FORCE_FIELD can) or, below
  *                      0, spent
  *   Unfinished         1 if PRECISE spent its budget, and the next tick does the rest; else 0
+ *   Label              at the output point plus r Normal, just inside the surface: the label of the
+ *                      nearest voxel, 0 beyond the label image. Only with a label image on port 3
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit. Without a path the output is empty. Input that
@@ -178,6 +180,9 @@ public:
    * none.
    */
   std::string HashScalars();
+
+  /** The same of the labels on port 3. */
+  std::string HashLabels();
 
 protected:
   vtkVolumeHapticsFilter();

@@ -66,6 +66,10 @@ protected:
     {
       vtkDataArray* const here = replayed->GetPointData()->GetArray(a);
       vtkDataArray* const there = recorded->GetPointData()->GetArray(here->GetName());
+      if (here->GetName() == std::string("Label"))
+      {
+        continue; // found anew by every replay
+      }
       ASSERT_TRUE(there) << here->GetName();
       vtkIdType different = 0;
       for (vtkIdType i = 0; i < here->GetNumberOfValues(); ++i)

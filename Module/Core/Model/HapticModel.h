@@ -98,6 +98,13 @@ public:
     return this->Baked->Field.Value(this->DeviceToIndex(device));
   }
 
+  /** The label at a device position; NoLabel if there is none. */
+  std::int64_t LabelAtDevice(const Vector3& device) const noexcept
+  {
+    return this->Baked->Labels ? this->Baked->Labels->View.Nearest(this->DeviceToLabel(device))
+                               : NoLabel;
+  }
+
   struct MemoryRange
   {
     const void* Begin = nullptr;

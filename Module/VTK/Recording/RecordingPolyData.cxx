@@ -214,7 +214,7 @@ private:
     this->File.Write("\n</DataArray>\n");
     const RecordingAbout& about = this->Journal.GetAbout();
     this->WriteText("DeviceId", about.DeviceId);
-    this->WriteText("Settings", about.Settings);
+    this->WriteText(RecordingNames::Settings, about.Settings);
     this->WriteText("Units", RecordingUnits);
     this->WriteText("VolumeHash", about.VolumeHash);
   }

@@ -7,8 +7,10 @@
 #include "VTK/Recording/HapticJournal.h"
 #include "VTK/Recording/HapticRecordingFile.h"
 #include "VTK/Session/HapticLongWork.h"
+#include "VTK/Trace/RecordingNames.h"
 
 #include "vtkHapticDevice.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -33,6 +35,28 @@ constexpr double BytesPerTick = 80;
 double EstimateWriting(const std::string& file, double ticks)
 {
   return ticks * (GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick);
+}
+
+/** The labels that a replay needs, unless the filter has none. */
+void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
+{
+  const std::string hash = filter->HashLabels();
+  if (hash.empty())
+  {
+    return;
+  }
+  os << RecordingNames::LabelHash << hash << "\n";
+  vtkHapticLabelTable* const table = filter->GetLabelTable();
+  constexpr vtkIdType most = 1000; // of the labels that are told one by one
+  if (table && table->GetNumberOfLabels() <= most)
+  {
+    os << "LabelTable:\n";
+    table->PrintSelf(os, vtkIndent(2));
+  }
+  else if (table)
+  {
+    os << "LabelTable: of " << table->GetNumberOfLabels() << " labels\n";
+  }
 }
 
 } // namespace
@@ -113,10 +137,11 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
     std::ostringstream settings;
     filter->PrintSettings(settings, vtkIndent());
     settings << "ServoRate of the device: " << this->Session.GetRate() << " Hz\n";
-    about.Settings = settings.str();
     const LongWork work(
       this->Device, "the volume is hashed", HapticBaker(filter).EstimateHashTime());
     about.VolumeHash = filter->HashScalars();
+    DescribeLabels(filter, settings);
+    about.Settings = settings.str();
   }
   // Observers of the long work may have stopped the servo, or begun a recording.
   TickCollector* const ticks = this->FindRecordable(name);

@@ -7,6 +7,7 @@
 #include "Devices/Replay/ReplayDevice.h"
 #include "VTK/Session/HapticSignals.h"
 #include "VTK/Session/HapticStateTable.h"
+#include "VTK/Trace/TraceRow.h"
 
 #include <algorithm>
 #include <utility>
@@ -301,6 +302,7 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   const Vector3 reach = (model ? model->KernelLength : 0.0) * record.Normal;
   Copy(toWorld(start + reach), this->SurfacePosition);
   Copy(toWorld(start - reach), this->MediumPosition);
+  this->Label = model ? GetTraceLabel(*model, record) : 0;
   this->FollowRoundTrip();
   return true;
 }

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTrace.h"
 
+#include "Core/Model/HapticModel.h"
+#include "Core/Solvers/TickRecord.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -74,6 +77,15 @@ void HapticTrace::Append(const HapticModel& model, double time, const TickRecord
         reinterpret_cast<const double*>(tuple));
     }
   }
+  if (model.Baked->Labels)
+  {
+    if (!this->Labels)
+    {
+      this->Labels = vtkSmartPointer<vtkLongLongArray>::New();
+      this->Labels->SetName("Label");
+    }
+    this->Labels->InsertNextValue(GetTraceLabel(model, record));
+  }
 }
 
 void HapticTrace::WriteTo(vtkPolyData* output)
@@ -93,6 +105,10 @@ void HapticTrace::WriteTo(vtkPolyData* output)
   for (vtkDataArray* const array : this->Arrays)
   {
     output->GetPointData()->AddArray(array);
+  }
+  if (this->Labels)
+  {
+    output->GetPointData()->AddArray(this->Labels);
   }
 }
 

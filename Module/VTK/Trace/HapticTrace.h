@@ -16,6 +16,7 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkLongLongArray;
 class vtkPoints;
 class vtkPolyData;
 
@@ -40,6 +41,7 @@ public:
 private:
   vtkNew<vtkPoints> Proxies;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // of GetTraceColumns
+  vtkSmartPointer<vtkLongLongArray> Labels;          // null without a label image
   WorkMeter Work;
 };
 

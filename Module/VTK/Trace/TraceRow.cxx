@@ -39,6 +39,12 @@ double WorkMeter::Add(const TickRecord& record)
   return this->Work;
 }
 
+std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record)
+{
+  const std::int64_t label = model.LabelAtDevice(record.Proxy + model.KernelLength * record.Normal);
+  return label == NoLabel ? 0 : label;
+}
+
 TraceRow MakeTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work)
 {

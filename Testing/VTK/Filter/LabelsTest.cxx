@@ -49,6 +49,14 @@ protected:
     return -Get(this->Run(51), "Force", Last, 2);
   }
 
+  /// The output without the array that tells labels.
+  vtkSmartPointer<vtkPolyData> KeepFelt()
+  {
+    const auto output = Keep(this->Filter);
+    output->GetPointData()->RemoveArray("Label");
+    return output;
+  }
+
   vtkNew<vtkHapticLabelTable> Table;
 };
 
@@ -102,23 +110,23 @@ TEST_P(LabelsOfSolver, WithoutEntryMakeNoDifference)
   const auto without = Keep(this->Filter);
   this->SetHalves();
   this->Run(802);
-  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "an empty table";
+  EXPECT_TRUE(IsSame(without, this->KeepFelt())) << "an empty table";
   this->Table->SetLabelName(1, "liver");
   this->Table->SetColor(2, 1.0, 0.0, 0.0);
   this->Table->SetStiffness(3, 77.0);
   this->Table->SetStandOff(1.0);
   this->Run(802);
-  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "entries without a material, or of others";
+  EXPECT_TRUE(IsSame(without, this->KeepFelt())) << "entries without a material, or of others";
   this->Filter->SetLabelTable(nullptr);
   this->Run(802);
-  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "no table";
+  EXPECT_TRUE(IsSame(without, this->KeepFelt())) << "no table";
   this->Filter->SetLabelTable(this->Table);
   this->Table->SetStiffness(2, 77.0);
   this->Run(802);
-  EXPECT_FALSE(IsSame(without, Keep(this->Filter))) << "the comparison sees an entry";
+  EXPECT_FALSE(IsSame(without, this->KeepFelt())) << "the comparison sees an entry";
   this->Table->RemoveMaterial(2);
   this->Run(802);
-  EXPECT_TRUE(IsSame(without, Keep(this->Filter))) << "the material was removed";
+  EXPECT_TRUE(IsSame(without, this->KeepFelt())) << "the material was removed";
 }
 
 TEST_P(LabelsOfSolver, OfAnyTypeFeelTheSame)
@@ -339,6 +347,25 @@ TEST_F(LabelsTest, HaveAGeometryOfTheirOwn)
     }
   }
   EXPECT_GT(compared, 300);
+}
+
+TEST_F(LabelsTest, AreInTheTrace)
+{
+  this->Filter->SetPathData(MakePath(Line({ 3, 7, 5 }, { 20, 7, 5 }, 340)));
+  SetConstant(this->Property->GetSurfaceStrength(), 0.0);
+  EXPECT_EQ(this->Run(341)->GetPointData()->GetArray("Label"), nullptr) << "without labels";
+  this->SetHalves();
+  vtkPolyData* const output = this->Run(341);
+  ASSERT_NE(output->GetPointData()->GetArray("Label"), nullptr);
+  for (vtkIdType tick = 0; tick <= 340; ++tick)
+  {
+    // The nearest voxel; the normal is along z.
+    const double x = output->GetPoint(tick)[0];
+    if (std::abs(x - 7.5) > 1e-6 && std::abs(x - 15.5) > 1e-6)
+    {
+      ASSERT_EQ(Get(output, "Label", tick), x < 7.5 ? 1.0 : x < 15.5 ? 2.0 : 0.0) << x;
+    }
+  }
 }
 
 TEST_F(LabelsTest, AreReadAgainAfterAChange)
