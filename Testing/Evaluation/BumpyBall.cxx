@@ -166,8 +166,20 @@ Table CompareOnBumpyBall(const Effort& effort)
   };
   add("PAPER", [](Filter* filter) { filter->SetSolverToPaper(); });
   add("PRECISE", [](Filter*) {});
-  add("PRECISE, Distinctness", [](Filter* filter) { filter->SetContactAlignmentToDistinctness(); });
-  add("PRECISE, Edge", [](Filter* filter) { filter->SetContactAlignmentToEdge(); });
+  for (const bool isFar : { true, false })
+  {
+    for (const bool isEdge : { false, true })
+    {
+      const std::string name = std::string("PRECISE, ") + (isFar ? "far side" : "kernel") +
+        (isEdge ? ", Edge" : ", Distinctness");
+      add(name.c_str(),
+        [=](Filter* filter)
+        {
+          filter->SetMaterialPlacement(isFar ? Filter::FAR_SIDE : Filter::KERNEL);
+          filter->SetContactAlignment(isEdge ? Filter::EDGE : Filter::DISTINCTNESS);
+        });
+    }
+  }
   add("SURFACE_PROXY",
     [](Filter* filter)
     {

@@ -76,6 +76,7 @@ std::array<vtkPiecewiseFunction*, 4> FunctionsOf(Filter* filter)
 void SetEdge(Filter* filter)
 {
   filter->SetContactAlignment(Filter::EDGE);
+  filter->SetMaterialPlacement(Filter::KERNEL);
 }
 
 std::vector<Variant> MakeMethods()
@@ -100,11 +101,22 @@ std::vector<Variant> MakeMethods()
 std::vector<Variant> MakeVariants()
 {
   std::vector<Variant> variants = MakeMethods();
-  variants.push_back({ "PRECISE, Distinctness", [](Filter* filter, const FeltSurface&) {
-                        filter->SetContactAlignment(Filter::DISTINCTNESS);
-                      } });
-  variants.push_back(
-    { "PRECISE, Edge", [](Filter* filter, const FeltSurface&) { SetEdge(filter); } });
+  const std::pair<const char*, int> placements[] = { { "far side", Filter::FAR_SIDE },
+    { "kernel", Filter::KERNEL } };
+  const std::pair<const char*, int> alignments[] = { { "Distinctness", Filter::DISTINCTNESS },
+    { "Edge", Filter::EDGE } };
+  for (const auto& [place, placement] : placements)
+  {
+    for (const auto& [align, alignment] : alignments)
+    {
+      variants.push_back({ std::string("PRECISE, ") + place + ", " + align,
+        [placement = placement, alignment = alignment](Filter* filter, const FeltSurface&)
+        {
+          filter->SetMaterialPlacement(placement);
+          filter->SetContactAlignment(alignment);
+        } });
+    }
+  }
   variants.push_back({ "... without noise (median of 27)",
     [](Filter* filter, const FeltSurface&) { SetEdge(filter); }, Data::Filtered });
   variants.push_back({ "... wide ramps",
@@ -370,7 +382,8 @@ Feel MeasureFeel(const std::vector<FeltSurface>& surfaces)
     "Arcs at 50 mm/s, 2 mm under the smoothed course of the surface. Shares are the root mean "
     "square of the force in a band beside its mean. A drop is a fall by more than 30 % within "
     "5 ms, a reversal a rise after a fall, each by 5 % of the mean. PRECISE has its default "
-    "settings; the lines that begin with ... take one cause away from \"PRECISE, Edge\" at a time. "
+    "settings; the lines that begin with ... take one cause away from \"PRECISE, kernel, Edge\" at "
+    "a time. "
     "Wide ramps: the functions are averaged over 60 HU, or 30 grey levels.",
     { "surface", "method", "mean (N)", "30-100 Hz (%)", "100-500 Hz (%)", "30-500 Hz (%)",
       "drops / s", "reversals / s", "largest step (N)" },

@@ -6,6 +6,7 @@
 #include "Feel.h"
 
 #include "Shapes.h"
+#include "TickRatio.h"
 
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
@@ -145,5 +146,15 @@ TEST(Feel, ABallOfOneTissueIsSmooth)
     }
   }
   EXPECT_EQ(judged, 6);
+}
+
+TEST(Feel, TicksAreComparedOnStrokesThatThereAre)
+{
+  // Times themselves are not asserted.
+  FeltSurface surface = FindHeadSurfaces(MakeHead(1000.0), {}).front();
+  const Setting none = [](vtkVolumeHapticsFilter*) {};
+  EXPECT_GT(MeasureTickRatio(surface, none, none), 0.0);
+  surface.Arcs.clear();
+  EXPECT_EQ(MeasureTickRatio(surface, none, none), 0.0);
 }
 } // namespace

@@ -19,8 +19,11 @@
 #include "RealVolume.h"
 #include "Report.h"
 #include "Scans.h"
+#include "TickRatio.h"
 #include "TransferPicture.h"
 
+#include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtksys/SystemTools.hxx"
 
@@ -56,6 +59,37 @@ Figures MeasureAll(const Candidate& candidate, const Effort& effort)
  */
 constexpr double CorrectBefore[] = { 2.93, 2.94 };
 
+/** How much longer a tick takes by what is not the paper's: at most a quarter. */
+Figures MeasureTickRatios(const std::vector<FeltSurface>& surfaces, const Scans& scans)
+{
+  Figures figures;
+  for (const FeltSurface& surface : surfaces)
+  {
+    const std::string on = " over that without, " + surface.Scan + ", " + surface.Name;
+    const auto without = [](vtkVolumeHapticsFilter* filter)
+    { filter->SetMaterialPlacementToKernel(); };
+    if (surface.Scan == "head CT")
+    {
+      const auto far = [](vtkVolumeHapticsFilter* filter)
+      { filter->SetMaterialPlacementToFarSide(); };
+      figures.push_back({ "tick, median, with the far side" + on, "times",
+        MeasureTickRatio(surface, far, without), 1.25, true });
+    }
+    else if (surface.Scan == "chest CT")
+    {
+      const auto labels = [&](vtkVolumeHapticsFilter* filter)
+      {
+        without(filter);
+        filter->SetLabelData(scans.ChestLabels);
+        filter->SetLabelTable(MakeLabelTable(scans.Names, filter->GetProperty()));
+      };
+      figures.push_back({ "tick, median, with labels" + on, "times",
+        MeasureTickRatio(surface, labels, without), 1.25, true });
+    }
+  }
+  return figures;
+}
+
 /** Surfaces of all scans, the ideal hand, and the bumpy ball. */
 Feel MeasureScans(const Scans& scans, const Effort& effort)
 {
@@ -77,6 +111,10 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
     add(FindMriSurfaces(scans.Mri, effort));
   }
   Feel feel = MeasureFeel(surfaces);
+  for (const Figure& figure : MeasureTickRatios(surfaces, scans))
+  {
+    feel.Required.push_back(figure);
+  }
   if (scans.Chest)
   {
     RunNeedleProtocol(

@@ -160,24 +160,6 @@ bool Holds(const std::string& name, std::initializer_list<const char*> words)
     [&](const char* word) { return name.find(word) != std::string::npos; });
 }
 
-/** The materials that the functions of a property have at the values of the structures. */
-vtkSmartPointer<vtkHapticLabelTable> MakeTable(const LabelNames& names, vtkHapticProperty* feel)
-{
-  auto table = vtkSmartPointer<vtkHapticLabelTable>::New();
-  for (const auto& [label, name] : names)
-  {
-    if (const auto value = TissueValueOf(name))
-    {
-      table->SetLabelName(label, name);
-      table->SetStiffness(label, feel->GetStiffness()->GetValue(*value));
-      table->SetFriction(label, feel->GetFriction()->GetValue(*value));
-      table->SetViscosity(label, feel->GetViscosity()->GetValue(*value));
-      table->SetSurfaceStrength(label, feel->GetSurfaceStrength()->GetValue(*value));
-    }
-  }
-  return table;
-}
-
 Curve CurveOf(const std::string& name, const Trace& trace, int colour)
 {
   Curve curve{ name, {}, {}, colour };
@@ -294,6 +276,24 @@ std::optional<double> TissueValueOf(const std::string& structure)
   return 50.0;
 }
 
+vtkSmartPointer<vtkHapticLabelTable> MakeLabelTable(
+  const LabelNames& names, vtkHapticProperty* feel)
+{
+  auto table = vtkSmartPointer<vtkHapticLabelTable>::New();
+  for (const auto& [label, name] : names)
+  {
+    if (const auto value = TissueValueOf(name))
+    {
+      table->SetLabelName(label, name);
+      table->SetStiffness(label, feel->GetStiffness()->GetValue(*value));
+      table->SetFriction(label, feel->GetFriction()->GetValue(*value));
+      table->SetViscosity(label, feel->GetViscosity()->GetValue(*value));
+      table->SetSurfaceStrength(label, feel->GetSurfaceStrength()->GetValue(*value));
+    }
+  }
+  return table;
+}
+
 ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const LabelNames& names,
   std::size_t count, Comparison& found)
 {
@@ -307,7 +307,7 @@ ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const La
     if (isByLabel)
     {
       filter->SetLabelData(labels);
-      filter->SetLabelTable(MakeTable(names, filter->GetProperty()));
+      filter->SetLabelTable(MakeLabelTable(names, filter->GetProperty()));
     }
     const auto model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
     for (std::size_t i = 0; model && i < paths.size(); ++i)

@@ -20,6 +20,9 @@
 #include <optional>
 #include <set>
 
+class vtkHapticLabelTable;
+class vtkHapticProperty;
+
 namespace evaluation
 {
 
@@ -63,6 +66,10 @@ ForceError CompareForces(const std::vector<Trace>& some, const std::vector<Trace
  * TotalSegmentator gives it; none for what has contents of its own (stomach, bowel).
  */
 std::optional<double> TissueValueOf(const std::string& structure);
+
+/** The materials that the functions of a property have at the values of the structures. */
+vtkSmartPointer<vtkHapticLabelTable> MakeLabelTable(
+  const LabelNames& names, vtkHapticProperty* feel);
 
 /**
  * The protocol with "CT contrast": by functions of the value alone (partly segmented) against
