@@ -4,11 +4,15 @@
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 vtkStandardNewMacro(vtkPVVolumeHapticsFilter);
 
@@ -185,8 +189,105 @@ void vtkPVVolumeHapticsFilter::FillProperty()
 }
 
 //------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::AddLabelFile(const char* file)
+{
+  if (file && *file)
+  {
+    this->LabelFiles.emplace_back(file);
+    this->IsTableDirty = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::RemoveAllLabelFiles()
+{
+  if (!this->LabelFiles.empty())
+  {
+    this->LabelFiles.clear();
+    this->IsTableDirty = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::AddLabelMaterial(
+  double label, double stiffness, double friction, double viscosity, double surfaceStrength)
+{
+  this->LabelMaterials.push_back({ label, stiffness, friction, viscosity, surfaceStrength });
+  this->IsTableDirty = true;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::RemoveAllLabelMaterials()
+{
+  if (!this->LabelMaterials.empty())
+  {
+    this->LabelMaterials.clear();
+    this->IsTableDirty = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetStandOff(double distance)
+{
+  if (this->StandOff != distance)
+  {
+    this->StandOff = distance;
+    this->IsTableDirty = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::FillTable()
+{
+  using Table = vtkHapticLabelTable;
+  vtkNew<Table> table;
+  this->IsTableGood = true;
+  for (const std::string& file : this->LabelFiles)
+  {
+    this->IsTableGood = table->ReadFile(file.c_str()) && this->IsTableGood;
+  }
+  constexpr void (Table::*setters[])(int, double) = { &Table::SetStiffness, &Table::SetFriction,
+    &Table::SetViscosity, &Table::SetSurfaceStrength };
+  for (const std::array<double, 5>& row : this->LabelMaterials)
+  {
+    const bool isLabel =
+      row[0] == std::floor(row[0]) && row[0] >= VTK_INT_MIN && row[0] <= VTK_INT_MAX;
+    const bool isMaterial = std::all_of(row.begin() + 1, row.end(),
+      [](double value) { return (value >= 0.0 && std::isfinite(value)) || value == -1.0; });
+    if (!isLabel || !isMaterial)
+    {
+      vtkErrorMacro(<< "Label Materials has the row " << row[0] << ", " << row[1] << ", " << row[2]
+                    << ", " << row[3] << ", " << row[4]
+                    << ". Give a whole number, and four numbers, 0 or more, or -1 where the "
+                       "functions hold.");
+      this->IsTableGood = false;
+      continue;
+    }
+    for (std::size_t i = 0; i < std::size(setters); ++i)
+    {
+      if (row[i + 1] >= 0.0)
+      {
+        (table->*setters[i])(static_cast<int>(row[0]), row[i + 1]);
+      }
+    }
+  }
+  table->SetStandOff(this->StandOff);
+  this->SetLabelTable(table->GetNumberOfLabels() > 0 ? table.Get() : nullptr);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 {
+  if (this->IsTableDirty)
+  {
+    this->IsTableDirty = false; // what follows calls this again
+    this->FillTable();
+  }
   if (this->GetMaterialTime() > this->Filled)
   {
     this->FillProperty();
@@ -199,8 +300,10 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // The property has reported the wrong name.
-  return this->IsPresetKnown ? this->Superclass::RequestData(request, inputs, outputs) : 0;
+  // The property has reported the wrong name, the table what it can't read.
+  return this->IsPresetKnown && this->IsTableGood
+    ? this->Superclass::RequestData(request, inputs, outputs)
+    : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -214,4 +317,10 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceStrengthScale: " << this->SurfaceStrength.Scale << " N\n";
   os << indent << "DistinctnessFromNoise: " << (this->DistinctnessFromNoise ? "On" : "Off") << "\n";
   os << indent << "SurfaceSide: " << this->SurfaceSide << "\n";
+  for (const std::string& file : this->LabelFiles)
+  {
+    os << indent << "LabelFile: " << file << "\n";
+  }
+  os << indent << "LabelMaterials: " << this->LabelMaterials.size() << "\n";
+  os << indent << "StandOff: " << this->StandOff << "\n";
 }

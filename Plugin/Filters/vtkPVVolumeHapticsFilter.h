@@ -16,7 +16,9 @@
 #include "vtkSmartPointer.h"            // for ivars
 #include "vtkVolumeHapticsFilter.h"
 
+#include <array>  // for ivars
 #include <string> // for std::string
+#include <vector> // for ivars
 
 class vtkPiecewiseFunction;
 
@@ -69,6 +71,21 @@ public:
   double* GetNoiseRamp() VTK_SIZEHINT(2);
   ///@}
 
+  ///@{
+  /**
+   * What the labels of port 3 feel like: files for vtkHapticLabelTable::ReadFile, which add up;
+   * then rows of a label, stiffness (N/m), friction, viscosity (N) and surface strength (N), -1
+   * where the functions hold; and the stand-off from forbidden labels (world units). A file that
+   * can't be read and a row that can't be are errors, and the output is empty.
+   */
+  void AddLabelFile(const char* file);
+  void RemoveAllLabelFiles();
+  void AddLabelMaterial(
+    double label, double stiffness, double friction, double viscosity, double surfaceStrength);
+  void RemoveAllLabelMaterials();
+  void SetStandOff(double distance);
+  ///@}
+
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
   /**
    * An empty name, as in batch jobs that have not set one, means the active scalars.
@@ -98,6 +115,8 @@ private:
   void Choose(T& setting, const T& value);
   void FillProperty();
   vtkMTimeType GetMaterialTime() const;
+  /** Makes the label table. */
+  void FillTable();
 
   std::string Preset = "Custom";
   Curve Stiffness;
@@ -110,6 +129,11 @@ private:
   vtkTimeStamp Chosen; // when a setting of the material was last made
   vtkTimeStamp Filled; // when the property last got them
   bool IsPresetKnown = true;
+  std::vector<std::string> LabelFiles;
+  std::vector<std::array<double, 5>> LabelMaterials;
+  double StandOff = 0.0;
+  bool IsTableDirty = false;
+  bool IsTableGood = true;
 
   vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;
   void operator=(const vtkPVVolumeHapticsFilter&) = delete;

@@ -56,11 +56,14 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
   vtkSMSourceProxy* const volume = this->Touch.GetInput("Input", port);
   unsigned int surfacePort = 0;
   vtkSMSourceProxy* const surface = this->Touch.GetInput("Surface", surfacePort);
+  unsigned int labelPort = 0;
+  vtkSMSourceProxy* const labels = this->Touch.GetInput("Labels", labelPort);
   this->FollowTime(proxy, volume);
   if (IsLocal(proxy))
   {
     this->Image.Follow(volume, port, filter, 0);
     this->Surface.Follow(surface, surfacePort, filter, 2);
+    this->Labels.Follow(labels, labelPort, filter, 3);
   }
   else if (vtkSMPropertyHelper(proxy, "Running").GetAsInt())
   {
@@ -69,6 +72,11 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
     {
       report.SetProblem("A Surface on a server is not touched; the isosurface at IsoValue is. To "
                         "touch the Surface, open the data without a server.");
+    }
+    if (labels && !report.HasProblem())
+    {
+      report.SetProblem("Labels on a server are not felt; the functions are. To feel the Labels, "
+                        "open the data without a server.");
     }
   }
   vtkVolumeProperty* const seen = vtkSMPropertyHelper(proxy, "FollowOpacity").GetAsInt()

@@ -66,6 +66,7 @@ private:
   HapticTouchLink Touch;
   HapticImageLink Image;
   HapticImageLink Surface;
+  HapticImageLink Labels;
   HapticRegionLink Region; // if the data are on a server
   HapticOpacityLink Opacity;
   vtkSmartPointer<vtkVolumeProperty> Visibility; // replaces the one that Opacity finds

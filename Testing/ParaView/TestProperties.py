@@ -11,7 +11,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
 
 # Setters that a property of the filter replaces, or that only C++ asks for.
-ELSEWHERE = {"Property", "MethodByName", "VisibilityFrom"}
+ELSEWHERE = {
+    "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth"}
 FUNCTIONS = ("Stiffness", "Friction", "Viscosity", "SurfaceStrength", "Distinctness")
 
 classes = rig.classes()

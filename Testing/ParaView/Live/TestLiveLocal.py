@@ -5,6 +5,8 @@ import os
 import xml.etree.ElementTree as ElementTree
 
 from paraview import servermanager, simple, smstate
+from vtkmodules.vtkCommonCore import VTK_SHORT
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import live
 
@@ -48,6 +50,20 @@ touch.Stiffness.Points = [0, 0.5, 0.5, 0, 1000, 0.5, 0.5, 0]
 live.press(device, OUTSIDE, INSIDE)
 force_follows("the volume", lambda: setattr(wavelet, "Maximum", -1000.0), lambda f: live.distance(f, device.ComputedForce) > 1e-3)
 wavelet.Maximum = 255.0
+live.press(device, OUTSIDE, INSIDE)
+image = vtkImageData()
+image.SetDimensions(2, 2, 2)
+image.SetSpacing(100, 100, 100)
+image.SetOrigin(-50, -50, -50)
+image.AllocateScalars(VTK_SHORT, 1)
+image.GetPointData().GetScalars().Fill(5)
+labels = simple.PVTrivialProducer()
+labels.GetClientSideObject().SetOutput(image)
+touch.Labels = labels
+force_follows("the material of a label", lambda: setattr(touch, "LabelMaterials", [5, 100, 0, 0, 9]),
+              lambda f: live.distance(f, device.ComputedForce) > 0.1)
+touch.LabelMaterials = []
+touch.Labels = None
 live.check(touch.Preset == "Custom", "the filter is as it was")
 
 # Disarming and stopping need no timer.
