@@ -16,6 +16,7 @@
 #include "BumpyBall.h"
 #include "Feel.h"
 #include "Palpation.h"
+#include "Proposals.h"
 #include "RealVolume.h"
 #include "Report.h"
 #include "Scans.h"
@@ -119,6 +120,23 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
   {
     RunNeedleProtocol(
       scans.Chest, scans.ChestLabels, scans.Names, effort.Pick(20, 2000), feel.Found);
+  }
+  Table proposals = MakeProposalTable();
+  for (const auto& [name, image] : { std::pair<const char*, vtkImageData*>{ "head CT", scans.Head },
+         { "chest CT", scans.Chest }, { "MRI", scans.Mri } })
+  {
+    if (image)
+    {
+      AddProposal(name, image, proposals);
+    }
+  }
+  if (!proposals.Rows.empty())
+  {
+    feel.Found.Tables.push_back(proposals);
+  }
+  if (scans.Head)
+  {
+    feel.Required.push_back(CountMissingBoundaries(scans.Head));
   }
   feel.Found.Tables.push_back(CompareOnBumpyBall(effort));
   feel.Found.Tables.push_back(IdentifyOnSlabs("CT contrast").Confusions);

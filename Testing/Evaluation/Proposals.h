@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The materials that real scans propose (vtkHapticProperty::ProposeFromImage), beside what their
+ * units say that they are.
+ */
+#ifndef Evaluation_Proposals_h
+#define Evaluation_Proposals_h
+
+#include "Figure.h"
+#include "Table.h"
+
+class vtkImageData;
+
+namespace evaluation
+{
+
+/**
+ * Adds the boundaries that a scan proposes to a table of MakeProposalTable(). False, with VTK's
+ * error, if it proposes none.
+ */
+bool AddProposal(const char* scan, vtkImageData* image, Table& table);
+
+Table MakeProposalTable();
+
+/**
+ * Of the boundaries of a head CT, those that its proposal lacks: skin, from air (below -900 HU) to
+ * soft tissue (-50 to 100 HU), and skull, from soft tissue to bone (above 400 HU).
+ */
+Figure CountMissingBoundaries(vtkImageData* head);
+
+} // namespace evaluation
+
+#endif
