@@ -77,6 +77,25 @@ const Subject Subjects[] = {
   { "Bumps", MeasureBumps, true },
 };
 
+// Where V rises evenly on both sides of the surface as far as the walk goes: there is no edge, and
+// surfaces hold wherever they are met. (T8 and T9 rise ever more, T13 is smaller than that.)
+TEST(EvaluationFiguresAtTheEdge, AreThoseOfTheClosedFormsOnEvenRamps)
+{
+  const Candidate candidate{ HapticSolver::Precise, GradientEstimator::Gaussian,
+    MaterialPlacement::FarSide, ContactAlignment::Edge };
+  int found = 0;
+  for (const Figure& figure : MeasureClosedForms(candidate, {}))
+  {
+    const std::string form = figure.Name.substr(0, figure.Name.find(','));
+    if (form != "T8" && form != "T9" && form != "T13")
+    {
+      EXPECT_TRUE(figure.IsReached()) << figure.Name << ": " << figure.Value;
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 14);
+}
+
 // On an edge that holds from its middle on, with the strength that it gains there.
 TEST(EvaluationFiguresAtTheEdge, AreReachedWithTheFarSide)
 {

@@ -27,7 +27,7 @@ constexpr double EdgeWidth = 0.5;
 constexpr double EdgeStrength = 20.0;
 /** A ramp that is less even than this is an edge. */
 constexpr double EdgeEvenness = 0.5;
-/** More than 1, so that rounding does not make an edge of an even ramp. */
+/** More than 1, so that rounding and interpolation do not make an edge of an even ramp. */
 constexpr double MostEvenness = 1.1;
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
@@ -59,12 +59,12 @@ double GradedStrength(
   const double height = std::abs(point.SurfaceValue - point.MediumValue);
   const double above = isDescending ? middle - inside : inside - middle;
   const double even =
-    std::clamp((point.Far.Evenness - EdgeEvenness) / (1.0 - EdgeEvenness), 0.0, 1.0);
+    std::clamp(MostEvenness * (point.Far.Evenness - EdgeEvenness) / (1.0 - EdgeEvenness), 0.0, 1.0);
   const double past =
-    std::clamp(above / std::max(EdgeWidth * height, 1e-300) + even * MostEvenness, 0.0, 1.0);
+    std::clamp(std::max(0.0, above) / std::max(EdgeWidth * height, 1e-300) + even, 0.0, 1.0);
   const double share = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
   const double edge = EdgeStrength * share;
-  const double whole = point.SurfaceStrength * AtEdge(point, inside, isDescending);
+  const double whole = point.SurfaceStrength * std::max(even, AtEdge(point, inside, isDescending));
   return std::min(whole, edge / std::max(1.0 - share, 1e-12));
 }
 
