@@ -9,6 +9,7 @@
 #include "VTK/Session/ModelSource.h"
 #include "VTK/Session/VirtualTip.h"
 
+#include "vtkCommand.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
@@ -154,9 +155,20 @@ void vtkHapticDevice::Halt()
 bool vtkHapticDevice::UpdateState()
 {
   this->Internals->Recorder.TellTrouble();
+  const bool wasForbidden = this->IsAtForbiddenLabel();
   const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
   this->Internals->Orders.TellMemoryTrouble();
+  if (!wasForbidden && this->IsAtForbiddenLabel())
+  {
+    this->InvokeEvent(vtkCommand::UserEvent);
+  }
   return isNew;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::IsAtForbiddenLabel()
+{
+  return this->Internals->Session.IsAtForbidden;
 }
 
 //------------------------------------------------------------------------------

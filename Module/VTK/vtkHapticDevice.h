@@ -325,6 +325,11 @@ public:
    * normal; 0 if the filter has no label image, or none there. vtkHapticLabelTable has its name.
    */
   vtkTypeInt64 GetLabel();
+  /**
+   * Of the latest state: whether the wall in front of a forbidden label holds the tip back. When
+   * that begins, UpdateState invokes vtkCommand::UserEvent.
+   */
+  bool IsAtForbiddenLabel();
   ///@{
   /**
    * Of the latest state (world): the unit normal inwards; the positions x_s and x_v at which the

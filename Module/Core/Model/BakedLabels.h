@@ -9,6 +9,7 @@
 
 #include "Core/Field/LabelView.h"
 #include "Core/Math/Vector3.h"
+#include "Core/Model/ForbiddenZone.h"
 #include "Core/Model/LabelTable.h"
 
 #include <memory>
@@ -23,6 +24,7 @@ struct BakedLabels
   Affine3 IndexToWorld;                ///< of the label image; not singular
   std::shared_ptr<const void> Samples; ///< keeps the memory of View alive
   LabelTable Table;
+  std::shared_ptr<const ForbiddenZone> Zone; ///< null if nothing is forbidden
 
   /**
    * Replaces what the functions of the scalar say at a position by the materials of the labels

@@ -40,6 +40,13 @@ struct BakedVolume
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   /** Null if all surfaces are those of the scalars. */
   const std::unique_ptr<const LabelWalls> Walls;
+
+  const ForbiddenZone* GetZone() const noexcept
+  {
+    return this->Labels ? this->Labels->Zone.get() : nullptr;
+  }
+  /** Whether there are surfaces that the label image makes. */
+  bool FeelsLabels() const noexcept { return this->Walls || this->GetZone(); }
   /** Of the volume, the material and the settings; only regions of one volume may share one. */
   const std::uint64_t Number;
 };

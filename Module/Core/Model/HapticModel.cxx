@@ -43,7 +43,7 @@ double FindMostSteps(const HapticModel& model)
   double most = model.MostVoxelsPerMeter;
   for (const Vector3& row : model.DeviceToLabel.Linear.Row)
   {
-    most = model.Baked->Walls ? std::fmax(most, Norm(row)) : most;
+    most = model.Baked->FeelsLabels() ? std::fmax(most, Norm(row)) : most;
   }
   return most;
 }
@@ -120,6 +120,7 @@ std::size_t HapticModel::GetMemorySize() const noexcept
     baked.Materials.GetMemorySize() - sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() -
     sizeof(baked.Distinctness) + (baked.Mesh ? baked.Mesh->GetMemorySize() : 0) +
     (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0) +
+    (baked.GetZone() ? baked.GetZone()->GetMemorySize() : 0) +
     (baked.Walls ? sizeof(LabelWalls) + baked.Walls->GetMemorySize() : 0);
 }
 

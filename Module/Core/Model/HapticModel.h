@@ -81,8 +81,9 @@ public:
   double StepsOf(const Vector3& displacement) const noexcept
   {
     const double steps = Norm(this->DeviceToIndex.Linear * displacement);
-    return this->Baked->Walls ? std::fmax(steps, Norm(this->DeviceToLabel.Linear * displacement))
-                              : steps;
+    return this->Baked->FeelsLabels()
+      ? std::fmax(steps, Norm(this->DeviceToLabel.Linear * displacement))
+      : steps;
   }
 
   /** 0 at the volume's border, rising to 1 one kernel radius inside. */

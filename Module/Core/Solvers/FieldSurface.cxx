@@ -6,8 +6,33 @@ namespace VolumeHaptics
 {
 namespace Law
 {
+namespace
+{
 
-Surface FindWall(const HapticModel& model, const Vector3& index) noexcept
+/** The wall at the stand-off from forbidden labels. False if the position is not at it. */
+bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface& surface) noexcept
+{
+  const ForbiddenZone& zone = *model.Baked->GetZone();
+  const ForbiddenPlace place = zone.Find(labelIndex);
+  const double depth = zone.GetStandOff() - place.Distance;
+  const Vector3 gradient = model.LabelGradientToDevice * place.Gradient;
+  const double magnitude = Norm(gradient);
+  if (!place.IsNear || !(depth > -zone.GetTolerance()) || !(magnitude > 0.0))
+  {
+    return false;
+  }
+  surface = Surface{};
+  surface.Normal = (-1.0 / magnitude) * gradient;
+  surface.Reach = model.DeviceToIndex.Linear * (model.LabelReach * surface.Normal);
+  surface.GradientMagnitude = magnitude;
+  surface.Value = -place.Distance;
+  surface.Fade = std::min(1.0, 1.0 + depth / zone.GetTolerance());
+  surface.IsWall = surface.IsForbidden = true;
+  return true;
+}
+
+/** The nearest wall between labels, or the scalars' surface. */
+Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& labelIndex) noexcept
 {
   const BakedVolume& baked = *model.Baked;
   Surface surface;
@@ -23,7 +48,6 @@ Surface FindWall(const HapticModel& model, const Vector3& index) noexcept
       return surface;
     }
   }
-  const Vector3 labelIndex = model.IndexToLabel(index);
   if (!baked.Field.IsInside(index))
   {
     return surface;
@@ -49,6 +73,19 @@ Surface FindWall(const HapticModel& model, const Vector3& index) noexcept
   surface.IsWall = true;
   surface.Depth = wall.Value;
   return surface;
+}
+
+} // namespace
+
+Surface FindSurfaceOfLabels(const HapticModel& model, const Vector3& index) noexcept
+{
+  const Vector3 labelIndex = model.IndexToLabel(index);
+  Surface surface;
+  if (model.Baked->GetZone() && FindForbidden(model, labelIndex, surface))
+  {
+    return surface;
+  }
+  return model.Baked->Walls ? FindWall(model, index, labelIndex) : FindFieldSurface(model, index);
 }
 
 } // namespace Law

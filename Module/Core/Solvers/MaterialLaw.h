@@ -30,10 +30,11 @@ struct Surface
   Vector3 Normal; ///< unit, into the structure
   Vector3 Reach;  ///< x_s - x_p, as index steps
   double GradientMagnitude = 0.0;
-  double Value = 0.0;  ///< the estimator's own value, whose gradient this is
-  double Fade = 0.0;   ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
-  bool IsWall = false; ///< between labels; its Value is that of LabelWall
-  double Depth = 0.0;  ///< of a wall: its value, turned as the normal is
+  double Value = 0.0;       ///< the estimator's own value, whose gradient this is
+  double Fade = 0.0;        ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
+  bool IsWall = false;      ///< between labels; its Value is that of LabelWall
+  double Depth = 0.0;       ///< of a wall: its value, turned as the normal is
+  bool IsForbidden = false; ///< the wall in front of a forbidden label; its value is in world units
 };
 
 /** A lag as the sum of its part along the normal and its tangential part. */
@@ -102,14 +103,19 @@ inline Surface FindFieldSurface(const HapticModel& model, const Vector3& index) 
   return surface;
 }
 
-/** Where the geometry is that of labels, or of both: FieldSurface.cxx. */
-Surface FindWall(const HapticModel& model, const Vector3& index) noexcept;
+/** Where labels make surfaces: FieldSurface.cxx. */
+Surface FindSurfaceOfLabels(const HapticModel& model, const Vector3& index) noexcept;
 
 /** The surface through an index, with an ascending normal. */
 inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexcept
 {
-  return model.Baked->Walls ? FindWall(model, index) : FindFieldSurface(model, index);
+  return model.Baked->FeelsLabels() ? FindSurfaceOfLabels(model, index)
+                                    : FindFieldSurface(model, index);
 }
+
+/** Of the wall in front of a forbidden label: N, and N/m at least. */
+constexpr double ForbiddenStrength = 1e6;
+constexpr double ForbiddenStiffness = 500.0;
 
 /** The depth (as LabelWall::Value) down to which a wall holds with all of its strength, and 0. */
 constexpr double WallHolds = 0.5;
@@ -144,6 +150,10 @@ inline bool IsDescending(
 /** Turns a surface towards its structure. True if that is against the gradient. */
 inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
 {
+  if (surface.IsForbidden)
+  {
+    return false;
+  }
   const bool isDescending = IsDescending(model, lag, surface.Normal);
   if (isDescending)
   {
@@ -183,6 +193,11 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
   point.Friction = inside[1];
   point.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
   point.Viscosity = outside[3] * (outside[4] * distinct[1]);
+  if (surface.IsForbidden)
+  {
+    point.Stiffness = Capped(std::max(inside[0], ForbiddenStiffness), model.Caps.Stiffness);
+    point.SurfaceStrength = ForbiddenStrength * surface.Fade;
+  }
 }
 
 /** The material at an index: read at x_s and x_v (section 3.3), by value and by label. */

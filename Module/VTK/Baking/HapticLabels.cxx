@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <sstream>
 
 namespace VolumeHaptics
@@ -140,6 +141,28 @@ LabelTable BakeTable(vtkHapticLabelTable* table)
   return LabelTable(entries);
 }
 
+/** False, with an error, if the stand-off reaches too many voxels. */
+bool BakeZone(vtkHapticLabelTable* table, BakedLabels& baked, std::string& error)
+{
+  const double standOff = table ? table->GetStandOff() : 0.0;
+  try
+  {
+    baked.Zone = ForbiddenZone::Make(baked.View, baked.Table, baked.IndexToWorld, standOff);
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::ostringstream message;
+    message
+      << "The forbidden labels of the " << LabelImage << " with a stand-off of " << standOff
+      << " take in more than " << ForbiddenZone::MostVoxels
+      << " voxels, or more memory than there is. Lower vtkHapticLabelTable::SetStandOff, forbid "
+         "fewer labels, or crop or coarsen the label image.";
+    error = message.str();
+    return false;
+  }
+  return true;
+}
+
 } // namespace
 
 std::shared_ptr<const BakedLabels> HapticLabels::Get(
@@ -158,6 +181,10 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(
     return nullptr;
   }
   made->Table = BakeTable(table);
+  if (!BakeZone(table, *made, error))
+  {
+    return nullptr;
+  }
   this->BakedFrom = key;
   this->Baked = made;
   return made;

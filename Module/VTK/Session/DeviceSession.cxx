@@ -303,6 +303,7 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   Copy(toWorld(start + reach), this->SurfacePosition);
   Copy(toWorld(start - reach), this->MediumPosition);
   this->Label = model ? GetTraceLabel(*model, record) : 0;
+  this->IsAtForbidden = model && IsHeldAtForbidden(*model, record);
   this->FollowRoundTrip();
   return true;
 }

@@ -168,8 +168,9 @@ public:
   ///@}
   /// w, x, y, z of the latest state, in the world; not turned if the device has none
   std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 };
-  std::int64_t Label = 0;  ///< of the latest state: see vtkHapticDevice::GetLabel
-  double TurnRate[3] = {}; ///< rad/s, of the latest state, in the device's axes
+  bool IsAtForbidden = false; ///< of the latest state: see vtkHapticDevice::IsAtForbiddenLabel
+  std::int64_t Label = 0;     ///< of the latest state: see vtkHapticDevice::GetLabel
+  double TurnRate[3] = {};    ///< rad/s, of the latest state, in the device's axes
 
 private:
   struct Work

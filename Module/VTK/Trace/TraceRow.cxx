@@ -45,6 +45,17 @@ std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record)
   return label == NoLabel ? 0 : label;
 }
 
+bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record)
+{
+  const ForbiddenZone* const zone = model.Baked->GetZone();
+  if (!zone || !(record.NormalForce > 0.0))
+  {
+    return false;
+  }
+  const ForbiddenPlace place = zone->Find(model.DeviceToLabel(record.Proxy));
+  return place.IsNear && place.Distance < zone->GetStandOff() + 2.0 * zone->GetTolerance();
+}
+
 TraceRow MakeTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work)
 {

@@ -79,6 +79,9 @@ private:
 /** The label just inside the surface at a record's proxy; 0 if there is none. */
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 
+/** Whether the wall in front of a forbidden label holds the proxy of a record. */
+bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record);
+
 /** Transforms a record from device space to the world of the model's image. */
 TraceRow MakeTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work);

@@ -85,3 +85,34 @@ TEST_F(LabelRecording, TheStateTellsTheLabel)
   ASSERT_TRUE(this->WaitTicks(3));
   EXPECT_EQ(this->Device->GetLabel(), 0) << "there is no label image";
 }
+
+TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
+{
+  // The label begins at z = 11.5; the wall stands 1.5 in front of it, and nothing else holds.
+  this->Filter->SetLabelData(
+    MakeImage(16, VTK_SHORT, [](const Point& p) { return p[2] < 11.5 ? 0.0 : 9.0; }));
+  this->Table->SetForbidden(9, true);
+  this->Table->SetStandOff(1.5);
+  SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 0.0);
+  SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
+  int events = 0;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&events);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  this->Device->AddObserver(vtkCommand::UserEvent, command);
+  this->Begin();
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(9.5));
+  EXPECT_FALSE(this->Device->IsAtForbiddenLabel());
+  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  ASSERT_TRUE(this->LeadInto(12.0));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsAtForbiddenLabel(); }));
+  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 10.0, 0.1);
+  // x_s is 2 mm behind the wall, in the label of 700 N/m.
+  EXPECT_NEAR(this->Device->GetComputedForce()[2], -700.0 * 0.002, 0.1);
+  EXPECT_EQ(events, 1);
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 6.0));
+  EXPECT_FALSE(this->Device->IsAtForbiddenLabel());
+  EXPECT_EQ(events, 1);
+}

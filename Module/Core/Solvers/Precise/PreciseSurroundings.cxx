@@ -174,7 +174,7 @@ bool PreciseSurroundings::IsBeyond(const Vector3& a, const Vector3& b) const noe
 
 bool PreciseSurroundings::IsOfLevel(const PrecisePoint& here, double level) const noexcept
 {
-  return !this->Model.Baked->Walls ||
+  return !this->Model.Baked->FeelsLabels() ||
     std::abs(level - here.Value) * this->Model.MostStepsPerMeter <=
     FarthestLevel * std::abs(here.Slope);
 }

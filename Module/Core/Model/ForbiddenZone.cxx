@@ -1,0 +1,404 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Model/ForbiddenZone.h"
+
+#include "Core/Field/LabelSamples.h"
+#include "Core/Model/LabelWalls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Of the walls that find the boundary. */
+constexpr int BoundaryRadius = 3;
+/** s^2 / 2 of their kernel, in voxels. */
+constexpr double HalfVariance = 0.5 * 0.355 * 0.355 * (BoundaryRadius + 1) * (BoundaryRadius + 1);
+/** Voxels around the stand-off. */
+constexpr std::int64_t Margin = 6;
+/** Beyond this part of a voxel, a tangent plane ends at an edge. */
+constexpr double PlanePart = 0.75;
+/** The value of a wall at a forbidden voxel below which smoothing has taken the voxel away. */
+constexpr double TakenAway = -0.38;
+
+/** A box of voxels of the label image; 1 where they are forbidden. */
+struct Mask
+{
+  std::int64_t First[3];
+  std::int64_t Size[3];
+  std::vector<std::uint8_t> Is;
+
+  std::int64_t Index(std::int64_t i, std::int64_t j, std::int64_t k) const
+  {
+    return i + this->Size[0] * (j + this->Size[1] * k);
+  }
+  VolumeView View() const
+  {
+    VolumeView view;
+    view.Data = this->Is.data();
+    view.Type = ScalarType::UInt8;
+    std::copy(this->Size, this->Size + 3, view.Dimensions);
+    view.Stride[0] = 1;
+    view.Stride[1] = this->Size[0];
+    view.Stride[2] = this->Size[0] * this->Size[1];
+    return view;
+  }
+};
+
+/** Calls visit(i, j, k) for every forbidden voxel. */
+template <typename Visit>
+void VisitForbidden(const VolumeView& view, const LabelTable& table, Visit&& visit)
+{
+  WithSampleType(view.Type,
+    [&](auto sample)
+    {
+      using T = decltype(sample);
+      T last{};
+      bool isFirst = true;
+      bool isForbidden = false;
+      for (std::int64_t k = 0; k < view.Dimensions[2]; ++k)
+      {
+        for (std::int64_t j = 0; j < view.Dimensions[1]; ++j)
+        {
+          const T* const row =
+            static_cast<const T*>(view.Data) + j * view.Stride[1] + k * view.Stride[2];
+          for (std::int64_t i = 0; i < view.Dimensions[0]; ++i)
+          {
+            const T now = row[i * view.Stride[0]];
+            if (isFirst || now != last)
+            {
+              const LabelMaterial* const material = table.Find(ToLabel(now));
+              isForbidden = material && material->IsForbidden;
+              last = now;
+              isFirst = false;
+            }
+            if (isForbidden)
+            {
+              visit(i, j, k);
+            }
+          }
+        }
+      }
+    });
+}
+
+/** The box of forbidden voxels with all that the stand-off reaches; false if there are none. */
+bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& indexToWorld,
+  double standOff, Mask& mask)
+{
+  std::int64_t low[3];
+  std::int64_t high[3];
+  std::fill_n(low, 3, std::numeric_limits<std::int64_t>::max());
+  std::fill_n(high, 3, -1);
+  VisitForbidden(view, table,
+    [&](std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      const std::int64_t at[3] = { i, j, k };
+      for (int a = 0; a < 3; ++a)
+      {
+        low[a] = std::min(low[a], at[a]);
+        high[a] = std::max(high[a], at[a]);
+      }
+    });
+  if (high[0] < 0)
+  {
+    return false;
+  }
+  // Rows of the inverse: index steps per world unit, also if the axes are not at right angles.
+  const Matrix3 steps = Inverse(indexToWorld.Linear);
+  double voxels = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double reach = std::ceil(standOff * Norm(steps.Row[a])) + Margin;
+    const double size = static_cast<double>(high[a] - low[a] + 1) + 2.0 * reach;
+    voxels *= size;
+    if (!(voxels <= static_cast<double>(ForbiddenZone::MostVoxels)))
+    {
+      throw std::bad_alloc();
+    }
+    mask.First[a] = low[a] - static_cast<std::int64_t>(reach);
+    mask.Size[a] = static_cast<std::int64_t>(size);
+  }
+  mask.Is.assign(static_cast<std::size_t>(mask.Size[0] * mask.Size[1] * mask.Size[2]), 0);
+  VisitForbidden(view, table,
+    [&](std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      mask.Is[static_cast<std::size_t>(
+        mask.Index(i - mask.First[0], j - mask.First[1], k - mask.First[2]))] = 1;
+    });
+  return true;
+}
+
+/**
+ * A point of the boundary, in index steps of the box, and the normal outwards, in the world. A
+ * voxel of a speck or a thin vessel, which smoothing would take away, has no normal: it is a ball
+ * of half a voxel.
+ */
+struct BoundaryPoint
+{
+  Vector3 Position;
+  Vector3 Normal;
+};
+
+/** Outwards, in index steps; zero without a wall. */
+Vector3 OutwardAt(const LabelWalls& walls, const Vector3& at)
+{
+  const LabelWall wall = walls.Find(at);
+  const double norm = Norm(wall.Gradient);
+  return wall.IsThere && norm > 0.0 ? (-1.0 / norm) * wall.Gradient : Vector3{};
+}
+
+/** The sum of the principal curvatures (1 / voxel) of the boundary with a normal. */
+double FindCurvature(const LabelWalls& walls, const Vector3& at, const Vector3& normal)
+{
+  constexpr double h = 3.0;
+  constexpr double most = 0.5;
+  // Along the boundary only: behind a thin part there is another one.
+  const Vector3 axis = std::abs(normal.X) < 0.6 ? Vector3{ 1, 0, 0 } : Vector3{ 0, 1, 0 };
+  const Vector3 across = Cross(normal, axis);
+  const Vector3 u = (1.0 / Norm(across)) * across;
+  const Vector3 v = Cross(normal, u);
+  double divergence = 0.0;
+  for (const Vector3& tangent : { u, v })
+  {
+    const Vector3 step = h * tangent;
+    divergence +=
+      Dot(OutwardAt(walls, at + step) - OutwardAt(walls, at - step), tangent) / (2.0 * h);
+  }
+  return std::clamp(divergence, -most, most);
+}
+
+/** Follows the gradient from a voxel to the boundary. */
+bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& gradientToWorld,
+  BoundaryPoint& point)
+{
+  constexpr int trials = 5;
+  constexpr double farthest = 2.0; // voxels
+  Vector3 at = voxel;
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    const LabelWall wall = walls.Find(at);
+    const double square = Dot(wall.Gradient, wall.Gradient);
+    if (!wall.IsThere || !(square > 1e-6))
+    {
+      return false;
+    }
+    at += ClampNorm((-wall.Value / square) * wall.Gradient, 1.0);
+  }
+  const LabelWall wall = walls.Find(at);
+  if (!wall.IsThere || std::abs(wall.Value) > 0.05 || Norm(at - voxel) > farthest)
+  {
+    return false;
+  }
+  const Vector3 normal = gradientToWorld * wall.Gradient;
+  point.Normal = (-1.0 / Norm(normal)) * normal;
+  const Vector3 outward = OutwardAt(walls, at);
+  point.Position = at + (HalfVariance * FindCurvature(walls, at, outward)) * outward;
+  return true;
+}
+
+/** Nearest points of the boundary for every voxel of a box, from voxel to voxel. */
+class NearestPoints
+{
+public:
+  NearestPoints(const Mask& mask, const Matrix3& toWorld)
+    : Box(mask)
+    , ToWorld(toWorld)
+    , Nearest(mask.Is.size(), -1)
+    , Square(mask.Is.size(), std::numeric_limits<float>::max())
+  {
+    const Matrix3 gradientToWorld = Transpose(Inverse(toWorld));
+    const LabelView view(mask.View());
+    const LabelTable table;
+    const LabelWalls walls(view, table, BoundaryRadius);
+    this->Visit(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k)
+      {
+        BoundaryPoint point;
+        const Vector3 voxel{ double(i), double(j), double(k) };
+        if (!this->IsAtBoundary(i, j, k))
+        {
+          return;
+        }
+        const bool isForbidden = mask.Is[static_cast<std::size_t>(mask.Index(i, j, k))] != 0;
+        // Without a boundary nearby, smoothing has taken a thin part away.
+        const bool isTaken = isForbidden && walls.Find(voxel).Value < TakenAway;
+        if (isTaken || !FindBoundary(walls, voxel, gradientToWorld, point))
+        {
+          if (!isForbidden)
+          {
+            return;
+          }
+          point = { voxel, {} };
+        }
+        this->Points.push_back(point);
+        this->Offer(mask.Index(i, j, k), voxel, static_cast<std::int32_t>(this->Points.size() - 1));
+      },
+      false);
+    for (int sweep = 0; sweep < 2; ++sweep)
+    {
+      this->Sweep(false);
+      this->Sweep(true);
+    }
+  }
+
+  bool IsEmpty() const { return this->Points.empty(); }
+
+  /** World units, below 0 inside. */
+  double DistanceAt(std::int64_t i, std::int64_t j, std::int64_t k) const
+  {
+    const BoundaryPoint& point = this->Points[static_cast<std::size_t>(
+      this->Nearest[static_cast<std::size_t>(this->Box.Index(i, j, k))])];
+    const Vector3 way =
+      this->ToWorld * (Vector3{ double(i), double(j), double(k) } - point.Position);
+    if (Norm(point.Normal) == 0.0)
+    {
+      return Norm(way) - 0.5 * LargestColumn(this->ToWorld);
+    }
+    const double height = Dot(way, point.Normal);
+    const double part = PlanePart * LargestColumn(this->ToWorld);
+    const double beyond = std::max(0.0, Norm(way - height * point.Normal) - part);
+    return std::copysign(std::sqrt(height * height + beyond * beyond), height);
+  }
+
+private:
+  bool IsAtBoundary(std::int64_t i, std::int64_t j, std::int64_t k) const
+  {
+    const auto at = [&](std::int64_t x, std::int64_t y, std::int64_t z)
+    { return this->Box.Is[static_cast<std::size_t>(this->Box.Index(x, y, z))]; };
+    const std::int64_t* const n = this->Box.Size;
+    if (i < 1 || j < 1 || k < 1 || i + 1 >= n[0] || j + 1 >= n[1] || k + 1 >= n[2])
+    {
+      return false; // in the margin
+    }
+    const std::uint8_t here = at(i, j, k);
+    return at(i - 1, j, k) != here || at(i + 1, j, k) != here || at(i, j - 1, k) != here ||
+      at(i, j + 1, k) != here || at(i, j, k - 1) != here || at(i, j, k + 1) != here;
+  }
+
+  void Offer(std::int64_t index, const Vector3& voxel, std::int32_t point)
+  {
+    const Vector3 way =
+      this->ToWorld * (voxel - this->Points[static_cast<std::size_t>(point)].Position);
+    const auto square = static_cast<float>(Dot(way, way));
+    const auto at = static_cast<std::size_t>(index);
+    if (square < this->Square[at])
+    {
+      this->Square[at] = square;
+      this->Nearest[at] = point;
+    }
+  }
+
+  template <typename F>
+  void Visit(F&& visit, bool isBackward) const
+  {
+    const std::int64_t* const n = this->Box.Size;
+    for (std::int64_t z = 0; z < n[2]; ++z)
+    {
+      for (std::int64_t y = 0; y < n[1]; ++y)
+      {
+        for (std::int64_t x = 0; x < n[0]; ++x)
+        {
+          isBackward ? visit(n[0] - 1 - x, n[1] - 1 - y, n[2] - 1 - z) : visit(x, y, z);
+        }
+      }
+    }
+  }
+
+  /** Offers each voxel the points of its neighbours. */
+  void Sweep(bool isBackward)
+  {
+    const std::int64_t* const n = this->Box.Size;
+    this->Visit(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k)
+      {
+        const Vector3 voxel{ double(i), double(j), double(k) };
+        const std::int64_t index = this->Box.Index(i, j, k);
+        for (std::int64_t z = std::max<std::int64_t>(k - 1, 0); z <= std::min(k + 1, n[2] - 1); ++z)
+        {
+          for (std::int64_t y = std::max<std::int64_t>(j - 1, 0); y <= std::min(j + 1, n[1] - 1);
+               ++y)
+          {
+            for (std::int64_t x = std::max<std::int64_t>(i - 1, 0); x <= std::min(i + 1, n[0] - 1);
+                 ++x)
+            {
+              const std::int32_t point =
+                this->Nearest[static_cast<std::size_t>(this->Box.Index(x, y, z))];
+              if (point >= 0 && point != this->Nearest[static_cast<std::size_t>(index)])
+              {
+                this->Offer(index, voxel, point);
+              }
+            }
+          }
+        }
+      },
+      isBackward);
+  }
+
+  const Mask& Box;
+  const Matrix3 ToWorld;
+  std::vector<BoundaryPoint> Points;
+  std::vector<std::int32_t> Nearest;
+  std::vector<float> Square;
+};
+
+} // namespace
+
+std::shared_ptr<const ForbiddenZone> ForbiddenZone::Make(
+  const LabelView& view, const LabelTable& table, const Affine3& indexToWorld, double standOff)
+{
+  Mask mask;
+  if (!MakeMask(view.GetView(), table, indexToWorld, standOff, mask))
+  {
+    return nullptr;
+  }
+  const NearestPoints points(mask, indexToWorld.Linear);
+  if (points.IsEmpty())
+  {
+    return nullptr;
+  }
+  const std::shared_ptr<ForbiddenZone> zone(new ForbiddenZone);
+  zone->StandOff = standOff;
+  constexpr double share = 5e-3;
+  const Matrix3 columns = Transpose(indexToWorld.Linear);
+  zone->Tolerance =
+    share * std::min({ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) });
+  std::copy(mask.First, mask.First + 3, zone->First);
+  zone->Distances.reserve(mask.Is.size());
+  for (std::int64_t k = 0; k < mask.Size[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < mask.Size[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < mask.Size[0]; ++i)
+      {
+        zone->Distances.push_back(static_cast<float>(points.DistanceAt(i, j, k)));
+      }
+    }
+  }
+  VolumeView distances = mask.View();
+  distances.Data = zone->Distances.data();
+  distances.Type = ScalarType::Float32;
+  zone->Field = FieldSampler(distances, zone->Kernel);
+  return zone;
+}
+
+ForbiddenPlace ForbiddenZone::Find(const Vector3& labelIndex) const noexcept
+{
+  const Vector3 index = labelIndex -
+    Vector3{ static_cast<double>(this->First[0]), static_cast<double>(this->First[1]),
+      static_cast<double>(this->First[2]) };
+  // False for NaN.
+  if (!this->Field.IsInside(index))
+  {
+    return {};
+  }
+  const FieldSample sample = this->Field.Gradient(index);
+  return { true, sample.Value, sample.Gradient };
+}
+
+} // namespace VolumeHaptics

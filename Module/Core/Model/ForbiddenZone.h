@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The distance to forbidden labels, baked once on the part of the label grid around them.
+ *
+ * The labels' boundary is that of their smoothed share (LabelWalls.h), moved out by the s^2 kappa /
+ * 2 by which smoothing has moved it in; kappa is the sum of the principal curvatures. Each voxel
+ * keeps its distance to the boundary's tangent plane at the nearest point, or to that point beyond
+ * an edge; between voxels it is a cubic B-spline.
+ */
+#ifndef ForbiddenZone_h
+#define ForbiddenZone_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Field/LabelView.h"
+#include "Core/Model/LabelTable.h"
+
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The distance at a position. */
+struct ForbiddenPlace
+{
+  bool IsNear = false;   ///< else the stand-off is farther away
+  double Distance = 0.0; ///< world units; below 0 inside
+  Vector3 Gradient;      ///< of Distance, per index step of the label image
+};
+
+class ForbiddenZone
+{
+public:
+  /** The most voxels of a zone: 0.5 GiB while it is baked. */
+  static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 25;
+
+  /**
+   * Null if there is no forbidden label in the image. Throws std::bad_alloc if the zone, with a
+   * stand-off in world units, has more than MostVoxels.
+   */
+  static std::shared_ptr<const ForbiddenZone> Make(
+    const LabelView& view, const LabelTable& table, const Affine3& indexToWorld, double standOff);
+
+  ForbiddenZone(const ForbiddenZone&) = delete;
+  ForbiddenZone& operator=(const ForbiddenZone&) = delete;
+
+  ForbiddenPlace Find(const Vector3& labelIndex) const noexcept;
+
+  double GetStandOff() const noexcept { return this->StandOff; }
+  /** World units over which the wall begins to hold. */
+  double GetTolerance() const noexcept { return this->Tolerance; }
+  std::size_t GetMemorySize() const noexcept
+  {
+    return sizeof(*this) + this->Distances.capacity() * sizeof(float);
+  }
+
+private:
+  ForbiddenZone() = default;
+
+  double StandOff = 0.0;
+  double Tolerance = 0.0;
+  std::int64_t First[3] = {}; ///< of the box, in the label image
+  std::vector<float> Distances;
+  GradientKernel Kernel{ GradientEstimator::CubicBSpline, 1 };
+  FieldSampler Field;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The wall in front of forbidden labels stands where geometry says: closed forms of balls,
+ * cylinders and planes.
+ */
+
+#include "Core/Model/ForbiddenZone.h"
+#include "Rigs/CoreScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <new>
+
+using namespace coretest;
+
+namespace
+{
+LabelTable Forbid(std::int64_t label)
+{
+  LabelledMaterial entry;
+  entry.Label = label;
+  entry.Material.IsForbidden = true;
+  return LabelTable({ entry });
+}
+
+TestVolume MakeLabels(std::int64_t side, const std::function<int(const Vector3&)>& label)
+{
+  TestVolume volume(ScalarType::Int16, { side, side, side });
+  volume.Fill<std::int16_t>(
+    [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+      return label({ double(i), double(j), double(k) });
+    });
+  return volume;
+}
+
+/// Evenly spread over the sphere.
+Vector3 Direction(int i, int count)
+{
+  const double z = 1.0 - (2.0 * i + 1.0) / count;
+  const double angle = 2.399963229728653 * i; // the golden angle
+  const double r = std::sqrt(1.0 - z * z);
+  return { r * std::cos(angle), r * std::sin(angle), z };
+}
+} // namespace
+
+TEST(ForbiddenZone, StandsOffFromABall)
+{
+  // L5: on voxels of 1 mm, 2 mm in front of a ball of R, the hand is held at R + 2 +- 0.1 voxel.
+  for (const double ball : { 8.0, 14.0 })
+  {
+    const Vector3 centre{ 24.13, 23.69, 24.42 };
+    const TestVolume labels =
+      MakeLabels(49, [&](const Vector3& x) { return Norm(x - centre) < ball ? 7 : 0; });
+    const TestVolume volume(ScalarType::Int16, { 49, 49, 49 });
+    auto baked = std::make_shared<BakedLabels>();
+    baked->View = LabelView(labels.View);
+    baked->Table = Forbid(7);
+    baked->Zone = ForbiddenZone::Make(baked->View, baked->Table, baked->IndexToWorld, 2.0);
+    ASSERT_NE(baked->Zone, nullptr);
+    for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
+    {
+      HapticModelDescription description = Describe(volume);
+      description.Labels = baked;
+      description.Settings.Solver = solver;
+      const HapticModel model(description);
+      double sum = 0.0;
+      double square = 0.0;
+      double worst = 0.0;
+      constexpr int count = 200;
+      for (int i = 0; i < count; ++i)
+      {
+        const Vector3 direction = Direction(i, count);
+        ServoState state;
+        TickRecord record;
+        for (double r = ball + 6.0; r > ball - 1.0; r -= 0.01)
+        {
+          Tick(model, state, 1e-3 * (centre + r * direction), record);
+          if (r > ball + 2.5)
+          {
+            ASSERT_EQ(Norm(record.Force), 0.0) << "not before the stand-off";
+          }
+        }
+        const double at = Norm(1000.0 * record.Proxy - centre) - ball;
+        sum += at / count;
+        square += (at - 2.0) * (at - 2.0) / count;
+        worst = std::max(worst, std::abs(at - 2.0));
+        EXPECT_NEAR(Dot(record.Force, direction),
+          500.0 * (1000.0 * Norm(record.Proxy - record.Tip)) * 1e-3, 0.05);
+      }
+      SCOPED_TRACE(
+        testing::Message() << "ball of " << ball << ": mean " << sum << ", worst " << worst);
+      EXPECT_NEAR(sum, 2.0, 0.07);
+      EXPECT_LT(std::sqrt(square), 0.1);
+      EXPECT_LT(worst, 0.25) << "where the ball's voxels end in a step";
+    }
+  }
+}
+
+TEST(ForbiddenZone, KnowsAnisotropicVoxels)
+{
+  // A half space that ends at z = 10 world units, on voxels of 0.5 x 1 x 2.
+  const TestVolume labels = MakeLabels(24, [](const Vector3& x) { return x.Z >= 6.0 ? 3 : 0; });
+  const LabelView view(labels.View);
+  Affine3 map;
+  map.Linear = { { { 0.5, 0, 0 }, { 0, 1, 0 }, { 0, 0, 2 } } };
+  const auto zone = ForbiddenZone::Make(view, Forbid(3), map, 3.0);
+  ASSERT_NE(zone, nullptr);
+  for (const double z : { 7.0, 8.5, 9.9 })
+  {
+    const ForbiddenPlace place = zone->Find({ 12.2, 11.4, z / 2.0 });
+    ASSERT_TRUE(place.IsNear);
+    EXPECT_NEAR(place.Distance, 11.0 - z, 0.02);
+    EXPECT_NEAR(place.Gradient.Z, -2.0, 0.05);
+  }
+}
+
+TEST(ForbiddenZone, StandsOffFromASlab)
+{
+  // Of four voxels, from z = 11.5 to 15.5, with both faces near one another.
+  const TestVolume labels =
+    MakeLabels(28, [](const Vector3& x) { return x.Z > 11.5 && x.Z < 15.5 ? 1 : 0; });
+  const LabelView view(labels.View);
+  const auto zone = ForbiddenZone::Make(view, Forbid(1), Affine3{}, 2.0);
+  ASSERT_NE(zone, nullptr);
+  EXPECT_NEAR(zone->Find({ 13.2, 14.1, 9.5 }).Distance, 2.0, 0.05);
+  EXPECT_NEAR(zone->Find({ 13.2, 14.1, 17.5 }).Distance, 2.0, 0.05);
+  EXPECT_LT(zone->Find({ 13.2, 14.1, 13.5 }).Distance, -1.0);
+}
+
+TEST(ForbiddenZone, StandsOffFromAVessel)
+{
+  // A cylinder along x of 2.5 and of 1.5 voxels, which smoothing alone would make thinner.
+  for (const double radius : { 2.5, 1.5 })
+  {
+    const TestVolume labels = MakeLabels(
+      32, [&](const Vector3& x) { return std::hypot(x.Y - 16.2, x.Z - 15.9) < radius ? 1 : 0; });
+    const LabelView view(labels.View);
+    const auto zone = ForbiddenZone::Make(view, Forbid(1), Affine3{}, 2.0);
+    ASSERT_NE(zone, nullptr);
+    for (int i = 0; i < 60; ++i)
+    {
+      const double angle = 0.1047 * i;
+      const double r = radius + 2.0;
+      const ForbiddenPlace place =
+        zone->Find({ 12.0 + 0.1 * i, 16.2 + r * std::cos(angle), 15.9 + r * std::sin(angle) });
+      ASSERT_TRUE(place.IsNear);
+      EXPECT_NEAR(place.Distance, 2.0, 0.45) << radius << ", " << angle;
+    }
+  }
+}
+
+TEST(ForbiddenZone, KeepsThinVesselsAndSpecks)
+{
+  // One voxel thick along x; and one voxel alone. Half a voxel around each is forbidden, at least.
+  const TestVolume labels = MakeLabels(40,
+    [](const Vector3& x) {
+      return (x.Y == 10.0 && x.Z == 10.0) || (x.X == 30.0 && x.Y == 30.0 && x.Z == 30.0) ? 1 : 0;
+    });
+  const LabelView view(labels.View);
+  const auto zone = ForbiddenZone::Make(view, Forbid(1), Affine3{}, 2.0);
+  ASSERT_NE(zone, nullptr);
+  EXPECT_NEAR(zone->Find({ 20.0, 13.0, 10.0 }).Distance, 2.5, 0.2);
+  EXPECT_NEAR(zone->Find({ 20.4, 10.0, 7.0 }).Distance, 2.5, 0.2);
+  EXPECT_NEAR(zone->Find({ 30.0, 30.0, 33.0 }).Distance, 2.5, 0.2);
+  EXPECT_NEAR(zone->Find({ 32.0, 32.0, 30.0 }).Distance, std::sqrt(8.0) - 0.5, 0.2);
+}
+
+TEST(ForbiddenZone, IsNotThereWithoutForbiddenLabels)
+{
+  const TestVolume labels = MakeLabels(12, [](const Vector3& x) { return x.Z > 5.0 ? 1 : 0; });
+  const LabelView view(labels.View);
+  EXPECT_EQ(ForbiddenZone::Make(view, LabelTable(), Affine3{}, 2.0), nullptr);
+  EXPECT_EQ(ForbiddenZone::Make(view, Forbid(2), Affine3{}, 2.0), nullptr);
+  EXPECT_THROW(ForbiddenZone::Make(view, Forbid(1), Affine3{}, 1e9), std::bad_alloc);
+  const auto zone = ForbiddenZone::Make(view, Forbid(1), Affine3{}, 1.0);
+  ASSERT_NE(zone, nullptr);
+  EXPECT_FALSE(zone->Find({ 6.0, 6.0, -1000.0 }).IsNear);
+  EXPECT_FALSE(zone->Find({ std::nan(""), 6.0, 6.0 }).IsNear);
+}
