@@ -5,7 +5,7 @@ import gallery
 import numpy as np
 from volumehaptics.pyvista import touch
 
-STRENGTH = {"fat": 0.7, "muscle": 1.5}  # N, of the preset
+STRENGTH = {"fat": 1.0, "muscle": 2.2}  # N, of the preset
 
 head, picture = gallery.options(__doc__)
 outwards = np.array([0.62, -0.62, -0.48])

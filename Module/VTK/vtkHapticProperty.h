@@ -155,13 +155,20 @@ public:
   /**
    * Fill all five functions, in place, and set the surface side from a named preset:
    *
-   * - "CT contrast": Hounsfield units; tissues told apart clearly by hand. Bone is impenetrable.
+   * - "CT contrast": Hounsfield units; tissues told apart clearly by hand. Bone is solid.
    * - "CT physical": Hounsfield units; stiffness from published soft-tissue moduli by way of a flat
    *   punch of 2 mm radius, k = 2 E a / (1 - nu^2) (liver: 28 N/m). Subtle on most devices.
+   * - "CT angiography": Hounsfield units, with contrast medium in vessels and heart.
+   * - "CT chest": Hounsfield units; lung has strengths of its own.
    * - "MRI": T1-weighted magnitude images with 0 ... 255 grey levels; surfaces on both sides.
+   * - "Micro-CT": one solid material, of any unit: micro-CT and industrial CT. Distinctness is from
+   *   the noise.
+   * - "Labels": a segmentation as the touched image: all labels but 0 feel alike, from both sides.
    *
-   * The values are this project's, chosen by hand; they are not measurements. Returns false, with
-   * an error and no change, for any other name.
+   * All but "CT physical" have one stiffness, 400 N/m, for whatever is felt, so that a hand feels
+   * the shape that it sees: strength, friction and drag tell tissues apart. The values are this
+   * project's, chosen by hand; they are not measurements: see Documentation/materials.md. Returns
+   * false, with an error and no change, for any other name.
    */
   bool ApplyPreset(const char* name);
 

@@ -28,7 +28,7 @@ EXPECTED = {
     "numpy_gyroid": ([SPRING], lambda n: abs(n[0] - 0.5 * (3.5 + 4 / 3)) < 0.15),
     "penetrability": (
         [r"fat holds (\S+) N", SPRING + r", at (\S+) mm"],
-        lambda n: abs(n[0] - 0.7) < 0.02 and n[1] > 2.5 and n[2] == 26),
+        lambda n: abs(n[0] - 1.0) < 0.03 and n[1] > 2.5 and n[2] == 26),
     "presets": (
         [rf"{name}: {SPRING}" for name in ("CT contrast", "CT physical", "own functions")],
         lambda n: n[1] < 1.0 and n[0] > 4.0 and abs(n[2] - 0.3 * 12.5) < 0.2),

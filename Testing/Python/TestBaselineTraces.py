@@ -5,7 +5,8 @@
     python3 -m pytest TestBaselineTraces.py --write-baselines    # makes the baselines anew
 
 The stroke comes from above, presses 3 mm into the crown and slides 24 mm towards the right ear. The baselines hold the
-proxy, the force and the contact. That they are right is the matter of other tests.
+proxy, the force and the contact. That they are right is the matter of other tests. The materials stand here, so that
+presets may change.
 """
 
 import math
@@ -21,6 +22,19 @@ SKIN = -300.0  # HU, at which the phantom's skin is seen
 ARRAYS = ("Force", "Contact")
 # Baselines hold single precision; and vtkFlyingEdges3D's points, too.
 TOLERANCE = 1e-5
+
+# Nodes of each function: HU, or HU/mm, and its value.
+MATERIALS = {
+    "Stiffness": ((0, 400.0),),
+    "Friction": ((0, 0.2),),
+    "Viscosity": (
+        (-1024, 0), (-955, 0), (-950, 0.05), (-500, 0.05), (-150, 0.2), (-30, 0.2), (-10, 0.3), (15, 0.3), (20, 0.4),
+        (80, 0.4), (100, 0.4), (300, 0.4), (310, 0), (3071, 0)),
+    "SurfaceStrength": (
+        (-1024, 0), (-955, 0), (-950, 0.3), (-500, 0.3), (-150, 0.7), (-30, 0.7), (-10, 0.1), (15, 0.1), (20, 1.5),
+        (80, 1.5), (100, 2.5), (300, 2.5), (310, 1e6), (3071, 1e6)),
+    "Distinctness": ((8, 0), (40, 1)),
+}
 
 METHODS = {
     "Paper": lambda f: f.SetSolverToPaper(),
@@ -60,12 +74,10 @@ def touch(image, path, choose):
     touch_filter.SetInputData(0, image)
     touch_filter.SetPathData(path)
     touch_filter.SetIsoValue(SKIN)
-    touch_filter.GetProperty().ApplyPreset("CT contrast")
-    # The surface methods take the material at the isovalue itself, which is air's: give all of them one.
-    for function, value in (("Stiffness", 400.0), ("Friction", 0.2)):
+    for function, nodes in MATERIALS.items():
         material = getattr(touch_filter.GetProperty(), "Get" + function)()
-        material.RemoveAllPoints()
-        material.AddPoint(0.0, value)
+        for value, height in nodes:
+            material.AddPoint(value, height)
     choose(touch_filter)
     touch_filter.Update()
     trace = vtkPolyData()

@@ -16,7 +16,7 @@ PROPERTY = {
     "SetComponent": ("component", "Default 0"),
     "SetSurfaceSide": ("higher", "lower", "default"),
     "SetVisibilityFrom": ("opacity", "nullptr"),
-    "ApplyPreset": ("CT contrast", "CT physical", "MRI"),
+    "ApplyPreset": ("CT contrast", "CT physical", "CT angiography", "CT chest", "MRI", "Micro-CT", "Labels"),
     "GetPresetNames": ("ApplyPreset",),
     "DeepCopy": ("Copy",),
     "GetMTime": ("function",),

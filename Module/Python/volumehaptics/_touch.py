@@ -156,7 +156,7 @@ def touch(
         (0, 0, 0) on: see image() for others. It is not copied.
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
         "Time" (s) if ticks are something else, or an array of shape (N, 3).
-    preset: the feel of the tissues, "CT contrast", "CT physical" or "MRI": see vtkHapticProperty. Default:
+    preset: the feel of the tissues, such as "CT contrast" or "MRI": see vtkHapticProperty. Default:
         500 N/m everywhere. "propose", for data of any unit: functions from the edges of the volume, with the kernel
         radius that suits them unless settings have one: see vtkHapticProperty.ProposeFromImage().
     labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with

@@ -27,30 +27,39 @@ struct Preset
 {
   const char* Name;
   std::vector<Tissue> Tissues;
-  double DistinctnessStart; // gradient magnitude at which a surface begins to be felt
-  double DistinctnessFull;  // gradient magnitude from which on it is felt fully
+  double DistinctnessStart; ///< gradient magnitude at which a surface begins to be felt
+  double DistinctnessFull;  ///< from which on it is felt fully; 0: distinctness from the noise
   int Side;
 };
 
 /** More newtons than any device exerts. */
 constexpr double Impenetrable = 1e6;
+/** More newtons than a hand on a desktop device pushes with. */
+constexpr double Solid = 12.0;
+
+/**
+ * The stiffness of all that is felt: most desktop devices hold it. A change of stiffness would be
+ * felt as relief, and as a step of the force where V(x_s) wanders from one tissue to another.
+ */
+constexpr double K = 400.0;
 
 const std::vector<Preset>& Presets()
 {
-  // If two tissues of the table touch, there is a ramp of 5 or 10 HU between them: partial volumes
-  // should not switch a material from one tick to the next. The distinctness of the CT presets
-  // starts at 8 HU/mm: beyond 3.4 standard deviations of the gradient for 20 HU of noise, 1 mm
-  // voxels and the default kernel, so that noise is not felt as surfaces.
+  // Strengths rise with the value, or stay, over ramps as wide as noise and the slope of a blurred
+  // edge make V(x_s) wander: tens of HU. Only friction, which changes the force by a few percent,
+  // falls and rises again for fluid. The distinctness of the CT presets starts at 8 HU/mm: beyond
+  // 3.4 standard deviations of the gradient for 20 HU of noise, 1 mm voxels and the default kernel,
+  // so that noise is not felt as surfaces.
   static const std::vector<Preset> presets = {
     { "CT contrast",
       {
-        { -1024, -955, 0, 0.00, 0.00, 0.0 },           // air
-        { -950, -500, 80, 0.10, 0.05, 0.3 },           // lung
-        { -150, -30, 150, 0.15, 0.20, 0.7 },           // fat
-        { -10, 15, 100, 0.05, 0.30, 0.1 },             // fluid
-        { 20, 80, 350, 0.25, 0.40, 1.5 },              // muscle, organ
-        { 100, 300, 600, 0.20, 0.40, 2.5 },            // contrast medium, cartilage
-        { 310, 3071, 1000, 0.30, 0.00, Impenetrable }, // bone
+        { -1024, -955, 0, 0.00, 0.00, 0.0 }, // air
+        { -900, -500, K, 0.10, 0.05, 0.4 },  // lung
+        { -150, -80, K, 0.18, 0.30, 1.0 },   // fat
+        { -10, 10, K, 0.12, 0.15, 1.5 },     // fluid
+        { 50, 80, K, 0.30, 0.50, 2.2 },      // muscle, organ
+        { 150, 250, K, 0.25, 0.50, 3.2 },    // contrast medium, cartilage
+        { 350, 3071, K, 0.30, 0.00, Solid }, // bone
       },
       8, 40, vtkHapticProperty::HIGHER },
     { "CT physical",
@@ -64,17 +73,48 @@ const std::vector<Preset>& Presets()
         { 310, 3071, 1000, 0.32, 0.00, Impenetrable }, // bone
       },
       8, 40, vtkHapticProperty::HIGHER },
-    // Surfaces are felt from both sides here, so the background can be inside one: it is as stiff
-    // as fluid, because the drag of tissue on a soft spring would leave the proxy far behind.
+    // Vessels with medium have the values of spongy bone: those of cortical bone are bone here.
+    { "CT angiography",
+      {
+        { -1024, -955, 0, 0.00, 0.00, 0.0 }, // air
+        { -900, -500, K, 0.10, 0.05, 0.4 },  // lung
+        { -150, -80, K, 0.18, 0.30, 1.0 },   // fat
+        { 30, 100, K, 0.30, 0.50, 2.0 },     // muscle, organ with medium
+        { 180, 450, K, 0.05, 0.30, 3.2 },    // vessel with medium, spongy bone
+        { 650, 3071, K, 0.30, 0.00, Solid }, // bone
+      },
+      8, 40, vtkHapticProperty::HIGHER },
+    // Lung has strengths of its own; fluid is not told apart in the noise of a chest.
+    { "CT chest",
+      {
+        { -1024, -980, 0, 0.00, 0.00, 0.0 }, // air
+        { -920, -750, K, 0.10, 0.10, 0.6 },  // lung
+        { -150, -80, K, 0.18, 0.30, 1.2 },   // fat
+        { 20, 80, K, 0.30, 0.50, 2.2 },      // muscle, organ, blood
+        { 140, 220, K, 0.25, 0.50, 3.2 },    // medium, spongy bone
+        { 350, 3071, K, 0.30, 0.00, Solid }, // bone
+      },
+      8, 40, vtkHapticProperty::HIGHER },
+    // Surfaces are felt from both sides here, so that the background can be inside one: it is as
+    // stiff as tissue, since the drag of tissue on a soft spring would leave the proxy far behind.
     { "MRI",
       {
-        { 0, 15, 100, 0.00, 0.00, 0.0 },    // background
-        { 30, 60, 100, 0.05, 0.30, 0.2 },   // fluid
-        { 80, 115, 300, 0.20, 0.30, 1.0 },  // grey matter, muscle
-        { 130, 165, 450, 0.25, 0.40, 1.5 }, // white matter
-        { 190, 255, 200, 0.15, 0.20, 0.8 }, // fat
+        { 0, 12, K, 0.00, 0.00, 0.0 },    // background
+        { 30, 50, K, 0.05, 0.30, 0.8 },   // fluid
+        { 80, 95, K, 0.20, 0.30, 1.4 },   // grey matter, muscle
+        { 115, 135, K, 0.35, 0.40, 2.0 }, // white matter
+        { 175, 255, K, 0.15, 0.20, 2.6 }, // fat
       },
       3, 15, vtkHapticProperty::BOTH },
+    // One hard material of any unit: its surfaces are where the gradient is beyond the noise.
+    { "Micro-CT", { { 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER },
+    // All labels but 0 have one material: the numbers of labels say nothing of their tissues.
+    { "Labels",
+      {
+        { 0, 0.25, 0, 0.00, 0.00, 0.0 }, // no label
+        { 0.75, 1, K, 0.25, 0.20, 3.0 }, // any other
+      },
+      0, 0, vtkHapticProperty::BOTH },
   };
   return presets;
 }
@@ -92,7 +132,7 @@ void Fill(vtkPiecewiseFunction* function, const Preset& preset, double Tissue::*
   for (const Tissue& tissue : preset.Tissues)
   {
     function->AddPoint(tissue.Low, tissue.*quantity);
-    function->AddPoint(tissue.High, tissue.*quantity);
+    function->AddPoint(tissue.High, tissue.*quantity); // the same point if there is no range
   }
 }
 
@@ -110,8 +150,15 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
       Fill(property->GetSurfaceStrength(), preset, &Tissue::SurfaceStrength);
       vtkPiecewiseFunction* const distinctness = property->GetDistinctness();
       Empty(distinctness);
-      distinctness->AddPoint(preset.DistinctnessStart, 0.0);
-      distinctness->AddPoint(preset.DistinctnessFull, 1.0);
+      if (preset.DistinctnessFull > 0.0)
+      {
+        distinctness->AddPoint(preset.DistinctnessStart, 0.0);
+        distinctness->AddPoint(preset.DistinctnessFull, 1.0);
+      }
+      else
+      {
+        property->DistinctnessFromNoiseOn();
+      }
       property->SetSurfaceSide(preset.Side);
       return true;
     }

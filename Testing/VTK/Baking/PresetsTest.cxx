@@ -2,74 +2,168 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The presets, against the specification's table of tissues.
+ * The presets, against the tables of Documentation/materials.md and what it says of all of them.
  */
 
 #include "Rigs/ApiRig.h"
 
 #include <vtkStringArray.h>
 
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
 using namespace apitest;
 
 namespace
 {
+constexpr double Endless = std::numeric_limits<double>::infinity();
+
+/// A row of a table: k, mu, R and T_N from one value to another.
 struct Tissue
 {
-  const char* Name;
-  double Low, High; // HU
-  double Stiffness, Friction, Viscosity, SurfaceStrength;
+  std::string Name;
+  double Low = -Endless;
+  double High = Endless;
+  double Values[4] = {};
 };
 
-/// Bone starts a little above 300 HU, the end of contrast medium.
-const Tissue Contrast[] = {
-  { "air", -3000.0, -960.0, 0.0, 0.0, 0.0, 0.0 },
-  { "lung", -950.0, -500.0, 80.0, 0.10, 0.05, 0.3 },
-  { "fat", -150.0, -30.0, 150.0, 0.15, 0.2, 0.7 },
-  { "fluid", -10.0, 15.0, 100.0, 0.05, 0.3, 0.1 },
-  { "muscle, organ", 20.0, 80.0, 350.0, 0.25, 0.4, 1.5 },
-  { "contrast medium", 100.0, 300.0, 600.0, 0.20, 0.4, 2.5 },
-};
+/// The cells of a row of a Markdown table.
+std::vector<std::string> Cells(const std::string& row)
+{
+  std::vector<std::string> cells;
+  std::istringstream stream(row.substr(1));
+  for (std::string cell; std::getline(stream, cell, '|');)
+  {
+    const std::size_t first = cell.find_first_not_of(' ');
+    const std::size_t last = cell.find_last_not_of(' ');
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+  }
+  return cells;
+}
+
+/// The table under the heading of a preset.
+std::vector<Tissue> ReadTable(const std::string& preset)
+{
+  std::ifstream file(std::string(VolumeHaptics_SOURCE_DIR) + "/Documentation/materials.md");
+  std::vector<Tissue> tissues;
+  bool isHere = false;
+  for (std::string line; std::getline(file, line);)
+  {
+    if (line.compare(0, 2, "##") == 0)
+    {
+      isHere = line == "### Preset " + preset;
+    }
+    const std::vector<std::string> cells =
+      isHere && !line.empty() && line[0] == '|' ? Cells(line) : std::vector<std::string>();
+    if (cells.size() != 6 || cells[0] == "---" || cells[2] == "k, N/m")
+    {
+      continue;
+    }
+    Tissue tissue;
+    tissue.Name = cells[0];
+    std::istringstream range(cells[1]);
+    std::string word;
+    if (cells[1].compare(0, 6, "up to ") == 0)
+    {
+      range >> word >> word >> tissue.High;
+    }
+    else if (cells[1].compare(0, 5, "from ") == 0)
+    {
+      range >> word >> tissue.Low;
+    }
+    else
+    {
+      range >> tissue.Low >> word >> tissue.High;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      tissue.Values[i] = std::stod(cells[2 + i]);
+    }
+    tissues.push_back(tissue);
+  }
+  return tissues;
+}
 
 class Presets : public testing::Test
 {
 protected:
+  std::array<vtkPiecewiseFunction*, 4> Functions()
+  {
+    return { this->Property->GetStiffness(), this->Property->GetFriction(),
+      this->Property->GetViscosity(), this->Property->GetSurfaceStrength() };
+  }
+
   vtkNew<vtkHapticProperty> Property;
   MessageLog Log{ this->Property };
 };
-
-void ExpectNear(vtkPiecewiseFunction* function, const Tissue& tissue, double expected)
-{
-  for (int i = 0; i <= 20; ++i)
-  {
-    const double hu = tissue.Low + i * (tissue.High - tissue.Low) / 20.0;
-    EXPECT_NEAR(function->GetValue(hu), expected, 1e-12) << tissue.Name << " at " << hu << " HU";
-  }
-}
 } // namespace
 
-TEST_F(Presets, ContrastIsTheSpecificationsTable)
+TEST_F(Presets, AreThoseOfTheTables)
 {
   vtkPiecewiseFunction* const stiffness = this->Property->GetStiffness();
   stiffness->AddPoint(-5000.0, 77.0);
   stiffness->ClampingOff();
-  ASSERT_TRUE(this->Property->ApplyPreset("CT contrast"));
-  EXPECT_EQ(this->Property->GetStiffness(), stiffness) << "filled in place";
-  for (const Tissue& tissue : Contrast)
+  vtkStringArray* const names = vtkHapticProperty::GetPresetNames();
+  for (vtkIdType n = 0; n < names->GetNumberOfValues(); ++n)
   {
-    ExpectNear(this->Property->GetStiffness(), tissue, tissue.Stiffness);
-    ExpectNear(this->Property->GetFriction(), tissue, tissue.Friction);
-    ExpectNear(this->Property->GetViscosity(), tissue, tissue.Viscosity);
-    ExpectNear(this->Property->GetSurfaceStrength(), tissue, tissue.SurfaceStrength);
+    SCOPED_TRACE(names->GetValue(n));
+    ASSERT_TRUE(this->Property->ApplyPreset(names->GetValue(n).c_str()));
+    EXPECT_EQ(this->Property->GetStiffness(), stiffness) << "filled in place";
+    const std::vector<Tissue> table = ReadTable(names->GetValue(n));
+    ASSERT_FALSE(table.empty());
+    for (std::size_t t = 0; t < table.size(); ++t)
+    {
+      const Tissue& tissue = table[t];
+      const double low = std::max(tissue.Low, std::min(tissue.High, 0.0) - 3000.0);
+      const double high = std::min(tissue.High, std::max(tissue.Low, 0.0) + 30000.0);
+      for (int f = 0; f < 4; ++f)
+      {
+        for (int i = 0; i <= 20; ++i)
+        {
+          const double value = low + i * (high - low) / 20.0;
+          EXPECT_NEAR(this->Functions()[f]->GetValue(value), tissue.Values[f], 1e-12)
+            << tissue.Name << " at " << value << ", function " << f;
+        }
+        if (t > 0) // between them: halfway
+        {
+          const double middle = 0.5 * (table[t - 1].High + tissue.Low);
+          EXPECT_NEAR(this->Functions()[f]->GetValue(middle),
+            0.5 * (table[t - 1].Values[f] + tissue.Values[f]), 1e-12)
+            << "before " << tissue.Name << ", function " << f;
+        }
+      }
+    }
   }
-  for (const double bone : { 310.0, 1200.0, 3071.0, 30000.0 })
+}
+
+TEST_F(Presets, AreSmoothForARealScan)
+{
+  // A value that wanders by 10 units must not change what holds by a third. Only air has another
+  // stiffness, and strengths do not fall.
+  for (const char* const name : { "CT contrast", "CT angiography", "CT chest", "MRI" })
   {
-    const double k = this->Property->GetStiffness()->GetValue(bone);
-    EXPECT_TRUE(k > 600.0 && k <= 1000.0) << "stiffest, and at most 2b/T";
-    EXPECT_DOUBLE_EQ(this->Property->GetFriction()->GetValue(bone), 0.30);
-    EXPECT_EQ(this->Property->GetViscosity()->GetValue(bone), 0.0);
-    EXPECT_GT(this->Property->GetSurfaceStrength()->GetValue(bone), 1e3) << "impenetrable";
+    SCOPED_TRACE(name);
+    ASSERT_TRUE(this->Property->ApplyPreset(name));
+    const auto [k, mu, drag, strength] = this->Functions();
+    double before = 0.0;
+    for (double value = -1100.0; value < 3200.0; value += 1.0)
+    {
+      const double here = strength->GetValue(value);
+      EXPECT_GE(here, before - 1e-12) << value;
+      before = here;
+      if (here >= 0.8)
+      {
+        EXPECT_NEAR(k->GetValue(value), 400.0, 1e-9) << value;
+        EXPECT_LT(strength->GetValue(value + 10.0), 1.35 * here) << value;
+        const double now = std::hypot(1.0, mu->GetValue(value));
+        EXPECT_NEAR(std::hypot(1.0, mu->GetValue(value + 10.0)) / now, 1.0, 0.03) << value;
+        EXPECT_NEAR(drag->GetValue(value + 10.0), drag->GetValue(value), 0.1) << value;
+      }
+    }
   }
-  EXPECT_EQ(this->Property->GetSurfaceSide(), vtkHapticProperty::HIGHER);
 }
 
 TEST_F(Presets, PhysicalHasThePublishedLiver)
@@ -84,30 +178,38 @@ TEST_F(Presets, PhysicalHasThePublishedLiver)
 TEST_F(Presets, EveryPresetMakesSense)
 {
   vtkStringArray* const names = vtkHapticProperty::GetPresetNames();
-  ASSERT_EQ(names->GetNumberOfValues(), 3);
+  ASSERT_EQ(names->GetNumberOfValues(), 7);
   EXPECT_EQ(names->LookupValue("CT contrast"), 0) << "the default comes first";
-  EXPECT_GE(names->LookupValue("CT physical"), 0);
-  EXPECT_GE(names->LookupValue("MRI"), 0);
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
-    SCOPED_TRACE(names->GetValue(i));
+    const vtkStdString name = names->GetValue(i);
+    SCOPED_TRACE(name);
     vtkNew<vtkHapticProperty> used;
     used->SetSurfaceSideToLower();
+    used->DistinctnessFromNoiseOff();
     used->GetStiffness()->UseLogScaleOn();
-    ASSERT_TRUE(this->Property->ApplyPreset(names->GetValue(i).c_str()));
-    ASSERT_TRUE(used->ApplyPreset(names->GetValue(i).c_str()));
+    used->GetDistinctness()->AddPoint(7.0, 0.7);
+    ASSERT_TRUE(this->Property->ApplyPreset(name.c_str()));
+    ASSERT_TRUE(used->ApplyPreset(name.c_str()));
     EXPECT_EQ(used->GetSurfaceSide(), this->Property->GetSurfaceSide());
+    const bool isBoth = name == "MRI" || name == "Labels";
+    EXPECT_EQ(used->GetSurfaceSide(), isBoth ? vtkHapticProperty::BOTH : vtkHapticProperty::HIGHER);
     for (double value = -1100.0; value < 3200.0; value += 7.0)
     {
       const double k = this->Property->GetStiffness()->GetValue(value);
       EXPECT_TRUE(k >= 0.0 && k <= 1000.0 + 1e-9) << value;
       EXPECT_EQ(used->GetStiffness()->GetValue(value), k) << "whatever was there before";
     }
-    vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
+    vtkPiecewiseFunction* const distinct = used->GetDistinctness();
+    if (name == "Micro-CT" || name == "Labels") // of any unit
+    {
+      EXPECT_EQ(distinct->GetSize(), 0);
+      EXPECT_TRUE(used->GetDistinctnessFromNoise());
+      continue;
+    }
     EXPECT_EQ(distinct->GetValue(0.0), 0.0);
     EXPECT_EQ(distinct->GetValue(1e4), 1.0);
   }
-  EXPECT_EQ(this->Property->GetSurfaceSide(), vtkHapticProperty::BOTH) << "MRI came last";
   EXPECT_TRUE(this->Log.Errors.empty());
 }
 
