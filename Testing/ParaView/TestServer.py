@@ -42,6 +42,7 @@ def touch():
         for name in set(expected) - {"Proxy"}:
             assert vtk_to_numpy(data.GetArray(name)).tobytes() == expected[name].tobytes(), name
     haptics.InvokeCommand("CopyPreset")
+    haptics.StiffnessScale = 1000
     haptics.Stiffness.Points = [0, 0.25, 0.5, 0, 100, 0.25, 0.5, 0]
     haptics.UpdatePipeline()
     assert haptics.PointData["Stiffness"].GetRange(0) == (250.0, 250.0)
