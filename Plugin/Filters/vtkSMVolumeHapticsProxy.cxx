@@ -80,7 +80,8 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
   this->CopyFunction("Viscosity", property->GetViscosity());
   this->CopyFunction("SurfaceStrength", property->GetSurfaceStrength());
   this->CopyFunction("Distinctness", property->GetDistinctness());
-  vtkSMPropertyHelper(this, "DistinctnessFromNoise").Set(0);
+  const bool isFromNoise = property->GetDistinctness()->GetSize() == 0;
+  vtkSMPropertyHelper(this, "DistinctnessFromNoise").Set(isFromNoise);
   vtkSMPropertyHelper(this, "SurfaceSide").Set(property->GetSurfaceSide());
   vtkSMPropertyHelper(this, "Preset").Set("Custom");
   this->UpdateVTKObjects();
