@@ -3,6 +3,7 @@
 """A needle is pressed into a cheek: fat and muscle give way, each at a force of its own, and bone does not."""
 import gallery
 import numpy as np
+from volumehaptics import vtkVolumeHapticsFilter
 from volumehaptics.pyvista import touch
 
 STRENGTH = {"fat": 1.0, "muscle": 2.2}  # N, of the preset
@@ -12,7 +13,10 @@ outwards = np.array([0.62, -0.62, -0.48])
 middle = np.asarray(head.center)
 skin = head.contour([-300.0]).ray_trace(middle + head.length * outwards, middle, first_point=True)[0]
 depth = np.linspace(-14, 26, 2001)  # mm
-trace = touch(head, skin - depth[:, None] * outwards, "CT contrast")
+# With the materials that lie behind the blurred edges, and surfaces at the middle of these.
+trace = touch(
+    head, skin - depth[:, None] * outwards, "CT contrast", contact_alignment=vtkVolumeHapticsFilter.EDGE,
+    material_placement=vtkVolumeHapticsFilter.FAR_SIDE)
 force = gallery.strength(trace)
 print(f"fat holds {np.median(force[(depth > 1) & (depth < 7)]):.3f} N")
 print(f"strongest {force.max():.3f} N, at {depth[force.argmax()]:.2f} mm")

@@ -27,9 +27,10 @@ for name, trace in traces.items():
     print(f"{name}: strongest {gallery.strength(trace).max():.3f} N")
 
 plotter = gallery.make_plotter(picture, size=(1300, 600), shape=(1, 2))
-values = np.linspace(-1000, 1500, 500)
-gallery.add_chart(plotter, "What the materials are", "Value (HU)", "Stiffness (N/m)", {
-    name: (values, [material.GetStiffness().GetValue(v) for v in values]) for name, material in materials.items()})
+values = np.linspace(-1000, 400, 500)
+gallery.add_chart(plotter, "What the materials are", "Value (HU)", "Surface strength (N), up to 15 N", {
+    name: (values, [min(material.GetSurfaceStrength().GetValue(v), 15.0) for v in values])
+    for name, material in materials.items()})
 plotter.subplot(0, 1)
 gallery.add_chart(plotter, "What they feel like on one stroke", "Time (s)", "Force on the hand (N)", {
     name: (trace["Time"], gallery.strength(trace)) for name, trace in traces.items()})

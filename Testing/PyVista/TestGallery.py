@@ -31,7 +31,7 @@ EXPECTED = {
         lambda n: abs(n[0] - 1.0) < 0.03 and n[1] > 2.5 and n[2] == 26),
     "presets": (
         [rf"{name}: {SPRING}" for name in ("CT contrast", "CT physical", "own functions")],
-        lambda n: n[1] < 1.0 and n[0] > 4.0 and abs(n[2] - 0.3 * 12.5) < 0.2),
+        lambda n: n[1] < 1.0 and n[0] > 3.0 and abs(n[2] - 0.3 * 12.5) < 0.2),
     "record_and_replay": ([r"(\d+) ticks, largest difference (\S+) N"], lambda n: n[0] > 500 and n[1] == 0.0),
     "region": (
         [r"the same to the bit in (\d+) of (\d+) ticks, with (\d+) % of the volume"],

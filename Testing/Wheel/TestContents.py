@@ -13,8 +13,8 @@ import pytest
 
 SITE = Path(os.environ["VOLUMEHAPTICS_BUILD"])
 PACKAGE = SITE / "volumehaptics"
-# Libraries of every Linux with Python and OpenGL.
-SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libdl|libgcc_s|libm|libpthread|librt|libstdc\+\+)\.so\.\d+")
+# Libraries of every Linux with Python and OpenGL; PEP 600 names them, too.
+SYSTEM = re.compile(r"(ld-linux-x86-64|libc|libdl|libgcc_s|libm|libpthread|librt|libstdc\+\+|libz)\.so\.\d+")
 
 
 def binaries():
