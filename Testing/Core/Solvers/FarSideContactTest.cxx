@@ -113,7 +113,7 @@ TEST(FarSideContact, SkinIsWhatLiesBehindItFromItsFirstTouchOn)
   {
     description.Settings.Alignment = alignment;
     const HapticModel model(description);
-    const TickRecord& touch = FirstTouch(Stroke(model, 2.0, 12.0, 13.0));
+    const TickRecord touch = FirstTouch(Stroke(model, 2.0, 12.0, 13.0));
     EXPECT_NEAR(touch.MediumValue, Air, 0.025 * height);
     if (alignment == ContactAlignment::Edge)
     {
