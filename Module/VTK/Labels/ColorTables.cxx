@@ -46,7 +46,7 @@ bool AreNumbers(const Words& words, std::size_t first, std::size_t count)
       [](std::string_view word) { return ReadNumber(word).has_value(); });
 }
 
-/** What is between two words of a line. */
+/** Separates the words of a line. */
 std::string_view Between(std::string_view from, std::string_view to)
 {
   return Trim(std::string_view(from.data(), static_cast<std::size_t>(to.data() - from.data())));

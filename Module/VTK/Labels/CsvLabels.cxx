@@ -157,7 +157,7 @@ std::string_view FirstLine(std::string_view text)
   return line;
 }
 
-/** What separates most columns. */
+/** Separates the columns of most files. */
 char FindSeparator(std::string_view text)
 {
   const std::string_view line = FirstLine(text);

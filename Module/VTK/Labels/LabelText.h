@@ -37,7 +37,7 @@ private:
 /** A text without blanks around it. */
 std::string_view Trim(std::string_view text);
 
-/** What stands between blanks. */
+/** The words of a text, which blanks separate. */
 std::vector<std::string_view> SplitWords(std::string_view line);
 
 /** A text in lower case, without blanks, underscores, and what stands in parentheses. */

@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** What differs between the versions of NIfTI: sizes and offsets in bytes. */
+/** Sizes and offsets, in bytes, that differ between the versions of NIfTI. */
 struct Version
 {
   std::size_t HeaderSize;

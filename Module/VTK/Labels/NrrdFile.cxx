@@ -55,7 +55,8 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
 bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
 {
   const int descriptor = OpenToRead(file.Name);
-  // What is compressed begins behind the header; zlib reads what is not compressed as it is.
+  // Compressed samples begin behind the header. zlib reads samples that are not compressed as they
+  // are.
   const bool isBehind = descriptor >= 0 && file.Image.IsCompressed &&
     lseek(descriptor, static_cast<off_t>(file.Header.Size), SEEK_SET) >= 0;
   const gzFile opened = descriptor < 0 ? nullptr : gzdopen(descriptor, "rb");
