@@ -33,12 +33,8 @@ def test_mouse_touches(window, hands, columns):
     assert not hand.haptics.style.GetTouchMode()
 
 
-@pytest.mark.parametrize("visibility, felt", ((True, False), (False, True)))
-def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
-    hand = hands(visibility=visibility)
-    hand.volume.prop.apply_lookup_table(pv.LookupTable(scalar_range=(-1, 1)))
-    hand.volume.prop.GetScalarOpacity().RemoveAllPoints()
-    hand.volume.prop.GetScalarOpacity().AddPoint(0, 0.0)
+def press_ball(hand):
+    """Presses the ball from outside, armed, and returns the force (N)."""
     device, sight = hand.device, hand.plotter.camera.direction
     for distance in (24, 15):
         device.SetVirtualTip(*(-distance * x for x in sight))
@@ -47,7 +43,16 @@ def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
         hand.wait(lambda: "100 % of the force" in device.GetStatusText())
     tick = device.GetTick()
     hand.wait(lambda: device.GetTick() > tick + 700)
-    assert (np.linalg.norm(device.GetForce()) > 0.5) == felt
+    return np.linalg.norm(device.GetForce())
+
+
+@pytest.mark.parametrize("visibility, felt", ((True, False), (False, True)))
+def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
+    hand = hands(visibility=visibility)
+    hand.volume.prop.apply_lookup_table(pv.LookupTable(scalar_range=(-1, 1)))
+    hand.volume.prop.GetScalarOpacity().RemoveAllPoints()
+    hand.volume.prop.GetScalarOpacity().AddPoint(0, 0.0)
+    assert (press_ball(hand) > 0.5) == felt
 
 
 def test_labels_have_materials(window, hands):
@@ -55,17 +60,9 @@ def test_labels_have_materials(window, hands):
     hand = hands(labels=np.ones((33, 33, 33), np.uint8), materials={1: {"name": "ball", "felt": False}})
     table = hand.haptics.filter.GetLabelTable()
     assert table.GetLabelName(1) == "ball"
-    device, sight = hand.device, hand.plotter.camera.direction
     for felt in (False, True):
         table.SetFelt(1, felt)
-        for distance in (24, 15):
-            device.SetVirtualTip(*(-distance * x for x in sight))
-            hand.wait(lambda: np.linalg.norm(np.add(device.GetTipPosition(), distance * np.array(sight))) < 1e-6)
-            device.Arm()
-            hand.wait(lambda: "100 % of the force" in device.GetStatusText())
-        tick = device.GetTick()
-        hand.wait(lambda: device.GetTick() > tick + 700)
-        assert (np.linalg.norm(device.GetForce()) > 0.1) == felt
+        assert (press_ball(hand) > 0.1) == felt
 
 
 def test_closing_the_plotter_stops_everything(window, hands):
