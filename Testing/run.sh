@@ -45,7 +45,7 @@ wheel_dir=$(dirname "$build_dir")/wheel
 run_tests()
 {
   local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.]Emulated|ParaView|VTK[.](Charts|Emulated|'
-  live+='Endings|Recording|Scene|Session|Setup))[.]|VTK::VolumeHapticsCxx-TestTouch)'
+  live+='Endings|Recording|Scene|Session|Setup)|Wheel)[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then
