@@ -19,36 +19,6 @@ inline constexpr ScalarType AllScalarTypes[] = { ScalarType::Int8, ScalarType::U
 
 inline constexpr GradientEstimator AllEstimators[] = { GradientEstimator::CentralDifference,
   GradientEstimator::Gaussian, GradientEstimator::CubicBSpline };
-
-/// Calls f with a value of the C++ type that a scalar type stands for.
-template <typename F>
-auto WithType(ScalarType type, F&& f)
-{
-  switch (type)
-  {
-    case ScalarType::Int8:
-      return f(std::int8_t{});
-    case ScalarType::UInt8:
-      return f(std::uint8_t{});
-    case ScalarType::Int16:
-      return f(std::int16_t{});
-    case ScalarType::UInt16:
-      return f(std::uint16_t{});
-    case ScalarType::Int32:
-      return f(std::int32_t{});
-    case ScalarType::UInt32:
-      return f(std::uint32_t{});
-    case ScalarType::Int64:
-      return f(std::int64_t{});
-    case ScalarType::UInt64:
-      return f(std::uint64_t{});
-    case ScalarType::Float32:
-      return f(float{});
-    case ScalarType::Float64:
-      break;
-  }
-  return f(double{});
-}
 } // namespace coretest
 
 #endif

@@ -45,14 +45,14 @@ public:
   static std::size_t Bytes(ScalarType type, const Size& n, std::int64_t step)
   {
     const std::size_t elements = static_cast<std::size_t>((n[0] * n[1] * n[2] - 1) * step + 1);
-    return elements * WithType(type, [](auto t) { return sizeof(t); });
+    return elements * WithSampleType(type, [](auto t) { return sizeof(t); });
   }
 
   /// Any value that the type can hold; floating-point ones up to 1e6 in size.
   void FillRandom(unsigned seed)
   {
     std::mt19937_64 engine(seed);
-    WithType(this->View.Type,
+    WithSampleType(this->View.Type,
       [&](auto t)
       {
         using T = decltype(t);
@@ -93,7 +93,7 @@ public:
       const std::int64_t last = this->View.Dimensions[a] - 1;
       offset += this->View.Stride[a] * std::max<std::int64_t>(0, std::min(at[a], last));
     }
-    return WithType(this->View.Type,
+    return WithSampleType(this->View.Type,
       [&](auto t)
       {
         std::memcpy(&t, this->Data + offset * static_cast<std::int64_t>(sizeof(t)), sizeof(t));

@@ -189,30 +189,8 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
 /** The functions of this translation unit's instruction set. */
 FieldFunctions SelectFieldFunctions(const VolumeView& view, GradientEstimator estimator, int taps)
 {
-  switch (view.Type)
-  {
-    case ScalarType::Int8:
-      return FunctionsFor<std::int8_t>(estimator, taps);
-    case ScalarType::UInt8:
-      return FunctionsFor<std::uint8_t>(estimator, taps);
-    case ScalarType::Int16:
-      return FunctionsFor<std::int16_t>(estimator, taps);
-    case ScalarType::UInt16:
-      return FunctionsFor<std::uint16_t>(estimator, taps);
-    case ScalarType::Int32:
-      return FunctionsFor<std::int32_t>(estimator, taps);
-    case ScalarType::UInt32:
-      return FunctionsFor<std::uint32_t>(estimator, taps);
-    case ScalarType::Int64:
-      return FunctionsFor<std::int64_t>(estimator, taps);
-    case ScalarType::UInt64:
-      return FunctionsFor<std::uint64_t>(estimator, taps);
-    case ScalarType::Float32:
-      return FunctionsFor<float>(estimator, taps);
-    case ScalarType::Float64:
-      break;
-  }
-  return FunctionsFor<double>(estimator, taps);
+  return WithSampleType(
+    view.Type, [=](auto sample) { return FunctionsFor<decltype(sample)>(estimator, taps); });
 }
 
 } // namespace

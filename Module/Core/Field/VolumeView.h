@@ -27,6 +27,36 @@ enum class ScalarType : std::uint8_t
   Float64
 };
 
+/** Calls f with a value of the C++ type that a scalar type stands for. */
+template <typename F>
+auto WithSampleType(ScalarType type, F&& f)
+{
+  switch (type)
+  {
+    case ScalarType::Int8:
+      return f(std::int8_t{});
+    case ScalarType::UInt8:
+      return f(std::uint8_t{});
+    case ScalarType::Int16:
+      return f(std::int16_t{});
+    case ScalarType::UInt16:
+      return f(std::uint16_t{});
+    case ScalarType::Int32:
+      return f(std::int32_t{});
+    case ScalarType::UInt32:
+      return f(std::uint32_t{});
+    case ScalarType::Int64:
+      return f(std::int64_t{});
+    case ScalarType::UInt64:
+      return f(std::uint64_t{});
+    case ScalarType::Float32:
+      return f(float{});
+    case ScalarType::Float64:
+      break;
+  }
+  return f(double{});
+}
+
 /**
  * One component of a structured point array. The sample with index (i, j, k) stands
  * i*Stride[0] + j*Stride[1] + k*Stride[2] elements of `Type` behind `Data`. Indices run from 0 to

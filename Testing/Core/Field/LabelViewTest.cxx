@@ -30,7 +30,7 @@ std::int64_t LabelAt(ScalarType type, std::int64_t i, std::int64_t j, std::int64
 TestVolume MakeLabels(ScalarType type, std::int64_t step)
 {
   TestVolume volume(type, { 5, 6, 7 }, step);
-  WithType(type,
+  WithSampleType(type,
     [&](auto t)
     {
       volume.Fill<decltype(t)>(

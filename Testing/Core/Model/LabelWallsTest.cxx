@@ -23,7 +23,7 @@ TestVolume MakeLabels(std::int64_t side, const std::function<int(const Vector3&)
   ScalarType type = ScalarType::UInt8)
 {
   TestVolume volume(type, { side, side, side });
-  WithType(type,
+  WithSampleType(type,
     [&](auto t)
     {
       volume.Fill<decltype(t)>(
