@@ -5,6 +5,7 @@
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Labels/ColorTables.h"
 #include "VTK/Labels/CsvLabels.h"
+#include "VTK/Labels/GzipFile.h"
 #include "VTK/Labels/LabelText.h"
 #include "VTK/Labels/NiftiLabels.h"
 #include "VTK/Labels/NrrdLabels.h"
@@ -14,8 +15,6 @@
 #include <cerrno>
 #include <cstddef>
 #include <memory>
-#include <unistd.h>
-#include <zlib.h>
 
 namespace VolumeHaptics
 {
@@ -62,28 +61,20 @@ bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& er
     error += ". Check its name.";
     return false;
   }
-  const int descriptor = OpenToRead(file);
-  // It reads files that are not compressed, too.
-  const gzFile opened = descriptor < 0 ? nullptr : gzdopen(descriptor, "rb");
+  const GzipFile opened = OpenGzipFile(file, 0, error);
   if (!opened)
   {
-    error = "can't be read (" + DescribeError(errno) + "). Check its permissions.";
-    if (descriptor >= 0)
-    {
-      close(descriptor);
-    }
     return false;
   }
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> closer(opened, gzclose);
   const auto chunk = std::make_unique<char[]>(ChunkOfLabels);
   bool hasEnded = false;
   do
   {
-    const int got = gzread(opened, chunk.get(), static_cast<unsigned>(ChunkOfLabels));
+    const int got = gzread(opened.get(), chunk.get(), static_cast<unsigned>(ChunkOfLabels));
     if (got < 0)
     {
       int number = 0;
-      const std::string why = gzerror(opened, &number);
+      const std::string why = gzerror(opened.get(), &number);
       error = "can't be read (" + (number == Z_ERRNO ? DescribeError(errno) : Printable(why)) +
         "). Check that the file is complete.";
       return false;

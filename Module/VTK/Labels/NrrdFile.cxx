@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Labels/NrrdFile.h"
 
-#include "VTK/Files/HapticFiles.h"
+#include "VTK/Labels/GzipFile.h"
 #include "VTK/Labels/LabelFiles.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <memory>
+#include <cstddef>
 #include <sys/stat.h>
-#include <unistd.h>
-#include <zlib.h>
 
 namespace VolumeHaptics
 {
@@ -54,29 +51,20 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
 
 bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
 {
-  const int descriptor = OpenToRead(file.Name);
-  // Compressed samples begin behind the header. zlib reads samples that are not compressed as they
-  // are.
-  const bool isBehind = descriptor >= 0 && file.Image.IsCompressed &&
-    lseek(descriptor, static_cast<off_t>(file.Header.Size), SEEK_SET) >= 0;
-  const gzFile opened = descriptor < 0 ? nullptr : gzdopen(descriptor, "rb");
+  // Compressed samples begin behind the header; others are read with it.
+  const std::size_t begin = file.Image.IsCompressed ? file.Header.Size : 0;
+  const GzipFile opened = OpenGzipFile(file.Name, begin, error);
   if (!opened)
   {
-    error = "can't be read (" + DescribeError(errno) + "). Check its permissions.";
-    if (descriptor >= 0)
-    {
-      close(descriptor);
-    }
     return false;
   }
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> closer(opened, gzclose);
-  const auto read = [opened](char* to, std::size_t size)
+  const auto read = [&opened](char* to, std::size_t size)
   {
     std::size_t had = 0;
     while (had < size)
     {
       const auto part = static_cast<unsigned>(std::min(size - had, MostAtOnce));
-      const int got = gzread(opened, to + had, part);
+      const int got = gzread(opened.get(), to + had, part);
       if (got <= 0)
       {
         break;
@@ -85,7 +73,7 @@ bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
     }
     return had;
   };
-  std::string header(isBehind ? 0 : file.Header.Size, '\0');
+  std::string header(file.Header.Size - begin, '\0');
   if (read(header.data(), header.size()) != header.size())
   {
     error = "it changed while it was read. Read it again.";

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A file that zlib reads, whether it is compressed or not.
+ */
+#ifndef GzipFile_h
+#define GzipFile_h
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <zlib.h>
+
+namespace VolumeHaptics
+{
+
+using GzipFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
+
+/**
+ * A file that is read from an offset (bytes), where the compressed part may begin. Null, with the
+ * reason and the cure, if it can't be opened.
+ */
+GzipFile OpenGzipFile(const std::string& name, std::size_t offset, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif
