@@ -49,7 +49,7 @@ protected:
   /// The servo runs, with the tip at the beginning of the ramp's force.
   void Begin(const char* id = "virtual")
   {
-    this->Way.clear();
+    this->BeginWayHere();
     ASSERT_TRUE(this->Device->Open(id));
     if (std::string(id) == "virtual")
     {
@@ -105,6 +105,8 @@ protected:
     this->Device->SetVirtualTip(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
+  /// After a pause of the loop the tip is led again from where it is now.
+  void BeginWayHere() { this->Way.clear(); }
   /// Waits for the end of the force gate's ramp: a wall that is pressed before it stays soft until
   /// the tip leaves it.
   bool WaitFullyArmed()

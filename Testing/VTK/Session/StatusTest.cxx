@@ -73,6 +73,7 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
   EXPECT_NEAR(this->Device->GetProxyPosition()[2], 5.0, 1e-6);
   EXPECT_EQ(this->Device->GetContact(), 1);
   // Armed inside, the hand feels nothing until it moves: the proxy begins at the tip.
+  this->BeginWayHere();
   ASSERT_TRUE(this->ArmFully());
   EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
   EXPECT_NEAR(this->Device->GetProxyPosition()[2], 8.0, 1e-6);
@@ -88,20 +89,21 @@ TEST_F(DeviceStatus, ForceFlowsOnlyWhileArmed)
 TEST_F(DeviceStatus, ASurfaceThatWasPressedDuringTheRampIsCalledSoft)
 {
   this->Begin();
-  bool wasRising = false;
-  // A busy machine may miss the ramp's half second.
-  for (int attempt = 0; attempt < 10 && !wasRising; ++attempt)
+  bool isSoft = false;
+  // A busy machine may miss the ramp's half second, or stand still, after which contact is new.
+  for (int attempt = 0; attempt < 10 && !isSoft; ++attempt)
   {
     this->Device->Disarm();
+    this->BeginWayHere();
     ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0));
     this->Device->Arm();
     ASSERT_TRUE(this->Wait([this] { return IsRising(this->Device); }));
     ASSERT_TRUE(this->LeadInto(8.0));
-    wasRising = IsRising(this->Device);
+    this->BeginWayHere();
+    ASSERT_TRUE(this->WaitFullyArmed());
+    isSoft = this->Says("feels soft");
   }
-  ASSERT_TRUE(wasRising);
-  ASSERT_TRUE(this->WaitFullyArmed());
-  EXPECT_TRUE(this->Says("feels soft"));
+  ASSERT_TRUE(isSoft);
   EXPECT_GT(this->Device->GetForce()[2], -1.4);
   ASSERT_TRUE(this->PressAgain());
   EXPECT_FALSE(this->Says("feels soft"));
