@@ -26,6 +26,14 @@ std::vector<DeviceListing> ListAll()
   std::move(plugged.begin(), plugged.end(), std::back_inserter(all));
   return all;
 }
+
+vtkSmartPointer<vtkStringArray> AddColumn(vtkTable* table, const char* name)
+{
+  const auto column = vtkSmartPointer<vtkStringArray>::New();
+  column->SetName(name);
+  table->AddColumn(column);
+  return column;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -55,17 +63,10 @@ void vtkHapticHardware::ListDevices(vtkTable* devices)
     return;
   }
   devices->Initialize();
-  const auto add = [devices](const char* name)
-  {
-    vtkNew<vtkStringArray> column;
-    column->SetName(name);
-    devices->AddColumn(column);
-    return column;
-  };
-  const auto ids = add("Id");
-  const auto names = add("Name");
-  const auto states = add("State");
-  const auto forces = add("Force");
+  const auto ids = AddColumn(devices, "Id");
+  const auto names = AddColumn(devices, "Name");
+  const auto states = AddColumn(devices, "State");
+  const auto forces = AddColumn(devices, "Force");
   for (const DeviceListing& device : ListAll())
   {
     ids->InsertNextValue(device.Id);
@@ -75,6 +76,23 @@ void vtkHapticHardware::ListDevices(vtkTable* devices)
     forces->InsertNextValue(device.Identity.empty()
         ? std::string()
         : DeviceMemory::Read(device.Identity, error).DescribeScale());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHardware::ListMissingKinds(vtkTable* kinds)
+{
+  if (!kinds)
+  {
+    return;
+  }
+  kinds->Initialize();
+  const auto names = AddColumn(kinds, "Kind");
+  const auto states = AddColumn(kinds, "State");
+  for (const DeviceObstacle& obstacle : VolumeHaptics::ListMissingKinds())
+  {
+    names->InsertNextValue(obstacle.Kind);
+    states->InsertNextValue(obstacle.Text);
   }
 }
 

@@ -84,6 +84,13 @@ public:
   static void ListDevices(vtkTable* devices);
   ///@}
 
+  /**
+   * Overwrites a table with the kinds that this computer can't have, whatever is plugged in: the
+   * columns Kind, such as "vendor", and State, with the obstacle (a service that does not run, a
+   * library that is not found) and the cure.
+   */
+  static void ListMissingKinds(vtkTable* kinds);
+
 #ifndef __VTK_WRAP__
   /**
    * Makes a kind of devices known to this process, such as one that needs its vendor's library: see

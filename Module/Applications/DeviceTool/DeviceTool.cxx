@@ -40,6 +40,14 @@ int List(std::ostream& out)
   {
     out << "No haptic device is plugged in.\n";
   }
+  vtkNew<vtkTable> missing;
+  vtkHapticDevice::ListMissingKinds(missing);
+  for (vtkIdType i = 0; i < missing->GetNumberOfRows(); ++i)
+  {
+    out << std::left << std::setw(16) << missing->GetValueByName(i, "Kind").ToString()
+        << "  can't be had yet:\n"
+        << std::string(18, ' ') << missing->GetValueByName(i, "State").ToString() << "\n";
+  }
   return 0;
 }
 

@@ -21,6 +21,11 @@ DeviceKind WithoutLibrary(const char* name, const std::string& library, const st
       error = "\"" + id + "\" needs " + library +
         ", which this library was built without. Build it with -D" + option + "=ON.";
       return nullptr;
+    },
+    [library, option]
+    {
+      return "needs " + library + ", which this library was built without. Build it with -D" +
+        option + "=ON.";
     } };
 }
 #endif

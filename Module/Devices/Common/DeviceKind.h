@@ -49,6 +49,12 @@ struct DeviceKind
   std::function<std::unique_ptr<DeviceBackend>(
     const std::string& id, const DeviceOptions& options, std::string& error)>
     Make;
+  /**
+   * What keeps this computer from having any device of this kind, such as a service that does not
+   * run or a library that is not found, and the cure. Empty if nothing does, even if no device is
+   * plugged in. May be null.
+   */
+  std::function<std::string()> Missing = {};
 };
 
 } // namespace VolumeHaptics

@@ -72,6 +72,20 @@ std::vector<DeviceListing> ListDevices()
   return all;
 }
 
+std::vector<DeviceObstacle> ListMissingKinds()
+{
+  std::vector<DeviceObstacle> all;
+  for (const DeviceKind& kind : CopyKinds())
+  {
+    const std::string text = kind.Missing ? kind.Missing() : std::string();
+    if (!text.empty())
+    {
+      all.push_back({ kind.Name, text });
+    }
+  }
+  return all;
+}
+
 std::unique_ptr<DeviceBackend> MakeDevice(
   const std::string& id, const DeviceOptions& options, std::string& error)
 {

@@ -21,6 +21,16 @@ bool AddDeviceKind(const DeviceKind& kind, std::string& error);
 /** Every device that is plugged in, in the order of the kinds. */
 std::vector<DeviceListing> ListDevices();
 
+/** What keeps this computer from having devices of a kind. */
+struct DeviceObstacle
+{
+  std::string Kind;
+  std::string Text; ///< the obstacle and its cure
+};
+
+/** The kinds that this computer can't have, in their order, by DeviceKind::Missing. */
+std::vector<DeviceObstacle> ListMissingKinds();
+
 /** A back end for an id, not open yet. Null, with the reason and the cure. */
 std::unique_ptr<DeviceBackend> MakeDevice(
   const std::string& id, const DeviceOptions& options, std::string& error);

@@ -49,6 +49,24 @@ TEST(DeviceRegistry, AnAddedKindIsListedAndMade)
   EXPECT_TRUE(Contains(error, "Choose another name")) << error;
 }
 
+TEST(DeviceRegistry, AKindSaysWhatIsMissingForIt)
+{
+  std::string text = "its service does not run. Start it.";
+  DeviceKind kind = MakeKind("served");
+  kind.Missing = [&text] { return text; };
+  std::string error;
+  ASSERT_TRUE(AddDeviceKind(kind, error)) << error;
+  const auto isIt = [](const DeviceObstacle& obstacle)
+  { return obstacle.Kind == "served" && obstacle.Text == "its service does not run. Start it."; };
+  const std::vector<DeviceObstacle> before = ListMissingKinds();
+  EXPECT_EQ(std::count_if(before.begin(), before.end(), isIt), 1);
+  text.clear();
+  const std::vector<DeviceObstacle> after = ListMissingKinds();
+  EXPECT_EQ(std::count_if(after.begin(), after.end(),
+              [](const DeviceObstacle& obstacle) { return obstacle.Kind == "served"; }),
+    0);
+}
+
 TEST(DeviceRegistry, RefusesWhatCannotBeAKind)
 {
   for (const char* name :
