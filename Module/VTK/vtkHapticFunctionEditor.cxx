@@ -5,12 +5,15 @@
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticFunctionChart.h"
 #include "VTK/Charts/HapticHistogram.h"
+#include "VTK/Charts/HapticLabelSheet.h"
+#include "VTK/Charts/HapticPresentLabels.h"
 #include "VTK/Proposal/EdgeHistogram.h"
 #include "VTK/Proposal/HapticProposal.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"
 #include "vtkDataArray.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -45,6 +48,7 @@ const Choice Choices[] = {
   { { "Viscosity (N)", 0.0, 1.0, 100.0 }, &vtkHapticProperty::GetViscosity },
   { { "Surface strength (N)", 2.0, 5.0, 100.0 }, &vtkHapticProperty::GetSurfaceStrength },
   { { "Opacity", 0.0, 1.0, 1.0 }, nullptr },
+  { { "Materials of labels", 0.0, 1.0, 1.0 }, nullptr },
 };
 
 } // namespace
@@ -57,6 +61,7 @@ struct vtkHapticFunctionEditor::vtkInternals
   vtkSmartPointer<vtkImageData> Image;
   vtkWeakPointer<vtkRenderer> Renderer; // that shows the editor
   VolumeHaptics::HapticFunctionChart Chart;
+  VolumeHaptics::HapticLabelSheet Labels;
   int Held = 0;     // the button, between press and release
   int CanDraw = -1; // not known yet
   bool IsCounting = false;
@@ -112,11 +117,13 @@ vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
 vtkHapticEditorObjectMacro(Property, vtkHapticProperty, Property);
 vtkHapticEditorObjectMacro(VolumeProperty, vtkVolumeProperty, VolumeProperty);
 vtkHapticEditorObjectMacro(InputData, vtkImageData, Image);
+vtkHapticEditorObjectMacro(LabelTable, vtkHapticLabelTable, Labels.List.Table);
+vtkHapticEditorObjectMacro(LabelData, vtkImageData, Labels.List.Image);
 
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::SetFunction(int function)
 {
-  const int valid = std::clamp<int>(function, STIFFNESS, OPACITY);
+  const int valid = std::clamp<int>(function, STIFFNESS, LABELS);
   if (valid != this->Function)
   {
     this->Function = valid;
@@ -130,8 +137,9 @@ void vtkHapticFunctionEditor::NextFunction()
   const int before = this->Function;
   do
   {
-    this->SetFunction(this->Function == OPACITY ? STIFFNESS : this->Function + 1);
-  } while (!this->GetPiecewiseFunction() && this->Function != before);
+    this->SetFunction(this->Function == LABELS ? STIFFNESS : this->Function + 1);
+  } while (this->Function != before && !this->GetPiecewiseFunction() &&
+    !(this->Function == LABELS && this->GetLabelTable()));
 }
 
 //------------------------------------------------------------------------------
@@ -159,6 +167,49 @@ void vtkHapticFunctionEditor::SetRectangle(const int rectangle[4])
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkHapticFunctionEditor::GetNumberOfListedLabels()
+{
+  VolumeHaptics::HapticLabelList& list = this->Internals->Labels.List;
+  if (!list.IsCounted())
+  {
+    list.Count();
+  }
+  return list.GetNumberOfLabels();
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::GetListedLabel(vtkIdType index)
+{
+  const vtkIdType labels = this->GetNumberOfListedLabels();
+  if (index < 0 || index >= labels)
+  {
+    vtkErrorMacro(<< "There is no label with the index " << index << " in a list of " << labels
+                  << " labels.");
+    return 0;
+  }
+  return this->Internals->Labels.List.GetLabel(index);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::SelectLabel(int label)
+{
+  return this->GetNumberOfListedLabels() > 0 && this->Internals->Labels.List.Select(label);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::HasSelectedLabel()
+{
+  return this->GetNumberOfListedLabels() > 0 &&
+    this->Internals->Labels.List.GetSelected().has_value();
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::GetSelectedLabel()
+{
+  return this->HasSelectedLabel() ? *this->Internals->Labels.List.GetSelected() : 0;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHapticFunctionEditor::GetTitle()
 {
   return Choices[this->Function].Quantity.Title;
@@ -177,13 +228,19 @@ vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
       : 0;
     return d.VolumeProperty ? d.VolumeProperty->GetScalarOpacity(component) : nullptr;
   }
-  return d.Property ? (d.Property->*Choices[this->Function].Get)() : nullptr;
+  const auto get = Choices[this->Function].Get;
+  return d.Property && get ? (d.Property.Get()->*get)() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 double vtkHapticFunctionEditor::EstimateUpdateTime()
 {
   auto& d = *this->Internals;
+  if (this->Function == LABELS && !d.IsProposing)
+  {
+    const VolumeHaptics::HapticLabelList& list = d.Labels.List;
+    return list.IsCounted() ? 0.0 : VolumeHaptics::EstimatePresentLabelsTime(list.Image);
+  }
   constexpr double proposing = 1.0; // s, measured on a desktop computer of 2023
   vtkHapticProperty* const proposed = d.GetProposed();
   return (d.IsProposing ? proposing : 0.0) +
@@ -298,6 +355,18 @@ void vtkHapticFunctionEditor::Update()
   auto& d = *this->Internals;
   const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
   // Observers may render during the work: that shows the chart as it is.
+  if (this->Function == LABELS)
+  {
+    if (!d.IsCounting && !d.Labels.List.IsCounted())
+    {
+      d.IsCounting = true;
+      this->InvokeEvent(vtkCommand::StartEvent);
+      d.Labels.List.Count();
+      d.IsCounting = false;
+      this->InvokeEvent(vtkCommand::EndEvent);
+    }
+    return;
+  }
   const bool showsData = d.Chart.ShowsData(d.Image, d.GetComponent());
   if (!d.IsCounting && !(showsData && this->ShowsEdges()))
   {
@@ -314,9 +383,14 @@ void vtkHapticFunctionEditor::Update()
 void vtkHapticFunctionEditor::UpdateChart()
 {
   auto& d = *this->Internals;
+  this->Update();
+  if (this->Function == LABELS)
+  {
+    d.Labels.Place(this->Rectangle);
+    return;
+  }
   vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
   d.Chart.Place(this->Rectangle);
-  this->Update();
   const auto get = Choices[this->Function].Get;
   d.Chart.ShowProposed(d.Proposal && get ? (d.Proposal.Get()->*get)() : nullptr);
   if (vtkHapticProperty* const felt = d.GetProposed())
@@ -356,19 +430,72 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
     return d.Held != 0;
   }
   this->UpdateChart();
-  vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
-  const vtkMTimeType before = function ? function->GetMTime() : 0;
+  vtkObject* const edited = this->Function == LABELS
+    ? static_cast<vtkObject*>(this->GetLabelTable())
+    : this->GetPiecewiseFunction();
+  const vtkMTimeType before = edited ? edited->GetMTime() : 0;
   d.ToViewport(x, y);
   d.Held = starts ? button : d.Held;
-  d.Chart.SendMouse(event, event == vtkCommand::MouseMoveEvent ? d.Held : button, x, y);
+  if (this->Function == LABELS)
+  {
+    this->SendToLabels(event, x, y);
+  }
+  else
+  {
+    d.Chart.SendMouse(event, event == vtkCommand::MouseMoveEvent ? d.Held : button, x, y);
+  }
   d.Held = event == vtkCommand::LeftButtonReleaseEvent ? 0 : d.Held;
-  if (function && function->GetMTime() > before)
+  if (edited && edited->GetMTime() > before)
   {
     this->InvokeEvent(vtkCommand::InteractionEvent);
   }
   return true;
 }
 
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::SendToLabels(int event, int x, int y)
+{
+  auto& d = *this->Internals;
+  if (!d.Labels.List.Table || d.Held != LEFT_BUTTON)
+  {
+    return;
+  }
+  switch (event)
+  {
+    case vtkCommand::MouseMoveEvent:
+      d.Labels.Move(x, y);
+      break;
+    case vtkCommand::LeftButtonReleaseEvent:
+      d.Labels.Release();
+      break;
+    default:
+      d.Labels.Press(x, y);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::TurnWheel(double steps, int x, int y)
+{
+  auto& d = *this->Internals;
+  if (this->Function != LABELS || !this->Contains(x, y))
+  {
+    return false;
+  }
+  this->UpdateChart();
+  if (vtkHapticLabelTable* const table = d.Labels.List.Table)
+  {
+    const vtkMTimeType before = table->GetMTime();
+    d.ToViewport(x, y);
+    d.Labels.Turn(x, y, steps);
+    if (table->GetMTime() > before)
+    {
+      this->InvokeEvent(vtkCommand::InteractionEvent);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::MouseMove(int x, int y)
 {
   return this->Send(vtkCommand::MouseMoveEvent, 0, x, y);
@@ -399,10 +526,53 @@ void vtkHapticFunctionEditor::GetDisplayPosition(
     return;
   }
   this->Internals->Chart.GetPosition(value, functionValue, position);
+  this->ToDisplay(position);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::ToDisplay(double position[2])
+{
   int origin[2] = { 0, 0 };
   this->Internals->ToViewport(origin[0], origin[1]);
   position[0] -= origin[0];
   position[1] -= origin[1];
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double position[2])
+{
+  using VolumeHaptics::LabelPart;
+  const auto& labels = this->Internals->Labels;
+  const vtkIdType row = labels.List.FindRow(label);
+  const vtkIdType first = labels.List.GetFirstRow();
+  if (!position || row < first || row >= first + labels.List.GetVisibleRows())
+  {
+    return false;
+  }
+  const VolumeHaptics::HapticLabelLayout layout = labels.GetLayout();
+  const vtkRectf place = part == LABEL_NAME
+    ? layout.GetName(row)
+    : layout.GetBox(row, part == LABEL_FELT ? LabelPart::Felt : LabelPart::Forbidden);
+  position[0] = place.GetLeft() + 0.5 * place.GetWidth();
+  position[1] = place.GetBottom() + 0.5 * place.GetHeight();
+  this->ToDisplay(position);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::GetSliderPosition(int function, double value, double position[2])
+{
+  const auto& labels = this->Internals->Labels;
+  if (!position || function < STIFFNESS || function > SURFACE_STRENGTH ||
+    !labels.List.GetSelected())
+  {
+    return false;
+  }
+  const vtkRectf place = labels.GetLayout().GetSlider(function);
+  position[0] = place.GetLeft() + place.GetWidth() * value / labels.List.GetEnd(function);
+  position[1] = place.GetBottom() + 0.5 * place.GetHeight();
+  this->ToDisplay(position);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -431,13 +601,16 @@ int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
     return 0;
   }
   this->UpdateChart();
-  return d.Chart.GetActor()->RenderOverlay(viewport);
+  vtkContextActor* const shown =
+    this->Function == LABELS ? d.Labels.GetActor() : d.Chart.GetActor();
+  return shown->RenderOverlay(viewport);
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Chart.GetActor()->ReleaseGraphicsResources(window);
+  this->Internals->Labels.GetActor()->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -449,6 +622,8 @@ void vtkHapticFunctionEditor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Property: " << d.Property.Get() << "\n";
   os << indent << "VolumeProperty: " << d.VolumeProperty.Get() << "\n";
   os << indent << "InputData: " << d.Image.Get() << "\n";
+  os << indent << "LabelTable: " << d.Labels.List.Table.Get() << "\n";
+  os << indent << "LabelData: " << d.Labels.List.Image.Get() << "\n";
   os << indent << "Proposal: " << (d.Proposal ? "to be taken" : "(none)") << "\n";
   os << indent << "Function: " << this->GetTitle() << "\n";
   os << indent << "Rectangle: " << this->Rectangle[0] << ", " << this->Rectangle[1] << ", "

@@ -36,11 +36,24 @@
  * boundary between two materials is an arc. Dotted lines are the gradient magnitudes at which
  * distinctness begins, and from which on it is full. They stay while the property has a proposal.
  *
+ * With a label table, the page after the functions edits materials by label:
+ *
+ *   editor->SetLabelTable(filter->GetLabelTable());
+ *   editor->SetLabelData(segmentation);
+ *   editor->SetFunctionToLabels();
+ *
+ * It lists the labels of the image with their colours and names; boxes tell whether a label is felt
+ * and whether it is forbidden. A click selects a label, whose material then has sliders; a slider
+ * without a bar is a quantity that the functions decide. Wheel: scroll the list, or move a slider
+ * by a two-hundredth. If a slider is left near its end, its end grows. Edits change the table
+ * itself, as live as those of functions.
+ *
  * The editor takes no events by itself. An interactor style passes the events that it wants:
  *
  *   bool used = editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);
  *   bool used = editor->MouseMove(x, y);          // and render, if used
  *   bool used = editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, x, y);
+ *   bool used = editor->TurnWheel(steps, x, y);
  *
  * with display coordinates, as vtkRenderWindowInteractor::GetEventPosition gives them. Each returns
  * true if the style should ignore the event: it is within the editor, or the editor drags a point.
@@ -56,6 +69,7 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+class vtkHapticLabelTable;
 class vtkHapticProperty;
 class vtkImageData;
 class vtkPiecewiseFunction;
@@ -94,19 +108,31 @@ public:
   vtkImageData* GetInputData();
   ///@}
 
+  ///@{
+  /**
+   * The table whose materials of labels are edited, and the label image, whose point scalars say
+   * which labels are listed; without an image these are the labels of the table.
+   */
+  void SetLabelTable(vtkHapticLabelTable* table);
+  vtkHapticLabelTable* GetLabelTable();
+  void SetLabelData(vtkImageData* labels);
+  vtkImageData* GetLabelData();
+  ///@}
+
   enum FunctionType
   {
     STIFFNESS = 0,
     FRICTION = 1,
     VISCOSITY = 2,
     SURFACE_STRENGTH = 3,
-    OPACITY = 4
+    OPACITY = 4,
+    LABELS = 5
   };
 
   ///@{
   /**
-   * The edited function. Default STIFFNESS. NextFunction goes through all functions whose property
-   * is set, in the order above.
+   * The edited function, or LABELS for the list of labels. Default STIFFNESS. NextFunction goes
+   * through all of those whose property or table is set, in the order above.
    */
   void SetFunction(int function);
   vtkGetMacro(Function, int);
@@ -115,6 +141,7 @@ public:
   void SetFunctionToViscosity() { this->SetFunction(VISCOSITY); }
   void SetFunctionToSurfaceStrength() { this->SetFunction(SURFACE_STRENGTH); }
   void SetFunctionToOpacity() { this->SetFunction(OPACITY); }
+  void SetFunctionToLabels() { this->SetFunction(LABELS); }
   void NextFunction();
   ///@}
 
@@ -136,10 +163,29 @@ public:
   bool DropProposal();
   ///@}
 
+  ///@{
+  /**
+   * The labels in the list, in rising order; index: from 0 on. They are looked for in the image
+   * again if it has changed. An index that does not exist is an error, and returns 0.
+   */
+  vtkIdType GetNumberOfListedLabels();
+  int GetListedLabel(vtkIdType index);
+  ///@}
+
+  ///@{
+  /**
+   * The label whose material has sliders. SelectLabel also scrolls to it, and returns whether it is
+   * in the list. GetSelectedLabel returns 0 if HasSelectedLabel is false.
+   */
+  bool SelectLabel(int label);
+  bool HasSelectedLabel();
+  int GetSelectedLabel();
+  ///@}
+
   /** Its name and unit, as the title shows them: "Stiffness (N/m)". */
   std::string GetTitle();
 
-  /** The function itself; nullptr if its property is not set. */
+  /** The function itself; nullptr for LABELS, or if its property is not set. */
   vtkPiecewiseFunction* GetPiecewiseFunction();
 
   ///@{
@@ -155,11 +201,11 @@ public:
 
   ///@{
   /**
-   * Update computes the histogram again if the data have changed, and invokes
-   * vtkCommand::StartEvent before and vtkCommand::EndEvent after that. Mouse events and rendering
-   * also call it. EstimateUpdateTime returns how long (s) it will take on a desktop computer,
-   * approximately; 0 if the histogram is up to date. If that is long, vtkInteractorStyleHaptic
-   * fades the force out first.
+   * Update computes the histogram, or for LABELS the list, again if the data have changed, and
+   * invokes vtkCommand::StartEvent before and vtkCommand::EndEvent after that. Mouse events and
+   * rendering also call it. EstimateUpdateTime returns how long (s) it will take on a desktop
+   * computer, approximately; 0 if the histogram or the list is up to date. If that is long,
+   * vtkInteractorStyleHaptic fades the force out first.
    */
   void Update();
   double EstimateUpdateTime();
@@ -186,10 +232,33 @@ public:
   ///@}
 
   /**
+   * The mouse wheel, with steps that count away from the user. True if the editor uses the event,
+   * which only the list of labels does.
+   */
+  bool TurnWheel(double steps, int x, int y);
+
+  /**
    * The position on the display (pixels) of a data value and a function's value, after a render.
    */
   void GetDisplayPosition(double value, double functionValue, double position[2])
     VTK_SIZEHINT(position, 2);
+
+  enum LabelPartType
+  {
+    LABEL_NAME = 0,
+    LABEL_FELT = 1,
+    LABEL_FORBIDDEN = 2
+  };
+
+  ///@{
+  /**
+   * The position on the display (pixels) of a label's name or one of its boxes, and of a value on
+   * the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after a render. False if it
+   * is not shown: the label is scrolled away, or none is selected.
+   */
+  bool GetLabelPosition(int label, int part, double position[2]) VTK_SIZEHINT(position, 2);
+  bool GetSliderPosition(int function, double value, double position[2]) VTK_SIZEHINT(position, 2);
+  ///@}
 
   ///@{
   /** For the renderer. */
@@ -212,6 +281,8 @@ private:
   bool ShowsEdges();
   void UpdateEdges();
   bool Send(int event, int button, int x, int y);
+  void SendToLabels(int event, int x, int y);
+  void ToDisplay(double position[2]);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

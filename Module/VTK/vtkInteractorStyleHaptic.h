@@ -37,6 +37,8 @@
  *   m           the next method: see NextMethod()
  *   h and g     head-up display: text and graph
  *   v and n     function editor: on and off, and the next function
+ *   l           materials of labels in the function editor: on, with the touched label selected,
+ *               and off
  *   p           let functions propose themselves in the editor; again: take the proposal, and the
  *               filter's KernelRadius with it
  *   Backspace   drop the proposal

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The text style of charts.
+ * The style of charts: their text, and the panel behind them.
  */
 #ifndef HapticChartText_h
 #define HapticChartText_h
 
+#include "vtkBlockItem.h"
+#include "vtkBrush.h"
+#include "vtkPen.h"
 #include "vtkTextProperty.h"
 
 namespace VolumeHaptics
@@ -19,6 +22,15 @@ inline void SetChartText(vtkTextProperty* text, int size, const double (&colour)
   text->SetColor(colour[0], colour[1], colour[2]);
   text->BoldOff();
   text->ItalicOff();
+}
+
+/** A panel that lets the scene behind it shine through a little. */
+inline void MakePanel(vtkBlockItem* panel)
+{
+  panel->GetBrush()->SetColor(250, 250, 252, 225);
+  panel->GetPen()->SetColor(150, 155, 165, 255);
+  panel->GetMouseOverBrush()->SetColor(250, 250, 252, 225);
+  panel->SetInteractive(false);
 }
 
 } // namespace VolumeHaptics

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Charts/HapticFunctionChart.h"
 
+#include "VTK/Charts/HapticAxisTop.h"
 #include "VTK/Charts/HapticChartText.h"
 #include "VTK/Charts/HapticHistogram.h"
 
@@ -29,20 +30,6 @@ constexpr int RightBottom = 1; // vtkChartXY's number for the axes of a plot
 
 constexpr double DarkText[3] = { 0.12, 0.13, 0.15 };
 
-/** The next round number. */
-double RoundUp(double value)
-{
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : { 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0 })
-  {
-    if (value <= step * decade * (1.0 + 1e-9))
-    {
-      return step * decade;
-    }
-  }
-  return 10.0 * decade;
-}
-
 } // namespace
 
 vtkStandardNewMacro(OpenContextScene);
@@ -51,10 +38,7 @@ vtkStandardNewMacro(OpenContextScene);
 HapticFunctionChart::HapticFunctionChart()
 {
   this->Actor->SetScene(this->Scene);
-  this->Panel->GetBrush()->SetColor(250, 250, 252, 225);
-  this->Panel->GetPen()->SetColor(150, 155, 165, 255);
-  this->Panel->GetMouseOverBrush()->SetColor(250, 250, 252, 225);
-  this->Panel->SetInteractive(false);
+  MakePanel(this->Panel);
   this->Scene->AddItem(this->Panel);
   this->Scene->AddItem(this->Chart);
 

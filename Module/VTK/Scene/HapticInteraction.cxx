@@ -202,6 +202,12 @@ bool HapticInteraction::DoubleClickLeftButton()
 //------------------------------------------------------------------------------
 bool HapticInteraction::TurnWheel(double steps)
 {
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (this->Scene.Editor && this->Scene.Editor->TurnWheel(steps, at[0], at[1]))
+  {
+    this->Frames.Draw(true);
+    return true;
+  }
   if (!this->Touch.LeadsTip() || this->Scene.Style->GetInteractor()->GetControlKey())
   {
     return false;
@@ -280,6 +286,10 @@ bool HapticInteraction::PressKey(const std::string& key)
   {
     scene.Editor->NextFunction();
   }
+  else if (key == "l" && scene.Editor)
+  {
+    this->ToggleLabels();
+  }
   else if (key == "p" && scene.Editor)
   {
     this->Propose();
@@ -321,6 +331,44 @@ void HapticInteraction::Propose()
 }
 
 //------------------------------------------------------------------------------
+void HapticInteraction::ToggleLabels()
+{
+  // Observers of the editor's work may take it away.
+  const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
+  vtkHapticLabelTable* const table = editor->GetLabelTable();
+  if (!table)
+  {
+    this->Frames.Notify("There are no labels to edit");
+    return;
+  }
+  const bool isShown =
+    editor->GetVisibility() && editor->GetFunction() == vtkHapticFunctionEditor::LABELS;
+  editor->SetVisibility(!isShown);
+  if (!isShown)
+  {
+    editor->SetFunctionToLabels();
+    editor->Update();
+    if (vtkHapticDevice* const device = this->Scene.Device; device && device->GetContact() != 0)
+    {
+      const vtkTypeInt64 label = device->GetLabel();
+      if (label == static_cast<int>(label)) // tables have no others
+      {
+        editor->SelectLabel(static_cast<int>(label));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* HapticInteraction::GetEditorWork() const
+{
+  return this->IsProposing ? "functions are proposed"
+    : this->Scene.Editor->GetFunction() == vtkHapticFunctionEditor::LABELS
+    ? "labels are looked for"
+    : "the histogram is counted";
+}
+
+//------------------------------------------------------------------------------
 bool HapticInteraction::ReleaseKey(const std::string& key)
 {
   if (key != "k")
@@ -355,9 +403,7 @@ void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
     if (begins && scene.Device && scene.Editor)
     {
       this->DeviceAtRest = scene.Device;
-      scene.Device->BeginLongWork(
-        this->IsProposing ? "functions are proposed" : "the histogram is counted",
-        scene.Editor->EstimateUpdateTime());
+      scene.Device->BeginLongWork(this->GetEditorWork(), scene.Editor->EstimateUpdateTime());
     }
     return;
   }

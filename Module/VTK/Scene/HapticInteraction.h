@@ -97,6 +97,10 @@ private:
   void FollowWork(vtkObject* worker, bool begins);
   /** Makes a proposal in the editor, or takes the one that it shows. */
   void Propose();
+  /** Shows the labels in the editor, the touched one selected, or hides the editor. */
+  void ToggleLabels();
+  /** The text for the head-up display during the editor's work. */
+  const char* GetEditorWork() const;
 
   FilterPublisher Publisher;
   HapticShownVolumes Volumes;

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The changes that the style passes to the servo: functions, and the workspace of a device other
- * than the mouse.
+ * The changes that the style passes to the servo: functions, materials of labels, and the workspace
+ * of a device other than the mouse.
  */
 
 #include "StyleRig.h"
 
+#include <vtkHapticFunctionEditor.h>
+#include <vtkHapticLabelTable.h>
 #include <vtkPoints.h>
 #include <vtkVolumeProperty.h>
 #include <vtkXMLPolyDataWriter.h>
+
+#include <cmath>
 
 using namespace scenetest;
 
@@ -55,6 +59,56 @@ TEST_F(StyleTest, WhatIsHiddenStopsBeingFeltWithTheNextUpdate)
   this->Run(3);
   EXPECT_EQ(this->Device->GetNormalForce(), 0.0);
   EXPECT_EQ(this->Device->GetContact(), 0);
+}
+
+TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
+{
+  // The ball is 5, with a margin for the voxel that its surface is in; what is around it is 0.
+  vtkNew<vtkImageData> labels;
+  labels->SetDimensions(97, 97, 97);
+  labels->SetOrigin(-48.0, -48.0, -48.0);
+  labels->AllocateScalars(VTK_SHORT, 1);
+  for (vtkIdType i = 0; i < labels->GetNumberOfPoints(); ++i)
+  {
+    labels->GetPointData()->GetScalars()->SetTuple1(
+      i, Length(labels->GetPoint(i)) < 32.0 ? 5.0 : 0.0);
+  }
+  vtkNew<vtkHapticLabelTable> table;
+  this->Filter->SetLabelData(labels);
+  this->Filter->SetLabelTable(table);
+  vtkNew<vtkHapticFunctionEditor> editor;
+  editor->SetLabelTable(table);
+  editor->SetLabelData(labels);
+  editor->SetRectangle(0, 0, 100, 280); // beside the place that is touched
+  editor->VisibilityOff();
+  this->Style->SetFunctionEditor(editor);
+  ASSERT_NO_FATAL_FAILURE(this->PushIn());
+  ASSERT_GT(this->Device->GetNormalForce(), 1.0);
+
+  this->Press("l");
+  EXPECT_TRUE(editor->GetVisibility());
+  EXPECT_EQ(editor->GetFunction(), vtkHapticFunctionEditor::LABELS);
+  EXPECT_TRUE(editor->HasSelectedLabel());
+  EXPECT_EQ(editor->GetSelectedLabel(), 5) << "the label that is touched";
+  this->Pointer(50, 140);
+  double at[2];
+  ASSERT_TRUE(editor->GetSliderPosition(vtkHapticFunctionEditor::SURFACE_STRENGTH, 0.5, at));
+  const int x = static_cast<int>(std::lround(at[0]));
+  const int y = static_cast<int>(std::lround(at[1]));
+  this->Pointer(x, y, vtkCommand::LeftButtonPressEvent);
+  this->Pointer(x, y, vtkCommand::LeftButtonReleaseEvent);
+  const double clicked = table->GetSurfaceStrength(5);
+  EXPECT_NEAR(clicked, 0.5, 0.2);
+  // A surface that is pressed harder than its strength gives way until the force is that.
+  this->Run(20);
+  EXPECT_NEAR(this->Device->GetNormalForce(), clicked, 1e-6) << "the hand feels it at once";
+  this->Pointer(x, y, vtkCommand::MouseWheelBackwardEvent);
+  EXPECT_NEAR(table->GetSurfaceStrength(5), clicked - 5.0 / 200.0, 1e-12) << "a step of the slider";
+  this->Run(20);
+  EXPECT_NEAR(this->Device->GetNormalForce(), clicked - 5.0 / 200.0, 1e-6);
+  this->Press("l");
+  EXPECT_FALSE(editor->GetVisibility());
+  this->Style->SetFunctionEditor(nullptr);
 }
 
 TEST_F(StyleTest, TheWorkspaceFollowsTheCamera)

@@ -9,6 +9,7 @@
 
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"
+#include "vtkImageData.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtksys/SystemTools.hxx"
 
@@ -22,6 +23,7 @@ using Explore::TouchScene;
 /// All parts that draw in two dimensions are above the volume and below the marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int width)
 {
+  constexpr int labelPort = 3;
   const Explore::Analysis& analysis = exploration.Values;
   touch.Hand->SetDevice(touch.Device);
   // A newton is two centimetres long, in any unit of the world.
@@ -39,8 +41,12 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int wi
   touch.Editor->SetProperty(exploration.Filter->GetProperty());
   touch.Editor->SetVolumeProperty(touch.Scene.Look);
   touch.Editor->SetInputData(exploration.Body);
+  touch.Editor->SetLabelTable(exploration.Filter->GetLabelTable());
+  touch.Editor->SetLabelData(
+    vtkImageData::SafeDownCast(exploration.Filter->GetInputDataObject(labelPort, 0)));
   // Beside the display's plot, above the scale of the arrows.
-  touch.Editor->SetRectangle(std::max(10, width - 265), 40, 255, 190);
+  const int height = touch.Editor->GetLabelTable() ? 300 : 190;
+  touch.Editor->SetRectangle(std::max(10, width - 265), 40, 255, height);
   touch.Editor->VisibilityOff();
   touch.Scene.Overlay->AddViewProp(touch.Editor);
 }
@@ -55,6 +61,7 @@ Keys
   m  next method      h  status             g  graph              3  stereo
   v  function editor  n  next function      c  recentre           k  clutch
   p  propose functions, again: take them    Backspace  drop the proposal
+  l  materials of labels: click on a label, drag its sliders
   + -  workspace      Home  home a device     q  close
 )";
 } // namespace

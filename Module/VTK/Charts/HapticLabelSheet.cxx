@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Charts/HapticLabelSheet.h"
+
+#include "VTK/Charts/HapticChartText.h"
+
+#include "vtkContextScene.h"
+#include "vtkHapticLabelTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The parts of a slider that can be told apart. */
+constexpr double SliderSteps = 200.0;
+constexpr double RowsPerTurn = 3.0;
+
+} // namespace
+
+HapticLabelSheet::HapticLabelSheet()
+{
+  MakePanel(this->Panel);
+  this->Actor->GetScene()->AddItem(this->Panel);
+  this->Actor->GetScene()->AddItem(this->Item);
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelSheet::Place(const int rectangle[4])
+{
+  std::copy_n(rectangle, 4, this->Rectangle);
+  this->Panel->SetDimensions(static_cast<float>(rectangle[0]), static_cast<float>(rectangle[1]),
+    static_cast<float>(rectangle[2]), static_cast<float>(rectangle[3]));
+  this->List.SetVisibleRows(this->GetLayout().GetRoom());
+  this->Item->Show(this->List, this->Rectangle);
+  if (this->Held.Kind != LabelPart::Slider)
+  {
+    this->List.FitEnds();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelSheet::Slide(int quantity, float x)
+{
+  const vtkRectf bar = this->GetLayout().GetSlider(quantity);
+  const double share = std::clamp<double>((x - bar.GetLeft()) / bar.GetWidth(), 0.0, 1.0);
+  this->List.SetValue(
+    quantity, std::round(share * SliderSteps) / SliderSteps * this->List.GetEnd(quantity));
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelSheet::Press(int x, int y)
+{
+  const LabelPart part = this->GetLayout().Find(static_cast<float>(x), static_cast<float>(y));
+  this->Held = part;
+  vtkHapticLabelTable* const table = this->List.Table;
+  switch (part.Kind)
+  {
+    case LabelPart::Nothing:
+      break;
+    case LabelPart::Name:
+      this->List.Select(this->List.GetLabel(part.Row));
+      break;
+    case LabelPart::Felt:
+    case LabelPart::Forbidden:
+    {
+      const int label = this->List.GetLabel(part.Row);
+      this->List.Select(label);
+      part.Kind == LabelPart::Felt ? table->SetFelt(label, !table->GetFelt(label))
+                                   : table->SetForbidden(label, !table->GetForbidden(label));
+      break;
+    }
+    case LabelPart::ByFunctions:
+      table->RemoveMaterial(*this->List.GetSelected());
+      break;
+    case LabelPart::ScrollBar:
+    case LabelPart::Slider:
+      this->Move(x, y);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelSheet::Move(int x, int y)
+{
+  if (this->Held.Kind == LabelPart::ScrollBar)
+  {
+    this->List.ScrollTo(this->GetLayout().GetFirstRowAt(static_cast<float>(y)));
+  }
+  else if (this->Held.Kind == LabelPart::Slider)
+  {
+    this->Slide(this->Held.Quantity, static_cast<float>(x));
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelSheet::Release()
+{
+  this->Held = {};
+  this->List.FitEnds();
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelSheet::Turn(int x, int y, double steps)
+{
+  const LabelPart part = this->GetLayout().Find(static_cast<float>(x), static_cast<float>(y));
+  if (part.Kind == LabelPart::Slider)
+  {
+    const double end = this->List.GetEnd(part.Quantity);
+    const double before = std::max(0.0, this->List.GetValue(part.Quantity));
+    this->List.SetValue(part.Quantity, std::clamp(before + steps * end / SliderSteps, 0.0, end));
+  }
+  else
+  {
+    this->List.ScrollTo(this->List.GetFirstRow() - std::llround(RowsPerTurn * steps));
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Labels that are clicked on, and their sliders, change the table itself. Values of sliders are
+// compared with the table within a pixel, which is a hundredth of the slider or less.
+#include "EditorMouse.h"
+
+#include "vtkAutoInit.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
+VTK_MODULE_INIT(vtkRenderingFreeType);
+
+using namespace editortest;
+
+namespace
+{
+/// Slices with these labels, a slice each; the second half of each slice has the label 7.
+vtkSmartPointer<vtkImageData> MakeSlices(int type, const std::vector<double>& labels)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(4, 2, static_cast<int>(labels.size()));
+  image->AllocateScalars(type, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(
+      i, 0, i % 8 < 4 ? labels[static_cast<std::size_t>(i / 8)] : 7.0);
+  }
+  return image;
+}
+
+class LabelView : public View
+{
+public:
+  LabelView()
+  {
+    this->Shown->SetRectangle(20, 30, 300, 220);
+    this->Shown->SetLabelTable(this->Table);
+    this->Shown->SetFunctionToLabels();
+  }
+
+  Place AtLabel(int label, int part)
+  {
+    double x[2] = { -1.0, -1.0 };
+    this->Check(this->Shown->GetLabelPosition(label, part, x), "the label is in the window");
+    return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
+  }
+
+  Place AtSlider(int function, double value)
+  {
+    double x[2] = { -1.0, -1.0 };
+    this->Check(this->Shown->GetSliderPosition(function, value, x), "there are sliders");
+    return { static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])) };
+  }
+
+  bool Click(const Place& at)
+  {
+    const bool taken = this->Drag(Editor::LEFT_BUTTON, at, at);
+    this->Window->Render();
+    return taken;
+  }
+
+  bool Lists(const std::vector<int>& labels)
+  {
+    std::vector<int> listed;
+    for (vtkIdType i = 0; i < this->Shown->GetNumberOfListedLabels(); ++i)
+    {
+      listed.push_back(this->Shown->GetListedLabel(i));
+    }
+    return listed == labels;
+  }
+
+  vtkNew<vtkHapticLabelTable> Table;
+};
+
+void TestImages(LabelView& view)
+{
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  view.Table->SetLabelName(3, "in the table only");
+  view.Check(view.Lists({ 3 }), "labels of the table, without an image");
+  view.Shown->SetLabelData(MakeSlices(VTK_SHORT, { 5, -3, 5, 300, 0 }));
+  view.Check(view.Lists({ -3, 0, 5, 7, 300 }), "labels of the image, negative ones, too");
+  view.Shown->SetLabelData(MakeSlices(VTK_DOUBLE, { 2, nan, inf, 2.5, 3e9, -inf, -2147483648.0 }));
+  view.Check(view.Lists({ -2147483647 - 1, 2, 7 }), "whole numbers that a table can have");
+  view.Shown->SetLabelData(MakeSlices(VTK_UNSIGNED_LONG_LONG, { 1, 4294967301.0, 2147483647.0 }));
+  view.Check(view.Lists({ 1, 7, 2147483647 }), "a number beyond int is not cut off");
+  // Heart in Greek and in Chinese, which VTK's own font may not have; no UTF-8; and a long name.
+  view.Table->SetLabelName(1, "\xCE\xBA\xCE\xB1\xCF\x81\xCE\xB4\xCE\xB9\xCE\xAC");
+  view.Table->SetLabelName(7, "\xE5\xBF\x83\xE8\x87\x9F");
+  view.Table->SetLabelName(2147483647, "\xE9\xFF" + std::string(100000, '\xE9'));
+  view.Window->Render();
+  const auto image = MakeSlices(VTK_UNSIGNED_CHAR, { 1, 2 });
+  view.Shown->SetLabelData(image);
+  view.Check(view.Lists({ 1, 2, 7 }), "another image");
+  image->GetPointData()->GetScalars()->SetComponent(0, 0, 9.0);
+  image->Modified();
+  view.Check(view.Lists({ 1, 2, 7, 9 }), "an image that has changed");
+  view.Shown->SetLabelData(vtkSmartPointer<vtkImageData>::New());
+  view.Check(view.Lists({}), "an empty image");
+  view.Window->Render();
+  view.Shown->SetLabelData(nullptr);
+}
+
+void TestMaterials(LabelView& view)
+{
+  Editor* const editor = view.Shown;
+  vtkHapticLabelTable* const table = view.Table;
+  editor->SetLabelData(MakeSlices(VTK_SHORT, { 5, -3, 6 }));
+  int interactions = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&interactions);
+  count->SetCallback([](vtkObject*, unsigned long, void* n, void*) { ++*static_cast<int*>(n); });
+  const unsigned long observer = editor->AddObserver(vtkCommand::InteractionEvent, count);
+  view.Window->Render();
+  double nowhere[2];
+  view.Check(!editor->GetSliderPosition(Editor::FRICTION, 0.5, nowhere), "no sliders at first");
+
+  vtkMTimeType before = table->GetMTime();
+  view.Check(view.Click(view.AtLabel(-3, Editor::LABEL_NAME)), "a click is taken");
+  view.Check(editor->HasSelectedLabel() && editor->GetSelectedLabel() == -3, "it selects");
+  view.Check(table->GetMTime() == before && interactions == 0, "and changes nothing");
+
+  view.Click(view.AtLabel(5, Editor::LABEL_FELT));
+  view.Click(view.AtLabel(6, Editor::LABEL_FORBIDDEN));
+  view.Check(!table->GetFelt(5) && table->GetFelt(6) && table->GetForbidden(6) &&
+      !table->GetForbidden(5) && interactions == 2,
+    "boxes of two labels");
+  view.Click(view.AtLabel(5, Editor::LABEL_FELT));
+  view.Check(table->GetFelt(5) && editor->GetSelectedLabel() == 5, "felt again, and selected");
+
+  const auto near = [](double a, double b, double end) { return std::abs(a - b) <= 0.011 * end; };
+  view.Click(view.AtSlider(Editor::STIFFNESS, 400.0));
+  view.Check(near(table->GetStiffness(5), 400.0, 1000.0), "a click on the slider of stiffness");
+  view.Check(table->GetFriction(5) == -1.0 && table->GetStiffness(-3) == -1.0, "and on no other");
+  view.Drag(Editor::LEFT_BUTTON, view.AtSlider(Editor::FRICTION, 0.1),
+    view.AtSlider(Editor::FRICTION, 0.8));
+  view.Drag(Editor::LEFT_BUTTON, view.AtSlider(Editor::VISCOSITY, 0.7),
+    view.AtSlider(Editor::VISCOSITY, 0.3));
+  view.Check(near(table->GetFriction(5), 0.8, 1.0) && near(table->GetViscosity(5), 0.3, 1.0),
+    "drags to both sides");
+
+  // Beyond the end of the slider, three times: the end grows when the slider is left.
+  for (const double end : { 5.0, 6.0, 8.0 })
+  {
+    const Place last = view.AtSlider(Editor::SURFACE_STRENGTH, end);
+    view.Drag(Editor::LEFT_BUTTON, view.AtSlider(Editor::SURFACE_STRENGTH, 0.0),
+      { last[0] + 50, last[1] + 500 });
+    view.Check(table->GetSurfaceStrength(5) == end, "the end of a slider, which has grown");
+    view.Window->Render();
+  }
+  const Place strength = view.AtSlider(Editor::SURFACE_STRENGTH, 1.0);
+  view.Check(editor->TurnWheel(-2.0, strength[0], strength[1]), "the wheel on a slider");
+  view.Check(table->GetSurfaceStrength(5) == 8.0 - 2.0 * 10.0 / 200.0, "moves it by two steps");
+
+  before = table->GetMTime();
+  const Place slider = view.AtSlider(Editor::STIFFNESS, 900.0);
+  view.Drag(Editor::RIGHT_BUTTON, slider, slider);
+  view.Drag(Editor::MIDDLE_BUTTON, slider, slider);
+  editor->MouseMove(slider[0], slider[1]);
+  view.Check(table->GetMTime() == before, "other buttons, and moves without one, change nothing");
+  view.Check(!editor->TurnWheel(1.0, 5, 5) && !editor->MouseMove(5, 5), "nor is it beside");
+
+  // The button stands right of the selected label's name, above the sliders.
+  const Place end = view.AtSlider(Editor::STIFFNESS, 1000.0);
+  view.Click({ end[0] - 10, end[1] + (end[1] - view.AtSlider(Editor::FRICTION, 0.0)[1]) });
+  view.Check(!table->HasMaterial(5), "by the functions again");
+  editor->RemoveObserver(observer);
+}
+
+void TestMany(LabelView& view)
+{
+  Editor* const editor = view.Shown;
+  constexpr int side = 100;
+  constexpr int labels = side * side * side;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(side, side, side);
+  image->AllocateScalars(VTK_INT, 1);
+  for (int i = 0; i < labels; ++i)
+  {
+    // A permutation, since the factor is odd and no multiple of 5: nothing is in order.
+    image->GetPointData()->GetScalars()->SetComponent(
+      i, 0, (i * std::int64_t{ 777777 }) % labels - labels / 2);
+  }
+  editor->SetLabelData(image);
+  view.Window->Render();
+  view.Check(editor->GetNumberOfListedLabels() == labels, "a million labels");
+  view.Check(editor->GetListedLabel(0) == -labels / 2 &&
+      editor->GetListedLabel(labels - 1) == labels / 2 - 1,
+    "in order");
+  view.Check(editor->SelectLabel(123456) && !editor->SelectLabel(labels), "selected by number");
+  view.Window->Render();
+  view.Click(view.AtLabel(123457, Editor::LABEL_NAME));
+  view.Check(editor->GetSelectedLabel() == 123457, "its neighbour is clicked on");
+
+  const Place list = view.AtLabel(123457, Editor::LABEL_NAME);
+  double at[2];
+  editor->TurnWheel(-1000.0, list[0], list[1]); // three rows a step
+  view.Check(!editor->GetLabelPosition(123457, Editor::LABEL_NAME, at) &&
+      editor->GetLabelPosition(126457, Editor::LABEL_NAME, at),
+    "the wheel scrolls towards the user");
+  // The bar is at the right edge: its ends show the first and the last label.
+  const Place right = { 120 + 20 + 300 - 9, list[1] };
+  view.Drag(Editor::LEFT_BUTTON, right, { right[0], 1000 });
+  view.Check(editor->GetLabelPosition(-labels / 2, Editor::LABEL_FELT, at), "the bar, upwards");
+  view.Drag(Editor::LEFT_BUTTON, right, { right[0], 0 });
+  view.Check(editor->GetLabelPosition(labels / 2 - 1, Editor::LABEL_FELT, at), "and downwards");
+  view.Window->Render();
+  editor->SetLabelData(nullptr);
+}
+} // namespace
+
+int TestLabelEditorMouse(int, char*[])
+{
+  LabelView view;
+  view.Window->Render();
+  view.Check(view.Shown->GetTitle() == "Materials of labels", "the title");
+  view.Check(!view.Shown->GetPiecewiseFunction(), "there is no function");
+  TestImages(view);
+  TestMaterials(view);
+  TestMany(view);
+
+  // The page comes after the functions, if there is a table.
+  vtkNew<vtkHapticProperty> property;
+  view.Shown->SetProperty(property);
+  view.Shown->SetFunctionToSurfaceStrength();
+  view.Shown->NextFunction();
+  view.Check(view.Shown->GetFunction() == Editor::LABELS, "after the last function");
+  view.Shown->NextFunction();
+  view.Check(view.Shown->GetFunction() == Editor::STIFFNESS, "and before the first one");
+  view.Shown->SetFunctionToLabels();
+  view.Shown->SetLabelTable(nullptr);
+  view.Window->Render();
+  const Place middle = { 250, 150 };
+  view.Check(view.Click(middle) && view.Shown->TurnWheel(1.0, 250, 150), "without a table");
+  view.Shown->SetFunctionToSurfaceStrength();
+  view.Shown->NextFunction();
+  view.Check(view.Shown->GetFunction() == Editor::STIFFNESS, "no page without a table");
+  return view.Passed ? EXIT_SUCCESS : EXIT_FAILURE;
+}
