@@ -7,6 +7,7 @@
 #include "VTK/Setup/HapticSetupSettings.h"
 
 #include "vtkCamera.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -25,7 +26,7 @@ namespace
 using namespace VolumeHaptics;
 
 constexpr const char* Format = "VTK Volume Haptics setup";
-constexpr std::size_t LargestFile = 16 << 20; // bytes; a setup has thousands
+constexpr std::size_t LargestFile = 16 << 20; // bytes; without labels, thousands
 constexpr int Version = 1;                    // written by Save; Load reads this and earlier ones
 
 /** One pass over everything that a setup has. */
@@ -48,6 +49,13 @@ void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
   {
     PassDeviceToWorld(node, setup->GetDeviceToWorld());
   }
+}
+
+std::string DescribeTooLarge(const char* file)
+{
+  return "The setup is not saved to " + Printable(file) +
+    ": it would be larger than 16 MiB, and could not be loaded again. Save the many labels with "
+    "vtkHapticLabelTable::WriteFile(), and the setup without them in the filter.";
 }
 
 /**
@@ -159,6 +167,14 @@ bool vtkHapticSetup::Save(const char* file)
     vtkErrorMacro("There is no file to save the setup to. Give Save the name of one.");
     return false;
   }
+  vtkHapticLabelTable* const labels =
+    this->VolumeHaptics ? this->VolumeHaptics->GetLabelTable() : nullptr;
+  constexpr std::size_t leastBytes = 24; // of a label in the file
+  if (labels && leastBytes * static_cast<std::size_t>(labels->GetNumberOfLabels()) > LargestFile)
+  {
+    vtkErrorMacro(<< DescribeTooLarge(file));
+    return false;
+  }
   Json::Value root(Json::objectValue);
   root["Format"] = Format;
   root["Version"] = Version;
@@ -178,12 +194,18 @@ bool vtkHapticSetup::Save(const char* file)
   builder["indentation"] = " ";
   builder["commentStyle"] = "None"; // short lists on one line
   builder["precision"] = 17;        // every double is restored exactly
+  const std::string text = Json::writeString(builder, root) + "\n";
+  if (text.size() > LargestFile)
+  {
+    vtkErrorMacro(<< DescribeTooLarge(file));
+    return false;
+  }
   std::string error;
   FileReplacement written;
   const bool isOpen = written.Open(file, error);
   if (isOpen)
   {
-    written.Write(Json::writeString(builder, root) + "\n");
+    written.Write(text);
   }
   if (!isOpen || !written.Commit(error))
   {

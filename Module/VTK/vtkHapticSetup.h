@@ -21,16 +21,20 @@
  *
  *   Haptics        all settings of vtkVolumeHapticsFilter and of its vtkHapticProperty: the five
  *                  functions with midpoints and sharpness, the component, the surface side, and
- *                  whether voxels that the VolumeProperty hides are not felt (HideInvisible)
+ *                  whether voxels that the VolumeProperty hides are not felt (HideInvisible); if
+ *                  the filter has a label table, Labels: the table with names, colours, materials
+ *                  and stand-off
  *   Volume         interpolation, and for each of the four components opacity, gradient opacity and
  *                  colour functions, unit distance, shading and lighting
  *   Camera         position, focal point, view up, view angle, parallel projection and scale
  *   DeviceToWorld  16 numbers, row by row
  *
- * Choices are saved by name ("Gaussian"). The volume itself, paths and the device are not saved.
+ * Choices are saved by name ("Gaussian"). The volume itself, the label image, paths and the device
+ * are not saved.
  *
  * Load checks the whole file before it changes anything. Settings that the file lacks stay
- * unchanged; unknown keys are ignored. A file that can't be used gives one error that names the
+ * unchanged, so a file of before label tables leaves the filter's as it is; if the file has a Table,
+ * all labels are those of the file. Unknown keys are ignored. A file that can't be used gives one error that names the
  * file, the key and the cure, and changes nothing.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticCalibration
@@ -92,7 +96,8 @@ public:
   /**
    * Write the file. An existing file is replaced only after the whole new one is on the disk; if
    * that fails, the old one stays. False, with an error, if the folder is missing, not writable or
-   * full, or if a setting, such as NaN, could not be loaded again.
+   * full, if a setting, such as NaN, could not be loaded again, or if the file would have more than
+   * 16 MiB, which a label table of 100 000 labels may need.
    */
   bool Save(const char* file);
 

@@ -81,6 +81,11 @@ bool SetupNode::Has(const char* key) const
   return this->Json && this->Json->isMember(key);
 }
 
+std::vector<std::string> SetupNode::GetKeys() const
+{
+  return this->Json ? this->Json->getMemberNames() : std::vector<std::string>();
+}
+
 const Json::Value* SetupNode::Find(const char* key) const
 {
   return !this->Pass.Writing && this->Pass.Error.empty() && this->Has(key) ? &(*this->Json)[key]
@@ -167,6 +172,21 @@ void SetupNode::Flag(
     this->Require(key, value->isBool(), "true or false");
     const bool flag = value->isBool() && value->asBool();
     this->Then([set, flag] { set(flag); });
+  }
+}
+
+void SetupNode::Text(const char* key, const std::function<std::string()>& get,
+  const std::function<void(const std::string&)>& set)
+{
+  if (this->Pass.Writing)
+  {
+    (*this->Json)[key] = get();
+  }
+  else if (const auto* value = this->Find(key))
+  {
+    this->Require(key, value->isString(), "a text in quotes");
+    const std::string text = value->isString() ? value->asString() : std::string();
+    this->Then([set, text] { set(text); });
   }
 }
 

@@ -49,6 +49,7 @@ public:
 
   bool IsWriting() const { return this->Pass.Writing; }
   bool Has(const char* key) const;
+  std::vector<std::string> GetKeys() const;
 
   void Number(const char* key, const NumberRange& range, const std::function<double()>& get,
     const std::function<void(double)>& set);
@@ -56,6 +57,8 @@ public:
     const std::function<void(int)>& set);
   void Flag(
     const char* key, const std::function<bool()>& get, const std::function<void(bool)>& set);
+  void Text(const char* key, const std::function<std::string()>& get,
+    const std::function<void(const std::string&)>& set);
   /** A choice, by name; its value is the index of the name. */
   void Choice(const char* key, const std::vector<const char*>& names,
     const std::function<int()>& get, const std::function<void(int)>& set);

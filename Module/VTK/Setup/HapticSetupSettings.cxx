@@ -6,6 +6,7 @@
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Setup/HapticSetupFunctions.h"
+#include "VTK/Setup/HapticSetupLabels.h"
 
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"
@@ -129,6 +130,7 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
 {
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterSettings);
   PassProperty(node, filter, visible);
+  PassLabels(node, filter);
 }
 
 //------------------------------------------------------------------------------
