@@ -33,9 +33,9 @@
  * are not saved.
  *
  * Load checks the whole file before it changes anything. Settings that the file lacks stay
- * unchanged, so a file of before label tables leaves the filter's as it is; if the file has a Table,
- * all labels are those of the file. Unknown keys are ignored. A file that can't be used gives one error that names the
- * file, the key and the cure, and changes nothing.
+ * unchanged, also the label table; if the file has one, its labels replace all others. Unknown keys
+ * are ignored. A file that can't be used gives one error that names the file, the key and the cure,
+ * and changes nothing.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticCalibration
  */
