@@ -6,6 +6,7 @@
 #include "VTK/Trace/HapticCurve.h"
 #include "VTK/Trace/HapticPathSettings.h"
 #include "VTK/Trace/HapticTraceFiles.h"
+#include "VTK/Trace/RecordedLabels.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -184,6 +185,11 @@ std::string vtkHapticPathSource::GiveOutFile(vtkPolyData* output) const
     return {};
   }
   Write(tips.Tips, tips.Times, output);
+  const std::string settings = VolumeHaptics::ReadSettingsBeside(this->FileName);
+  if (!settings.empty())
+  {
+    VolumeHaptics::SetRecordedSettings(output, settings);
+  }
   return {};
 }
 

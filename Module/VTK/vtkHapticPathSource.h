@@ -184,7 +184,9 @@ public:
    * The file for FROM_FILE. A .vtp is passed on unchanged: a recording of vtkHapticDevice is then
    * replayed to the bit. A .csv has a line for each point, with the columns "Tip x", "Tip y" and
    * "Tip z", as in the project's own traces, or "Points:0" to "Points:2", as ParaView exports, or
-   * "x", "y" and "z", all in world units; and optionally "Time" (s). Default: none.
+   * "x", "y" and "z", all in world units; and optionally "Time" (s). If it is a recording that was
+   * made with labels, as the file .csv.json beside it tells, vtkVolumeHapticsFilter takes it only
+   * with the same label image. Default: none.
    */
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);

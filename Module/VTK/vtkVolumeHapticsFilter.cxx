@@ -13,6 +13,7 @@
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/HapticTrace.h"
+#include "VTK/Trace/RecordedLabels.h"
 #include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TipPathWalk.h"
 #include "vtkVolumeHapticsCompat.h"
@@ -31,7 +32,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,15 +46,6 @@ bool IsFinite(const VolumeHaptics::TickRecord& record)
   return IsFinite(record.Proxy) && IsFinite(record.Force) && IsFinite(record.Normal) &&
     std::isfinite(record.NormalForce) && std::isfinite(record.FrictionForce) &&
     std::isfinite(record.DragForce);
-}
-
-/** Whether the settings of a recording tell of labels. */
-bool WasMadeWithLabels(vtkPolyData* recording)
-{
-  auto* const settings = vtkStringArray::SafeDownCast(
-    recording->GetFieldData()->GetAbstractArray(VolumeHaptics::RecordingNames::Settings));
-  return settings && settings->GetNumberOfValues() > 0 &&
-    settings->GetValue(0).find(VolumeHaptics::RecordingNames::LabelHash) != std::string::npos;
 }
 
 /** Whether another piece makes the trace. */
@@ -477,14 +468,14 @@ int vtkVolumeHapticsFilter::TouchPath(
     return 0;
   }
 
-  if (tips.IsRecording && !model->Baked->Labels && WasMadeWithLabels(path))
+  if (path && !FindLabelHash(path).empty())
   {
-    vtkErrorMacro(
-      "The recording on port 1 was made with labels, and there is no label image. Connect "
-      "the same one to input port 3 with SetLabelConnection, and give the same table with "
-      "SetLabelTable: the recording's field array Settings has the label image's hash "
-      "(HashLabels) and the table.");
-    return 0;
+    error = CompareLabels(path, this->HashLabels());
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+      return 0;
+    }
   }
 
   ticks = static_cast<vtkIdType>(tips.Tips.size());

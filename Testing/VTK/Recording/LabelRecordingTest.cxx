@@ -3,14 +3,18 @@
 
 /**
  * A device on a volume with labels: its state tells the label, and its recordings replay to the bit
- * with the same labels, and not without labels.
+ * with the same labels, and neither without labels nor with others.
  */
 
 #include "Rigs/RecordingRig.h"
 
 #include <vtkExecutive.h>
 #include <vtkHapticLabelTable.h>
+#include <vtkHapticPathSource.h>
 #include <vtkStringArray.h>
+
+#include <cstdio>
+#include <fstream>
 
 using namespace devicetest;
 
@@ -29,8 +33,35 @@ protected:
     this->Filter->SetLabelTable(this->Table);
   }
 
-  vtkSmartPointer<vtkImageData> Labels =
-    MakeImage(16, VTK_SHORT, [](const Point& p) { return p[0] < 7.5 ? -7.0 : 9.0; });
+  /// The replay gives one error with these words, and no output.
+  void ExpectRefused(const std::vector<std::string>& words)
+  {
+    this->FilterLog.Errors.clear();
+    MessageLog executive(this->Filter->GetExecutive());
+    this->Filter->Update();
+    ASSERT_EQ(this->FilterLog.Errors.size(), 1U);
+    for (const std::string& word : words)
+    {
+      EXPECT_NE(this->FilterLog.Errors[0].find(word), std::string::npos)
+        << word << " in " << this->FilterLog.Errors[0];
+    }
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+    this->FilterLog.Errors.clear();
+  }
+  void ExpectTaken()
+  {
+    this->FilterLog.Errors.clear();
+    this->Filter->Update();
+    EXPECT_TRUE(this->FilterLog.Errors.empty());
+    EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 20);
+  }
+
+  static vtkSmartPointer<vtkImageData> MakeHalves(double left, double right)
+  {
+    return MakeImage(16, VTK_SHORT, [=](const Point& p) { return p[0] < 7.5 ? left : right; });
+  }
+
+  vtkSmartPointer<vtkImageData> Labels = MakeHalves(-7.0, 9.0);
   vtkNew<vtkHapticLabelTable> Table;
 };
 } // namespace
@@ -49,16 +80,54 @@ TEST_F(LabelRecording, ReplaysToTheBitWithItsLabels)
   EXPECT_NE(text.find("LabelHash: " + this->Filter->HashLabels()), std::string::npos) << text;
   EXPECT_NE(text.find("liver"), std::string::npos) << text;
 
-  this->FilterLog.Errors.clear();
-  MessageLog executive(this->Filter->GetExecutive());
+  const std::string hash = this->Filter->HashLabels();
   this->Filter->SetLabelData(nullptr);
-  this->Filter->Update();
-  ASSERT_EQ(this->FilterLog.Errors.size(), 1U);
-  for (const char* const word : { "made with labels", "port 3", "SetLabelTable" })
+  this->ExpectRefused({ "made with labels", "no label image", "port 3", "SetLabelTable" });
+  this->Filter->SetLabelData(MakeHalves(-7.0, 8.0));
+  this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), "they are others" });
+  this->Filter->SetLabelData(MakeHalves(-7.0, 9.0)); // a copy
+  this->ExpectTaken();
+  this->Recorded->GetFieldData()->RemoveArray("Settings");
+  this->Recorded->Modified();
+  this->Filter->SetLabelData(nullptr);
+  this->ExpectTaken();
+}
+
+TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
+{
+  const std::string file = this->File("Labels.csv");
+  this->Begin();
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  this->Wander(60);
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->Device->Stop();
+  vtkNew<vtkHapticPathSource> path;
+  path->SetShapeToFromFile();
+  path->SetFileName(file);
+  this->Filter->SetInputConnection(1, path->GetOutputPort());
+  this->ExpectTaken();
+  const std::string hash = this->Filter->HashLabels();
+  this->Filter->SetLabelData(nullptr);
+  this->ExpectRefused({ "made with labels", "no label image", ".csv.json" });
+  this->Filter->SetLabelData(MakeHalves(5.0, 9.0));
+  this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), ".csv.json" });
+  // Fields that can't be read, or tell of no labels, leave a path.
+  for (const std::string fields : { "", "{", "[1]", "{\"Settings\":5}", "{\"Settings\":\"none\"}" })
   {
-    EXPECT_NE(this->FilterLog.Errors[0].find(word), std::string::npos);
+    std::ofstream(file + ".json") << fields;
+    path->Modified();
+    this->ExpectTaken();
   }
-  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  // A label that is called like the line is no such line.
+  std::ofstream(file + ".json") << R"({"Settings":"Geometry: 0\n 5: LabelHash: 0123\n"})";
+  path->Modified();
+  this->ExpectTaken();
+  std::ofstream(file + ".json") << R"({"Settings":"Geometry: 0\nLabelHash: 0123\n5: liver\n"})";
+  path->Modified();
+  this->ExpectRefused({ "of the hash 0123, " });
+  std::remove((file + ".json").c_str());
+  path->Modified();
+  this->ExpectTaken();
 }
 
 TEST_F(LabelRecording, ReplaysToTheBitWithWallsOfLabels)

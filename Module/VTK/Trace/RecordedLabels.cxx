@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/RecordedLabels.h"
+
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Trace/RecordingNames.h"
+
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtk_jsoncpp.h"
+
+#include <exception>
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+std::string ReadSettingsBeside(const std::string& csv)
+{
+  constexpr std::size_t largest = 64 << 20; // bytes; a tuple for each placement of the device
+  std::string text;
+  std::string error;
+  Json::Value root;
+  if (!ReadSmallFile(csv + ".json", largest, text, error))
+  {
+    return {};
+  }
+  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
+  try
+  {
+    if (!reader->parse(text.data(), text.data() + text.size(), &root, &error))
+    {
+      return {};
+    }
+  }
+  catch (const std::exception&) // brackets nested too deeply
+  {
+    return {};
+  }
+  const bool isThere = root.isObject() && root[RecordingNames::Settings].isString();
+  return isThere ? root[RecordingNames::Settings].asString() : std::string();
+}
+
+void SetRecordedSettings(vtkPolyData* path, const std::string& settings)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(RecordingNames::Settings);
+  array->InsertNextValue(settings);
+  path->GetFieldData()->AddArray(array);
+}
+
+std::string FindLabelHash(vtkPolyData* recording)
+{
+  auto* const settings = vtkStringArray::SafeDownCast(
+    recording->GetFieldData()->GetAbstractArray(RecordingNames::Settings));
+  if (!settings || settings->GetNumberOfValues() == 0)
+  {
+    return {};
+  }
+  const std::string prefix = std::string("\n") + RecordingNames::LabelHash;
+  const std::string text = "\n" + settings->GetValue(0);
+  const std::size_t found = text.find(prefix);
+  if (found == std::string::npos)
+  {
+    return {};
+  }
+  const std::size_t begin = found + prefix.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+std::string CompareLabels(vtkPolyData* path, const std::string& hash)
+{
+  const std::string recorded = FindLabelHash(path);
+  if (recorded.empty() || recorded == hash)
+  {
+    return {};
+  }
+  const std::string cure =
+    "Connect the same label image to input port 3 with SetLabelConnection, and give the same "
+    "table with SetLabelTable, which the field array Settings shows. Or, to feel its path with "
+    "the labels that there are, remove this array, or the file .csv.json of a table.";
+  return "The recording on input port 1 was made with labels" +
+    (hash.empty() ? ", and there is no label image. "
+                  : " of the hash " + Printable(recorded) + ", and those on input port 3 have " +
+          hash + " (HashLabels): they are others. ") +
+    cure;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The label image that a recording was made with.
+ */
+#ifndef RecordedLabels_h
+#define RecordedLabels_h
+
+#include <string>
+
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+
+/** The text Settings of the fields beside a recording .csv, in .csv.json; empty if it has none. */
+std::string ReadSettingsBeside(const std::string& csv);
+
+/** Gives a path the field array Settings, as a recording has it. */
+void SetRecordedSettings(vtkPolyData* path, const std::string& settings);
+
+/** The hash of the label image in the settings of a recording; empty if it was made without. */
+std::string FindLabelHash(vtkPolyData* recording);
+
+/**
+ * The error if a path was recorded with a label image, and the one of this hash (empty: none) is
+ * another one; empty if it is the same, or if the path was recorded without labels.
+ */
+std::string CompareLabels(vtkPolyData* path, const std::string& hash);
+
+} // namespace VolumeHaptics
+
+#endif
