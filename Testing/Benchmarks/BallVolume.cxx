@@ -108,7 +108,9 @@ std::unique_ptr<HapticModel> MakeModel(
   description.Settings.IsoValue = BallLevel;
   description.Settings.ForceShading = choice.ForceShading;
   description.Settings.LocalShape = choice.LocalShape;
+  description.Settings.Geometry = choice.Geometry;
   description.Mesh = choice.Mesh;
+  description.Labels = choice.Labels;
   description.Settings.ForceFieldGain = 0.01;
   description.Settings.ForceFieldDamping = 0.5;
   return std::make_unique<HapticModel>(description);

@@ -58,6 +58,8 @@ struct ModelChoice
   std::shared_ptr<const VolumeHaptics::SurfaceMesh> Mesh;
   bool ForceShading = true;
   VolumeHaptics::LocalSurfaceShape LocalShape = VolumeHaptics::LocalSurfaceShape::Plane;
+  std::shared_ptr<const VolumeHaptics::BakedLabels> Labels;
+  VolumeHaptics::SurfaceGeometry Geometry = VolumeHaptics::SurfaceGeometry::Scalars;
 };
 
 /** A model in life size with a material table like that of a CT. Borrows the volume. */

@@ -25,6 +25,12 @@ inline std::string NameOf(const std::string& subject, const std::string& variant
 /** Whole servo ticks: the paper's proxy with each estimator, and the force field. */
 void RegisterTickBenchmarks(const BallVolume& volume);
 
+/**
+ * Whole ticks in contact with labels on the same grid: a ball of one label in another. The labels
+ * give the materials, or the geometry, or both.
+ */
+void RegisterLabelBenchmarks(const BallVolume& volume);
+
 /** Whole ticks of the methods that touch an isosurface: a mesh, and what a slow loop fits. */
 void RegisterSurfaceBenchmarks(const BallVolume& volume);
 

@@ -60,6 +60,7 @@ int main(int argc, char* argv[])
     RegisterFieldBenchmarks(volume);
     RegisterPeerBenchmarks(volume);
   }
+  RegisterLabelBenchmarks(volumes.front());
   RegisterSurfaceBenchmarks(volumes.front());
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);

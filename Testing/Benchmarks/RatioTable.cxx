@@ -17,6 +17,8 @@ constexpr double NoTarget = 0.0;
 constexpr double SameCost = 1.15;
 /** PRECISE in contact costs four times PAPER at most. */
 constexpr double PreciseTarget = 4.0;
+/** A tick with labels beside one without. */
+constexpr double LabelTarget = 1.25;
 /** A gradient beside reading its taps, when they are in the cache and when they are not. */
 constexpr double WarmTarget = 2.0;
 constexpr double ColdTarget = 1.3;
@@ -128,6 +130,18 @@ void PrintRatios(const Medians& medians)
   {
     PrintRatio(medians, NameOf("precise_tick", estimator.Name, "slide", "256^3"),
       NameOf("tick", estimator.Name, "slide", "256^3"), PreciseTarget);
+  }
+  PrintTitle("Tick with labels beside one without, sliding at 0.1 m/s");
+  for (const char* tick : { "tick", "precise_tick" })
+  {
+    for (const char* variant : { "materials", "geometry", "geometry+materials" })
+    {
+      for (const char* type : { "uint8", "int16", "int32" })
+      {
+        PrintRatio(medians, NameOf(tick, std::string(variant) + "_" + type, "slide", "256^3"),
+          NameOf(tick, "GAUSSIAN_r2", "slide", "256^3"), LabelTarget);
+      }
+    }
   }
   PrintTitle("Tick on the isosurface, sliding at 0.1 m/s, us");
   for (const char* variant : { "surface_tick/shaded", "surface_tick/flat",

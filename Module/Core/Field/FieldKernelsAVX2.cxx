@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Field/FieldKernels.h"
+#include "Core/Field/LabelKernels.h"
 
 namespace VolumeHaptics
 {
@@ -8,6 +9,11 @@ namespace VolumeHaptics
 FieldFunctions SelectAVX2Functions(const VolumeView& view, GradientEstimator estimator, int taps)
 {
   return SelectFieldFunctions(view, estimator, taps);
+}
+
+LabelFunctions SelectAVX2LabelFunctions(ScalarType type)
+{
+  return SelectLabelFunctions(type);
 }
 
 } // namespace VolumeHaptics

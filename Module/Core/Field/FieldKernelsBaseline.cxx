@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Field/FieldKernels.h"
+#include "Core/Field/LabelKernels.h"
 
 namespace VolumeHaptics
 {
@@ -9,6 +10,11 @@ FieldFunctions SelectBaselineFunctions(
   const VolumeView& view, GradientEstimator estimator, int taps)
 {
   return SelectFieldFunctions(view, estimator, taps);
+}
+
+LabelFunctions SelectBaselineLabelFunctions(ScalarType type)
+{
+  return SelectLabelFunctions(type);
 }
 
 } // namespace VolumeHaptics

@@ -8,6 +8,7 @@
 #define LabelSamples_h
 
 #include "Core/Field/LabelView.h"
+#include "Core/Math/KernelInline.h"
 
 #include <cstdint>
 #include <limits>
@@ -16,8 +17,12 @@
 namespace VolumeHaptics
 {
 
+// In an unnamed namespace, for the kernels: see FieldKernels.h.
+namespace
+{
+
 template <typename T>
-constexpr std::int64_t ToLabel(T sample) noexcept
+VOLUME_HAPTICS_INLINE constexpr std::int64_t ToLabel(T sample) noexcept
 {
   if constexpr (std::is_same_v<T, std::uint64_t>)
   {
@@ -30,6 +35,7 @@ constexpr std::int64_t ToLabel(T sample) noexcept
   }
 }
 
+} // namespace
 } // namespace VolumeHaptics
 
 #endif

@@ -7,6 +7,10 @@ namespace VolumeHaptics
 
 void BakedLabels::Mix(const Vector3& labelIndex, MaterialTable::Values& values) const noexcept
 {
+  if (this->Table.IsEmpty())
+  {
+    return;
+  }
   constexpr int channels = LabelMaterial::Channels;
   const LabelCell cell = this->View.Cell(labelIndex);
   if (cell.IsUniform)

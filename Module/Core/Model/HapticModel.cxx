@@ -96,21 +96,24 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
 {
 }
 
-std::array<HapticModel::MemoryRange, 7> HapticModel::GetTables() const noexcept
+std::array<HapticModel::MemoryRange, 9> HapticModel::GetTables() const noexcept
 {
   const MaterialTable& materials = this->Baked->Materials;
   const DistinctnessTable& distinctness = this->Baked->Distinctness;
   const BakedLabels* const labels = this->Baked->Labels.get();
-  return {
-    MemoryRange{ this, sizeof(*this) }, MemoryRange{ this->Baked.get(), sizeof(BakedVolume) },
+  const LabelWalls* const walls = this->Baked->Walls.get();
+  return { MemoryRange{ this, sizeof(*this) },
+    MemoryRange{ this->Baked.get(), sizeof(BakedVolume) },
     MemoryRange{
       this->Baked->Kernel.Table.data(), this->Baked->Kernel.Table.size() * sizeof(double) },
     MemoryRange{ materials.GetMemory(), materials.GetMemorySize() - sizeof(materials) },
     MemoryRange{ distinctness.GetMemory(), distinctness.GetMemorySize() - sizeof(distinctness) },
     labels ? MemoryRange{ labels->Table.GetEntries(), labels->Table.GetEntriesSize() }
            : MemoryRange{},
-    labels ? MemoryRange{ labels->Table.GetPlaces(), labels->Table.GetPlacesSize() } : MemoryRange{}
-  };
+    labels ? MemoryRange{ labels->Table.GetPlaces(), labels->Table.GetPlacesSize() }
+           : MemoryRange{},
+    walls ? MemoryRange{ walls, sizeof(*walls) } : MemoryRange{},
+    walls ? MemoryRange{ walls->GetMemory(), walls->GetMemorySize() } : MemoryRange{} };
 }
 
 std::size_t HapticModel::GetMemorySize() const noexcept

@@ -112,7 +112,7 @@ public:
     std::size_t Size = 0; ///< bytes
   };
   /** The tables that every tick reads, without the samples and the mesh. */
-  std::array<MemoryRange, 7> GetTables() const noexcept;
+  std::array<MemoryRange, 9> GetTables() const noexcept;
 
   /** Bytes beyond the image. */
   std::size_t GetMemorySize() const noexcept;

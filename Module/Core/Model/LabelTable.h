@@ -69,6 +69,8 @@ public:
   /** Gives labels this stiffness (N/m) whose own is more than a floor. */
   void SetOneStiffness(double stiffness, double floor);
 
+  bool IsEmpty() const noexcept { return this->Entries.empty(); }
+
   /** The material of a label; null if it has none. */
   const LabelMaterial* Find(std::int64_t label) const noexcept
   {

@@ -16,7 +16,6 @@ struct LabelWalls::Taps
   static constexpr int Most = GradientKernel::MaximumTaps;
 
   int Count;
-  bool IsContiguous; ///< the taps along x are neighbours in memory
   /** Along each axis: the weights of the value, then those of the derivative. */
   double Weights[3][2 * Most];
   std::int64_t Offset[3][Most];
@@ -30,40 +29,33 @@ struct LabelWalls::Taps
 /** The labels around a position with their shares, and the gradients of these. */
 struct LabelWalls::Around
 {
-  /** More labels than this around one position count as the last one of them. */
-  static constexpr int Most = 32;
-
-  struct Part
-  {
-    std::int64_t Label;
-    double Share;
-    Vector3 Gradient;
-  };
+  static constexpr int Most = LabelBlock::Most;
 
   int Count = 0;
   int Latest = 0;
-  Part Parts[Most];
+  std::int64_t Labels[Most];
+  FieldSample Shares[Most];
 
-  Part& Find(std::int64_t label) noexcept
+  FieldSample& Find(std::int64_t label) noexcept
   {
-    if (this->Count > 0 && this->Parts[this->Latest].Label == label)
+    if (this->Count > 0 && this->Labels[this->Latest] == label)
     {
-      return this->Parts[this->Latest];
+      return this->Shares[this->Latest];
     }
     for (int i = 0; i < this->Count; ++i)
     {
-      if (this->Parts[i].Label == label)
+      if (this->Labels[i] == label)
       {
         this->Latest = i;
-        return this->Parts[i];
+        return this->Shares[i];
       }
     }
     if (this->Count < Most)
     {
       this->Latest = this->Count++;
-      this->Parts[this->Latest] = { label, 0.0, {} };
+      this->Labels[this->Latest] = label;
     }
-    return this->Parts[this->Latest];
+    return this->Shares[this->Latest];
   }
 };
 
@@ -94,11 +86,10 @@ std::int64_t FindWeights(const GradientKernel& kernel, double position, double* 
 
 } // namespace
 
-template <typename T, int N>
+template <typename T>
 void LabelWalls::Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept
 {
-  // 0 stands for any number.
-  const int count = N > 0 ? N : taps.Count;
+  const int count = taps.Count;
   const std::int64_t* const step = taps.Offset[0];
   for (int k = 0; k < count; ++k)
   {
@@ -109,55 +100,22 @@ void LabelWalls::Gather(const VolumeView& view, const Taps& taps, Around& around
       const double valueY = taps.Weights[1][j];
       const double slopeY = taps.Weights[1][count + j];
       const T* const row = static_cast<const T*>(view.Data) + taps.Offset[2][k] + taps.Offset[1][j];
-      const auto add = [&](T sample, int begin, int end)
-      {
-        Around::Part& part = around.Find(ToLabel(sample));
-        const double value = taps.Value[end] - taps.Value[begin];
-        const double slope = taps.Slope[end] - taps.Slope[begin];
-        part.Share += valueZ * valueY * value;
-        part.Gradient +=
-          { valueZ * valueY * slope, valueZ * slopeY * value, slopeZ * valueY * value };
-      };
-      if (N > 0 && taps.IsContiguous)
-      {
-        const T* const from = row + step[0];
-        bool isUniform = true;
-        for (int i = 1; i < N; ++i)
-        {
-          isUniform &= from[i] == from[0];
-        }
-        if (isUniform)
-        {
-          add(from[0], 0, N);
-          continue;
-        }
-      }
       int begin = 0;
       for (int i = 1; i <= count; ++i)
       {
-        if (i == count || row[step[i]] != row[step[begin]])
+        if (i < count && row[step[i]] == row[step[begin]])
         {
-          add(row[step[begin]], begin, i);
-          begin = i;
+          continue;
         }
+        FieldSample& share = around.Find(ToLabel(row[step[begin]]));
+        const double value = taps.Value[i] - taps.Value[begin];
+        const double slope = taps.Slope[i] - taps.Slope[begin];
+        share.Value += valueZ * valueY * value;
+        share.Gradient +=
+          { valueZ * valueY * slope, valueZ * slopeY * value, slopeZ * valueY * value };
+        begin = i;
       }
     }
-  }
-}
-
-template <typename T>
-auto LabelWalls::ChooseGather(int taps) noexcept -> GatherFunction
-{
-  switch (taps)
-  {
-    case 6:
-      return &Gather<T, 6>;
-    case 8:
-      return &Gather<T, 8>;
-    case 10:
-      return &Gather<T, 10>;
-    default:
-      return &Gather<T, 0>;
   }
 }
 
@@ -169,21 +127,39 @@ LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radiu
   , Last{ static_cast<double>(this->View.Dimensions[0] - 1),
     static_cast<double>(this->View.Dimensions[1] - 1),
     static_cast<double>(this->View.Dimensions[2] - 1) }
-  , GatherShares(WithSampleType(this->View.Type,
-      [this](auto sample) { return ChooseGather<decltype(sample)>(this->Kernel.Taps); }))
+  , Sampler(this->View, this->Kernel)
+  , GatherShares(WithSampleType(
+      this->View.Type, [](auto sample) -> GatherFunction { return &Gather<decltype(sample)>; }))
 {
 }
 
 LabelWall LabelWalls::Find(const Vector3& index) const noexcept
 {
-  LabelWall wall;
   // Also false for NaN.
   const bool isInside = index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
     index.X <= this->Last.X && index.Y <= this->Last.Y && index.Z <= this->Last.Z;
   if (!isInside)
   {
-    return wall;
+    return {};
   }
+  return this->Kernel.Taps == LabelBlock::Taps ? this->FindInBlock(index) : this->FindInRuns(index);
+}
+
+LabelWall LabelWalls::FindInBlock(const Vector3& index) const noexcept
+{
+  LabelBlock block;
+  LabelWeights weights;
+  this->Sampler.Look(index, block, weights);
+  if (block.Count < 2)
+  {
+    return {};
+  }
+  return this->FindNearest(
+    block.Count, block.Label, [&](int i) { return this->Sampler.Share(weights, block.Planes[i]); });
+}
+
+LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
+{
   Taps taps;
   taps.Count = this->Kernel.Taps;
   const double position[3] = { index.X, index.Y, index.Z };
@@ -196,8 +172,6 @@ LabelWall LabelWalls::Find(const Vector3& index) const noexcept
       taps.Offset[a][i] = std::clamp<std::int64_t>(first + i, 0, last) * this->View.Stride[a];
     }
   }
-  taps.IsContiguous = this->View.Stride[0] == 1 &&
-    taps.Offset[0][taps.Count - 1] - taps.Offset[0][0] == taps.Count - 1;
   taps.Value[0] = taps.Slope[0] = 0.0;
   for (int i = 0; i < taps.Count; ++i)
   {
@@ -206,32 +180,48 @@ LabelWall LabelWalls::Find(const Vector3& index) const noexcept
   }
   Around around;
   this->GatherShares(this->View, taps, around);
-  if (around.Count < 2)
-  {
-    return wall;
-  }
+  return this->FindNearest(
+    around.Count, around.Labels, [&](int i) -> const FieldSample& { return around.Shares[i]; });
+}
 
-  // From the hardest label on; the nearest of the walls between labels of different order.
-  LabelOrder order[Around::Most];
-  int sorted[Around::Most];
-  for (int i = 0; i < around.Count; ++i)
+template <typename F>
+LabelWall LabelWalls::FindNearest(int count, const std::int64_t* labels, F&& share) const noexcept
+{
+  if (count == 2)
   {
-    order[i] = this->Table.OrderOf(around.Parts[i].Label);
+    // As below, without a list.
+    const LabelOrder first = this->Table.OrderOf(labels[0]);
+    const LabelOrder second = this->Table.OrderOf(labels[1]);
+    const bool isFirst = second < first;
+    if (!isFirst && !(first < second))
+    {
+      return {};
+    }
+    const FieldSample& part = share(isFirst ? 0 : 1);
+    return { true, 2.0 * part.Value - 1.0, 2.0 * part.Gradient };
+  }
+  // From the hardest label on; the nearest of the walls between labels of different order.
+  LabelOrder order[LabelBlock::Most];
+  int sorted[LabelBlock::Most];
+  for (int i = 0; i < count; ++i)
+  {
+    order[i] = this->Table.OrderOf(labels[i]);
     sorted[i] = i;
     for (int at = i; at > 0 && order[sorted[at - 1]] < order[sorted[at]]; --at)
     {
       std::swap(sorted[at - 1], sorted[at]);
     }
   }
-  double share = 0.0;
+  LabelWall wall;
+  double sum = 0.0;
   Vector3 gradient;
   double nearest = 2.0;
-  for (int i = 0; i + 1 < around.Count; ++i)
+  for (int i = 0; i + 1 < count; ++i)
   {
-    const Around::Part& part = around.Parts[sorted[i]];
-    share += part.Share;
+    const FieldSample& part = share(sorted[i]);
+    sum += part.Value;
     gradient += part.Gradient;
-    const double value = 2.0 * share - 1.0;
+    const double value = 2.0 * sum - 1.0;
     if (order[sorted[i + 1]] < order[sorted[i]] && std::abs(value) < nearest)
     {
       nearest = std::abs(value);

@@ -23,7 +23,7 @@
 #define LabelWalls_h
 
 #include "Core/Field/GradientKernel.h"
-#include "Core/Field/LabelView.h"
+#include "Core/Field/LabelSampler.h"
 #include "Core/Model/LabelTable.h"
 
 namespace VolumeHaptics
@@ -52,11 +52,14 @@ public:
   /** 0 at the border of the label image, rising to 1 one kernel radius inside. */
   double BorderFade(const Vector3& index) const noexcept;
 
-  /** Bytes beyond the object. */
+  ///@{
+  /** Beyond the object. */
+  const void* GetMemory() const noexcept { return this->Kernel.Table.data(); }
   std::size_t GetMemorySize() const noexcept
   {
     return this->Kernel.Table.capacity() * sizeof(double);
   }
+  ///@}
 
   /** Scale of the kernel's Gaussian, as a share of the length at which it is cut. */
   static constexpr double ScalePerCut = 0.55;
@@ -66,16 +69,21 @@ private:
   struct Around;
   using GatherFunction = void (*)(const VolumeView&, const Taps&, Around&) noexcept;
 
-  template <typename T, int N>
-  static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
   template <typename T>
-  static GatherFunction ChooseGather(int taps) noexcept;
+  static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
+
+  LabelWall FindInBlock(const Vector3& index) const noexcept;
+  LabelWall FindInRuns(const Vector3& index) const noexcept;
+  /** The nearest wall; share(i) is the share of the label i and its gradient. */
+  template <typename F>
+  LabelWall FindNearest(int count, const std::int64_t* labels, F&& share) const noexcept;
 
   const GradientKernel Kernel;
   const VolumeView View;
   const LabelTable& Table;
-  Vector3 Last; ///< the largest index along each axis
-  GatherFunction GatherShares;
+  Vector3 Last;                ///< the largest index along each axis
+  const LabelSampler Sampler;  ///< of the default radius of 3, which has LabelBlock::Taps
+  GatherFunction GatherShares; ///< of other radii
 };
 
 } // namespace VolumeHaptics

@@ -6,6 +6,7 @@
  * processor.
  */
 
+#include "Core/Field/LabelSampler.h"
 #include "Rigs/TestVolume.h"
 
 #include <gtest/gtest.h>
@@ -125,3 +126,54 @@ TEST_P(InstructionSets, StridedAndContiguousSamplesAgree)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, InstructionSets, testing::ValuesIn(AllEstimators));
+
+TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
+{
+  if (DetectInstructionSet() != InstructionSet::AVX2)
+  {
+    GTEST_SKIP() << "this processor has no AVX2";
+  }
+  const GradientKernel kernel(GradientEstimator::Gaussian, 3, GaussianWeights::OwnDerivative, 2.2);
+  ASSERT_EQ(kernel.Taps, LabelBlock::Taps);
+  std::mt19937_64 engine(7);
+  for (const ScalarType type : AllScalarTypes)
+  {
+    for (const std::int64_t step : { 1, 3 })
+    {
+      for (const std::int64_t labels : { 1, 2, 5, 100 })
+      {
+        SCOPED_TRACE(testing::Message()
+          << "type " << static_cast<int>(type) << " step " << step << " labels " << labels);
+        TestVolume volume(type, { 14, 13, 12 }, step);
+        WithSampleType(type,
+          [&](auto t)
+          {
+            using T = decltype(t);
+            // Those of few labels lie in slabs, the many are noise.
+            volume.Fill<T>(
+              [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+                return labels < 100 ? (i + j / 2 + k) / 7 % labels : std::int64_t(engine() % 100);
+              });
+          });
+        const LabelSampler baseline(volume.View, kernel, InstructionSet::Baseline);
+        const LabelSampler avx2(volume.View, kernel, InstructionSet::AVX2);
+        std::uniform_real_distribution<double> uniform(0.0, 1.0);
+        for (int i = 0; i < 100; ++i)
+        {
+          const Vector3 p{ 13.0 * uniform(engine), 12.0 * uniform(engine), 11.0 * uniform(engine) };
+          LabelBlock blocks[2];
+          LabelWeights weights[2];
+          baseline.Look(p, blocks[0], weights[0]);
+          avx2.Look(p, blocks[1], weights[1]);
+          ASSERT_EQ(blocks[0].Count, blocks[1].Count);
+          for (int l = 0; l < blocks[0].Count; ++l)
+          {
+            ASSERT_EQ(blocks[0].Label[l], blocks[1].Label[l]);
+            ASSERT_TRUE(IsSame(baseline.Share(weights[0], blocks[0].Planes[l]),
+              avx2.Share(weights[1], blocks[1].Planes[l])));
+          }
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The labels around a position and the shares that they have, weighted by a Gaussian of 8 taps.
+ *
+ * Look() reads the 8^3 voxels and keeps, for each label, which of them it is:
+ * a bit for each. Share() sums the kernel's weights over the bits of a label. A row along x has 8
+ * bits; the sums of its weights over all patterns of 4 bits stand in a table (LabelWeights), so
+ * that a row costs two lookups, whatever its labels are.
+ *
+ * As for FieldSampler, the kernels are compiled once per instruction set and all of them give the
+ * same shares, to the bit.
+ */
+#ifndef LabelSampler_h
+#define LabelSampler_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Field/LabelView.h"
+
+namespace VolumeHaptics
+{
+
+/** The labels of the voxels around a position. */
+struct LabelBlock
+{
+  static constexpr int Taps = 8;
+  /** More labels than this around one position count as the last one of them. */
+  static constexpr int Most = 32;
+
+  int Count; ///< of the labels
+  std::int64_t Label[Most];
+  /** For each label and plane k: bit i + 8 j is set if the voxel (i, j, k) has it. */
+  std::uint64_t Planes[Most][Taps];
+};
+
+/** The weights of a kernel at a position, prepared for sums over bits. */
+struct LabelWeights
+{
+  static constexpr int Patterns = 16;
+
+  /**
+   * For each pattern of the first and the last four bits of a row: the sum of the weights of the
+   * value, that of the slope's, and that of the value again.
+   */
+  alignas(32) double Low[Patterns][4];
+  alignas(32) double High[Patterns][4];
+  /** For each row of a plane, what these are multiplied by: value, value, slope. */
+  alignas(32) double Across[LabelBlock::Taps][4];
+  /** For each plane: value, then slope. */
+  alignas(32) double Along[2 * LabelBlock::Taps];
+};
+
+/** The kernels for one scalar type. */
+struct LabelFunctions
+{
+  void (*Look)(
+    const FieldView&, double x, double y, double z, LabelBlock&, LabelWeights&) noexcept = nullptr;
+  FieldSample (*Share)(const LabelWeights&, const std::uint64_t* planes) noexcept = nullptr;
+};
+
+/** A label image and a Gaussian of 8 taps. Borrows the samples and the kernel's table. */
+class LabelSampler
+{
+public:
+  LabelSampler(const VolumeView& view, const GradientKernel& kernel,
+    InstructionSet instructions = DetectInstructionSet());
+
+  /**
+   * The labels around a continuous index within the image, and the weights there. Taps beyond the
+   * image repeat its border.
+   */
+  void Look(const Vector3& index, LabelBlock& block, LabelWeights& weights) const noexcept
+  {
+    this->Functions.Look(this->View, index.X, index.Y, index.Z, block, weights);
+  }
+
+  /** The share of a label around a position, and its gradient per index step. */
+  FieldSample Share(const LabelWeights& weights, const std::uint64_t* planes) const noexcept
+  {
+    return this->Functions.Share(weights, planes);
+  }
+
+private:
+  FieldView View;
+  LabelFunctions Functions;
+};
+
+} // namespace VolumeHaptics
+
+#endif
