@@ -11,8 +11,8 @@ set(CMAKE_INSTALL_LIBDIR volumehaptics)
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../vtkmodules")
 set(VolumeHaptics_UDEV_DESTINATION volumehaptics/udev)
 
-# The notices of the libraries that CMake/wheel/build.sh puts inside, from Debian's packages of them.
-foreach (package IN ITEMS libhidapi-hidraw0 libudev1 libusb-1.0-0)
+# The notices of the libraries that CMake/wheel/build.sh puts inside, or that are headers, from Debian's packages of them.
+foreach (package IN ITEMS libboost-dev libhidapi-hidraw0 libudev1 libusb-1.0-0 nlohmann-json3-dev)
   if (EXISTS "/usr/share/doc/${package}/copyright")
     install(
       FILES       "/usr/share/doc/${package}/copyright"

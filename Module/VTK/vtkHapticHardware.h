@@ -15,6 +15,10 @@
  *                      force. Sticks of two axes are refused unless their firmware is known (an
  *                      OpenFFBoard with version 1.16.5 or later, ArduinoJoystickWithFFBLibrary):
  *                      firmwares disagree on the direction of the force along the second axis.
+ *   haply[:ID]         Haply's Inverse3, Inverse3x and Minverse, through Haply's Inverse service,
+ *                      which has to run. 3 in and out, 2 N; a VerseGrip adds orientation and
+ *                      buttons. ID is the service's name of the device, such as 049D. The
+ *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
  *

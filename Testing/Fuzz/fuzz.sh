@@ -17,7 +17,7 @@ case $step in
 esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
-targets=(TouchAnything TouchDescriptor TouchFalcon TouchLabels)
+targets=(TouchAnything TouchDescriptor TouchFalcon TouchHaply TouchLabels)
 
 # All at once. What each found, and that one failed, is told at the end.
 if [ "$step" = search ]; then
@@ -38,7 +38,7 @@ fi
 
 # shellcheck source=../../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
-require_packages clang libclang-rt-14-dev
+require_packages clang libclang-rt-14-dev nlohmann-json3-dev
 mkdir -p "$build_dir"
 options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,undefined"
   -fno-sanitize-recover=all -I"$root/Module")
@@ -57,7 +57,7 @@ while read -r source; do
     objects+=("$build_dir/$file.o")
   fi
 done < <(find "$root"/Module/VTK/Files/HapticFiles.cxx "$root"/Module/VTK/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
-  "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -name '*Driver.cxx' \
+  "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
   -not -name '*Kind.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 # One after the other, so that a failure is seen.
 for job in $(jobs -p); do

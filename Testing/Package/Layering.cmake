@@ -61,12 +61,14 @@ allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
 
 set(device_basis Core/Math Core/Model/ForceCaps.h Core/Servo)
 # The list of kinds names each kind.
-allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Pid/PidKind.h
+allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Haply/HaplyKind.h Devices/Pid/PidKind.h
   Devices/SpaceMouse/SpaceMouseKind.h Devices/WoodenHaptics/WoodenKind.h)
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
+allow(Devices/Transport/WebSocket ${device_basis})
 allow(Devices/Guard ${device_basis} Devices/Common)
 allow(Devices/Falcon ${device_basis} Devices/Common Devices/Guard Devices/Transport/Usb)
+allow(Devices/Haply ${device_basis} Devices/Common Devices/Transport/WebSocket)
 allow(Devices/Pid ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/SpaceMouse ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/WoodenHaptics ${device_basis} Devices/Common Devices/Transport/Hid)
@@ -127,7 +129,7 @@ forbid("The plugin's devices must not know views or Qt." "(HapticView|HapticCont
   ../Plugin/Live)
 forbid("The plugin's views must not know Qt." "(HapticController|HapticDock|[\"<](pq|Q[A-Z]))" ../Plugin/View)
 file(GLOB public RELATIVE "${root}/Module" "${root}/Module/VTK/vtk*.h")
-forbid("Installed headers must not show a device library." "(hidapi|libusb)"
+forbid("Installed headers must not show a device library." "(boost/|hidapi|libusb|nlohmann)"
   ${public} Core/Servo/DeviceBackend.h Devices/Common/DeviceKind.h)
 
 # A rule that matches nothing protects nothing: try the machinery on a file that breaks it.

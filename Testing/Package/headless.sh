@@ -13,6 +13,7 @@ mkdir -p "$work"
 # Debug without debugging is quickest to build.
 cmake -S "$1" -B "$work" -G Ninja -DVolumeHaptics_USE_RENDERING=OFF -DVolumeHaptics_WRAP_PYTHON="$3" \
   -DVolumeHaptics_BUILD_TOOLS=OFF -DVolumeHaptics_USE_LIBUSB=OFF -DVolumeHaptics_USE_HIDAPI=OFF \
+  -DVolumeHaptics_USE_BEAST=OFF \
   -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= -DCMAKE_UNITY_BUILD=ON >"$work/configure.log"
 cmake --build "$work" >"$work/build.log"
 

@@ -14,6 +14,7 @@ mkdir -p "$work"
 cp -r "$1/Testing/Package/Superproject" "$work/source"
 ln -s "$1" "$work/source/Remote"
 cmake -S "$work/source" -B "$work/build" -G Ninja -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_CXX_FLAGS_DEBUG= -DVolumeHaptics_USE_LIBUSB=OFF -DVolumeHaptics_USE_HIDAPI=OFF >"$work/configure.log"
+  -DCMAKE_CXX_FLAGS_DEBUG= -DVolumeHaptics_USE_LIBUSB=OFF -DVolumeHaptics_USE_HIDAPI=OFF \
+  -DVolumeHaptics_USE_BEAST=OFF >"$work/configure.log"
 cmake --build "$work/build" >"$work/build.log"
 "$work/build/bin/superproject-check"

@@ -3,6 +3,7 @@
 #include "Devices/Common/BuiltInKinds.h"
 
 #include "Devices/Falcon/FalconKind.h"
+#include "Devices/Haply/HaplyKind.h"
 #include "Devices/Pid/PidKind.h"
 #include "Devices/SpaceMouse/SpaceMouseKind.h"
 #include "Devices/WoodenHaptics/WoodenKind.h"
@@ -12,7 +13,8 @@ namespace VolumeHaptics
 namespace
 {
 
-#if !defined(VOLUME_HAPTICS_HAS_LIBUSB) || !defined(VOLUME_HAPTICS_HAS_HIDAPI)
+#if !defined(VOLUME_HAPTICS_HAS_LIBUSB) || !defined(VOLUME_HAPTICS_HAS_HIDAPI) || \
+  !defined(VOLUME_HAPTICS_HAS_BEAST)
 DeviceKind WithoutLibrary(const char* name, const std::string& library, const std::string& option)
 {
   return { name, [] { return std::vector<DeviceListing>(); },
@@ -47,6 +49,12 @@ std::vector<DeviceKind> GetBuiltInKinds()
   {
     kinds.push_back(WithoutLibrary(name, "hidapi", "VolumeHaptics_USE_HIDAPI"));
   }
+#endif
+#if defined(VOLUME_HAPTICS_HAS_BEAST)
+  kinds.push_back(GetHaplyKind());
+#else
+  kinds.push_back(
+    WithoutLibrary("haply", "Boost.Beast and nlohmann's JSON", "VolumeHaptics_USE_BEAST"));
 #endif
   return kinds;
 }

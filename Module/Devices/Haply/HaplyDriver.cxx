@@ -1,0 +1,494 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Haply/HaplyDriver.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#if defined(__linux__)
+#include <poll.h>
+#endif
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+///@{
+/** s. The service is on this computer. */
+constexpr double AskTime = 0.5;
+constexpr double OpenTime = 1.0;
+constexpr double SendTime = 0.1;
+constexpr double LastTime = 0.2; ///< for the last state, and for taking leave
+///@}
+constexpr int IdleWait = 2; // ms, between messages if the servo gives no force
+constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
+constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond; // as HardwareExchange::WatchdogTime
+constexpr int LostWait = 10;                                    // ms
+
+constexpr const char* HowToStart =
+  "Start Haply's Hub, or the service itself (on Linux: systemctl start haply-inverse-service). If "
+  "it listens to other ports, name them in VOLUMEHAPTICS_HAPLY, such as 10001,10020.";
+constexpr const char* AskForCalibration =
+  "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
+constexpr const char* AskForReady = "is not ready: look at its light and its power.";
+constexpr const char* AfterLoss = " Home() and Arm() again.";
+
+double SecondsSince(std::int64_t time)
+{
+  return static_cast<double>(ServoClock::Now() - time) * ServoClock::SecondsPerNanosecond;
+}
+
+bool ReadPort(const std::string& text, std::uint16_t& port)
+{
+  const bool isNumber = !text.empty() && text.size() < 6 &&
+    std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const int number = isNumber ? std::atoi(text.c_str()) : 0;
+  port = static_cast<std::uint16_t>(number);
+  return number > 0 && number < 65536;
+}
+
+} // namespace
+
+std::string NameOfHaply(const HaplyArm& arm)
+{
+  const std::string kind = arm.Type == "inverse3" ? "Inverse3"
+    : arm.Type == "inverse3x"                     ? "Inverse3x"
+    : arm.Type == "minverse"                      ? "Minverse"
+                                                  : arm.Type;
+  const std::string hand = arm.Handedness.empty() ? "" : ", " + arm.Handedness + "-handed";
+  return "Haply " + kind + " (" + arm.Id + hand + ")";
+}
+
+bool HaplyPorts::Read(HaplyPorts& ports, std::string& error)
+{
+  const char* const variable = std::getenv("VOLUMEHAPTICS_HAPLY");
+  const std::string text = variable == nullptr ? "" : variable;
+  const std::size_t comma = text.find(',');
+  if (!text.empty() &&
+    (!ReadPort(text.substr(0, comma), ports.States) ||
+      (comma != std::string::npos && !ReadPort(text.substr(comma + 1), ports.Events))))
+  {
+    error = "The environment variable VOLUMEHAPTICS_HAPLY is \"" + text +
+      "\". Give the ports of the Inverse service, such as 10001,10020, or unset it.";
+    return false;
+  }
+  return true;
+}
+
+bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
+{
+  const std::string port = std::to_string(ports.States);
+  std::string text;
+  std::string reason;
+  if (!FetchText(ports.States, "/version", AskTime, text, reason) &&
+    !FetchText(ports.States, "/3.0/version", AskTime, text, reason))
+  {
+    error = "Haply's Inverse service does not answer at port " + port + " (" + reason + "). " +
+      HowToStart;
+    return false;
+  }
+  if (const char* const fault = ReadHaplyVersion(text, version))
+  {
+    error = "The program at port " + port + " " + fault +
+      ", so it is not Haply's Inverse service. " + HowToStart;
+    return false;
+  }
+  if (!version.IsKnown())
+  {
+    error = "Haply's Inverse service at port " + port + " is of version " +
+      std::to_string(version.Major) + "." + std::to_string(version.Minor) +
+      ". Versions 3 are supported.";
+    return false;
+  }
+  return true;
+}
+
+DeviceLimits HaplyDriver::GetLimits() const
+{
+  return { 2.0, 500.0, 0.0, 2.5, 0.0, this->Type == "minverse" ? 0.04 : 0.10 };
+}
+
+bool HaplyDriver::Reach(std::string& error)
+{
+  std::string reason;
+  if (!HaplyPorts::Read(this->Ports, error) || !FindHaplyService(this->Ports, this->Version, error))
+  {
+    return false;
+  }
+  if (!this->States.Open(this->Ports.States, OpenTime, reason))
+  {
+    error = "No WebSocket to Haply's Inverse service: " + reason + ". " + HowToStart;
+    return false;
+  }
+  const std::int64_t end =
+    ServoClock::Now() + static_cast<std::int64_t>(OpenTime * ServoClock::NanosecondsPerSecond);
+  if (this->States.Receive(this->Text, end) != WebSocketClient::Outcome::Message)
+  {
+    error = "Haply's Inverse service does not tell its devices. Start it again.";
+    return false;
+  }
+  if (const char* const fault = ReadHaplyMessage(this->Text, this->Message))
+  {
+    error = std::string("Haply's Inverse service ") + fault + ". Start it again.";
+    return false;
+  }
+  return true;
+}
+
+bool HaplyDriver::Choose(std::string& error)
+{
+  std::string known;
+  for (const HaplyArm& arm : this->Message.Arms)
+  {
+    if (this->Wanted.empty() || arm.Id == this->Wanted)
+    {
+      this->Id = arm.Id;
+      this->Type = arm.Type;
+      this->Label = NameOfHaply(arm);
+      return true;
+    }
+    known += (known.empty() ? "haply:" : ", haply:") + arm.Id;
+  }
+  error = known.empty()
+    ? "Haply's Inverse service has no Inverse3, Inverse3x or Minverse. Plug one in and switch it "
+      "on."
+    : "Haply's Inverse service has no device \"" + this->Wanted + "\". It has " + known + ".";
+  return false;
+}
+
+bool HaplyDriver::Greet(std::string& error)
+{
+  const auto arm = std::find_if(this->Message.Arms.begin(), this->Message.Arms.end(),
+    [this](const HaplyArm& other) { return other.Id == this->Id; });
+  if (arm == this->Message.Arms.end())
+  {
+    error = this->Label + " is not plugged in any more.";
+    return false;
+  }
+  if (arm->IsInUse.value_or(false))
+  {
+    error = this->Label + " is in use by another program. Close that program.";
+    return false;
+  }
+  this->IsLost = this->IsReady = this->IsRelieved = this->HasTip = false;
+  this->Settled = this->EmptyWaits = 0;
+  this->Note.clear();
+  this->Request = nullptr;
+  this->ToldAt = this->SentAt = ServoClock::Now();
+  this->Awaited = 1;
+  if (!this->States.Send(WriteHaplyGreeting(this->Version, this->Id), SendTime))
+  {
+    error = "Haply's Inverse service closed the connection. Start it again.";
+    return false;
+  }
+  // Services without this channel have no events.
+  std::string ignored;
+  this->Events.Open(this->Ports.Events, AskTime, ignored);
+  return true;
+}
+
+bool HaplyDriver::Connect(std::string& error)
+{
+  if (this->Reach(error) && this->Choose(error) && this->Greet(error))
+  {
+    return true;
+  }
+  this->Disconnect();
+  return false;
+}
+
+void HaplyDriver::Disconnect() noexcept
+{
+  this->Events.Close();
+  this->States.Close(LastTime);
+}
+
+void HaplyDriver::Serve(HardwareExchange& exchange)
+{
+  /** Runs also if something throws. */
+  struct AtEnd
+  {
+    HaplyDriver* Driver;
+    ~AtEnd() { this->Driver->Rest(); }
+  };
+  const AtEnd atEnd{ this };
+  while (!exchange.MustStop())
+  {
+    if (exchange.HasSlept() && !this->IsLost)
+    {
+      this->IsLost = true;
+      this->IsReady = false;
+      this->Rest();
+    }
+    if (exchange.TakeHomeRequest())
+    {
+      this->Restart(exchange);
+    }
+    if (this->IsLost)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(LostWait));
+    }
+    else
+    {
+      this->Work(exchange);
+    }
+  }
+}
+
+void HaplyDriver::Restart(HardwareExchange& exchange)
+{
+  this->Rest();
+  this->Disconnect();
+  std::string error;
+  if (!this->Reach(error) || !this->Greet(error))
+  {
+    this->Disconnect();
+    this->IsLost = true;
+    exchange.SetCondition(DeviceStage::Lost, error.c_str());
+  }
+}
+
+void HaplyDriver::Work(HardwareExchange& exchange)
+{
+  if (this->Awaited == 0)
+  {
+    this->WaitForForce(exchange);
+    this->IsRelieved = false;
+    this->Send(exchange.GetForce());
+  }
+  else if (!this->IsRelieved && ServoClock::Now() - this->SentAt > LateTime)
+  {
+    this->IsRelieved = true;
+    this->Send({});
+  }
+  this->TakeStates(exchange);
+  if (!this->IsLost)
+  {
+    this->TakeEvents(exchange);
+  }
+  if (!this->IsLost)
+  {
+    this->CheckSilence(exchange);
+  }
+}
+
+void HaplyDriver::WaitForForce(HardwareExchange& exchange)
+{
+#if defined(__linux__)
+  if (exchange.GetWakeDescriptor() >= 0)
+  {
+    pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
+    poll(&wake, 1, IdleWait);
+    exchange.ClearWake();
+    return;
+  }
+#endif
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+void HaplyDriver::Send(const Vector3& force)
+{
+  const double most = this->GetLimits().MaximumForce;
+  const double size = Norm(force);
+  const Vector3 limited = size > most ? most / size * force : force;
+  ++this->Awaited;
+  this->SentAt = ServoClock::Now();
+  this->States.Send(WriteHaplyForce(this->Version, this->Id, FromDevice(limited)), SendTime);
+}
+
+void HaplyDriver::TakeStates(HardwareExchange& exchange)
+{
+  const std::int64_t end = ServoClock::Now() + StateWait;
+  ++this->EmptyWaits;
+  while (this->Awaited > 0 && !this->IsLost)
+  {
+    switch (this->States.Receive(this->Text, end))
+    {
+      case WebSocketClient::Outcome::Closed:
+        return this->Lose(exchange,
+          "is gone: the Inverse service ended or closed the connection. Start it, then Home() and "
+          "Arm() again.");
+      case WebSocketClient::Outcome::Nothing:
+        return;
+      case WebSocketClient::Outcome::Message:
+        break;
+    }
+    --this->Awaited;
+    if (const char* const fault = ReadHaplyMessage(this->Text, this->Message))
+    {
+      return this->Lose(
+        exchange, std::string("is gone: the Inverse service ") + fault + "." + AfterLoss);
+    }
+    if (this->Awaited == 0 && !this->IsRelieved)
+    {
+      exchange.NoteTaken();
+    }
+    for (const HaplyArm& arm : this->Message.Arms)
+    {
+      if (arm.Id == this->Id)
+      {
+        this->TakeState(exchange, arm);
+        break;
+      }
+    }
+  }
+}
+
+void HaplyDriver::TakeState(HardwareExchange& exchange, const HaplyArm& arm)
+{
+  const Vector3 origin = this->Version.IsNew() ? Vector3{} : Centre;
+  if (!arm.Position || !IsFinite(*arm.Position))
+  {
+    return;
+  }
+  const Vector3 tip = ToDevice(*arm.Position - origin);
+  const double farthest =
+    FarthestStep + this->GetLimits().MaximumSpeed * SecondsSince(this->ToldAt);
+  const bool hasStepped = this->HasTip && Norm(tip - this->Tip) > farthest;
+  this->Settled = hasStepped ? 0 : std::min(this->Settled + 1, SettledStates);
+  this->Tip = tip;
+  this->HasTip = true;
+  this->ToldAt = ServoClock::Now();
+  this->EmptyWaits = 0;
+  if (this->IsReady && hasStepped)
+  {
+    return this->Lose(exchange,
+      std::string("made a step that no hand makes. Did Haply's Hub change its settings?") +
+        AfterLoss);
+  }
+  if (arm.HasTransform)
+  {
+    return this->Lose(exchange,
+      std::string("has a workspace that is moved, turned or scaled, so that positions and forces "
+                  "are not its own. Take that away in Haply's Hub.") +
+        AfterLoss);
+  }
+  DeviceSample sample;
+  sample.Tip = tip;
+  this->TakeGrips(sample);
+  exchange.Tell(sample);
+  this->FollowStatus(exchange, arm);
+}
+
+void HaplyDriver::TakeGrips(DeviceSample& sample) const
+{
+  for (const HaplyGrip& grip : this->Message.Grips)
+  {
+    if (grip.IsAwake)
+    {
+      sample.Buttons |= grip.Buttons;
+      if (grip.Orientation && !sample.HasOrientation)
+      {
+        sample.Orientation = ToDevice(*grip.Orientation);
+        sample.HasOrientation = true;
+      }
+    }
+  }
+}
+
+void HaplyDriver::FollowStatus(HardwareExchange& exchange, const HaplyArm& arm)
+{
+  const bool isCalibrated = arm.IsCalibrated.value_or(true);
+  const bool isReady = arm.IsReady.value_or(true);
+  if (this->IsReady && (!isCalibrated || !isReady))
+  {
+    return this->Lose(exchange,
+      std::string(isCalibrated ? "is not ready any more." : "has lost its calibration.") +
+        AfterLoss);
+  }
+  const char* const request = !isCalibrated ? AskForCalibration : !isReady ? AskForReady : nullptr;
+  if (request != nullptr && request != this->Request)
+  {
+    this->Tell(exchange, DeviceStage::Homing, request);
+  }
+  this->Request = request;
+  if (request == nullptr && this->Settled == SettledStates && !this->IsReady)
+  {
+    this->IsReady = true;
+    this->Tell(exchange, DeviceStage::Ready, "");
+  }
+}
+
+void HaplyDriver::TakeEvents(HardwareExchange& exchange)
+{
+  HaplyEvent event;
+  while (!this->IsLost && this->Events.IsOpen() &&
+    this->Events.Receive(this->Text, 0) == WebSocketClient::Outcome::Message)
+  {
+    if (ReadHaplyEvent(this->Text, event) != nullptr || event.Level < HaplyLevel::Warning ||
+      (!event.Device.empty() && event.Device != this->Id))
+    {
+      continue;
+    }
+    const std::string what = event.Text.empty() ? event.Name + " " + event.Safety : event.Text;
+    const bool isOwn = event.Device == this->Id;
+    if (event.Level >= (isOwn ? HaplyLevel::Error : HaplyLevel::Critical) ||
+      (isOwn && (event.Name == "device-disconnected" || event.Name == "device-busy")))
+    {
+      this->Lose(exchange, "was stopped by the Inverse service: " + what + "." + AfterLoss);
+    }
+    else if (this->IsReady && what != this->Note)
+    {
+      this->Note = what;
+      this->Tell(exchange, DeviceStage::Ready, "tells a warning: " + what + ".");
+    }
+  }
+}
+
+void HaplyDriver::CheckSilence(HardwareExchange& exchange)
+{
+  if (this->EmptyWaits > SilentWaits && SecondsSince(this->ToldAt) > SilenceTime)
+  {
+    this->Lose(exchange,
+      this->Awaited > 0
+        ? "is gone: the Inverse service does not answer. Start it again, then Home() and Arm() "
+          "again."
+        : "is gone: the Inverse service does not tell its position. Look after its cable and its "
+          "power, then Home() and Arm() again.");
+  }
+}
+
+void HaplyDriver::Rest() noexcept
+{
+  try
+  {
+    if (this->States.IsOpen())
+    {
+      this->Send({});
+      const std::int64_t end =
+        ServoClock::Now() + static_cast<std::int64_t>(LastTime * ServoClock::NanosecondsPerSecond);
+      // Its state shows that the service has it. A service that hangs is not waited for.
+      while (this->Awaited > 0 &&
+        this->States.Receive(this->Text, end) == WebSocketClient::Outcome::Message)
+      {
+        --this->Awaited;
+      }
+    }
+  }
+  catch (const std::exception&)
+  {
+    // No memory for a message: the connection is closed after this, which ends the session.
+  }
+}
+
+void HaplyDriver::Lose(HardwareExchange& exchange, const std::string& text)
+{
+  // Before sending anything, which may take long: the servo is told first.
+  this->Tell(exchange, DeviceStage::Lost, text);
+  this->IsLost = true;
+  this->IsReady = false;
+  this->Rest();
+}
+
+void HaplyDriver::Tell(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const
+{
+  exchange.SetCondition(stage, text.empty() ? "" : (this->Label + " " + text).c_str());
+}
+
+} // namespace VolumeHaptics

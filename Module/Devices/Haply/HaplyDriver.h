@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An Inverse3, Inverse3x or Minverse, through Haply's Inverse service on this computer.
+ *
+ * The service answers each message with one state. The thread of the device sends one when the
+ * servo gives a force, or after 2 ms without one, and waits for its state: so the servo sets the
+ * pace, it never waits, and never is more than one message under way. If a state takes longer than
+ * the servo's watchdog, one message of zero force follows; when both are answered, work goes on.
+ *
+ * The first message and the last one have zero force. The documentation says that a force holds for
+ * a tick and that a device becomes idle if no more come, but neither after how long, nor what
+ * happens if the program ends or stands still between two messages. So the limits are low: 2 N is
+ * the limit in NVIDIA Isaac Lab's published driver (isaaclab/devices/haply, HaplyDeviceCfg), of
+ * which half is the default force here. The radii of the workspaces are those of Haply's tutorials
+ * 05 and 06. The stiffness and the speed are those of WoodenHaptics, a device of the same size.
+ * Not verified on a device.
+ *
+ * If the service is of 3.5 or later, the session's origin is the middle of the workspace. Before
+ * that it is a fixed place in front of the arm's base.
+ */
+#ifndef HaplyDriver_h
+#define HaplyDriver_h
+
+#include "Devices/Common/HardwareDevice.h"
+#include "Devices/Haply/HaplyMessages.h"
+#include "Devices/Transport/WebSocket/WebSocketClient.h"
+
+namespace VolumeHaptics
+{
+
+/** Where the service listens: $VOLUMEHAPTICS_HAPLY, "PORT" or "PORT,EVENTS", or its defaults. */
+struct HaplyPorts
+{
+  std::uint16_t States = 10001; ///< and HTTP
+  std::uint16_t Events = 10020;
+
+  /** False, with the reason and the cure. */
+  static bool Read(HaplyPorts& ports, std::string& error);
+};
+
+/** Asks the service for its version. False, with the reason and the cure. */
+bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
+
+/** As people see it: maker, product, the service's name of it, and the hand it is built for. */
+std::string NameOfHaply(const HaplyArm& arm);
+
+class HaplyDriver final : public HardwareDriver
+{
+public:
+  /** How long (s) the service may leave the arm's position untold. */
+  static constexpr double SilenceTime = 0.1;
+  /** The least number of waits in that time: if this computer was late, the service is not. */
+  static constexpr int SilentWaits = 4;
+  /** m: the tip is led by a hand, so it makes no such step; at rest in time. */
+  static constexpr double FarthestStep = 0.02;
+  /** Positions in a row without such a step before the device is ready: presets move the origin. */
+  static constexpr int SettledStates = 50;
+  /** m: the origin in Haply's axes if there are no presets. */
+  static constexpr Vector3 Centre{ 0.0, -0.12, 0.15 };
+
+  /** `id` is the service's name of a device, such as "049D"; empty: the first one. */
+  explicit HaplyDriver(std::string id)
+    : Wanted(std::move(id))
+  {
+  }
+
+  std::string GetName() const override { return this->Label; }
+  DeviceLimits GetLimits() const override;
+  std::string GetIdentity() const override { return this->Id.empty() ? "" : "haply:" + this->Id; }
+  bool Connect(std::string& error) override;
+  void Serve(HardwareExchange& exchange) override;
+  void Disconnect() noexcept override;
+
+private:
+  /** Opens the connection and takes the inventory. */
+  bool Reach(std::string& error);
+  bool Choose(std::string& error);
+  /** The first message. */
+  bool Greet(std::string& error);
+  void Restart(HardwareExchange& exchange);
+  void Work(HardwareExchange& exchange);
+  void WaitForForce(HardwareExchange& exchange);
+  void Send(const Vector3& force);
+  void TakeStates(HardwareExchange& exchange);
+  void TakeState(HardwareExchange& exchange, const HaplyArm& arm);
+  void TakeGrips(DeviceSample& sample) const;
+  void TakeEvents(HardwareExchange& exchange);
+  void FollowStatus(HardwareExchange& exchange, const HaplyArm& arm);
+  void CheckSilence(HardwareExchange& exchange);
+  void Rest() noexcept;
+  /** Stops all work until homing is requested; the text follows the device's name. */
+  void Lose(HardwareExchange& exchange, const std::string& text);
+  void Tell(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const;
+
+  const std::string Wanted;
+  ///@{
+  /** Set by Connect, and not by the device's thread. */
+  std::string Label = "Haply";
+  std::string Id;
+  std::string Type;
+  ///@}
+  HaplyPorts Ports;
+  HaplyVersion Version;
+  WebSocketClient States;
+  WebSocketClient Events;
+
+  HaplyMessage Message; ///< the last one
+  std::string Text;
+  bool IsLost = false;
+  bool IsReady = false;    ///< the device may give force
+  bool IsRelieved = false; ///< a message of zero force follows one that waits for its state
+  int Awaited = 0;         ///< messages without a state
+  std::int64_t SentAt = 0;
+  std::int64_t ToldAt = 0; ///< when the position was told last
+  int EmptyWaits = 0;
+  int Settled = 0; ///< positions in a row without a step
+  Vector3 Tip;     ///< of the last position, in the device's axes
+  bool HasTip = false;
+  std::string Note;              ///< the last warning of the service
+  const char* Request = nullptr; ///< to the hand, the last one
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Haply/HaplyMessages.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+constexpr const char* NoObject = "sent something that is not a JSON object";
+constexpr const char* TooMany = "told of too many devices";
+constexpr const char* NoDevices = "sent a list of devices that is none";
+constexpr const char* NoVersion = "does not tell its version";
+constexpr std::size_t MostDevices = 64;
+/** By which a transform may differ from none: float arithmetic of the service. */
+constexpr double TransformTolerance = 1e-5;
+
+/** Names the session in Haply's Hub, as the documentation recommends it. */
+constexpr const char* Profile = "org.vtk.volumehaptics:touch";
+/** Puts the origin into the middle of the workspace. */
+constexpr const char* Preset = "arm_front_centered";
+
+const Json Nothing;
+
+/** A member of an object; null if there is none. */
+const Json& At(const Json& object, const char* name)
+{
+  if (object.is_object())
+  {
+    const auto found = object.find(name);
+    if (found != object.end())
+    {
+      return *found;
+    }
+  }
+  return Nothing;
+}
+
+double Number(const Json& object, const char* name, double missing)
+{
+  const Json& value = At(object, name);
+  return value.is_number() ? value.get<double>() : missing;
+}
+
+std::string Text(const Json& object, const char* name)
+{
+  const Json& value = At(object, name);
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+bool Flag(const Json& object, const char* name, bool missing)
+{
+  const Json& value = At(object, name);
+  return value.is_boolean() ? value.get<bool>() : missing;
+}
+
+std::optional<bool> Told(const Json& object, const char* name)
+{
+  const Json& value = At(object, name);
+  return value.is_boolean() ? std::optional<bool>(value.get<bool>()) : std::nullopt;
+}
+
+std::optional<Vector3> Vector(const Json& object, const char* name)
+{
+  const Json& value = At(object, name);
+  if (!value.is_object())
+  {
+    return std::nullopt;
+  }
+  return Vector3{ Number(value, "x", 0.0), Number(value, "y", 0.0), Number(value, "z", 0.0) };
+}
+
+std::optional<Quaternion> Turn(const Json& object, const char* name)
+{
+  const Json& value = At(object, name);
+  if (!value.is_object())
+  {
+    return std::nullopt;
+  }
+  return Quaternion{ Number(value, "w", 1.0), Number(value, "x", 0.0), Number(value, "y", 0.0),
+    Number(value, "z", 0.0) };
+}
+
+bool IsNear(double value, double other)
+{
+  return std::abs(value - other) < TransformTolerance;
+}
+
+/** Whether a transform does anything; its parts may be missing. */
+bool Moves(const Json& transform)
+{
+  const Vector3 place = Vector(transform, "position").value_or(Vector3{});
+  const Quaternion turn = Turn(transform, "rotation").value_or(Quaternion{});
+  const Json& scale = At(transform, "scale");
+  const bool isScaled = !IsNear(Number(scale, "x", 1.0), 1.0) ||
+    !IsNear(Number(scale, "y", 1.0), 1.0) || !IsNear(Number(scale, "z", 1.0), 1.0);
+  return isScaled || !IsNear(Norm(place), 0.0) || !IsNear(std::abs(turn.W), 1.0);
+}
+
+HaplyArm ReadArm(const Json& device, const char* family)
+{
+  const Json& config = At(device, "config");
+  const Json& state = At(device, "state");
+  const Json& status = At(device, "status");
+  HaplyArm arm;
+  arm.Type = Text(config, "type");
+  arm.Type = arm.Type.empty() ? family : arm.Type;
+  arm.Handedness = Text(config, "handedness");
+  arm.Position = Vector(state, "cursor_position");
+  arm.Velocity = Vector(state, "cursor_velocity");
+  arm.Force = Vector(state, "current_cursor_force");
+  arm.Orientation = Turn(state, "body_orientation");
+  arm.HasTransform = Moves(At(state, "transform"));
+  arm.IsCalibrated = Told(status, "calibrated");
+  arm.IsReady = Told(status, "ready");
+  arm.IsInUse = Told(status, "in_use");
+  return arm;
+}
+
+HaplyGrip ReadGrip(const Json& device, const char*)
+{
+  const Json& state = At(device, "state");
+  const Json& buttons = At(state, "buttons");
+  HaplyGrip grip;
+  grip.Orientation = Turn(state, "orientation");
+  grip.IsAwake = Flag(At(device, "status"), "awake", true);
+  grip.Buttons = Flag(state, "button", false) || Flag(buttons, "a", false) ? 1U : 0U;
+  std::uint32_t bit = 1U;
+  for (const char* const name : { "b", "c", "home" })
+  {
+    bit <<= 1U;
+    grip.Buttons |= Flag(buttons, name, false) ? bit : 0U;
+  }
+  return grip;
+}
+
+/** Adds the devices of a family: a list, or a map from identifiers. */
+template <typename Device>
+const char* ReadFamily(const Json& message, const char* family,
+  Device (*read)(const Json&, const char*), std::vector<Device>& all)
+{
+  const Json& devices = At(message, family);
+  if (!devices.is_structured() && !devices.is_null())
+  {
+    return NoDevices;
+  }
+  for (const auto& item : devices.items())
+  {
+    if (!item.value().is_object())
+    {
+      return NoDevices;
+    }
+    if (all.size() == MostDevices)
+    {
+      return TooMany;
+    }
+    all.push_back(read(item.value(), family));
+    all.back().Id = devices.is_object() ? item.key() : Text(item.value(), "device_id");
+  }
+  return nullptr;
+}
+
+/** Null if it is no object, or no JSON. */
+Json Parse(const std::string& text)
+{
+  Json value = Json::parse(text, nullptr, false);
+  return value.is_object() ? value : Json();
+}
+
+/** Answers by HTTP may be in an envelope: "Standard response envelope" of the documentation. */
+const Json& Unwrap(const Json& answer)
+{
+  const Json& data = At(answer, "data");
+  return data.is_object() ? data : answer;
+}
+
+Json MakeForce(const HaplyVersion& version, const std::string& id, const Vector3& force)
+{
+  const Json vector = { { "x", force.X }, { "y", force.Y }, { "z", force.Z } };
+  return { { "device_id", id },
+    { "commands",
+      { { "set_cursor_force", { { version.IsNew() ? "vector" : "values", vector } } } } } };
+}
+
+std::string Dump(const Json& message)
+{
+  // An identifier came from the service, as JSON; still no exception for a broken one.
+  return message.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace
+
+const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message)
+{
+  message.Arms.clear();
+  message.Grips.clear();
+  const Json whole = Parse(text);
+  const Json& all = Unwrap(whole);
+  if (all.is_null())
+  {
+    return NoObject;
+  }
+  for (const char* const family : { "inverse3", "inverse3x", "minverse" })
+  {
+    if (const char* const fault = ReadFamily(all, family, &ReadArm, message.Arms))
+    {
+      return fault;
+    }
+  }
+  for (const char* const family : { "verse_grip", "wireless_verse_grip", "custom_verse_grip" })
+  {
+    if (const char* const fault = ReadFamily(all, family, &ReadGrip, message.Grips))
+    {
+      return fault;
+    }
+  }
+  return nullptr;
+}
+
+const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event)
+{
+  constexpr std::array<const char*, 6> levels{ "info", "notice", "warning", "error", "critical",
+    "panic" };
+  const Json all = Parse(text);
+  if (all.is_null())
+  {
+    return NoObject;
+  }
+  const Json& data = At(all, "data");
+  event = {};
+  event.Name = Text(all, "name");
+  event.Device = Text(data, "device_id");
+  event.Safety = Text(data, "safety_type");
+  event.Text = Text(all, "message");
+  const std::string level = Text(all, "level");
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    if (level == levels[i])
+    {
+      event.Level = static_cast<HaplyLevel>(i);
+    }
+  }
+  return nullptr;
+}
+
+const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version)
+{
+  const Json whole = Parse(text);
+  const Json& data = Unwrap(whole);
+  for (const char* const name : { "git_tag", "project_version", "git_describe" })
+  {
+    const std::string value = Text(data, name);
+    if (std::sscanf(value.c_str(), "%4d.%4d", &version.Major, &version.Minor) == 2)
+    {
+      return nullptr;
+    }
+  }
+  return NoVersion;
+}
+
+std::string WriteHaplyForce(
+  const HaplyVersion& version, const std::string& id, const Vector3& force)
+{
+  const Json message = { { "inverse3", Json::array({ MakeForce(version, id, force) }) } };
+  return Dump(message);
+}
+
+std::string WriteHaplyGreeting(const HaplyVersion& version, const std::string& id)
+{
+  if (!version.IsNew())
+  {
+    return WriteHaplyForce(version, id, {});
+  }
+  Json arm = MakeForce(version, id, {});
+  arm["configure"] = { { "preset", Preset } };
+  Json message = { { "inverse3", Json::array({ arm }) } };
+  message["session"] = { { "configure", { { "profile", { { "name", Profile } } } } } };
+  return Dump(message);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The messages of Haply's Inverse service, without a connection.
+ *
+ * Written from Haply's public documentation (docs.haply.co/inverseSDK, version 3.5: "WebSocket
+ * Protocol", "Simulation Channel", "Control Commands", "Common Types", "Basis Permutation", "Events
+ * & Monitoring", "HTTP", tutorials 00 to 06; and "Haply Inverse Service" of 3.0 and 3.1).
+ *
+ * The service sends a message for each one that it gets. Fields come in any order. A field that has
+ * its default may be missing: a number is then 0, the w of an orientation 1, a button not pressed.
+ * A position that is missing as a whole counts as not told, because the documentation says so of
+ * the parts of a transform only. Services of 3.0 have maps from identifiers to devices where later
+ * ones have lists.
+ *
+ * JSON is read by nlohmann's library: headers only, and nested input does not recurse. VTK's
+ * jsoncpp is of no use here: this room does not know VTK, whose copy has other names in Debian than
+ * in its wheels.
+ *
+ * Haply's axes point right (x), forward (y) and up (z). ToDevice and FromDevice turn them into
+ * those of DeviceBackend.h (right, up, towards the hand) and back. A grip points along its own y.
+ */
+#ifndef HaplyMessages_h
+#define HaplyMessages_h
+
+#include "Core/Math/Quaternion.h"
+#include "Core/Math/Vector3.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** An Inverse3, Inverse3x or Minverse, as a message tells it; vectors in Haply's axes. */
+struct HaplyArm
+{
+  std::string Id;
+  std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if it is told
+  std::string Handedness;                ///< "left" or "right", if it is told
+  std::optional<Vector3> Position;       ///< m
+  std::optional<Vector3> Velocity;       ///< m/s
+  std::optional<Vector3> Force;          ///< N: the one that the service commands
+  std::optional<Quaternion> Orientation; ///< of its body
+  /// Whether the session's space is moved, turned or scaled against the device.
+  bool HasTransform = false;
+  ///@{
+  /** Only if it is told. */
+  std::optional<bool> IsCalibrated;
+  std::optional<bool> IsReady;
+  std::optional<bool> IsInUse;
+  ///@}
+};
+
+/** A VerseGrip, wired or wireless. */
+struct HaplyGrip
+{
+  std::string Id;
+  std::optional<Quaternion> Orientation; ///< in Haply's axes
+  std::uint32_t Buttons = 0;             ///< bits 0 to 3: a or the only one, b, c, home
+  bool IsAwake = true;
+};
+
+struct HaplyMessage
+{
+  std::vector<HaplyArm> Arms;
+  std::vector<HaplyGrip> Grips;
+};
+
+/** How bad an event is; in the order of the documentation. */
+enum class HaplyLevel : std::uint8_t
+{
+  Info,
+  Notice,
+  Warning,
+  Error,
+  Critical,
+  Panic
+};
+
+struct HaplyEvent
+{
+  std::string Name; ///< such as "device-disconnected"
+  HaplyLevel Level = HaplyLevel::Info;
+  std::string Device; ///< the identifier, if it is about one
+  std::string Safety; ///< data.safety_type, such as "ebrake_triggered"
+  std::string Text;   ///< for people
+};
+
+struct HaplyVersion
+{
+  int Major = 0;
+  int Minor = 0;
+  /// Since 3.5 sessions have a profile, devices have presets, and a force is a "vector".
+  bool IsNew() const noexcept { return this->Minor >= 5; }
+  bool IsKnown() const noexcept { return this->Major == 3; }
+};
+
+///@{
+/** Reads a text. Nullptr, or the reason for refusing it; the result is then unspecified. */
+const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message);
+const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event);
+const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version);
+///@}
+
+/** The message that asks for a force (N, in Haply's axes) and for a state. */
+std::string WriteHaplyForce(
+  const HaplyVersion& version, const std::string& id, const Vector3& force);
+/** The first message: no force, and from 3.5 on the session's profile and the arm's origin. */
+std::string WriteHaplyGreeting(const HaplyVersion& version, const std::string& id);
+
+///@{
+/** Between Haply's axes and the device's. */
+constexpr Vector3 ToDevice(const Vector3& haply) noexcept
+{
+  return { haply.X, haply.Z, -haply.Y };
+}
+constexpr Vector3 FromDevice(const Vector3& device) noexcept
+{
+  return { device.X, -device.Z, device.Y };
+}
+/** Of a stylus that points along its -z, for a grip that points along its y. */
+constexpr Quaternion ToDevice(const Quaternion& haply) noexcept
+{
+  return { haply.W, haply.X, haply.Z, -haply.Y };
+}
+///@}
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Transport/WebSocket/WebSocketClient.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include <chrono>
+#include <exception>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
+using boost::system::error_code;
+
+using Moment = std::chrono::steady_clock::time_point;
+
+/** ServoClock is steady_clock. */
+Moment MomentOf(std::int64_t time)
+{
+  return Moment(std::chrono::duration_cast<Moment::duration>(std::chrono::nanoseconds(time)));
+}
+
+Moment After(double seconds)
+{
+  return MomentOf(
+    ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond));
+}
+
+/** Handles what happens until something holds. False if it does not by then. */
+template <typename Holds>
+bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
+{
+  io.restart();
+  // What is there counts, even if this thread comes late.
+  io.poll();
+  while (!holds() && std::chrono::steady_clock::now() < end)
+  {
+    io.restart();
+    io.run_one_until(end);
+  }
+  return holds();
+}
+
+/** Starts an operation and waits for its end. An operation that comes too late is ended. */
+template <typename Start>
+error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, Start&& start)
+{
+  bool isDone = false;
+  error_code result;
+  start(
+    [&](error_code error, auto&&...)
+    {
+      isDone = true;
+      result = error;
+    });
+  if (!RunUntil(io, end, [&] { return isDone; }))
+  {
+    stream.close();
+    // It ends at once, and must, because it refers to this function's variables.
+    while (!isDone)
+    {
+      io.restart();
+      io.run_one();
+    }
+    return beast::error::timeout;
+  }
+  return result;
+}
+
+/** Services listen to one of the two addresses of this computer, or to both. */
+error_code Reach(asio::io_context& io, beast::tcp_stream& stream, std::uint16_t port, Moment end)
+{
+  error_code result;
+  for (const asio::ip::address& address : { asio::ip::address(asio::ip::address_v4::loopback()),
+         asio::ip::address(asio::ip::address_v6::loopback()) })
+  {
+    const error_code error = Await(io, stream, end,
+      [&](auto&& done)
+      { stream.async_connect(asio::ip::tcp::endpoint(address, port), std::move(done)); });
+    if (!error)
+    {
+      error_code ignored;
+      stream.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+      return error;
+    }
+    result = address.is_v4() ? error : result;
+    stream.close();
+  }
+  return result;
+}
+
+std::string HostOf(std::uint16_t port)
+{
+  return "localhost:" + std::to_string(port);
+}
+
+} // namespace
+
+struct WebSocketClient::Connection
+{
+  asio::io_context Io{ 1 };
+  websocket::stream<beast::tcp_stream> Stream{ Io };
+  beast::flat_buffer Buffer;
+  bool IsReading = false;
+  bool HasMessage = false;
+  bool IsClosed = false;
+
+  beast::tcp_stream& Tcp() { return beast::get_lowest_layer(this->Stream); }
+  void Read()
+  {
+    this->IsReading = true;
+    this->Stream.async_read(this->Buffer,
+      [this](error_code error, std::size_t)
+      {
+        this->IsReading = false;
+        this->HasMessage = !error;
+        this->IsClosed = this->IsClosed || error;
+      });
+  }
+};
+
+WebSocketClient::WebSocketClient() = default;
+
+WebSocketClient::~WebSocketClient()
+{
+  this->Close();
+}
+
+bool WebSocketClient::IsOpen() const noexcept
+{
+  return this->Link && !this->Link->IsClosed;
+}
+
+bool WebSocketClient::Open(std::uint16_t port, double seconds, std::string& error)
+{
+  this->Close();
+  try
+  {
+    auto link = std::make_unique<Connection>();
+    const Moment end = After(seconds);
+    error_code failure = Reach(link->Io, link->Tcp(), port, end);
+    if (!failure)
+    {
+      link->Stream.read_message_max(LongestMessage);
+      failure = Await(link->Io, link->Tcp(), end,
+        [&](auto&& done) { link->Stream.async_handshake(HostOf(port), "/", std::move(done)); });
+    }
+    if (failure)
+    {
+      error = failure.message();
+      return false;
+    }
+    link->Stream.text(true);
+    this->Link = std::move(link);
+    return true;
+  }
+  catch (const std::exception& e)
+  {
+    error = e.what();
+    return false;
+  }
+}
+
+bool WebSocketClient::Send(const std::string& text, double seconds)
+{
+  if (!this->IsOpen())
+  {
+    return false;
+  }
+  Connection& link = *this->Link;
+  const error_code error = Await(link.Io, link.Tcp(), After(seconds),
+    [&](auto&& done) { link.Stream.async_write(asio::buffer(text), std::move(done)); });
+  link.IsClosed = link.IsClosed || error;
+  return !link.IsClosed;
+}
+
+WebSocketClient::Outcome WebSocketClient::Receive(std::string& text, std::int64_t until)
+{
+  if (!this->Link)
+  {
+    return Outcome::Closed;
+  }
+  Connection& link = *this->Link;
+  if (!link.IsReading && !link.HasMessage && !link.IsClosed)
+  {
+    link.Read();
+  }
+  RunUntil(link.Io, MomentOf(until), [&] { return link.HasMessage || link.IsClosed; });
+  if (link.HasMessage)
+  {
+    text = beast::buffers_to_string(link.Buffer.data());
+    link.Buffer.clear();
+    link.HasMessage = false;
+    return Outcome::Message;
+  }
+  return link.IsClosed ? Outcome::Closed : Outcome::Nothing;
+}
+
+void WebSocketClient::Close(double seconds) noexcept
+{
+  try
+  {
+    if (this->IsOpen() && seconds > 0.0)
+    {
+      Connection& link = *this->Link;
+      Await(link.Io, link.Tcp(), After(seconds),
+        [&](auto&& done)
+        { link.Stream.async_close(websocket::close_code::normal, std::move(done)); });
+    }
+    if (this->Link)
+    {
+      this->Link->Tcp().close();
+    }
+  }
+  catch (const std::exception&)
+  {
+    // The connection ends anyway.
+  }
+  this->Link.reset();
+}
+
+bool FetchText(std::uint16_t port, const std::string& target, double seconds, std::string& text,
+  std::string& error)
+{
+  try
+  {
+    asio::io_context io{ 1 };
+    beast::tcp_stream stream{ io };
+    const Moment end = After(seconds);
+    http::request<http::empty_body> request{ http::verb::get, target, 11 };
+    request.set(http::field::host, HostOf(port));
+    beast::flat_buffer buffer{ WebSocketClient::LongestMessage };
+    http::response<http::string_body> answer;
+    error_code failure = Reach(io, stream, port, end);
+    if (!failure)
+    {
+      failure = Await(
+        io, stream, end, [&](auto&& done) { http::async_write(stream, request, std::move(done)); });
+    }
+    if (!failure)
+    {
+      failure = Await(io, stream, end,
+        [&](auto&& done) { http::async_read(stream, buffer, answer, std::move(done)); });
+    }
+    if (!failure && answer.result() == http::status::ok)
+    {
+      text = std::move(answer.body());
+      return true;
+    }
+    error = failure ? failure.message() : "HTTP " + std::to_string(answer.result_int());
+  }
+  catch (const std::exception& e)
+  {
+    error = e.what();
+  }
+  return false;
+}
+
+} // namespace VolumeHaptics

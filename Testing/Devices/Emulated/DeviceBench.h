@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A device by its id, with a servo loop on it that touches a floor.
+ */
+#ifndef DeviceBench_h
+#define DeviceBench_h
+
+#include "Devices/Common/DeviceRegistry.h"
+#include "Emulators/EmulatedHand.h"
+#include "Rigs/PlayedDevice.h"
+#include "Rigs/SurfaceRig.h"
+
+#include <optional>
+
+namespace emulated
+{
+using namespace servotest;
+
+inline constexpr double Radius = 1e-3;          ///< m, of the sphere that touches
+inline constexpr double Friction = 0.3;         ///< of the floor
+inline constexpr double FloorStiffness = 500.0; ///< N/m
+
+/**
+ * A floor on which the sphere's middle is at a height (m) along a direction of the device's, which
+ * points outward.
+ */
+class Floor
+{
+public:
+  /// `linear` turns the device's axes into those of the floor, of which z is out.
+  explicit Floor(double height, const Matrix3& linear = {})
+  {
+    HapticModelDescription description = DescribeMesh(this->Volume, MakeFloor(), Friction);
+    description.DeviceToWorld.Linear = 1000.0 * linear;
+    description.DeviceToWorld.Offset = { 0.0, 0.0, 1000.0 * (Radius - height) };
+    description.Material.Stiffness = ConstantPolyline(FloorStiffness);
+    this->Model = std::make_shared<HapticModel>(description);
+  }
+  std::shared_ptr<const HapticModel> Model;
+
+private:
+  const TestVolume Volume = MakeRamp();
+};
+
+/**
+ * How deep (m) a hand's spring presses that is led to a depth (m): both springs hold each other.
+ */
+inline double BalancedDepth(double led)
+{
+  return led * EmulatedHand::Stiffness / (EmulatedHand::Stiffness + FloorStiffness);
+}
+
+/** Opens a device, runs a loop on it, waits for what it tells. */
+class DeviceBench
+{
+public:
+  bool Open(const std::string& id, const DeviceOptions& options = {})
+  {
+    this->Device = MakeDevice(id, options, this->Error);
+    return this->Device && this->Device->Open(this->Error);
+  }
+  bool Reopen() { return this->Device->Open(this->Error); }
+  void Start(const std::shared_ptr<const HapticModel>& model, double rate = 1000.0)
+  {
+    this->Loop.emplace(*this->Device, rate);
+    (*this->Loop)->Publish(model);
+  }
+  void Stop() { this->Loop.reset(); }
+  ServoLoop* operator->() { return this->Loop->operator->(); }
+
+  bool WaitFor(DeviceStage stage)
+  {
+    return Eventually([&] { return this->Device->GetCondition().Stage == stage; });
+  }
+  /// Waits until the text has this in it.
+  bool WaitForText(const char* part)
+  {
+    return Eventually([&] { return this->Text().find(part) != std::string::npos; });
+  }
+  std::string Text() { return this->Device->GetCondition().Text.data(); }
+  bool WaitForFault(GateReason fault)
+  {
+    return Eventually(
+      [&]
+      {
+        (*this)->ReadState();
+        return (*this)->GetState().GetFault() == fault;
+      });
+  }
+  bool WaitForTicks(std::uint64_t ticks)
+  {
+    const std::uint64_t end = (*this)->GetTickCount() + ticks;
+    return Eventually([&] { return (*this)->GetTickCount() >= end; });
+  }
+
+  /**
+   * Leads a hand to the surface, and in until it feels the expected force. If a busy machine made
+   * the servo stand still meanwhile, the force has begun again from inside: then this tries once
+   * more.
+   */
+  template <typename Approach, typename Enter, typename IsFelt>
+  bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)
+  {
+    bool felt = false;
+    for (int attempt = 0; attempt < 20 && !felt; ++attempt)
+    {
+      approach();
+      enter();
+      for (int i = 0; i < 2000 && !(felt = isFelt()); ++i)
+      {
+        this->WaitForTicks(1);
+      }
+    }
+    return felt;
+  }
+
+  /// Cut, said, and not back by arming it.
+  void ExpectLost(const char* text)
+  {
+    EXPECT_TRUE(this->WaitForFault(GateReason::DeviceLost));
+    EXPECT_TRUE(this->WaitForText(text)) << this->Text();
+    (*this)->Arm();
+    EXPECT_TRUE(this->WaitForTicks(20));
+    EXPECT_TRUE(this->WaitForFault(GateReason::DeviceLost));
+    EXPECT_EQ(this->Device->GetCondition().Stage, DeviceStage::Lost);
+  }
+
+  std::unique_ptr<DeviceBackend> Device;
+  std::string Error;
+
+private:
+  std::optional<RunningLoop> Loop;
+};
+
+inline double Size(const Triple& v)
+{
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/// Within a tolerance (N) of an expected force.
+inline bool IsNear(const Triple& force, const Triple& expected, double tolerance)
+{
+  return Size({ force[0] - expected[0], force[1] - expected[1], force[2] - expected[2] }) <
+    tolerance;
+}
+
+/// The error of an id that can't be opened.
+inline std::string ErrorOf(const std::string& id, const DeviceOptions& options = {})
+{
+  DeviceBench bench;
+  EXPECT_FALSE(bench.Open(id, options)) << id;
+  return bench.Error;
+}
+
+inline bool Has(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace emulated
+
+#endif

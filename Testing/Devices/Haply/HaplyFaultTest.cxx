@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Whatever goes wrong with a played Inverse service ends in zero force and a text.
+ */
+
+#include "HaplyRig.h"
+
+using namespace emulated;
+
+namespace
+{
+class HaplyFaults : public HaplyTest
+{
+protected:
+  void SetUp() override
+  {
+    this->Serve();
+    ASSERT_NO_FATAL_FAILURE(this->Open());
+    ASSERT_NO_FATAL_FAILURE(this->Feel());
+  }
+};
+
+std::string MakeEvent(const char* name, const char* level, const char* device, const char* message)
+{
+  return std::string(R"({"name":")") + name + R"(","category":"device","level":")" + level +
+    R"(","data":{"device_id":")" + device + R"("},"message":")" + message + "\"}";
+}
+} // namespace
+
+TEST_F(HaplyFaults, TheServiceDiesAndIsStartedAgain)
+{
+  this->Service->Die();
+  this->Bench.ExpectLost("the Inverse service ended or closed the connection");
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitForText("does not answer at port")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+
+  this->Service.reset();
+  this->Serve();
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  this->Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+}
+
+TEST_F(HaplyFaults, TheServiceFallsSilent)
+{
+  this->Service->Break(HaplyFault::Silent);
+  this->ExpectLost("the Inverse service does not answer");
+}
+
+TEST_F(HaplyFaults, TheServiceIsSlow)
+{
+  this->Service->Break(HaplyFault::Slow);
+  // Forces of positions that are so old must not flow; nor does the stream fall behind for good.
+  EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
+  this->Service->Break(HaplyFault::None);
+  EXPECT_TRUE(this->Bench.Press(
+    [&]
+    {
+      if (this->Bench.Device->GetCondition().Stage == DeviceStage::Lost)
+      {
+        this->Bench.Device->Home();
+      }
+      this->Bench.WaitFor(DeviceStage::Ready);
+      this->Bench->Arm();
+    },
+    [] {}, [&] { return this->IsHeld(); }));
+  const HaplySession session = this->LastSession();
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      const HaplySession now = this->LastSession();
+      return now.States >= static_cast<int>(now.Forces.size()) - 1;
+    }));
+}
+
+TEST_F(HaplyFaults, TheServiceSendsJunk)
+{
+  this->Service->Break(HaplyFault::Junk);
+  this->ExpectLost("sent something that is not a JSON object");
+}
+
+TEST_F(HaplyFaults, ThePositionIsNotTold)
+{
+  this->Service->Break(HaplyFault::Blind);
+  this->ExpectLost("does not tell its position");
+}
+
+TEST_F(HaplyFaults, TheArmIsUnplugged)
+{
+  this->Service->Unplug();
+  this->ExpectLost("does not tell its position");
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitForText("is not plugged in any more")) << this->Bench.Text();
+}
+
+TEST_F(HaplyFaults, TheCalibrationIsLost)
+{
+  this->Service->SetCalibrated(false);
+  this->ExpectLost("has lost its calibration");
+}
+
+TEST_F(HaplyFaults, ThePositionSteps)
+{
+  this->Service->Shift({ 0.0, 0.3, 0.0 });
+  this->ExpectLost("made a step that no hand makes");
+}
+
+TEST_F(HaplyFaults, TheWorkspaceIsScaled)
+{
+  this->Service->SetScale(2.0);
+  this->ExpectLost("moved, turned or scaled");
+}
+
+TEST_F(HaplyFaults, AnEventOfTheArmStopsIt)
+{
+  ASSERT_TRUE(Eventually([&] { return this->Service->CountListeners() == 1; }));
+  this->Service->PushEvent("no JSON");
+  this->Service->PushEvent(MakeEvent("device-safety-triggered", "error", "04BA", "of another arm"));
+  this->Service->PushEvent(
+    MakeEvent("device-safety-triggered", "warning", "049D", "Motor stall detected"));
+  EXPECT_TRUE(this->Bench.WaitForText("tells a warning: Motor stall detected"));
+  EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "it goes on";
+  this->Service->PushEvent(
+    MakeEvent("device-safety-triggered", "error", "049D", "Emergency brake engaged"));
+  this->ExpectLost("was stopped by the Inverse service: Emergency brake engaged.");
+}
+
+TEST_F(HaplyFaults, AnotherSessionTakesTheArm)
+{
+  ASSERT_TRUE(Eventually([&] { return this->Service->CountListeners() == 1; }));
+  this->Service->PushEvent(MakeEvent("device-busy", "warning", "049D", ""));
+  this->ExpectLost("was stopped by the Inverse service: device-busy");
+}
+
+TEST_F(HaplyFaults, TheServoStandsStill)
+{
+  this->Bench.Stop();
+  EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
+}
+
+TEST(HaplyErrors, SayWhatToDo)
+{
+  // A port that was free a moment ago.
+  emulated::HaplyShape shape;
+  {
+    const HaplyService service(shape);
+  }
+  EXPECT_TRUE(ListDevices().empty());
+  EXPECT_TRUE(Has(ErrorOf("haply"), "Start Haply's Hub")) << ErrorOf("haply");
+  setenv("VOLUMEHAPTICS_HAPLY", "10001,events", 1);
+  EXPECT_TRUE(Has(ErrorOf("haply"), "Give the ports")) << ErrorOf("haply");
+  setenv("VOLUMEHAPTICS_HAPLY", "65536", 1);
+  EXPECT_TRUE(Has(ErrorOf("haply"), "Give the ports"));
+  EXPECT_TRUE(Has(ErrorOf("haply:"), "is no device id"));
+  {
+    const HaplyService service(shape);
+    EXPECT_TRUE(Has(ErrorOf("haply:7777"), "It has haply:049D, haply:04BA"))
+      << ErrorOf("haply:7777");
+  }
+  {
+    shape.Version = "4.0.0";
+    const HaplyService service(shape);
+    EXPECT_TRUE(Has(ErrorOf("haply"), "is of version 4.0")) << ErrorOf("haply");
+    EXPECT_TRUE(ListDevices().empty());
+  }
+  {
+    shape.Version = "main";
+    const HaplyService service(shape);
+    EXPECT_TRUE(Has(ErrorOf("haply"), "does not tell its version")) << ErrorOf("haply");
+  }
+  unsetenv("VOLUMEHAPTICS_HAPLY");
+}

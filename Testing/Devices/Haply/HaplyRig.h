@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A played Inverse service, a floor that its arm feels, and a hand that is led into it.
+ */
+#ifndef HaplyRig_h
+#define HaplyRig_h
+
+#include "Devices/Emulated/DeviceBench.h"
+#include "Emulators/HaplyService.h"
+
+#include <gtest/gtest.h>
+
+namespace emulated
+{
+/// The device's y, Haply's z, is up: it points out of the floor.
+inline const Matrix3 Upward = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
+
+class HaplyTest : public testing::Test
+{
+protected:
+  ~HaplyTest() override { unsetenv("VOLUMEHAPTICS_HAPLY"); }
+
+  void Serve(const HaplyShape& shape = {}) { this->Service.emplace(shape); }
+  void Open(const std::string& id = "haply")
+  {
+    ASSERT_TRUE(this->Bench.Open(id)) << this->Bench.Error;
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  }
+  /// Arms, and leads the hand to the floor's middle, 10 mm inside.
+  void Feel(double rate = 1000.0)
+  {
+    this->Bench.Start(this->Ground.Model, rate);
+    ASSERT_TRUE(this->Bench.WaitForTicks(20));
+    this->Bench->Arm();
+    EXPECT_TRUE(this->Bench.Press(
+      [&]
+      {
+        this->Service->SetGoal({ 0.0, 0.0, Floor + 0.005 });
+        Eventually([&] { return std::abs(this->Service->GetTip()[2] - Floor - 0.005) < 0.001; });
+      },
+      [&] {
+        this->Service->SetGoal({ 0.0, 0.0, Floor - 0.005 });
+      },
+      [&] { return this->IsHeld(); }))
+      << this->Service->GetForce()[2];
+  }
+  /// By the floor, straight up, against being led 5 mm inside.
+  bool IsHeld()
+  {
+    const double force = FloorStiffness * BalancedDepth(0.005);
+    return IsNear(this->Service->GetForce(), { 0.0, 0.0, force }, 0.05);
+  }
+  /// Cut, said, not back by itself, and the last message had no force.
+  void ExpectLost(const char* text)
+  {
+    this->Bench.ExpectLost(text);
+    EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
+  }
+  HaplySession LastSession() { return this->Service->GetSessions().back(); }
+  Triple LastForce()
+  {
+    const HaplySession session = this->LastSession();
+    return session.Forces.empty() ? Triple{} : session.Forces.back();
+  }
+
+  static constexpr double Floor = -0.01; ///< m, its height
+  std::optional<HaplyService> Service;
+  emulated::Floor Ground{ Floor, Upward };
+  DeviceBench Bench;
+};
+
+} // namespace emulated
+
+#endif

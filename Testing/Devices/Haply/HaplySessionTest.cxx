@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A hand on an arm of a played Inverse service: the whole way of positions and forces over real
+ * WebSockets of this computer. The service is written from Haply's documentation, see
+ * Emulators/HaplyService.h; the balance on the floor is that of two springs.
+ */
+
+#include "HaplyRig.h"
+
+using namespace emulated;
+
+namespace
+{
+class HaplySessions : public HaplyTest
+{
+protected:
+  void FeelAndEnd(const HaplyShape& shape, double rate = 1000.0)
+  {
+    this->Serve(shape);
+    ASSERT_NO_FATAL_FAILURE(this->Open());
+    ASSERT_NO_FATAL_FAILURE(this->Feel(rate));
+    this->Bench.Stop();
+    this->Bench.Device->Close();
+    const HaplySession session = this->LastSession();
+    EXPECT_EQ(session.Refused, 0) << "all messages are as this version takes them";
+    ASSERT_FALSE(session.Forces.empty());
+    EXPECT_EQ(Size(session.Forces.front()), 0.0) << "the first one";
+    EXPECT_EQ(Size(session.Forces.back()), 0.0) << "the last one";
+    EXPECT_EQ(session.States, static_cast<int>(session.Forces.size())) << "one for each message";
+    for (const Triple& force : session.Forces)
+    {
+      EXPECT_LE(Size(force), 2.0 + 1e-9);
+    }
+  }
+};
+} // namespace
+
+TEST_F(HaplySessions, AFloorIsFelt)
+{
+  ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd({}));
+  EXPECT_NE(this->LastSession().Greeting.find("\"profile\""), std::string::npos);
+  EXPECT_TRUE(Eventually([&] { return !this->LastSession().IsOpen; }));
+}
+
+TEST_F(HaplySessions, AtFourKilohertz)
+{
+  ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd({}, 4000.0));
+}
+
+TEST_F(HaplySessions, WithAnOldService)
+{
+  HaplyShape shape;
+  shape.Version = "3.0.7";
+  shape.HasMaps = true;
+  shape.HasEvents = false;
+  ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
+  EXPECT_EQ(this->LastSession().Greeting.find("\"session\""), std::string::npos);
+}
+
+TEST_F(HaplySessions, WithAServiceOfThreeOne)
+{
+  HaplyShape shape;
+  shape.Version = "3.1.1";
+  ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
+}
+
+TEST_F(HaplySessions, WithOmittedDefaultsInAnotherOrder)
+{
+  HaplyShape shape;
+  shape.OmitsDefaults = true;
+  shape.IsReordered = true;
+  ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
+}
+
+TEST_F(HaplySessions, ItIsListedByItsNameAndHand)
+{
+  this->Serve();
+  std::vector<DeviceListing> all = ListDevices();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].Id, "haply:049D");
+  EXPECT_EQ(all[0].Name, "Haply Inverse3 (049D, right-handed)");
+  EXPECT_EQ(all[0].State, "available");
+  EXPECT_EQ(all[0].Identity, "haply:049D");
+  EXPECT_EQ(all[1].Id, "haply:04BA");
+  this->Service->SetCalibrated(false);
+  EXPECT_TRUE(Has(ListDevices()[0].State, "not calibrated"));
+  this->Service->SetCalibrated(true);
+  ASSERT_NO_FATAL_FAILURE(this->Open("haply:049D"));
+  EXPECT_EQ(this->Bench.Device->GetName(), "Haply Inverse3 (049D, right-handed)");
+  EXPECT_EQ(this->Bench.Device->GetIdentity(), "haply:049D");
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 2.0);
+  EXPECT_EQ(this->Bench.Device->GetLimits().WorkspaceRadius, 0.10);
+}
+
+TEST_F(HaplySessions, AMinverseHasASmallerWorkspace)
+{
+  HaplyShape shape;
+  shape.Type = "minverse";
+  this->Serve(shape);
+  ASSERT_NO_FATAL_FAILURE(this->Open());
+  EXPECT_EQ(this->Bench.Device->GetName(), "Haply Minverse (049D, right-handed)");
+  EXPECT_EQ(this->Bench.Device->GetLimits().WorkspaceRadius, 0.04);
+}
+
+TEST_F(HaplySessions, TheGripTurnsTheStylusAndHasAButton)
+{
+  this->Serve();
+  ASSERT_NO_FATAL_FAILURE(this->Open());
+  // A quarter about the vertical, which is y here.
+  const double half = std::sqrt(0.5);
+  this->Service->SetGrip({ half, 0.0, 0.0, half }, true);
+  DeviceSample sample;
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      return this->Bench.Device->Read(1e-3, sample) == DeviceState::Running &&
+        sample.Buttons == 1U && std::abs(sample.Orientation.Y - half) < 1e-6;
+    }));
+  EXPECT_TRUE(sample.HasOrientation);
+  EXPECT_NEAR(sample.Orientation.W, half, 1e-6);
+  EXPECT_NEAR(sample.Orientation.X, 0.0, 1e-9);
+  EXPECT_NEAR(sample.Orientation.Z, 0.0, 1e-9);
+}
+
+TEST_F(HaplySessions, ItIsReadyWhenItIsCalibrated)
+{
+  this->Serve();
+  this->Service->SetCalibrated(false);
+  ASSERT_TRUE(this->Bench.Open("haply")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("is not calibrated"));
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  this->Service->SetCalibrated(true);
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Text(), "");
+}
+
+TEST_F(HaplySessions, ASecondClientIsToldThatItIsInUse)
+{
+  this->Serve();
+  ASSERT_NO_FATAL_FAILURE(this->Open());
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  EXPECT_TRUE(Has(ErrorOf("haply"), "is in use by another program"));
+  EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "undisturbed";
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A stand-in for Haply's Inverse service, with an arm that a hand holds: a real WebSocket and HTTP
+ * server on this computer.
+ *
+ * Written from Haply's public documentation alone, docs.haply.co/inverseSDK. Of 3.5:
+ * service/realtime/websocket-protocol (inventory, one state for each message),
+ * service/api/simulation, service/realtime/control-commands ("vector"; forces of a tick),
+ * service/commons/types (units), service/commons/basis (right, forward, up),
+ * service/commons/mount-and-workspace (presets), service/session-configuration/sessions (profile),
+ * service/events and service/api/events, service/api/http (version, envelope),
+ * service/tutorials/00 to 06 (handshake, omitted defaults, a grip's buttons and axis). Of 3.0:
+ * 3.0.2/service (maps of devices, /3.0/version). That services before 3.5 take "values" is from
+ * programs for them: NVIDIA Isaac Lab, isaaclab/devices/haply, and jhu-saw/sawHaplyService 25f21be.
+ *
+ * How long a force holds without another message, and what becomes of it when a client is gone, is
+ * not documented. Here it holds for ever, which is the worst.
+ */
+#ifndef HaplyService_h
+#define HaplyService_h
+
+#include "Emulators/EmulatedHand.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace emulated
+{
+
+struct HaplyShape
+{
+  std::string Version = "3.5.0";
+  std::string Type = "inverse3";
+  bool HasMaps = false;       ///< as in 3.0: maps from identifiers to devices
+  bool OmitsDefaults = false; ///< numbers that have their default, and buttons that are not pressed
+  bool IsReordered = false;   ///< members of objects in the other order
+  bool HasEvents = true;
+};
+
+enum class HaplyFault
+{
+  None,
+  Silent, ///< it takes messages and answers none
+  Slow,   ///< each state comes after 60 ms
+  Junk,   ///< its states are no JSON
+  Blind   ///< its states have no position
+};
+
+/** All that the service saw of a session. */
+struct HaplySession
+{
+  std::string Greeting;       ///< the first message
+  std::vector<Triple> Forces; ///< of each message, N
+  int Refused = 0;            ///< messages that it did not understand
+  int States = 0;             ///< that it sent as answers
+  bool IsOpen = true;
+};
+
+class HaplyService
+{
+public:
+  static constexpr const char* Id = "049D";
+  static constexpr const char* Other = "04BA"; ///< a second arm, at rest
+
+  /** Listens, and names its ports in VOLUMEHAPTICS_HAPLY. */
+  explicit HaplyService(const HaplyShape& shape = {});
+  ~HaplyService();
+  HaplyService(const HaplyService&) = delete;
+  HaplyService& operator=(const HaplyService&) = delete;
+
+  /** Closes all connections and listens no more. */
+  void Die();
+  void Break(HaplyFault fault);
+  /** To everyone who listens to the events. */
+  void PushEvent(const std::string& json);
+  std::size_t CountListeners();
+
+  ///@{
+  /** The hand's goal, and the tip, from the middle of the workspace, in Haply's axes (m). */
+  void SetGoal(const Triple& goal);
+  Triple GetTip();
+  ///@}
+  /** Moves the arm without its hand, as another preset would (m). */
+  void Shift(const Triple& by);
+  /** The force (N) that the arm has now. */
+  Triple GetForce();
+
+  void SetCalibrated(bool isCalibrated);
+  void Unplug();
+  /** The scale of the session's transform. */
+  void SetScale(double scale);
+  /** The wireless grip: orientation (w, x, y, z) and its button a. */
+  void SetGrip(const std::array<double, 4>& orientation, bool isPressed);
+
+  std::vector<HaplySession> GetSessions();
+
+private:
+  struct Server;
+  std::unique_ptr<Server> All;
+};
+
+} // namespace emulated
+
+#endif
