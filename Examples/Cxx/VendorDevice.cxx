@@ -1,21 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a device that needs its vendor's library becomes one of vtkHapticDevice's: a back end, a
-// kind, and two lines in the application. The "library" here is a stand-in with the shape that such
-// libraries share, so that the example runs as it is: put your vendor's calls in the place of
-// VendorLibrary's.
-#include <Devices/Common/DeviceKind.h>
-#include <vtkHapticDevice.h>
-#include <vtkNew.h>
+// A template of a plug-in, through which all programs of VTK Volume Haptics reach a device that
+// needs its vendor's library:
+//
+//   cmake -S Examples/Cxx -B build -DVolumeHaptics_DIR=... && cmake --build build
+//   export VOLUMEHAPTICS_VENDOR_PATH=$PWD/build
+//   volumehaptics-device list                        # vendor:example:0
+//   volumehaptics-device monitor vendor:example:0
+//
+// The "library" here is a stand-in with the shape that such libraries share, so that the example
+// runs as it is: put your vendor's calls in the place of VendorSdk's. VendorPlugin.h says what each
+// function has to do. Others may not write the plug-in or a folder above it, else it is not loaded.
+#include <Devices/Vendor/VendorPlugin.h>
 
-#include <chrono>
 #include <cmath>
-#include <iostream>
-#include <thread>
+#include <cstdio>
 
 // ---- What the vendor gives you: handles, error codes, millimetres, an axis order of its own.
-namespace VendorLibrary
+namespace VendorSdk
 {
 struct Pose
 {
@@ -28,9 +31,9 @@ int CountDevices()
 {
   return 1;
 }
-int Open(int /*number*/)
+int Open(int number)
 {
-  return 42; // a handle, below zero for an error
+  return number == 0 ? 42 : -1; // a handle, below zero for an error
 }
 int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 if there is nothing new
 {
@@ -46,152 +49,122 @@ int Write(int /*handle*/, const double /*newtons*/[3])
   return 0;
 }
 void Close(int /*handle*/) {}
-} // namespace VendorLibrary
+} // namespace VendorSdk
 
 // ---- What you write.
 namespace
 {
-using namespace VolumeHaptics;
 
-/// The time in ns, as DeviceSample has it.
-std::int64_t Now()
+struct Device
 {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
-}
-
-class VendorBackend : public DeviceBackend
-{
-public:
-  explicit VendorBackend(int number)
-    : Number(number)
-  {
-  }
-  ~VendorBackend() override { this->Close(); }
-
-  // On the application's thread: here you may wait, allocate and throw away.
-  bool Open(std::string& error) override
-  {
-    this->Handle = VendorLibrary::Open(this->Number);
-    if (this->Handle < 0)
-    {
-      error =
-        this->GetName() + " can't be opened. Plug it in, and close other programs that use it.";
-    }
-    return this->Handle >= 0;
-  }
-  void Close() override
-  {
-    if (this->Handle >= 0)
-    {
-      this->Write({});
-      VendorLibrary::Close(this->Handle);
-      this->Handle = -1;
-    }
-  }
-  std::string GetName() const override { return "vendor:" + std::to_string(this->Number); }
-  // From the data sheet. What is not limited, or not known, is 0.
-  DeviceLimits GetLimits() const override
-  {
-    DeviceLimits limits;
-    limits.MaximumForce = 3.3;
-    limits.MaximumStiffness = 1000.0;
-    limits.MaximumSpeed = 2.5;
-    limits.WorkspaceRadius = 0.08;
-    return limits;
-  }
-
-  // On the servo's thread, a thousand times a second: no lock, no allocation, no exception, and no
-  // wait. If the library can't promise that, call it from a thread of your own, and hand
-  // positions and forces over without locks.
-  DeviceState Read(double, DeviceSample& sample) noexcept override
-  {
-    VendorLibrary::Pose pose;
-    const int result = VendorLibrary::Read(this->Handle, &pose);
-    if (result < 0)
-    {
-      return DeviceState::Lost; // cuts the force off until the user opens and arms it again
-    }
-    // Ours are metres, and axes that point right, up and towards the user.
-    const double* const p = pose.Millimetres;
-    sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
-    // Ours is w first; the other three change their axes as a position does. If the library can't
-    // tell, leave HasOrientation false. See DeviceBackend.h for the axes of the stylus itself.
-    const double* const q = pose.Quaternion;
-    sample.Orientation = { q[3], q[0], q[2], -q[1] };
-    sample.HasOrientation = true;
-    sample.Buttons = pose.Buttons;
-    sample.Fresh = result > 0;
-    // When it was measured: now, as this library does not tell it.
-    sample.Time = sample.Fresh ? Now() : 0;
-    return DeviceState::Running;
-  }
-  DeviceState Write(const Vector3& force) noexcept override
-  {
-    // It has come through the safety stage: finite, clamped, slewed. Back to the library's axes.
-    const double newtons[3] = { force.X, -force.Z, force.Y };
-    return VendorLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost
-                                                           : DeviceState::Running;
-  }
-  // From any thread, when the servo's does not answer. A library that takes calls from one thread
-  // only needs a watchdog of its own here; this one takes them from any.
-  void Quench() noexcept override
-  {
-    const double none[3] = { 0.0, 0.0, 0.0 };
-    VendorLibrary::Write(this->Handle, none);
-  }
-
-private:
-  const int Number;
   int Handle = -1;
+  const char* Error = "";
 };
 
-DeviceKind MakeVendorKind()
+const char* openError = "";
+
+int Count()
 {
-  DeviceKind kind;
-  kind.Name = "vendor";
-  kind.List = []
-  {
-    std::vector<DeviceListing> devices;
-    for (int i = 0; i < VendorLibrary::CountDevices(); ++i)
-    {
-      devices.push_back({ "vendor:" + std::to_string(i), "A stylus of a vendor", "available" });
-    }
-    return devices;
-  };
-  kind.Make = [](const std::string& id, const DeviceOptions&,
-                std::string& error) -> std::unique_ptr<DeviceBackend>
-  {
-    for (int i = 0; i < VendorLibrary::CountDevices(); ++i)
-    {
-      if (id == "vendor:" + std::to_string(i) || (id == "vendor" && i == 0))
-      {
-        return std::make_unique<VendorBackend>(i);
-      }
-    }
-    error = "There is no \"" + id + "\" here. Plug it in.";
-    return nullptr;
-  };
-  return kind;
+  return VendorSdk::CountDevices();
 }
+
+int Describe(int number, char* name, size_t nameSize, char* serial, size_t serialSize)
+{
+  std::snprintf(name, nameSize, "A stylus of a vendor");
+  // The user's confirmations and calibrations are remembered under it.
+  std::snprintf(serial, serialSize, "example-%d", number);
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+void* Open(int number)
+{
+  const int handle = VendorSdk::Open(number);
+  if (handle < 0)
+  {
+    openError = "can't be opened. Plug it in, and close other programs that use it.";
+    return nullptr;
+  }
+  auto* const device = new Device;
+  device->Handle = handle;
+  return device;
+}
+
+// From the data sheet.
+int GetLimits(void*, VolumeHapticsVendorLimits* limits)
+{
+  *limits = {};
+  limits->MaximumForce = 3.3;
+  limits->MaximumStiffness = 1000.0;
+  limits->MaximumSpeed = 2.5;
+  limits->WorkspaceRadius = 0.08;
+  limits->ForceAxes = 7;
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int GetSerial(void*, char* serial, size_t size)
+{
+  std::snprintf(serial, size, "example-0");
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int Read(void* handle, VolumeHapticsVendorPose* pose)
+{
+  auto* const device = static_cast<Device*>(handle);
+  VendorSdk::Pose told;
+  const int result = VendorSdk::Read(device->Handle, &told);
+  if (result < 0)
+  {
+    // Cuts the force off until the user opens or homes it, and arms it again.
+    device->Error = "does not answer. Look after its cable, then Home() and Arm() again.";
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  // Ours are metres, and axes that point right, up and towards the user.
+  const double* const p = told.Millimetres;
+  pose->Position[0] = 1e-3 * p[0];
+  pose->Position[1] = 1e-3 * p[2];
+  pose->Position[2] = -1e-3 * p[1];
+  // Ours is w first; the other three change their axes as a position does. If the library can't
+  // tell, leave HasOrientation 0.
+  const double* const q = told.Quaternion;
+  pose->Orientation[0] = q[3];
+  pose->Orientation[1] = q[0];
+  pose->Orientation[2] = q[2];
+  pose->Orientation[3] = -q[1];
+  pose->HasOrientation = 1;
+  pose->Buttons = told.Buttons;
+  return result > 0 ? VOLUME_HAPTICS_VENDOR_NEWS : VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int Write(void* handle, const double force[3], const double[3])
+{
+  auto* const device = static_cast<Device*>(handle);
+  // Back to the library's axes.
+  const double newtons[3] = { force[0], -force[2], force[1] };
+  if (VendorSdk::Write(device->Handle, newtons) < 0)
+  {
+    device->Error = "does not take forces. Look after its cable, then Home() and Arm() again.";
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+const char* LastError(void* device)
+{
+  return device ? static_cast<Device*>(device)->Error : openError;
+}
+
+void Close(void* handle)
+{
+  auto* const device = static_cast<Device*>(handle);
+  VendorSdk::Close(device->Handle);
+  delete device;
+}
+
 } // namespace
 
-int main()
+const VolumeHapticsVendorPlugin* VolumeHapticsVendorGetPlugin(uint32_t version)
 {
-  vtkHapticDevice::AddDeviceKind(MakeVendorKind()); // once, before EnumerateDevices() and Open()
-  vtkNew<vtkHapticDevice> device;
-  if (!device->Open("vendor:0") || !device->Start())
-  {
-    return 1;
-  }
-  for (int i = 0; i < 5; ++i)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    device->UpdateState();
-    const double* const tip = device->GetTipPosition();
-    const double* const turn = device->GetTipOrientation();
-    std::cout << "tip " << tip[0] << " " << tip[1] << " " << tip[2] << " mm, turned by "
-              << 2.0 * std::acos(turn[0]) << " rad\n";
-  }
-  std::cout << device->GetStatusText() << "\n";
+  static const VolumeHapticsVendorPlugin plugin = { VOLUME_HAPTICS_VENDOR_VERSION, &Count,
+    &Describe, &Open, &GetLimits, &GetSerial, &Read, &Write, nullptr, &LastError, &Close };
+  return version == VOLUME_HAPTICS_VENDOR_VERSION ? &plugin : nullptr;
 }

@@ -119,6 +119,16 @@ void vtkHapticHardware::SetFirmwareFile(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticHardware::SetVendorPath(const std::string& path)
+{
+  if (path != this->VendorPath)
+  {
+    this->VendorPath = path;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticHardware::SetNewtonsPerFullScale(double x, double y)
 {
   if (!std::isfinite(x) || !std::isfinite(y))
@@ -153,6 +163,7 @@ DeviceOptions vtkHapticHardware::MakeOptions() const
 {
   DeviceOptions options;
   options.FirmwareFile = this->FirmwareFile;
+  options.VendorPath = this->VendorPath;
   options.HomingTime = this->HomingTime;
   options.UseGuard = this->UseGuard;
   options.NewtonsPerFullScale = { this->NewtonsPerFullScale[0], this->NewtonsPerFullScale[1] };
@@ -165,6 +176,8 @@ void vtkHapticHardware::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FirmwareFile: " << (this->FirmwareFile.empty() ? "(none)" : this->FirmwareFile)
      << "\n";
+  os << indent << "VendorPath: "
+     << (this->VendorPath.empty() ? "(VOLUMEHAPTICS_VENDOR_PATH)" : this->VendorPath) << "\n";
   PrintSettings(os, indent, this, HardwareSettings);
   PrintSettings(os, indent, this, HardwareVectors);
 }

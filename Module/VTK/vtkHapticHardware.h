@@ -4,7 +4,7 @@
  * @class   vtkHapticHardware
  * @brief   the devices that exist, and the settings for opening them
  *
- * The superclass of vtkHapticDevice. Devices are reached without vendors' libraries:
+ * The superclass of vtkHapticDevice. Most devices are reached without vendors' libraries:
  *
  *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
  *                      FirmwareFile after it was plugged in, and is homed by hand.
@@ -21,10 +21,13 @@
  *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
+ *   vendor:PLUGIN[:N]  devices of a vendor's library, through a plug-in that you build against the
+ *                      installed SDK: Force Dimension's (forcedimension) and 3D Systems'
+ *                      (openhaptics) are in Examples/Vendor. See SetVendorPath.
  *
  * N counts from 0; without it, the first one is meant. None of this was verified on physical
  * hardware yet: all of it runs against emulated devices, which answer as public descriptions of the
- * protocols say. Vendors' own libraries are added with AddDeviceKind.
+ * protocols say. A program adds devices of its own with AddDeviceKind.
  *
  * If the program can't send zero force any more, for example after SIGKILL (see vtkHapticDevice),
  * only the watchdog of the device itself ends the force: WoodenHaptics ends it after half a second,
@@ -97,8 +100,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Makes a kind of devices known to this process, such as one that needs its vendor's library: see
-   * DeviceKind.h, and Examples/Cxx/VendorDevice.cxx. False, with an error, if the name is taken.
+   * Makes a kind of devices known to this process: see DeviceKind.h, and
+   * Examples/Cxx/OwnDevice.cxx. False, with an error, if the name is taken.
    */
   static bool AddDeviceKind(const VolumeHaptics::DeviceKind& kind);
 #endif
@@ -113,6 +116,20 @@ public:
   std::string GetFirmwareFile() const
   {
     return this->FirmwareFile;
+  }
+  ///@}
+
+  ///@{
+  /**
+   * The folders of plug-ins for vendors' libraries, vendor:PLUGIN[:N], separated by colons. None is
+   * loaded that other users may write. Default: empty, which stands for the environment variable
+   * VOLUMEHAPTICS_VENDOR_PATH. EnumerateDevices and ListDevices look by the variable only. Takes
+   * effect with Open.
+   */
+  void SetVendorPath(const std::string& path);
+  std::string GetVendorPath() const
+  {
+    return this->VendorPath;
   }
   ///@}
 
@@ -164,6 +181,7 @@ protected:
 #endif
 
   std::string FirmwareFile;
+  std::string VendorPath;
   double HomingTime = 120.0;
   bool UseGuard = true;
   double NewtonsPerFullScale[2] = { 100.0, 100.0 };

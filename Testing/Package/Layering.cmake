@@ -62,7 +62,7 @@ allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
 set(device_basis Core/Math Core/Model/ForceCaps.h Core/Servo)
 # The list of kinds names each kind.
 allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Haply/HaplyKind.h Devices/Pid/PidKind.h
-  Devices/SpaceMouse/SpaceMouseKind.h Devices/WoodenHaptics/WoodenKind.h)
+  Devices/SpaceMouse/SpaceMouseKind.h Devices/Vendor/VendorKind.h Devices/WoodenHaptics/WoodenKind.h)
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
 allow(Devices/Transport/WebSocket ${device_basis})
@@ -72,6 +72,7 @@ allow(Devices/Haply ${device_basis} Devices/Common Devices/Transport/WebSocket)
 allow(Devices/Pid ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/SpaceMouse ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/WoodenHaptics ${device_basis} Devices/Common Devices/Transport/Hid)
+allow(Devices/Vendor ${device_basis} Devices/Common)
 allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 

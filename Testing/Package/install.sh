@@ -29,13 +29,27 @@ case $from_cxx in
   0\ N | '') echo "first-touch felt nothing" >&2; exit 1 ;;
 esac
 
-from_vendor=$("$work/examples/vendor-device")
-echo "$from_vendor"
-case $from_vendor in
-  *"Running: vendor:0"*) ;;
-  *) echo "vendor-device did not run" >&2; exit 1 ;;
+from_own=$("$work/examples/own-device")
+echo "$from_own"
+case $from_own in
+  *"Running: own:0"*) ;;
+  *) echo "own-device did not run" >&2; exit 1 ;;
 esac
 "$prefix/bin/volumehaptics-device" list
+# The plug-in of the examples, from a folder that no other user can write.
+vendor=$work/plugins
+mkdir -p "$vendor"
+cp "$work/examples/libvolumehaptics-example.so" "$vendor"
+chmod go-w "$vendor" "$vendor"/*
+if from_plugin=$(VOLUMEHAPTICS_VENDOR_PATH=$vendor "$prefix/bin/volumehaptics-device" list) &&
+  [[ $from_plugin == *vendor:example:0* ]]; then
+  VOLUMEHAPTICS_VENDOR_PATH=$vendor "$prefix/bin/volumehaptics-device" monitor vendor:example --seconds 0.3
+else
+  # The folders above the build tree may belong to others: then the tool has to say so.
+  echo "$from_plugin"
+  [[ $from_plugin == *"others may write"* || $from_plugin == *"belongs to another user"* ]] ||
+    { echo "the plug-in of the examples is not listed" >&2; exit 1; }
+fi
 # It says what it is for, and that it is not to be started by hand.
 if "$prefix/bin/volumehaptics-guard" 2>"$work/guard.txt" || ! grep -q 'zero force' "$work/guard.txt"; then
   echo "the guard of devices is not installed" >&2
@@ -76,7 +90,7 @@ fi
 # volumes in pieces, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
 expected=$({ cd "$source_dir/Module/VTK" && printf '%s\n' vtk*.h | grep -vE 'Compat|Internals'
-  printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h; } | sort)
+  printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h VendorPlugin.h; } | sort)
 if [ "$installed" != "$expected" ]; then
   printf 'installed headers:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
   exit 1

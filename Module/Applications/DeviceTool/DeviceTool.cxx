@@ -241,6 +241,10 @@ int RunDeviceTool(const std::vector<std::string>& arguments, std::istream& in, s
   {
     device->SetFirmwareFile(options.Firmware);
   }
+  if (!options.VendorPath.empty())
+  {
+    device->SetVendorPath(options.VendorPath);
+  }
   device->SetHomingTime(options.HomingTime);
   device->SetNewtonsPerFullScale(options.Newtons);
   device->SetServoRate(options.ServoRate);

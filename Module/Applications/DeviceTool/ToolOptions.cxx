@@ -17,9 +17,12 @@ const char* const ToolUsage =
        volumehaptics-device test ID [options]         feel a wall of at most 1 N in its middle
        volumehaptics-device record ID FILE [options]  its path, to a .vtp or a .csv; no force
 
-ID is what list shows: falcon[:N], wooden[:N], pid[:VVVV:PPPP], haply[:ID], spacemouse[:N]; also virtual, replay:FILE.
+ID is what list shows: falcon[:N], wooden[:N], pid[:VVVV:PPPP], haply[:ID], spacemouse[:N], vendor:PLUGIN[:N];
+also virtual, replay:FILE.
 
   --firmware FILE     the image for a Novint Falcon that has none (else $VOLUMEHAPTICS_FALCON_FIRMWARE)
+  --vendor-path PATHS the folders of plug-ins for vendors' libraries (else $VOLUMEHAPTICS_VENDOR_PATH, by which list
+                      looks)
   --homing-time S     how long each step of homing may take (120)
   --newtons X[,Y]     a force-feedback device's force at full scale along its axes, N; negative reverses it (100);
                       Y is 0 if only the first axis has a motor, as that of a wheel
@@ -74,6 +77,11 @@ const char* ReadOption(const std::string& name, const std::string& value, ToolOp
   {
     options.Firmware = value;
     return value.empty() ? "the name of a file" : nullptr;
+  }
+  if (name == "--vendor-path")
+  {
+    options.VendorPath = value;
+    return value.empty() ? "folders, separated by colons" : nullptr;
   }
   if (name == "--homing-time")
   {
@@ -134,7 +142,7 @@ bool ReadToolOptions(
     { "calibrate", Command::Calibrate }, { "test", Command::Test }, { "record", Command::Record },
     { "help", Command::Help }, { "--help", Command::Help }, { "-h", Command::Help } };
   static const std::string names =
-    " --firmware --homing-time --newtons --axis --weight --rate --seconds ";
+    " --firmware --vendor-path --homing-time --newtons --axis --weight --rate --seconds ";
 
   const std::string first = arguments.empty() ? "" : arguments.front();
   const auto command = commands.find(first);

@@ -27,6 +27,7 @@ struct ToolOptions
   std::string Id;
   std::string File;                 ///< of a recording
   std::string Firmware;             ///< empty: by the environment
+  std::string VendorPath;           ///< empty: by the environment
   double Seconds = 0.0;             ///< 0: not given
   double HomingTime = 120.0;        ///< s, for each step
   double ServoRate = 1000.0;        ///< Hz

@@ -6,6 +6,7 @@
 #include "Devices/Haply/HaplyKind.h"
 #include "Devices/Pid/PidKind.h"
 #include "Devices/SpaceMouse/SpaceMouseKind.h"
+#include "Devices/Vendor/VendorKind.h"
 #include "Devices/WoodenHaptics/WoodenKind.h"
 
 namespace VolumeHaptics
@@ -55,6 +56,9 @@ std::vector<DeviceKind> GetBuiltInKinds()
 #else
   kinds.push_back(
     WithoutLibrary("haply", "Boost.Beast and nlohmann's JSON", "VolumeHaptics_USE_BEAST"));
+#endif
+#if defined(VOLUME_HAPTICS_HAS_DLOPEN)
+  kinds.push_back(GetVendorKind());
 #endif
   return kinds;
 }

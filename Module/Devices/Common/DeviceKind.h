@@ -4,9 +4,10 @@
  * @file
  * A kind of device: it lists the devices that are plugged in, and makes a back end from an id.
  *
- * This is the seam for vendors' libraries: derive a back end from DeviceBackend, and hand a
- * DeviceKind to vtkHapticDevice::AddDeviceKind. Ids begin with the kind's name, such as "falcon" or
- * "falcon:1".
+ * A program adds devices of its own by it: derive a back end from DeviceBackend, and hand a
+ * DeviceKind to vtkHapticDevice::AddDeviceKind, as Examples/Cxx/OwnDevice.cxx does. Ids begin with
+ * the kind's name, such as "falcon" or "falcon:1". A vendor's library that all programs are to use
+ * is better reached by a plug-in, VendorPlugin.h.
  */
 #ifndef DeviceKind_h
 #define DeviceKind_h
@@ -28,6 +29,8 @@ struct DeviceOptions
   std::string FirmwareFile;  ///< an image to load into a device that has none
   double HomingTime = 120.0; ///< s, the longest time for each step of homing
   std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 }; ///< N, of a stick's x and y
+  /// the folders of plug-ins for vendors' libraries (VendorFolder.h); empty: the environment's
+  std::string VendorPath;
   bool UseGuard = true; ///< for a device without a watchdog of its own (GuardedDevice.h)
 };
 

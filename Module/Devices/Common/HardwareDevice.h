@@ -75,6 +75,10 @@ public:
   {
     return this->Exchange.Give(this->Newtons.Ask(force));
   }
+  DeviceState Send(const DeviceCommand& command) noexcept override
+  {
+    return this->Exchange.Give(this->Newtons.Ask(command.Force), command.Torque);
+  }
   void Quench() noexcept override { this->Exchange.Quench(); }
   bool IsAtRest() const noexcept override { return this->Exchange.IsAtRest(); }
 

@@ -208,9 +208,9 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
   return DeviceState::Running;
 }
 
-DeviceState HardwareExchange::Give(const Vector3& force) noexcept
+DeviceState HardwareExchange::Give(const Vector3& force, const Vector3& torque) noexcept
 {
-  this->Forces.Write({ force, ServoClock::Now(), this->TimesReadySeen, this->TimeSeen });
+  this->Forces.Write({ force, torque, ServoClock::Now(), this->TimesReadySeen, this->TimeSeen });
   this->Quenched.store(false, std::memory_order_release);
   this->WakeUp();
   return this->Stage.load(std::memory_order_acquire) == DeviceStage::Lost ? DeviceState::Lost
@@ -240,22 +240,24 @@ void HardwareExchange::Quench() noexcept
   this->WakeUp();
 }
 
-Vector3 HardwareExchange::GetForce() noexcept
+DeviceCommand HardwareExchange::GetCommand() noexcept
 {
   this->Forces.Update();
   const TimedForce& latest = this->Forces.Read();
   const double age =
     static_cast<double>(ServoClock::Now() - latest.Time) * ServoClock::SecondsPerNanosecond -
     WatchdogTime;
-  const Vector3 force = std::clamp(1.0 - age / FadeTime, 0.0, 1.0) * latest.Force;
+  const double share = std::clamp(1.0 - age / FadeTime, 0.0, 1.0);
+  const DeviceCommand command{ share * latest.Force, share * latest.Torque };
   const int rounds = this->ZeroRounds.load(std::memory_order_acquire);
   // A force from before homing was computed for another position.
-  const bool flows = IsFinite(force) && Norm(force) > 0.0 &&
+  const bool flows = IsFinite(command.Force) && IsFinite(command.Torque) &&
+    Norm(command.Force) + Norm(command.Torque) > 0.0 &&
     latest.TimesReady == this->TimesReady.load(std::memory_order_acquire) &&
     !this->Quenched.load(std::memory_order_acquire) &&
     this->Stage.load(std::memory_order_acquire) == DeviceStage::Ready;
   this->ZeroRounds.store(flows ? 0 : std::min(rounds + 1, 2), std::memory_order_release);
-  return flows ? force : Vector3{};
+  return flows ? command : DeviceCommand{};
 }
 
 } // namespace VolumeHaptics

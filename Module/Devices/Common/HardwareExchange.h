@@ -50,7 +50,7 @@ public:
    * device was not ready for a moment between two calls, the next one still returns NotReady.
    */
   DeviceState Take(DeviceSample& sample) noexcept;
-  DeviceState Give(const Vector3& force) noexcept;
+  DeviceState Give(const Vector3& force, const Vector3& torque = {}) noexcept;
   ///@}
 
   ///@{
@@ -88,8 +88,10 @@ public:
    */
   void RefuseHomeRequest(const char* text) noexcept;
   int GetLights() const noexcept { return this->Lights.load(); }
-  /** The force to send now (N): zero unless the device is ready and the servo alive. */
-  Vector3 GetForce() noexcept;
+  /** The order to send now: zero unless the device is ready and the servo alive. */
+  DeviceCommand GetCommand() noexcept;
+  /** Its force (N), for a device without torque. */
+  Vector3 GetForce() noexcept { return this->GetCommand().Force; }
   /**
    * The device has that force: it took what was sent, or held the same one already. By this the
    * servo measures how old positions are in the forces (LoopTiming.h).
@@ -135,6 +137,7 @@ private:
   struct TimedForce
   {
     Vector3 Force;
+    Vector3 Torque;
     std::int64_t Time = 0;
     std::uint32_t TimesReady = 0; ///< the last value that the servo saw
     std::int64_t Of = 0;          ///< Time of the last sample that the servo got

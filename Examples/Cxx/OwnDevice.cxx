@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How a program adds a device of its own to those of vtkHapticDevice: a back end, a kind, and two
+// lines in the application. The "library" here is a stand-in with the shape that device libraries
+// share, so that the example runs as it is: put your calls in the place of OwnLibrary's. For a
+// device that all programs are to use, write a plug-in instead: see VendorDevice.cxx.
+#include <Devices/Common/DeviceKind.h>
+#include <vtkHapticDevice.h>
+#include <vtkNew.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <thread>
+
+// ---- What the device's library gives you: handles, error codes, millimetres, its own axes.
+namespace OwnLibrary
+{
+struct Pose
+{
+  double Millimetres[3]; // right, away from the user, up
+  double Quaternion[4];  // x, y, z, w: how the pen is turned; its tail is towards the user if not
+  unsigned int Buttons;
+};
+
+int CountDevices()
+{
+  return 1;
+}
+int Open(int /*number*/)
+{
+  return 42; // a handle, below zero for an error
+}
+int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 if there is nothing new
+{
+  static double time = 0.0;
+  time += 0.001;
+  const double half = 0.3 * std::sin(time); // the tail swings to the right and to the left
+  *pose = { { 10.0 * std::sin(time), 0.0, 20.0 }, { 0.0, 0.0, std::sin(half), std::cos(half) },
+    0u };
+  return 1;
+}
+int Write(int /*handle*/, const double /*newtons*/[3])
+{
+  return 0;
+}
+void Close(int /*handle*/) {}
+} // namespace OwnLibrary
+
+// ---- What you write.
+namespace
+{
+using namespace VolumeHaptics;
+
+/// The time in ns, as DeviceSample has it.
+std::int64_t Now()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+class OwnBackend : public DeviceBackend
+{
+public:
+  explicit OwnBackend(int number)
+    : Number(number)
+  {
+  }
+  ~OwnBackend() override { this->Close(); }
+
+  // On the application's thread: here you may wait, allocate and throw away.
+  bool Open(std::string& error) override
+  {
+    this->Handle = OwnLibrary::Open(this->Number);
+    if (this->Handle < 0)
+    {
+      error =
+        this->GetName() + " can't be opened. Plug it in, and close other programs that use it.";
+    }
+    return this->Handle >= 0;
+  }
+  void Close() override
+  {
+    if (this->Handle >= 0)
+    {
+      this->Write({});
+      OwnLibrary::Close(this->Handle);
+      this->Handle = -1;
+    }
+  }
+  std::string GetName() const override { return "own:" + std::to_string(this->Number); }
+  // From the data sheet. What is not limited, or not known, is 0.
+  DeviceLimits GetLimits() const override
+  {
+    DeviceLimits limits;
+    limits.MaximumForce = 3.3;
+    limits.MaximumStiffness = 1000.0;
+    limits.MaximumSpeed = 2.5;
+    limits.WorkspaceRadius = 0.08;
+    return limits;
+  }
+
+  // On the servo's thread, a thousand times a second: no lock, no allocation, no exception, and no
+  // wait. If the library can't promise that, call it from a thread of your own, and hand
+  // positions and forces over without locks.
+  DeviceState Read(double, DeviceSample& sample) noexcept override
+  {
+    OwnLibrary::Pose pose;
+    const int result = OwnLibrary::Read(this->Handle, &pose);
+    if (result < 0)
+    {
+      return DeviceState::Lost; // cuts the force off until the user opens and arms it again
+    }
+    // Ours are metres, and axes that point right, up and towards the user.
+    const double* const p = pose.Millimetres;
+    sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
+    // Ours is w first; the other three change their axes as a position does. If the library can't
+    // tell, leave HasOrientation false. See DeviceBackend.h for the axes of the stylus itself.
+    const double* const q = pose.Quaternion;
+    sample.Orientation = { q[3], q[0], q[2], -q[1] };
+    sample.HasOrientation = true;
+    sample.Buttons = pose.Buttons;
+    sample.Fresh = result > 0;
+    // When it was measured: now, as this library does not tell it.
+    sample.Time = sample.Fresh ? Now() : 0;
+    return DeviceState::Running;
+  }
+  DeviceState Write(const Vector3& force) noexcept override
+  {
+    // It has come through the safety stage: finite, clamped, slewed. Back to the library's axes.
+    const double newtons[3] = { force.X, -force.Z, force.Y };
+    return OwnLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost : DeviceState::Running;
+  }
+  // From any thread, when the servo's does not answer. A library that takes calls from one thread
+  // only needs a watchdog of its own here; this one takes them from any.
+  void Quench() noexcept override
+  {
+    const double none[3] = { 0.0, 0.0, 0.0 };
+    OwnLibrary::Write(this->Handle, none);
+  }
+
+private:
+  const int Number;
+  int Handle = -1;
+};
+
+DeviceKind MakeOwnKind()
+{
+  DeviceKind kind;
+  kind.Name = "own";
+  kind.List = []
+  {
+    std::vector<DeviceListing> devices;
+    for (int i = 0; i < OwnLibrary::CountDevices(); ++i)
+    {
+      devices.push_back({ "own:" + std::to_string(i), "A stylus of our own", "available" });
+    }
+    return devices;
+  };
+  kind.Make = [](const std::string& id, const DeviceOptions&,
+                std::string& error) -> std::unique_ptr<DeviceBackend>
+  {
+    for (int i = 0; i < OwnLibrary::CountDevices(); ++i)
+    {
+      if (id == "own:" + std::to_string(i) || (id == "own" && i == 0))
+      {
+        return std::make_unique<OwnBackend>(i);
+      }
+    }
+    error = "There is no \"" + id + "\" here. Plug it in.";
+    return nullptr;
+  };
+  return kind;
+}
+} // namespace
+
+int main()
+{
+  vtkHapticDevice::AddDeviceKind(MakeOwnKind()); // once, before EnumerateDevices() and Open()
+  vtkNew<vtkHapticDevice> device;
+  if (!device->Open("own:0") || !device->Start())
+  {
+    return 1;
+  }
+  for (int i = 0; i < 5; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    device->UpdateState();
+    const double* const tip = device->GetTipPosition();
+    const double* const turn = device->GetTipOrientation();
+    std::cout << "tip " << tip[0] << " " << tip[1] << " " << tip[2] << " mm, turned by "
+              << 2.0 * std::acos(turn[0]) << " rad\n";
+  }
+  std::cout << device->GetStatusText() << "\n";
+}

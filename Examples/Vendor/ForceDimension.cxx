@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The plug-in forcedimension: omega, delta, sigma, lambda and the Novint Falcon through Force
+// Dimension's SDK (libdrd, which has libdhd in it).
+//
+// The SDK's axes are x towards the user, y to the right and z up, in metres and newtons; ours are
+// its y, z and x. Not verified on a device. The SDK's watchdog and its velocity threshold stay as
+// they are: they brake a device whose program is gone, or that moves too fast.
+//
+// A device that is not initialised moves by itself to find its zero, and only after Home().
+#include <Devices/Vendor/VendorPlugin.h>
+
+#include "Orientation.h"
+
+#include <dhdc.h>
+#include <drdc.h>
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+namespace
+{
+
+struct Device
+{
+  char Id = -1;
+  bool HadForce = false; // its force was seen to be switched on since it was homed
+  bool HasWrist = false; // it measures an orientation
+  double MaximumTorque = 0.0;
+  std::string Error;
+};
+
+std::string& OpenError()
+{
+  static std::string error;
+  return error;
+}
+
+// The library's own text for the last fault, and a cure.
+std::string Explain(const char* what, const char* cure)
+{
+  const char* const reason = dhdErrorGetLastStr();
+  return std::string(what) + " (" + (reason ? reason : "no reason given") + "). " + cure;
+}
+
+constexpr const char* LookAfterIt = "Look after its cable and power, then Home() and Arm() again.";
+
+// From the data sheets: N, N m, m. The stiffness is less than they state, for 1 kHz.
+VolumeHapticsVendorLimits LimitsOf(int type)
+{
+  VolumeHapticsVendorLimits limits{};
+  limits.MaximumForce = 8.0;
+  limits.MaximumStiffness = 2000.0;
+  limits.MaximumSpeed = 2.5;
+  limits.WorkspaceRadius = 0.04;
+  limits.ForceAxes = 7;
+  switch (type)
+  {
+    case DHD_DEVICE_OMEGA3:
+    case DHD_DEVICE_OMEGA33:
+    case DHD_DEVICE_OMEGA33_LEFT:
+    case DHD_DEVICE_OMEGA331:
+    case DHD_DEVICE_OMEGA331_LEFT:
+      limits.MaximumForce = 12.0;
+      limits.WorkspaceRadius = 0.055;
+      break;
+    case DHD_DEVICE_DELTA3:
+    case DHD_DEVICE_DELTA6:
+      limits.MaximumForce = 20.0;
+      limits.MaximumTorque = type == DHD_DEVICE_DELTA6 ? 0.2 : 0.0;
+      limits.WorkspaceRadius = 0.13;
+      break;
+    case DHD_DEVICE_SIGMA331:
+    case DHD_DEVICE_SIGMA331_LEFT:
+      limits.MaximumForce = 20.0;
+      limits.MaximumTorque = 0.4;
+      limits.WorkspaceRadius = 0.065;
+      break;
+    default:
+      break;
+  }
+  return limits;
+}
+
+int Count()
+{
+  const int count = dhdGetDeviceCount();
+  if (count < 0)
+  {
+    OpenError() = Explain("can't be asked for its devices", "Look after permission and cables.");
+  }
+  return count;
+}
+
+int Describe(int, char* name, size_t nameSize, char* serial, size_t serialSize)
+{
+  // The SDK tells name and serial number of open devices only.
+  std::snprintf(name, nameSize, "Force Dimension device");
+  std::snprintf(serial, serialSize, "%s", "");
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+void* Open(int number)
+{
+  const int id = drdOpenID(static_cast<char>(number));
+  if (id < 0)
+  {
+    OpenError() = Explain("can't be opened",
+      "Close other programs that use it, and look after its power and your permission for it.");
+    return nullptr;
+  }
+  auto* const device = new Device;
+  device->Id = static_cast<char>(id);
+  device->HasWrist = dhdHasWrist(device->Id);
+  device->MaximumTorque = LimitsOf(dhdGetSystemType(device->Id)).MaximumTorque;
+  if (drdIsInitialized(device->Id))
+  {
+    dhdEnableForce(DHD_ON, device->Id);
+  }
+  return device;
+}
+
+int GetLimits(void* handle, VolumeHapticsVendorLimits* limits)
+{
+  *limits = LimitsOf(dhdGetSystemType(static_cast<Device*>(handle)->Id));
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int GetSerial(void* handle, char* serial, size_t size)
+{
+  ushort number = 0;
+  if (dhdGetSerialNumber(&number, static_cast<Device*>(handle)->Id) < 0)
+  {
+    number = 0;
+  }
+  std::snprintf(serial, size, number != 0 ? "%u" : "", static_cast<unsigned>(number));
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+// Below zero if the device's status says that it can't be used now.
+int CheckStatus(Device& device)
+{
+  int status[DHD_MAX_STATUS] = {};
+  if (dhdGetStatus(status, device.Id) < 0)
+  {
+    device.Error = Explain("does not tell its status", LookAfterIt);
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  if (status[DHD_STATUS_CONNECTED] == 0 || status[DHD_STATUS_POWER] == 0)
+  {
+    device.Error = std::string("has no power or is unplugged. ") + LookAfterIt;
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  if (!drdIsInitialized(device.Id))
+  {
+    device.Error = "has no zero yet. Take your hand off it and press Home(): it moves by itself.";
+    return VOLUME_HAPTICS_VENDOR_WAITS;
+  }
+  const bool hasForce = status[DHD_STATUS_FORCE] != 0;
+  if (device.HadForce && !hasForce)
+  {
+    device.Error = "has switched its force off: by its button, its watchdog, or since it was too "
+                   "fast. Press Home(), and Arm() again.";
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  device.HadForce = hasForce;
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int Read(void* handle, VolumeHapticsVendorPose* pose)
+{
+  auto& device = *static_cast<Device*>(handle);
+  const int status = CheckStatus(device);
+  if (status < 0)
+  {
+    return status;
+  }
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double frame[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  const int result = device.HasWrist
+    ? dhdGetPositionAndOrientationFrame(&x, &y, &z, frame, device.Id)
+    : dhdGetPosition(&x, &y, &z, device.Id);
+  if (result < 0)
+  {
+    device.Error = Explain("does not tell its position", LookAfterIt);
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  pose->Position[0] = y;
+  pose->Position[1] = z;
+  pose->Position[2] = x;
+  if (device.HasWrist)
+  {
+    // Rows and columns in our order.
+    const int theirs[3] = { 1, 2, 0 };
+    double ours[3][3];
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        ours[row][column] = frame[theirs[row]][theirs[column]];
+      }
+    }
+    ToQuaternion(ours, pose->Orientation);
+    pose->HasOrientation = 1;
+  }
+  pose->Buttons = dhdGetButtonMask(device.Id);
+  // The time guard tells the last position again if it is asked too soon: no fault.
+  return result == DHD_TIMEGUARD ? VOLUME_HAPTICS_VENDOR_DONE : VOLUME_HAPTICS_VENDOR_NEWS;
+}
+
+int Write(void* handle, const double force[3], const double torque[3])
+{
+  auto& device = *static_cast<Device*>(handle);
+  // Positive results, such as for saturated motors, are no faults.
+  const int result = device.MaximumTorque > 0.0
+    ? dhdSetForceAndTorque(force[2], force[0], force[1], torque[2], torque[0], torque[1], device.Id)
+    : dhdSetForce(force[2], force[0], force[1], device.Id);
+  if (result < 0)
+  {
+    device.Error = Explain("does not take a force", LookAfterIt);
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int Home(void* handle)
+{
+  auto& device = *static_cast<Device*>(handle);
+  device.HadForce = false;
+  if (!drdIsInitialized(device.Id) && drdAutoInit(device.Id) < 0)
+  {
+    device.Error = Explain("did not find its zero", "Free its way, then press Home() again.");
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  if (dhdEnableForce(DHD_ON, device.Id) < 0)
+  {
+    device.Error = Explain("does not switch its force on", LookAfterIt);
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+const char* LastError(void* device)
+{
+  return device ? static_cast<Device*>(device)->Error.c_str() : OpenError().c_str();
+}
+
+void Close(void* handle)
+{
+  auto* const device = static_cast<Device*>(handle);
+  drdClose(device->Id);
+  delete device;
+}
+
+} // namespace
+
+const VolumeHapticsVendorPlugin* VolumeHapticsVendorGetPlugin(uint32_t version)
+{
+  static const VolumeHapticsVendorPlugin plugin = { VOLUME_HAPTICS_VENDOR_VERSION, &Count,
+    &Describe, &Open, &GetLimits, &GetSerial, &Read, &Write, &Home, &LastError, &Close };
+  return version == VOLUME_HAPTICS_VENDOR_VERSION ? &plugin : nullptr;
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The latest value from one thread to another, without locks: three places, of which the writer
+// has one, the reader one, and the third lies between them.
+#ifndef VolumeHapticsVendorLatest_h
+#define VolumeHapticsVendorLatest_h
+
+#include <array>
+#include <atomic>
+
+template <typename T>
+class Latest
+{
+public:
+  // The writer's thread.
+  void Write(const T& value)
+  {
+    this->Places[this->Own] = value;
+    this->Own = this->Between.exchange(this->Own | New, std::memory_order_acq_rel) & ~New;
+  }
+  // The reader's thread: true if a value was written since the last call.
+  bool Update()
+  {
+    if ((this->Between.load(std::memory_order_relaxed) & New) == 0)
+    {
+      return false;
+    }
+    this->Read = this->Between.exchange(this->Read, std::memory_order_acq_rel) & ~New;
+    return true;
+  }
+  const T& Get() const { return this->Places[this->Read]; }
+
+private:
+  static constexpr unsigned New = 4;
+  std::array<T, 3> Places{};
+  unsigned Own = 0;
+  unsigned Read = 1;
+  std::atomic<unsigned> Between{ 2 };
+};
+
+#endif

@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The plug-in openhaptics: Touch, Touch X and Phantom Premium of 3D Systems through OpenHaptics
+// (libHD).
+//
+// The library has a scheduler thread of its own, on which a callback reads the device and sets its
+// force, a thousand times a second. Poses and forces are handed over without locks; a force that is
+// not renewed for 50 ms becomes zero in the callback. libHD's axes are ours: right, up and towards
+// the user, in millimetres, newtons and millinewton metres. Not verified on a device.
+//
+// Devices have names, which the vendor's setup program gives them. vendor:openhaptics is "Default
+// Device"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by commas, as
+// vendor:openhaptics:1 and so on. One of them can be open at a time.
+#include <Devices/Vendor/VendorPlugin.h>
+
+#include "Latest.h"
+#include "Orientation.h"
+
+#include <HD/hd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+
+constexpr std::int64_t LongestForce = 50'000'000;    // ns without a new one
+constexpr std::int64_t LongestSilence = 100'000'000; // ns, of the scheduler
+constexpr HDulong SchedulerRate = 1000;              // Hz
+
+std::int64_t Now()
+{
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+    std::chrono::steady_clock::now().time_since_epoch())
+    .count();
+}
+
+// The callback's report.
+struct Report
+{
+  double Position[3] = {};   // mm
+  double Transform[16] = {}; // of the stylus, columns first
+  int Buttons = 0;
+  bool IsCalibrated = false;
+  unsigned Calibration = 0; // libHD's word for it, if it is not calibrated
+  unsigned Error = 0;       // libHD's number of a fault; HD_SUCCESS: none
+  std::int64_t Time = 0;
+};
+
+// The order to the callback.
+struct Order
+{
+  double Force[3] = {};  // N
+  double Torque[3] = {}; // N m
+  std::int64_t Time = 0;
+};
+
+struct Device
+{
+  HHD Handle = 0;
+  HDSchedulerHandle Callback = 0;
+  double MaximumTorque = 0.0;
+  Latest<Report> Reports;
+  Latest<Order> Orders;
+  std::atomic<bool> Forgives{ false }; // the user wants it to be tried again after a fault
+  // The callback's.
+  bool IsCalibrated = false;
+  unsigned Error = HD_SUCCESS;
+  std::int64_t Opened = 0;
+  std::string Text;
+};
+
+bool isOpen = false;
+
+std::string& OpenError()
+{
+  static std::string error;
+  return error;
+}
+
+std::vector<std::string> Names()
+{
+  std::vector<std::string> names{ "Default Device" };
+  const char* const variable = std::getenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES");
+  const std::string others = variable ? variable : "";
+  for (std::size_t from = 0; from < others.size();)
+  {
+    const std::size_t end = std::min(others.find(',', from), others.size());
+    if (end > from)
+    {
+      names.push_back(others.substr(from, end - from));
+    }
+    from = end + 1;
+  }
+  return names;
+}
+
+int Count()
+{
+  return static_cast<int>(Names().size());
+}
+
+int Describe(int number, char* name, size_t nameSize, char* serial, size_t serialSize)
+{
+  // libHD does not tell which devices are plugged in; it tells models of open devices only.
+  std::snprintf(name, nameSize, "OpenHaptics \"%s\"", Names()[static_cast<size_t>(number)].c_str());
+  std::snprintf(serial, serialSize, "%s", "");
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+// Finds out whether the device knows its zero. A device that wants an update gets it, once: the
+// position jumps with it.
+void Calibrate(Device& device, Report& report)
+{
+  const HDenum state = hdCheckCalibration();
+  if (state == HD_CALIBRATION_NEEDS_UPDATE)
+  {
+    HDint style = 0;
+    hdGetIntegerv(HD_CALIBRATION_STYLE, &style);
+    hdUpdateCalibration(static_cast<HDenum>(style));
+  }
+  device.IsCalibrated = state == HD_CALIBRATION_OK;
+  report.Calibration = state;
+}
+
+HDCallbackCode HDCALLBACK OnTick(void* data)
+{
+  auto& device = *static_cast<Device*>(data);
+  Report report;
+  if (device.Forgives.exchange(false, std::memory_order_acq_rel))
+  {
+    device.Error = HD_SUCCESS;
+    device.IsCalibrated = false;
+  }
+  hdBeginFrame(device.Handle);
+  if (!device.IsCalibrated)
+  {
+    Calibrate(device, report);
+  }
+  hdGetDoublev(HD_CURRENT_POSITION, report.Position);
+  hdGetDoublev(HD_CURRENT_TRANSFORM, report.Transform);
+  hdGetIntegerv(HD_CURRENT_BUTTONS, &report.Buttons);
+  report.Time = Now();
+  device.Orders.Update();
+  const Order& order = device.Orders.Get();
+  const bool flows =
+    device.IsCalibrated && device.Error == HD_SUCCESS && report.Time - order.Time < LongestForce;
+  double force[3] = {};
+  double torque[3] = {};
+  for (int axis = 0; flows && axis < 3; ++axis)
+  {
+    force[axis] = order.Force[axis];
+    torque[axis] = 1000.0 * order.Torque[axis]; // mN m
+  }
+  hdSetDoublev(HD_CURRENT_FORCE, force);
+  if (device.MaximumTorque > 0.0)
+  {
+    hdSetDoublev(HD_CURRENT_TORQUE, torque);
+  }
+  hdEndFrame(device.Handle);
+  // libHD keeps a stack of them; the first one is kept here until the user tries again.
+  for (HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error); error = hdGetError())
+  {
+    device.Error = device.Error == HD_SUCCESS ? error.errorCode : device.Error;
+  }
+  report.IsCalibrated = device.IsCalibrated;
+  report.Error = device.Error;
+  device.Reports.Write(report);
+  return HD_CALLBACK_CONTINUE;
+}
+
+// Until the callback has run, or stands still.
+void WaitForTick(Device& device)
+{
+  for (const std::int64_t end = Now() + LongestSilence; !device.Reports.Update() && Now() < end;)
+  {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
+void Disable(Device* device)
+{
+  hdDisableDevice(device->Handle);
+  delete device;
+  isOpen = false;
+}
+
+void* Open(int number)
+{
+  if (isOpen)
+  {
+    OpenError() = "can't be opened beside another one of this library. Close() that one.";
+    return nullptr;
+  }
+  const std::string name = Names()[static_cast<size_t>(number)];
+  const HHD handle = hdInitDevice(number == 0 ? HD_DEFAULT_DEVICE : name.c_str());
+  const HDErrorInfo error = hdGetError();
+  if (HD_DEVICE_ERROR(error))
+  {
+    OpenError() = "can't be opened (" + std::string(hdGetErrorString(error.errorCode)) +
+      "). Plug it in, pair it by the vendor's setup program as \"" + name +
+      "\", and close other programs that use it.";
+    return nullptr;
+  }
+  auto* const device = new Device;
+  isOpen = true;
+  device->Handle = handle;
+  device->Opened = Now();
+  hdMakeCurrentDevice(handle);
+  HDint outputs = 0;
+  hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
+  // N m; as the data sheet of the Phantom Premium 6DOF has it for its weakest axis.
+  device->MaximumTorque = outputs == 6 ? 0.17 : 0.0;
+  hdEnable(HD_FORCE_OUTPUT);
+  hdSetSchedulerRate(SchedulerRate);
+  device->Callback = hdScheduleAsynchronous(&OnTick, device, HD_MAX_SCHEDULER_PRIORITY);
+  hdStartScheduler();
+  const HDErrorInfo started = hdGetError();
+  if (HD_DEVICE_ERROR(started))
+  {
+    OpenError() = "can't be started (" + std::string(hdGetErrorString(started.errorCode)) +
+      "). Plug it in again.";
+    hdStopScheduler();
+    hdUnschedule(device->Callback);
+    Disable(device);
+    return nullptr;
+  }
+  return device;
+}
+
+int GetLimits(void* handle, VolumeHapticsVendorLimits* limits)
+{
+  auto& device = *static_cast<Device*>(handle);
+  *limits = {};
+  hdMakeCurrentDevice(device.Handle);
+  double stiffness = 0.0; // N/mm
+  double damping = 0.0;   // N s/mm
+  double box[6] = {};     // mm, the least and the largest x, y, z
+  hdGetDoublev(HD_NOMINAL_MAX_FORCE, &limits->MaximumForce);
+  hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &stiffness);
+  hdGetDoublev(HD_NOMINAL_MAX_DAMPING, &damping);
+  hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);
+  limits->MaximumTorque = device.MaximumTorque;
+  limits->MaximumStiffness = 1000.0 * stiffness;
+  limits->MaximumDamping = 1000.0 * damping;
+  limits->MaximumSpeed = 2.5;
+  const double least = std::min({ box[3] - box[0], box[4] - box[1], box[5] - box[2] });
+  limits->WorkspaceRadius = 0.5e-3 * std::max(0.0, least);
+  limits->ForceAxes = 7;
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int GetSerial(void* handle, char* serial, size_t size)
+{
+  hdMakeCurrentDevice(static_cast<Device*>(handle)->Handle);
+  const HDstring text = hdGetString(HD_DEVICE_SERIAL_NUMBER);
+  std::snprintf(serial, size, "%s", text ? text : "");
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int Read(void* handle, VolumeHapticsVendorPose* pose)
+{
+  auto& device = *static_cast<Device*>(handle);
+  const bool isNew = device.Reports.Update();
+  const Report& report = device.Reports.Get();
+  const std::int64_t age = Now() - std::max(report.Time, device.Opened);
+  if (age > LongestSilence)
+  {
+    device.Text = "is not read any more: the library's scheduler stands still. Open() it again.";
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  if (report.Error != HD_SUCCESS)
+  {
+    device.Text = "has a fault (" + std::string(hdGetErrorString(report.Error)) +
+      "). Let it rest if its motors are warm, look after its cable, then Home() and Arm() again.";
+    return VOLUME_HAPTICS_VENDOR_LOST;
+  }
+  if (report.Time == 0 || !report.IsCalibrated)
+  {
+    device.Text = report.Calibration == HD_CALIBRATION_NEEDS_MANUAL_INPUT
+      ? "has no zero yet: put the stylus into its inkwell, or move the arm through its range."
+      : "finds its zero.";
+    return VOLUME_HAPTICS_VENDOR_WAITS;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    pose->Position[axis] = 1e-3 * report.Position[axis];
+  }
+  double matrix[3][3];
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix[row][column] = report.Transform[4 * column + row];
+    }
+  }
+  ToQuaternion(matrix, pose->Orientation);
+  pose->HasOrientation = 1;
+  pose->Buttons = static_cast<uint32_t>(report.Buttons);
+  pose->Age = age;
+  return isNew ? VOLUME_HAPTICS_VENDOR_NEWS : VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int Write(void* handle, const double force[3], const double torque[3])
+{
+  Order order;
+  std::copy(force, force + 3, order.Force);
+  std::copy(torque, torque + 3, order.Torque);
+  order.Time = Now();
+  static_cast<Device*>(handle)->Orders.Write(order);
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+int Home(void* handle)
+{
+  auto& device = *static_cast<Device*>(handle);
+  device.Forgives.store(true, std::memory_order_release);
+  // Until the callback has told of its new try: the report before may have begun earlier.
+  WaitForTick(device);
+  WaitForTick(device);
+  return VOLUME_HAPTICS_VENDOR_DONE;
+}
+
+const char* LastError(void* device)
+{
+  return device ? static_cast<Device*>(device)->Text.c_str() : OpenError().c_str();
+}
+
+void Close(void* handle)
+{
+  auto* const device = static_cast<Device*>(handle);
+  // The last order was zero; a frame that began before it may have missed it.
+  WaitForTick(*device);
+  WaitForTick(*device);
+  hdStopScheduler();
+  hdUnschedule(device->Callback);
+  Disable(device);
+}
+
+} // namespace
+
+const VolumeHapticsVendorPlugin* VolumeHapticsVendorGetPlugin(uint32_t version)
+{
+  static const VolumeHapticsVendorPlugin plugin = { VOLUME_HAPTICS_VENDOR_VERSION, &Count,
+    &Describe, &Open, &GetLimits, &GetSerial, &Read, &Write, &Home, &LastError, &Close };
+  return version == VOLUME_HAPTICS_VENDOR_VERSION ? &plugin : nullptr;
+}

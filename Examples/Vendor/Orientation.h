@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// From the rotation matrices of vendors' libraries to a unit quaternion.
+#ifndef VolumeHapticsVendorOrientation_h
+#define VolumeHapticsVendorOrientation_h
+
+#include <algorithm>
+#include <cmath>
+
+// w first. The signs of the other three come from the matrix's antisymmetric part.
+inline void ToQuaternion(const double m[3][3], double q[4])
+{
+  const auto half = [](double square) { return 0.5 * std::sqrt(std::max(0.0, square)); };
+  q[0] = half(1.0 + m[0][0] + m[1][1] + m[2][2]);
+  q[1] = half(1.0 + m[0][0] - m[1][1] - m[2][2]);
+  q[2] = half(1.0 - m[0][0] + m[1][1] - m[2][2]);
+  q[3] = half(1.0 - m[0][0] - m[1][1] + m[2][2]);
+  // By the largest one: in a half turn the others' antisymmetric parts vanish.
+  const int largest = static_cast<int>(std::max_element(q, q + 4) - q);
+  const double part[4][4] = {
+    { 1.0, m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1] },
+    { m[2][1] - m[1][2], 1.0, m[0][1] + m[1][0], m[0][2] + m[2][0] },
+    { m[0][2] - m[2][0], m[0][1] + m[1][0], 1.0, m[1][2] + m[2][1] },
+    { m[1][0] - m[0][1], m[0][2] + m[2][0], m[1][2] + m[2][1], 1.0 },
+  };
+  for (int i = 0; i < 4; ++i)
+  {
+    q[i] = std::copysign(q[i], part[largest][i]);
+  }
+}
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The plug-in for Force Dimension's library in closed loop: a hand presses a floor through it. The
+ * library is a stand-in, which behaves as the SDK's public documentation says
+ * (Emulators/ForceDimension/FakeForceDimension.h): x is towards the user, y right, z up.
+ */
+
+#include "Emulators/ForceDimension/FakeForceDimension.h"
+#include "VendorRig.h"
+
+using namespace vendortest;
+
+namespace
+{
+constexpr double Height = -0.01; // m, of the floor
+// Ours are right, up, towards the user: the library's y, z, x.
+const Matrix3 ToTheLibrary = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
+
+class ForceDimension : public testing::Test
+{
+protected:
+  ForceDimension() { this->Folder.Add("forcedimension"); }
+  template <typename F>
+  auto With(F&& use)
+  {
+    const std::lock_guard<std::mutex> lock(this->Fake.Mutex);
+    return use(this->Fake);
+  }
+  Triple Force()
+  {
+    return this->With([](const FakeForceDimension& fake) { return fake.Force; });
+  }
+  void Lead(const Triple& goal)
+  {
+    this->With([&goal](FakeForceDimension& fake) { fake.Hand.Goal = goal; });
+  }
+  bool IsHeld()
+  {
+    const double force = FloorStiffness * BalancedDepth(0.01);
+    return IsNear(this->Force(), { 0.0, 0.0, force }, 0.05);
+  }
+  /// Arms, and leads the hand to the floor's middle, 10 mm inside.
+  void Feel()
+  {
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+    this->Bench.Start(this->Ground.Model);
+    ASSERT_TRUE(this->Bench.WaitForTicks(20));
+    this->Bench->Arm();
+    EXPECT_TRUE(this->Bench.Press(
+      [&]
+      {
+        this->Lead({ 0.0, 0.0, Height + 0.005 });
+        Eventually(
+          [&]
+          {
+            return this->With([](const FakeForceDimension& fake)
+              { return std::abs(fake.Hand.Tip[2] - Height - 0.005) < 0.001; });
+          });
+      },
+      [&] {
+        this->Lead({ 0.0, 0.0, Height - 0.01 });
+      },
+      [&] { return this->IsHeld(); }))
+      << this->Force()[2];
+  }
+  template <typename F>
+  void Break(F&& change, const char* text)
+  {
+    ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+    ASSERT_NO_FATAL_FAILURE(this->Feel());
+    this->With(change);
+    this->Bench.ExpectLost(text);
+  }
+  bool IsQuiet()
+  {
+    return Eventually([&] { return this->Force() == Triple{}; });
+  }
+
+  FakeForceDimension& Fake = FakeForceDimension::Get();
+  const PluginFolder Folder;
+  const Floor Ground{ Height, ToTheLibrary };
+  DeviceBench Bench;
+};
+} // namespace
+
+TEST_F(ForceDimension, PressesAFloorAndLetsGo)
+{
+  ASSERT_EQ(ListVendors().size(), 1U);
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 12.0) << "an omega";
+  EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:forcedimension:4711");
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  // It slides to the right, the library's y: friction holds the hand back.
+  this->Lead({ 0.0, 0.03, Height - 0.01 });
+  EXPECT_TRUE(Eventually([&] { return this->Force()[1] < -0.5 * Friction; }));
+  this->Bench.Stop();
+  this->Bench.Device->Close();
+  const auto calls = this->With([](const FakeForceDimension& fake) { return fake.Calls; });
+  ASSERT_GE(calls.size(), 3U);
+  EXPECT_EQ(calls[0], "open");
+  EXPECT_EQ(calls[calls.size() - 2], "zero");
+  EXPECT_EQ(calls.back(), "close");
+}
+
+TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
+{
+  // The pen turned by 90 degrees about the library's z, up: from towards the user to the right.
+  this->With(
+    [](FakeForceDimension& fake)
+    {
+      fake.Frame = { { { 0, -1, 0 }, { 1, 0, 0 }, { 0, 0, 1 } } };
+      fake.Buttons = 3;
+    });
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  DeviceSample sample;
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Bench.Device->Read(0.001, sample);
+      return sample.HasOrientation;
+    }));
+  EXPECT_EQ(sample.Buttons, 3u);
+  // About our y, up: the handle goes from z (towards the user) to x (to the right).
+  const Vector3 handle = ToMatrix(sample.Orientation) * Vector3{ 0.0, 0.0, 1.0 };
+  EXPECT_NEAR(handle.X, 1.0, 1e-9);
+  EXPECT_NEAR(handle.Y, 0.0, 1e-9);
+  EXPECT_NEAR(handle.Z, 0.0, 1e-9);
+}
+
+TEST_F(ForceDimension, FindsItsZeroOnlyWhenTheUserSaysSo)
+{
+  this->With([](FakeForceDimension& fake) { fake.IsInitialised = false; });
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("it moves by itself")) << this->Bench.Text();
+  for (int i = 0; i < 20; ++i)
+  {
+    this->Bench.Device->Write({ 0.0, 1.0, 0.0 });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_FALSE(this->With([](const FakeForceDimension& fake) { return fake.IsInitialised; }));
+  this->Bench.Device->Home();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  EXPECT_EQ(this->With([](const FakeForceDimension& fake) { return fake.ForcesBeforeZero; }), 0);
+}
+
+TEST_F(ForceDimension, TorqueGoesToDevicesThatGiveIt)
+{
+  this->With([](FakeForceDimension& fake) { fake.Type = 104; }); // a sigma.7
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      DeviceSample sample;
+      this->Bench.Device->Read(0.001, sample);
+      this->Bench.Device->Send({ { 1.0, 2.0, 3.0 }, { 0.1, 0.2, 0.3 } });
+      return this->With(
+        [](const FakeForceDimension& fake) {
+          return fake.Force == Triple{ 3.0, 1.0, 2.0 } && fake.Torque == Triple{ 0.3, 0.1, 0.2 };
+        });
+    }));
+}
+
+TEST_F(ForceDimension, ALossOfPowerCutsTheForce)
+{
+  this->Break([](FakeForceDimension& fake) { fake.HasPower = false; }, "has no power");
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(ForceDimension, ItsForceButtonCutsTheForceUntilHome)
+{
+  this->Break([](FakeForceDimension& fake) { fake.ForceIsOn = false; }, "switched its force off");
+  EXPECT_TRUE(this->IsQuiet());
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_TRUE(this->With([](const FakeForceDimension& fake) { return fake.ForceIsOn; }));
+}
+
+TEST_F(ForceDimension, AReadThatFailsCutsTheForce)
+{
+  this->Break([](FakeForceDimension& fake) { fake.FailsToRead = true; }, "communication error");
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(ForceDimension, AWriteThatFailsIsAFault)
+{
+  this->Break([](FakeForceDimension& fake) { fake.FailsToWrite = true; }, "does not take a force");
+}
+
+TEST_F(ForceDimension, APositionThatIsNoNumberCutsTheForce)
+{
+  this->Break([](FakeForceDimension& fake) { fake.TellsNonsense = true; }, "can't be");
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(ForceDimension, ADeviceInUseElsewhereIsAnErrorWithACure)
+{
+  this->With([](FakeForceDimension& fake) { fake.FailsToOpen = true; });
+  const std::string error = ErrorOf("vendor:forcedimension");
+  EXPECT_TRUE(Has(error, "device already in use")) << error;
+  EXPECT_TRUE(Has(error, "Close other programs")) << error;
+  this->With([](FakeForceDimension& fake) { fake.Count = 0; });
+  EXPECT_TRUE(Has(ErrorOf("vendor:forcedimension"), "has no device"));
+}

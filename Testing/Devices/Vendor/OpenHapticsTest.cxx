@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The plug-in for OpenHaptics in closed loop: a hand presses a floor through it. The library is a
+ * stand-in, which behaves as the toolkit's public documentation says
+ * (Emulators/OpenHaptics/FakeOpenHaptics.h): right, up, towards the user; millimetres.
+ */
+
+#include "Emulators/OpenHaptics/FakeOpenHaptics.h"
+#include "VendorRig.h"
+
+#include <HD/hd.h>
+
+using namespace vendortest;
+
+namespace
+{
+constexpr double Height = -0.01; // m, of the floor
+// Up is the floor's normal.
+const Matrix3 ToTheFloor = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
+
+class OpenHaptics : public testing::Test
+{
+protected:
+  OpenHaptics() { this->Folder.Add("openhaptics"); }
+  ~OpenHaptics() override { unsetenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES"); }
+  template <typename F>
+  auto With(F&& use)
+  {
+    const std::lock_guard<std::mutex> lock(this->Fake.Mutex);
+    return use(this->Fake);
+  }
+  Triple Force()
+  {
+    return this->With([](const FakeOpenHaptics& fake) { return fake.Force; });
+  }
+  void Lead(const Triple& goal)
+  {
+    this->With([&goal](FakeOpenHaptics& fake) { fake.Hand.Goal = goal; });
+  }
+  void Feel()
+  {
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+    this->Bench.Start(this->Ground.Model);
+    ASSERT_TRUE(this->Bench.WaitForTicks(20));
+    this->Bench->Arm();
+    const double held = FloorStiffness * BalancedDepth(0.005);
+    EXPECT_TRUE(this->Bench.Press(
+      [&]
+      {
+        this->Lead({ 0.0, Height + 0.005, 0.0 });
+        Eventually(
+          [&]
+          {
+            return this->With([](const FakeOpenHaptics& fake)
+              { return std::abs(fake.Hand.Tip[1] - Height - 0.005) < 0.001; });
+          });
+      },
+      [&] {
+        this->Lead({ 0.0, Height - 0.005, 0.0 });
+      },
+      [&] {
+        return IsNear(this->Force(), { 0.0, held, 0.0 }, 0.05);
+      }))
+      << this->Force()[1];
+  }
+  template <typename F>
+  void Break(F&& change, const char* text)
+  {
+    ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+    ASSERT_NO_FATAL_FAILURE(this->Feel());
+    this->With(change);
+    this->Bench.ExpectLost(text);
+  }
+  bool IsQuiet()
+  {
+    return Eventually([&] { return this->Force() == Triple{}; });
+  }
+
+  FakeOpenHaptics& Fake = FakeOpenHaptics::Get();
+  const PluginFolder Folder;
+  const Floor Ground{ Height, ToTheFloor };
+  DeviceBench Bench;
+};
+} // namespace
+
+TEST_F(OpenHaptics, PressesAFloorAndLetsGo)
+{
+  ASSERT_EQ(ListVendors().size(), 1U);
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  const DeviceLimits limits = this->Bench.Device->GetLimits();
+  EXPECT_EQ(limits.MaximumForce, 3.3);
+  EXPECT_EQ(limits.MaximumStiffness, 1000.0) << "a newton per millimetre";
+  EXPECT_NEAR(limits.MaximumDamping, 3.0, 1e-12);
+  EXPECT_NEAR(limits.WorkspaceRadius, 0.035, 1e-12) << "half of the box's least extent";
+  EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:openhaptics:HD_0815_7");
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  this->Bench.Device->Close();
+  const auto calls = this->With([](const FakeOpenHaptics& fake) { return fake.Calls; });
+  EXPECT_EQ(calls, (std::vector<std::string>{ "init default", "stop", "disable" }));
+  EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.ForcesAtTheEnd; }), 0);
+}
+
+TEST_F(OpenHaptics, OrientationComesFromTheTransformsColumns)
+{
+  // Turned by 90 degrees about up, y: its handle goes from z to x.
+  this->With(
+    [](FakeOpenHaptics& fake)
+    {
+      fake.Turn = { 0, 0, -1, 0, 1, 0, 1, 0, 0 };
+      fake.Hand.Place({ 0.01, 0.02, 0.03 });
+      fake.Buttons = 2;
+    });
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  DeviceSample sample;
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Bench.Device->Read(0.001, sample);
+      return sample.HasOrientation;
+    }));
+  EXPECT_NEAR(sample.Tip.X, 0.01, 1e-9);
+  EXPECT_NEAR(sample.Tip.Y, 0.02, 1e-9);
+  EXPECT_NEAR(sample.Tip.Z, 0.03, 1e-9);
+  EXPECT_EQ(sample.Buttons, 2u);
+  const Vector3 handle = ToMatrix(sample.Orientation) * Vector3{ 0.0, 0.0, 1.0 };
+  EXPECT_NEAR(handle.X, 1.0, 1e-9);
+  EXPECT_NEAR(handle.Y, 0.0, 1e-9);
+  EXPECT_NEAR(handle.Z, 0.0, 1e-9);
+}
+
+TEST_F(OpenHaptics, IsCalibratedByItselfOrByTheInkwell)
+{
+  this->With([](FakeOpenHaptics& fake) { fake.Calibration = HD_CALIBRATION_NEEDS_MANUAL_INPUT; });
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("into its inkwell")) << this->Bench.Text();
+  for (int i = 0; i < 20; ++i)
+  {
+    this->Bench.Device->Write({ 0.0, 1.0, 0.0 });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(this->Force(), Triple{});
+  // In the inkwell the library asks for the update.
+  this->With([](FakeOpenHaptics& fake) { fake.Calibration = HD_CALIBRATION_NEEDS_UPDATE; });
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.ForcesBeforeZero; }), 0);
+  EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.Calls.back(); }), "update");
+}
+
+TEST_F(OpenHaptics, TorqueIsInMillinewtonMetresAndOnlyWhereItIsGiven)
+{
+  this->With([](FakeOpenHaptics& fake) { fake.OutputDof = 6; });
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      DeviceSample sample;
+      this->Bench.Device->Read(0.001, sample);
+      this->Bench.Device->Send({ { 1.0, 2.0, 0.5 }, { 0.1, 0.0, 0.0 } });
+      return this->With(
+        [](const FakeOpenHaptics& fake) {
+          return fake.Force == Triple{ 1.0, 2.0, 0.5 } && fake.Torque == Triple{ 100.0, 0.0, 0.0 };
+        });
+    }));
+}
+
+TEST_F(OpenHaptics, WarmMotorsCutTheForceUntilHome)
+{
+  this->Break(
+    [](FakeOpenHaptics& fake) { fake.Faults.push_back(HD_WARM_MOTORS); }, "Motors too warm");
+  EXPECT_TRUE(this->IsQuiet());
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+}
+
+TEST_F(OpenHaptics, ABrokenConnectionCutsTheForce)
+{
+  this->Break(
+    [](FakeOpenHaptics& fake) {
+      fake.Faults.insert(fake.Faults.end(), { HD_COMM_ERROR, HD_COMM_ERROR });
+    },
+    "Communication error");
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(OpenHaptics, ASchedulerThatStandsStillIsAFault)
+{
+  this->Break(
+    [](FakeOpenHaptics& fake) { fake.StandsStill = true; }, "the library's scheduler stands still");
+}
+
+TEST_F(OpenHaptics, APositionThatIsNoNumberCutsTheForce)
+{
+  this->Break([](FakeOpenHaptics& fake) { fake.TellsNonsense = true; }, "can't be");
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(OpenHaptics, AForceThatIsNotRenewedEndsInTheCallback)
+{
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      DeviceSample sample;
+      this->Bench.Device->Read(0.001, sample);
+      this->Bench.Device->Write({ 0.0, 1.0, 0.0 });
+      return this->Force()[1] > 0.5;
+    }));
+  EXPECT_TRUE(this->IsQuiet());
+}
+
+TEST_F(OpenHaptics, NamedDevicesAreCountedAndOneIsOpenAtATime)
+{
+  setenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES", "Left,Right", 1);
+  const std::vector<DeviceListing> all = ListVendors();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[2].Name, "OpenHaptics \"Right\"");
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics:1")) << this->Bench.Error;
+  EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.Calls.back(); }), "init Left");
+  EXPECT_TRUE(Has(ErrorOf("vendor:openhaptics:2"), "Close() that one"));
+}
+
+TEST_F(OpenHaptics, ADeviceThatIsNotThereIsAnErrorWithACure)
+{
+  this->With([](FakeOpenHaptics& fake) { fake.IsPluggedIn = false; });
+  const std::string error = ErrorOf("vendor:openhaptics");
+  EXPECT_TRUE(Has(error, "Communication error")) << error;
+  EXPECT_TRUE(Has(error, "pair it by the vendor's setup program")) << error;
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A plug-in whose device a test plays. The test finds it in the loaded plug-in by the function
+ * GetPlayedVendor.
+ */
+#ifndef PlayedVendor_h
+#define PlayedVendor_h
+
+#include "Devices/Vendor/VendorPlugin.h"
+
+#include <array>
+#include <mutex>
+#include <string>
+#include <vector>
+
+struct PlayedVendor
+{
+  std::mutex Mutex;
+  int Count = 2;
+  std::string Error = "is as the test wants it.";
+  std::string Name = "Played stylus";
+  std::string Serial = "SN 1=2";
+  VolumeHapticsVendorLimits Limits{ 4.0, 0.1, 800.0, 5.0, 0.0, 0.0, 0.05, 7 };
+  VolumeHapticsVendorPose Pose{};
+  int OpenFails = 0;
+  int ReadResult = VOLUME_HAPTICS_VENDOR_NEWS;
+  int WriteResult = VOLUME_HAPTICS_VENDOR_DONE;
+  int HomeResult = VOLUME_HAPTICS_VENDOR_DONE;
+  int ReadTime = 0; ///< ms that the next read takes
+  int Homes = 0;
+  int Asked = 0; ///< Count and Describe
+  std::array<double, 3> Force{};
+  std::array<double, 3> Torque{};
+  std::vector<std::string> Calls; ///< apart from reads, and writes of the same force
+};
+
+#endif

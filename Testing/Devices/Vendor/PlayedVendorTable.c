@@ -1,0 +1,39 @@
+/* SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors */
+/* SPDX-License-Identifier: BSD-3-Clause */
+
+/*
+ * The table of the played plug-in, in C: a compiler of C takes VendorPlugin.h as it is. The
+ * environment variable PLAYED_VENDOR asks for a plug-in that is not to be loaded.
+ */
+#include "Devices/Vendor/VendorPlugin.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int PlayedCount(void);
+int PlayedDescribe(int number, char* name, size_t nameSize, char* serial, size_t serialSize);
+void* PlayedOpen(int number);
+int PlayedGetLimits(void* device, struct VolumeHapticsVendorLimits* limits);
+int PlayedGetSerial(void* device, char* serial, size_t size);
+int PlayedRead(void* device, struct VolumeHapticsVendorPose* pose);
+int PlayedWrite(void* device, const double force[3], const double torque[3]);
+int PlayedHome(void* device);
+const char* PlayedLastError(void* device);
+void PlayedClose(void* device);
+
+const struct VolumeHapticsVendorPlugin* VolumeHapticsVendorGetPlugin(uint32_t version)
+{
+  static struct VolumeHapticsVendorPlugin plugin = { VOLUME_HAPTICS_VENDOR_VERSION, &PlayedCount,
+    &PlayedDescribe, &PlayedOpen, &PlayedGetLimits, &PlayedGetSerial, &PlayedRead, &PlayedWrite,
+    &PlayedHome, &PlayedLastError, &PlayedClose };
+  const char* const fault = getenv("PLAYED_VENDOR");
+  if (fault && strcmp(fault, "older") == 0)
+  {
+    return NULL;
+  }
+  if (fault && strcmp(fault, "without-write") == 0)
+  {
+    plugin.Write = NULL;
+  }
+  return version == VOLUME_HAPTICS_VENDOR_VERSION ? &plugin : NULL;
+}

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A device behind a plug-in, from opening to closing, and its faults: each ends in zero force and a
+ * text. The plug-in is played by the test; what it may expect is what VendorPlugin.h promises.
+ */
+
+#include "PlayedVendor.h"
+#include "VendorRig.h"
+
+#include <limits>
+
+#include <dlfcn.h>
+
+using namespace vendortest;
+
+namespace
+{
+class VendorDevice : public testing::Test
+{
+protected:
+  VendorDevice()
+  {
+    const fs::path file = this->Folder.Add("played");
+    void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    using Getter = PlayedVendor* (*)();
+    const auto get = reinterpret_cast<Getter>(dlsym(library, "GetPlayedVendor"));
+    this->Played = get();
+    this->Played->Calls.clear();
+  }
+  template <typename F>
+  void Play(F&& change)
+  {
+    const std::lock_guard<std::mutex> lock(this->Played->Mutex);
+    change(*this->Played);
+  }
+  template <typename F>
+  auto Ask(F&& question)
+  {
+    const std::lock_guard<std::mutex> lock(this->Played->Mutex);
+    return question(*this->Played);
+  }
+  std::array<double, 3> Force()
+  {
+    return this->Ask([](const PlayedVendor& played) { return played.Force; });
+  }
+  void OpenReady()
+  {
+    ASSERT_TRUE(this->Bench.Open("vendor:played")) << this->Bench.Error;
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  }
+  /// Reads and writes as the servo does, until the device has that force.
+  bool Push(const DeviceCommand& command)
+  {
+    return Eventually(
+      [&]
+      {
+        DeviceSample sample;
+        this->Bench.Device->Read(0.001, sample);
+        this->Bench.Device->Send(command);
+        return this->Force() != std::array<double, 3>{};
+      });
+  }
+  /// A fault while a force flows.
+  template <typename F>
+  void Break(F&& change, const char* text)
+  {
+    ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+    ASSERT_TRUE(this->Push({ { 1.0, 0.0, 0.0 }, {} }));
+    this->Play(change);
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        DeviceSample sample;
+        this->Bench.Device->Read(0.001, sample);
+        this->Bench.Device->Send({ { 1.0, 0.0, 0.0 }, {} });
+        return this->Bench.Device->GetCondition().Stage == DeviceStage::Lost;
+      }));
+    EXPECT_TRUE(Has(this->Bench.Text(), text)) << this->Bench.Text();
+    EXPECT_TRUE(Eventually([&] { return this->Force() == std::array<double, 3>{}; }));
+    // Nothing comes back by itself.
+    this->Bench.Device->Send({ { 1.0, 0.0, 0.0 }, {} });
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    EXPECT_EQ(this->Force(), (std::array<double, 3>{}));
+    this->Bench.Device->Close();
+    EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Calls.back(); }), "close");
+  }
+
+  const PluginFolder Folder;
+  PlayedVendor* Played = nullptr;
+  DeviceBench Bench;
+};
+} // namespace
+
+TEST_F(VendorDevice, HasItsLimitsNameAndIdentityAndIsInUse)
+{
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  const DeviceLimits limits = this->Bench.Device->GetLimits();
+  EXPECT_EQ(limits.MaximumForce, 4.0);
+  EXPECT_EQ(limits.MaximumStiffness, 800.0);
+  EXPECT_EQ(limits.WorkspaceRadius, 0.05);
+  EXPECT_EQ(this->Bench.Device->GetName(), "Played stylus 0 (vendor:played:0)");
+  EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:played:SN_1_2");
+  const int asked = this->Ask([](const PlayedVendor& played) { return played.Asked; });
+  const std::vector<DeviceListing> all = ListVendors();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].State, "in use");
+  EXPECT_EQ(all[1].State, "available");
+  EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Asked; }), asked)
+    << "the plug-in is not asked while its device runs";
+  EXPECT_TRUE(Has(ErrorOf("vendor:played:0"), "in use by this program"));
+}
+
+TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
+{
+  this->Play(
+    [](PlayedVendor& played) {
+      played.Pose = { { 0.01, 0.02, 0.03 }, { 0.6, 0.0, 0.8, 0.0 }, 2'000'000, 5u, 1 };
+    });
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  DeviceSample sample;
+  ASSERT_TRUE(Eventually([&]
+    { return this->Bench.Device->Read(0.001, sample) == DeviceState::Running && sample.Fresh; }));
+  EXPECT_EQ(sample.Tip.X, 0.01);
+  EXPECT_EQ(sample.Tip.Y, 0.02);
+  EXPECT_EQ(sample.Tip.Z, 0.03);
+  EXPECT_EQ(sample.Buttons, 5u);
+  EXPECT_TRUE(sample.HasOrientation);
+  EXPECT_EQ(sample.Orientation.W, 0.6);
+  EXPECT_EQ(sample.Orientation.Y, 0.8);
+  const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(
+    std::chrono::steady_clock::now().time_since_epoch());
+  EXPECT_GE(now.count() - sample.Time, 2'000'000) << "it was measured two milliseconds before";
+  // Nothing new is a sign of life, with the same sample.
+  this->Play([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_DONE; });
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      this->Bench.Device->Read(0.001, sample);
+      return sample.Alive && !sample.Fresh;
+    }));
+}
+
+TEST_F(VendorDevice, ForceAndTorqueArriveWithinTheLimits)
+{
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  ASSERT_TRUE(this->Push({ { 3.0, 0.0, 0.0 }, { 0.0, 0.05, 0.0 } }));
+  EXPECT_EQ(this->Force(), (std::array<double, 3>{ 3.0, 0.0, 0.0 }));
+  EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Torque; }),
+    (std::array<double, 3>{ 0.0, 0.05, 0.0 }));
+  const auto isCut = [&]
+  {
+    this->Bench.Device->Send({ { 0.0, 40.0, 0.0 }, { 0.0, 0.0, -2.0 } });
+    return this->Ask(
+      [](const PlayedVendor& played)
+      {
+        return played.Force == std::array<double, 3>{ 0.0, 4.0, 0.0 } &&
+          std::abs(played.Torque[2] + 0.1) < 1e-12;
+      });
+  };
+  EXPECT_TRUE(Eventually(isCut));
+  // What the servo no longer renews becomes zero, and so does what is quenched.
+  const auto isZero = [&]
+  {
+    return this->Ask(
+      [](const PlayedVendor& played) {
+        return played.Force == std::array<double, 3>{} && played.Torque == std::array<double, 3>{};
+      });
+  };
+  EXPECT_TRUE(Eventually(isZero));
+  ASSERT_TRUE(this->Push({ { 1.0, 0.0, 0.0 }, {} }));
+  this->Bench.Device->Quench();
+  EXPECT_TRUE(Eventually(isZero));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.Device->IsAtRest(); }));
+}
+
+TEST_F(VendorDevice, BeginsAndEndsWithZero)
+{
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  ASSERT_TRUE(this->Push({ { 1.0, 0.0, 0.0 }, {} }));
+  this->Bench.Device->Close();
+  EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Calls; }),
+    (std::vector<std::string>{ "open", "zero", "force", "zero", "close" }));
+}
+
+TEST_F(VendorDevice, WaitsUntilItIsHomed)
+{
+  this->Play(
+    [](PlayedVendor& played)
+    {
+      played.ReadResult = VOLUME_HAPTICS_VENDOR_WAITS;
+      played.Error = "is not homed. Press Home().";
+    });
+  ASSERT_TRUE(this->Bench.Open("vendor:played:0")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("is not homed. Press Home().")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  DeviceSample sample;
+  EXPECT_EQ(this->Bench.Device->Read(0.001, sample), DeviceState::NotReady);
+  for (int i = 0; i < 20; ++i)
+  {
+    this->Bench.Device->Send({ { 1.0, 0.0, 0.0 }, {} });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(this->Force(), (std::array<double, 3>{}));
+  this->Play([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_NEWS; });
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
+  EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Homes; }), 1);
+}
+
+TEST_F(VendorDevice, ALossLatchesUntilItIsHomed)
+{
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  this->Play([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_LOST; });
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Lost));
+  EXPECT_TRUE(Has(this->Bench.Text(), "is as the test wants it.")) << this->Bench.Text();
+  this->Play(
+    [](PlayedVendor& played)
+    {
+      played.ReadResult = VOLUME_HAPTICS_VENDOR_NEWS;
+      played.HomeResult = VOLUME_HAPTICS_VENDOR_LOST;
+    });
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
+  this->Bench.Device->Home();
+  EXPECT_TRUE(Eventually(
+    [&] { return this->Ask([](const PlayedVendor& played) { return played.Homes; }) == 1; }));
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Lost));
+  this->Play([](PlayedVendor& played) { played.HomeResult = VOLUME_HAPTICS_VENDOR_DONE; });
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+}
+
+TEST_F(VendorDevice, AFaultOfReadingCutsTheForce)
+{
+  this->Break([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_LOST; },
+    "is as the test wants it.");
+}
+
+TEST_F(VendorDevice, AFaultOfWritingCutsTheForce)
+{
+  this->Break([](PlayedVendor& played) { played.WriteResult = VOLUME_HAPTICS_VENDOR_LOST; },
+    "is as the test wants it.");
+}
+
+TEST_F(VendorDevice, APositionThatIsNoNumberCutsTheForce)
+{
+  this->Break([](PlayedVendor& played)
+    { played.Pose.Position[1] = std::numeric_limits<double>::quiet_NaN(); },
+    "told a position that can't be");
+}
+
+TEST_F(VendorDevice, APositionInMillimetresCutsTheForce)
+{
+  this->Break(
+    [](PlayedVendor& played) { played.Pose.Position[1] = 50.0; }, "told a position that can't be");
+}
+
+TEST_F(VendorDevice, ACallThatHangsCutsTheForce)
+{
+  this->Break([](PlayedVendor& played) { played.ReadTime = 600; }, "did not answer for");
+}
+
+TEST_F(VendorDevice, IsNotOpenedWithoutItsLimits)
+{
+  this->Play([](PlayedVendor& played) { played.Limits.MaximumForce = 0.0; });
+  EXPECT_TRUE(Has(ErrorOf("vendor:played"), "does not say its largest force"));
+  this->Play(
+    [](PlayedVendor& played)
+    {
+      played.Limits.MaximumForce = 4.0;
+      played.Limits.MaximumStiffness = std::numeric_limits<double>::quiet_NaN();
+    });
+  EXPECT_TRUE(Has(ErrorOf("vendor:played"), "limits that are no numbers"));
+  EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Calls.back(); }), "close");
+}
+
+TEST_F(VendorDevice, TheReasonOfAFailureToOpenIsThePluginsOwn)
+{
+  this->Play(
+    [](PlayedVendor& played)
+    {
+      played.OpenFails = 1;
+      played.Error = "is held by another program. Close that.";
+    });
+  EXPECT_EQ(ErrorOf("vendor:played:1"), "vendor:played:1 is held by another program. Close that.");
+  this->Play([](PlayedVendor& played) { played.Count = -1; });
+  EXPECT_EQ(ErrorOf("vendor:played:1"), "vendor:played:1 is held by another program. Close that.");
+  EXPECT_TRUE(Has(TextOfMissing(), "vendor:played is held by another program")) << TextOfMissing();
+  this->Play([](PlayedVendor& played) { played.Count = 0; });
+  EXPECT_TRUE(Has(ErrorOf("vendor:played"), "has no device. Plug it in"));
+}

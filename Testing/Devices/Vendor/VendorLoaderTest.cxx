@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Which plug-ins are loaded, and the texts of those that are not: by the rules that the page
+ * Documentation/devices.md states. The modes of files are POSIX'.
+ */
+
+#include "VendorRig.h"
+
+#include <fstream>
+
+#include <sys/stat.h>
+
+using namespace vendortest;
+
+namespace
+{
+class VendorLoader : public testing::Test
+{
+protected:
+  /// The text if the played plug-in can't be opened.
+  static std::string Refused(const std::string& id = "vendor:played") { return ErrorOf(id); }
+  const PluginFolder Folder;
+};
+} // namespace
+
+TEST_F(VendorLoader, ListsDevicesOfAllPluginsByNameAndNumber)
+{
+  this->Folder.Add("played");
+  const std::vector<DeviceListing> all = ListVendors();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].Id, "vendor:played:0");
+  EXPECT_EQ(all[1].Id, "vendor:played:1");
+  EXPECT_EQ(all[1].Name, "Played stylus 1");
+  EXPECT_EQ(all[0].State, "available");
+  EXPECT_EQ(all[0].Identity, "vendor:played:SN_1_2") << "a word in the user's file of devices";
+  EXPECT_EQ(TextOfMissing(), "");
+}
+
+TEST_F(VendorLoader, SaysThatNoPluginIsFoundAndWhereOneComesFrom)
+{
+  EXPECT_TRUE(Has(TextOfMissing(), "Examples/Vendor")) << TextOfMissing();
+  unsetenv("VOLUMEHAPTICS_VENDOR_PATH");
+  EXPECT_TRUE(Has(TextOfMissing(), "VOLUMEHAPTICS_VENDOR_PATH")) << TextOfMissing();
+  EXPECT_TRUE(Has(Refused(), "no folder is searched")) << Refused();
+}
+
+TEST_F(VendorLoader, AProgramNamesTheFoldersInstead)
+{
+  this->Folder.Add("played");
+  unsetenv("VOLUMEHAPTICS_VENDOR_PATH");
+  DeviceOptions options;
+  options.VendorPath = "/nowhere:" + this->Folder.Path.string();
+  DeviceBench bench;
+  EXPECT_TRUE(bench.Open("vendor:played:1", options)) << bench.Error;
+}
+
+TEST_F(VendorLoader, LoadsNothingThatOthersMayWrite)
+{
+  const fs::path file = this->Folder.Add("played");
+  for (const fs::path& open : { file, this->Folder.Path })
+  {
+    for (const mode_t mode : { 0770, 0702 })
+    {
+      ASSERT_EQ(chmod(open.c_str(), mode), 0);
+      EXPECT_TRUE(Has(Refused(), "chmod go-w")) << Refused();
+      EXPECT_TRUE(Has(Refused(), open.c_str())) << Refused();
+      EXPECT_TRUE(ListVendors().empty());
+      EXPECT_TRUE(Has(TextOfMissing(), "others may write")) << TextOfMissing();
+    }
+    ASSERT_EQ(chmod(open.c_str(), 0700), 0);
+  }
+  // A folder above that is open lets others put another folder in the place of this one.
+  const fs::path inner = this->Folder.Path / "open" / "inner";
+  fs::create_directories(inner);
+  fs::rename(file, inner / file.filename());
+  setenv("VOLUMEHAPTICS_VENDOR_PATH", inner.c_str(), 1);
+  ASSERT_EQ(chmod(inner.parent_path().c_str(), 0777), 0);
+  EXPECT_TRUE(Has(Refused(), "others may write")) << Refused();
+  // Unless they can't replace what they do not own.
+  ASSERT_EQ(chmod(inner.parent_path().c_str(), 01777), 0);
+  DeviceBench bench;
+  EXPECT_TRUE(bench.Open("vendor:played")) << bench.Error;
+}
+
+TEST_F(VendorLoader, ALinkIsAsSafeAsItsTarget)
+{
+  const fs::path file = this->Folder.Add("played");
+  const fs::path elsewhere = this->Folder.Path / "elsewhere";
+  fs::create_directory(elsewhere);
+  fs::rename(file, elsewhere / "real.so");
+  fs::create_symlink(elsewhere / "real.so", file);
+  ASSERT_EQ(chmod(elsewhere.c_str(), 0777), 0);
+  EXPECT_TRUE(Has(Refused(), "others may write")) << Refused();
+}
+
+TEST_F(VendorLoader, NothingIsSearchedBesideTheFolders)
+{
+  this->Folder.Add("played");
+  EXPECT_TRUE(Has(Refused("vendor:../played"), "is no device id"));
+  EXPECT_TRUE(Has(Refused("vendor:/tmp/x:0"), "is no device id"));
+  EXPECT_TRUE(Has(Refused("vendor"), "is no device id"));
+  EXPECT_TRUE(Has(Refused("vendor:played:x"), "is no device id"));
+  EXPECT_TRUE(Has(Refused("vendor:played:2"), "has no device 2"));
+  EXPECT_TRUE(Has(Refused("vendor:other"), "libvolumehaptics-other.so")) << Refused("vendor:other");
+  setenv("VOLUMEHAPTICS_VENDOR_PATH", "plugins", 1);
+  EXPECT_TRUE(Has(Refused(), "Name the whole path")) << Refused();
+}
+
+TEST_F(VendorLoader, AFileThatIsNoPluginIsRefusedWithItsReason)
+{
+  const fs::path junk = this->Folder.Path / "libvolumehaptics-junk.so";
+  std::ofstream(junk) << "not a library";
+  fs::permissions(junk, fs::perms::owner_all);
+  EXPECT_TRUE(Has(Refused("vendor:junk"), "can't be loaded")) << Refused("vendor:junk");
+  // A library, but no plug-in: it exports nothing that is known.
+  this->Folder.Add("empty");
+  EXPECT_TRUE(Has(Refused("vendor:empty"), "does not export VolumeHapticsVendorGetPlugin"));
+  // Its vendor's library is not installed: the loader's own words name it.
+  this->Folder.Add("orphan");
+  EXPECT_TRUE(Has(Refused("vendor:orphan"), "libvolumehaptics-no-such-sdk.so"))
+    << Refused("vendor:orphan");
+  EXPECT_TRUE(Has(TextOfMissing(), "libvolumehaptics-no-such-sdk.so")) << TextOfMissing();
+  EXPECT_TRUE(Has(TextOfMissing(), "LD_LIBRARY_PATH")) << TextOfMissing();
+}
+
+TEST_F(VendorLoader, APluginOfAnotherVersionIsRefused)
+{
+  this->Folder.Add("played");
+  setenv("PLAYED_VENDOR", "older", 1);
+  EXPECT_TRUE(Has(Refused(), "for another version than 1")) << Refused();
+  setenv("PLAYED_VENDOR", "without-write", 1);
+  EXPECT_TRUE(Has(Refused(), "leaves functions out")) << Refused();
+  unsetenv("PLAYED_VENDOR");
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A library in the place of Force Dimension's, with a device that a hand holds. It behaves as the
+ * SDK's public documentation says (Haptic and Robotic SDK 3.14): IDs of devices that are not open
+ * are errors; results above zero are none; x is towards the user, y to the right, z up; metres,
+ * newtons; forces have no effect while they are switched off.
+ */
+#ifndef FakeForceDimension_h
+#define FakeForceDimension_h
+
+#include "Emulators/EmulatedHand.h"
+
+#include <array>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace emulated
+{
+
+struct FakeForceDimension
+{
+  std::mutex Mutex;
+  int Count = 1;
+  int Type = 34; ///< an omega.6
+  bool HasWrist = true;
+  bool IsOpen = false;
+  bool IsInitialised = true;
+  bool HasPower = true;
+  bool ForceIsOn = false;
+  bool FailsToOpen = false;
+  bool FailsToRead = false;
+  bool FailsToWrite = false;
+  bool TellsNonsense = false;
+  unsigned Buttons = 0;
+  std::array<std::array<double, 3>, 3> Frame{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+  EmulatedHand Hand;
+  Triple Force{};                 ///< N, as it was set last
+  Triple Torque{};                ///< N m
+  int ForcesBeforeZero = 0;       ///< forces other than zero that were set before it knew its zero
+  std::vector<std::string> Calls; ///< apart from reads, and writes of the same force
+
+  /** The library's, if the program is linked to it. */
+  static FakeForceDimension& Get();
+};
+
+} // namespace emulated
+
+#endif

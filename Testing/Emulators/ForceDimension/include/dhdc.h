@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A stand-in for Force Dimension's header of this name: the functions that the plug-in uses, with
+ * the signatures, constants and units of the SDK's public documentation
+ * (downloads.forcedimension.com/sdk/doc, Haptic SDK 3.14).
+ */
+#ifndef FakeDhdc_h
+#define FakeDhdc_h
+
+using ushort = unsigned short;
+using uchar = unsigned char;
+using uint = unsigned int;
+
+#define DHD_DEVICE_DELTA3 63
+#define DHD_DEVICE_DELTA6 64
+#define DHD_DEVICE_OMEGA3 33
+#define DHD_DEVICE_OMEGA33 34
+#define DHD_DEVICE_OMEGA33_LEFT 36
+#define DHD_DEVICE_OMEGA331 35
+#define DHD_DEVICE_OMEGA331_LEFT 37
+#define DHD_DEVICE_FALCON 60
+#define DHD_DEVICE_SIGMA331 104
+#define DHD_DEVICE_SIGMA331_LEFT 105
+#define DHD_ON 1
+#define DHD_OFF 0
+#define DHD_TIMEGUARD 1
+#define DHD_MOTOR_SATURATED 2
+#define DHD_MAX_STATUS 16
+#define DHD_STATUS_POWER 0
+#define DHD_STATUS_CONNECTED 1
+#define DHD_STATUS_FORCE 5
+
+extern "C"
+{
+  const char* dhdErrorGetLastStr();
+  int dhdGetDeviceCount();
+  int dhdGetSerialNumber(ushort* sn, char ID = -1);
+  int dhdGetSystemType(char ID = -1);
+  int dhdGetStatus(int status[DHD_MAX_STATUS], char ID = -1);
+  int dhdEnableForce(uchar val, char ID = -1);
+  bool dhdHasWrist(char ID = -1);
+  uint dhdGetButtonMask(char ID = -1);
+  int dhdGetPosition(double* px, double* py, double* pz, char ID = -1);
+  int dhdGetPositionAndOrientationFrame(
+    double* px, double* py, double* pz, double matrix[3][3], char ID = -1);
+  int dhdSetForce(double fx, double fy, double fz, char ID = -1);
+  int dhdSetForceAndTorque(
+    double fx, double fy, double fz, double tx, double ty, double tz, char ID = -1);
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A library in the place of OpenHaptics' libHD, with a device that a hand holds. It behaves as the
+ * toolkit's public documentation says (OpenHaptics Toolkit 3.5, API Reference and Programmer's
+ * Guide): callbacks run on the scheduler's thread; forces are set between hdBeginFrame and
+ * hdEndFrame, else that is an error; faults are on a stack that hdGetError takes from; millimetres,
+ * newtons, millinewton metres; matrices have their columns first.
+ */
+#ifndef FakeOpenHaptics_h
+#define FakeOpenHaptics_h
+
+#include "Emulators/EmulatedHand.h"
+
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace emulated
+{
+
+struct FakeOpenHaptics
+{
+  std::mutex Mutex;
+  bool IsPluggedIn = true;
+  bool StandsStill = false; ///< the scheduler does not run its callbacks
+  int OutputDof = 3;
+  unsigned Calibration = 301;   ///< HD_CALIBRATION_OK
+  std::vector<unsigned> Faults; ///< the stack
+  int Buttons = 0;
+  bool TellsNonsense = false;
+  /// Of the stylus: three columns of a turn.
+  std::array<double, 9> Turn{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  EmulatedHand Hand;              ///< m
+  Triple Force{};                 ///< N, of the last frame
+  Triple Torque{};                ///< mN m
+  int ForcesBeforeZero = 0;       ///< in frames before it knew its zero
+  int ForcesAtTheEnd = 0;         ///< how often the scheduler was stopped under force
+  std::vector<std::string> Calls; ///< outside of frames
+  std::atomic<long> Frames{ 0 };
+
+  /** The library's, if the program is linked to it. */
+  static FakeOpenHaptics& Get();
+};
+
+} // namespace emulated
+
+#endif
