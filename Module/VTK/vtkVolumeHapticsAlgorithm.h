@@ -118,8 +118,9 @@ public:
    * blurred edge leads to, so that skin feels as what lies behind it, from the first touch on.
    *
    * FAR_SIDE follows the normal to the first plateau on either side, 3 KernelRadius voxels at most.
-   * Along a surface in contact the values follow over 2.5 voxels of the proxy's path, so that no
-   * material steps. The arrays SurfaceValue and MediumValue are the values that were read.
+   * Along a surface in contact the values follow over 2.5 voxels of the proxy's path, and that of
+   * the medium over 8, so that no material steps. The arrays SurfaceValue and MediumValue are the
+   * values that were read.
    */
   vtkSetClampMacro(MaterialPlacement, int, KERNEL, FAR_SIDE);
   vtkGetMacro(MaterialPlacement, int);

@@ -30,10 +30,11 @@ struct FarValues
 /** A material point with the estimator's own value and its slope. */
 struct PrecisePoint : MaterialPoint
 {
-  double Value = 0.0;    ///< the estimator's own
-  double Slope = 0.0;    ///< of Value along the normal, per metre; 0 without a gradient
-  FarValues Far;         ///< of the last walk
-  double FarLasts = 0.0; ///< voxels of the proxy's path for which Far stands
+  double Value = 0.0; ///< the estimator's own
+  double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
+  FarValues Far;      ///< of the last walk
+  /** Voxels of the proxy's path for which Far stands; 0 where the values do not follow it. */
+  double FarLasts = 0.0;
 };
 
 /** The state that PRECISE carries from tick to tick. */

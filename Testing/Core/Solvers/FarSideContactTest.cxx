@@ -3,8 +3,8 @@
 
 /**
  * A hand on surfaces whose materials belong to their far side. The volumes are built from values of
- * plateaus, which are also what is expected; steps along a surface are bounded by the equation in
- * FarSide.h.
+ * plateaus, which are also what is expected; how values follow along a surface is the solution of
+ * the equation in FarSide.h, an exponential.
  */
 
 #include "Core/Solvers/Precise/FarSide.h"
@@ -158,6 +158,122 @@ TEST(FarSideContact, NoMaterialStepsAlongASurface)
   EXPECT_LT(largestStep(HapticModel(description)), 1.0);
   description.Settings.Placement = MaterialPlacement::Kernel;
   EXPECT_GT(largestStep(HapticModel(description)), 1.5) << "the scene has a step";
+}
+
+TEST(FarSideContact, TheMediumFollowsOverItsOwnPath)
+{
+  // Two media side by side on one bone: M = M1 + (M0 - M1) exp(-s/L) at s behind their border, with
+  // M0 and M1 as a stroke through either medium alone finds them.
+  const double border = 19.5;
+  const auto strokeOver = [](const std::function<double(double)>& medium)
+  {
+    const TestVolume volume = MakeVolume(
+      [&](double x, double z) { return medium(x) + (1000.0 - medium(x)) * Phi(z / 1.2); });
+    return Stroke(HapticModel(DescribeFar(volume)), 2.0, 10.0, 55.0);
+  };
+  const std::vector<TickRecord> before = strokeOver([](double) { return -100.0; });
+  const std::vector<TickRecord> after = strokeOver([](double) { return 0.0; });
+  const std::vector<TickRecord> across =
+    strokeOver([&](double x) { return x < border ? -100.0 : 0.0; });
+  ASSERT_EQ(across.size(), after.size());
+  int judged = 0;
+  for (std::size_t i = 0; i < across.size(); ++i)
+  {
+    const double way = 1000.0 * across[i].Proxy.X - border;
+    if (!Holds(across[i]) || std::abs(way) < 2.0 || 1000.0 * across[i].Tip.X < 13.0)
+    {
+      continue; // beside the border the samples in between are those of neither
+    }
+    const double left = way > 0.0 ? std::exp(-way / FarSide::MediumPathLength) : 1.0;
+    const double expected =
+      after[i].MediumValue + left * (before[i].MediumValue - after[i].MediumValue);
+    ASSERT_NEAR(across[i].MediumValue, expected, 6.0) << way;
+    ++judged;
+  }
+  EXPECT_GT(judged, 600);
+}
+
+TEST(FarSideContact, TheDragDoesNotStepWhereTheSurfaceIsLeft)
+{
+  const double slow = 0.0;
+  const double thick = 60.0;
+  const double steepest = 0.4 / (thick - slow); // N, of the drag per scalar unit
+  const double border = 19.5;
+  const TestVolume volume = MakeVolume(
+    [&](double x, double z)
+    {
+      const double medium = x < border ? slow : thick;
+      return medium + (1000.0 - medium) * Phi(z / 1.2);
+    });
+  HapticModelDescription description = DescribeFar(volume);
+  description.Material.Viscosity = { { slow, 0.1 }, { thick, 0.5 }, { 200.0, 0.5 },
+    { 900.0, 0.0 } };
+  const HapticModel model(description);
+  std::vector<Vector3> tips;
+  const auto moveTo = [&](double x, double z)
+  {
+    const Vector3 goal = { 0.001 * x, 0.0081, 0.001 * z };
+    const Vector3 from = tips.empty() ? goal : tips.back();
+    const int steps = std::max(1, static_cast<int>(std::ceil(Norm(goal - from) / 5e-5)));
+    for (int i = 1; i <= steps; ++i)
+    {
+      tips.push_back(from + (static_cast<double>(i) / steps) * (goal - from));
+    }
+  };
+  moveTo(12.0, Middle - 5.0);
+  moveTo(12.0, Middle + 1.5);
+  moveTo(22.5, Middle + 1.5);
+  moveTo(24.0, Middle - 2.5);
+  ServoState state;
+  TickRecord last;
+  TickRecord record;
+  bool hasTouched = false;
+  double leftWith = -1.0;
+  int judged = 0;
+  for (const Vector3& tip : tips)
+  {
+    Tick(model, state, tip, record);
+    const bool isLeft = hasTouched && !Holds(record);
+    if (isLeft && tip.X > 0.0225)
+    {
+      leftWith = leftWith < 0.0 ? last.Viscosity : leftWith;
+      const double voxels = 1000.0 * Norm(record.Proxy - last.Proxy) + 1e-3;
+      const double bound = steepest * (thick - slow + 30.0) * voxels / FarSide::MediumPathLength;
+      ASSERT_LT(std::abs(record.Viscosity - last.Viscosity), bound) << 1000.0 * tip.Z - Middle;
+      ++judged;
+    }
+    hasTouched = hasTouched || Holds(record);
+    last = record;
+  }
+  EXPECT_GT(judged, 10);
+  EXPECT_GT(leftWith, 0.1);
+  EXPECT_LT(leftWith, 0.35) << "the medium was not reached yet";
+}
+
+TEST(FarSideContact, DragWithoutAContactIsThatOfItsOwnPlace)
+{
+  // A needle is drawn out through the skin: behind it is air, whatever dragged it inside.
+  const double height = 1050.0;
+  const TestVolume volume =
+    MakeVolume([&](double, double z) { return Air + height * Phi(z / 1.2); });
+  HapticModelDescription description = DescribeFar(volume);
+  description.Material.Viscosity = { { Air, 0.05 }, { Air + height, 0.3 } };
+  const HapticModel model(description);
+  ServoState state;
+  TickRecord record;
+  int judged = 0;
+  for (double z = Middle + 6.0; z > Middle - 8.0; z -= 0.05)
+  {
+    Tick(model, state, { 0.0301, 0.0081, 0.001 * z }, record);
+    EXPECT_EQ(record.NormalForce, 0.0);
+    if (std::abs(1000.0 * record.Proxy.Z - Middle) < 0.5)
+    {
+      EXPECT_NEAR(record.MediumValue, Air, 0.03 * height) << z;
+      EXPECT_GT(record.DragForce, 0.0);
+      ++judged;
+    }
+  }
+  EXPECT_GT(judged, 10);
 }
 
 TEST(FarSideContact, NoiseSpreadsTheValuesLessThanAtTheKernel)

@@ -28,15 +28,19 @@
  *
  * ## Along a surface
  *
- * While a surface takes a force, the values of its material follow the walk's over
- * FarSide::PathLength voxels of the proxy's path s:
+ * While a surface takes a force, the values of its material follow the walk's along the proxy's
+ * path s (voxels):
  *
- *   dV/ds = (F - V)/PathLength.
+ *   dV/ds = (F - V)/L,   L = FarSide::PathLength ahead, FarSide::MediumPathLength behind.
  *
  * A walk stands for FarSide::WalkInterval voxels of it. So no material steps along a surface,
- * whatever the walk finds: noise, or an edge that forks. A new contact begins with the values of
- * its own place; and so does a walk that has found another edge, or none, which is what a proxy
- * meets that has gone through a surface.
+ * whatever the walk finds: noise, or an edge that forks. The medium follows more slowly, because
+ * its drag is a force by itself: on bone, where a layer of a few millimetres drags, it is often
+ * more than the surface takes. It also goes on to follow when the proxy leaves the surface and the
+ * drag alone takes a force, so that the drag does not step there.
+ *
+ * A new contact begins with the values of its own place; and so does a walk that has found another
+ * edge, or none, which is what a proxy meets that has gone through a surface.
  */
 #ifndef FarSide_h
 #define FarSide_h
@@ -65,6 +69,7 @@ constexpr double NextEdge = 0.2;
 ///@{
 /** Voxels of the proxy's path along a surface. */
 constexpr double PathLength = 2.5;
+constexpr double MediumPathLength = 8.0;
 constexpr double WalkInterval = 0.5;
 ///@}
 /** The least share of its height by which an edge stays the same. */
@@ -94,9 +99,10 @@ inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexc
 inline ValuePair FollowFarSide(
   const MaterialPoint& touched, const FarValues& far, double voxels) noexcept
 {
-  const double share = voxels / (voxels + FarSide::PathLength);
-  return { touched.SurfaceValue + share * (far.Ahead - touched.SurfaceValue),
-    touched.MediumValue + share * (far.Behind - touched.MediumValue) };
+  const double ahead = voxels / (voxels + FarSide::PathLength);
+  const double behind = voxels / (voxels + FarSide::MediumPathLength);
+  return { touched.SurfaceValue + ahead * (far.Ahead - touched.SurfaceValue),
+    touched.MediumValue + behind * (far.Behind - touched.MediumValue) };
 }
 
 } // namespace VolumeHaptics

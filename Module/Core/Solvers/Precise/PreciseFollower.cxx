@@ -91,14 +91,15 @@ void PreciseFollower::Write(TickRecord& record) const noexcept
   }
 }
 
-const PrecisePoint* PreciseFollower::FindTouched(const Vector3& lag) const noexcept
+TouchedMaterial PreciseFollower::FindTouched(const Vector3& lag) const noexcept
 {
   const PrecisePoint& here = this->State.Here;
-  const bool holds = Law::IsFelt(here) && here.SurfaceStrength > 0.0 && Dot(lag, here.Normal) > 0.0;
-  return holds ? &here : nullptr;
+  const bool holds = here.SurfaceStrength > 0.0 && Dot(lag, here.Normal) > 0.0;
+  const bool dragsOn = here.Viscosity > 0.0 && here.FarLasts > 0.0;
+  return { Law::IsFelt(here) && (holds || dragsOn) ? &here : nullptr, holds };
 }
 
-void PreciseFollower::LookAround(const Vector3& lag, const PrecisePoint* touched) noexcept
+void PreciseFollower::LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept
 {
   this->State.Here = this->Field.Look(this->Proxy, lag, touched, this->State.CachedSampleDistance);
   this->State.CachedSampleDistance = 0.0;
@@ -136,7 +137,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   {
     if (this->IsTwoSided && Dot(tip - this->Proxy, this->State.Here.Normal) < 0.0)
     {
-      this->LookAround(tip - this->Proxy, nullptr);
+      this->LookAround(tip - this->Proxy, {});
       PassOn(this->State.Spring, this->State.Here.Stiffness, Norm(tip - this->Proxy));
     }
     Motion motion = this->Plan(tip, isFirst ? &before : nullptr);

@@ -33,10 +33,10 @@ public:
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
-  /** The material at the proxy, if its surface takes a part of the spring's force; else null. */
-  const PrecisePoint* FindTouched(const Vector3& lag) const noexcept;
+  /** The material at the proxy, if its surface or drag takes a part of the spring's force. */
+  TouchedMaterial FindTouched(const Vector3& lag) const noexcept;
   /** Samples the material at the proxy; `touched` as in PreciseSurroundings::Look. */
-  void LookAround(const Vector3& lag, const PrecisePoint* touched) noexcept;
+  void LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept;
   /**
    * Takes over a change of the tissue at the proxy that no motion has caused since the last tick.
    */

@@ -90,7 +90,7 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
 }
 
 PrecisePoint PreciseSurroundings::Look(
-  const Vector3& proxy, const Vector3& lag, const PrecisePoint* touched, double voxels) noexcept
+  const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched, double voxels) noexcept
 {
   ++this->Looks;
   const Vector3 index = this->Model.DeviceToIndex(proxy);
@@ -122,7 +122,7 @@ double PreciseSurroundings::FindRise(const Surface& surface) const noexcept
 }
 
 ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& surface,
-  bool isDescending, double distinctness, const PrecisePoint* touched, double voxels,
+  bool isDescending, double distinctness, const TouchedMaterial& touched, double voxels,
   PrecisePoint& point) const noexcept
 {
   const BakedVolume& baked = *this->Model.Baked;
@@ -131,18 +131,19 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& s
   {
     return baked.Field.Values(index, surface.Reach);
   }
-  const bool goesOn = touched && Dot(touched->Normal, surface.Normal) > 0.0;
-  if (goesOn && voxels < touched->FarLasts)
+  const PrecisePoint* const before = touched.Point;
+  const bool isAlike = before && Dot(before->Normal, surface.Normal) > 0.0;
+  double lasts = FarSide::WalkInterval;
+  if (isAlike && touched.IsSurface && voxels < before->FarLasts)
   {
-    point.Far = touched->Far;
-    point.FarLasts = touched->FarLasts - voxels;
+    point.Far = before->Far;
+    lasts = before->FarLasts - voxels;
   }
   else
   {
     const double rise = this->FindRise(surface);
     point.Far =
       FindFarSide(baked.Field, index, surface.Reach, baked.Kernel.Radius, rise, isDescending);
-    point.FarLasts = FarSide::WalkInterval;
     if (share < 1.0)
     {
       const ValuePair nearby = baked.Field.Values(index, surface.Reach);
@@ -150,8 +151,13 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& s
       point.Far.Behind = nearby.Behind + share * (point.Far.Behind - nearby.Behind);
     }
   }
-  return goesOn && IsSameEdge(*touched, point.Far) ? FollowFarSide(*touched, point.Far, voxels)
-                                                   : ValuePair{ point.Far.Ahead, point.Far.Behind };
+  if (!isAlike || !IsSameEdge(*before, point.Far))
+  {
+    return { point.Far.Ahead, point.Far.Behind };
+  }
+  point.FarLasts = lasts;
+  const ValuePair followed = FollowFarSide(*before, point.Far, voxels);
+  return { touched.IsSurface ? followed.Ahead : point.Far.Ahead, followed.Behind };
 }
 
 bool PreciseSurroundings::CanGoOn() const noexcept

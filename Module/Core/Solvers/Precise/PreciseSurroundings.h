@@ -23,14 +23,21 @@ struct Motion
   bool IsFree = false;  ///< no material holds the proxy
 };
 
+/** The material in contact before a motion, for MaterialPlacement::FarSide. */
+struct TouchedMaterial
+{
+  const PrecisePoint* Point = nullptr; ///< null if there is none
+  /** Whether the surface takes a force; else it has done so before, and only its medium drags. */
+  bool IsSurface = false;
+};
+
 /** The beginning of a motion. */
 struct Departure
 {
   Vector3 Proxy;
   PassiveSpring Spring;
   double Level; ///< of the surface, if the motion is held
-  /** The material there, if a surface takes a force; else null. Of MaterialPlacement::FarSide. */
-  const PrecisePoint* Touched;
+  TouchedMaterial Touched;
 };
 
 /** The end of a motion. */
@@ -56,10 +63,10 @@ public:
 
   /**
    * The material at a proxy. With two-sided surfaces the normal follows the lag. `touched` is the
-   * material of a surface in contact that many voxels before, or null: see FarSide.h.
+   * material in contact that many voxels before: see FarSide.h.
    */
-  PrecisePoint Look(
-    const Vector3& proxy, const Vector3& lag, const PrecisePoint* touched, double voxels) noexcept;
+  PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
+    double voxels) noexcept;
   /** Whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
 
@@ -116,7 +123,7 @@ private:
    * of a point.
    */
   ValuePair FindValues(const Vector3& index, const Surface& surface, bool isDescending,
-    double distinctness, const PrecisePoint* touched, double voxels,
+    double distinctness, const TouchedMaterial& touched, double voxels,
     PrecisePoint& point) const noexcept;
 
   const HapticModel& Model;
