@@ -6,6 +6,11 @@
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "Dealer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
 using namespace VolumeHaptics;
 
 namespace
@@ -33,6 +38,7 @@ struct Scene
 {
   HapticModelDescription Description;
   std::vector<char> Samples;
+  std::vector<char> LabelSamples;
 };
 
 void Deal(Dealer& dealer, Scene& scene)
@@ -88,6 +94,103 @@ void Deal(Dealer& dealer, Scene& scene)
   d.View.Data = scene.Samples.data();
 }
 
+/** What the baking refuses in a label image: samples that are no whole numbers become 0. */
+template <typename T>
+void MakeWhole(std::vector<char>& samples)
+{
+  constexpr T most = T(9007199254740992.0);
+  T* const values = reinterpret_cast<T*>(samples.data());
+  for (std::size_t i = 0; i < samples.size() / sizeof(T); ++i)
+  {
+    values[i] = std::abs(values[i]) <= most ? std::floor(values[i]) : T(0);
+  }
+}
+
+/** Any number of any material, for a label that the image may have. */
+LabelledMaterial DealEntry(Dealer& dealer, const LabelView& view, std::int64_t otherwise)
+{
+  LabelledMaterial entry;
+  const std::int64_t* const n = view.GetView().Dimensions;
+  const auto at = [&dealer](std::int64_t samples)
+  { return static_cast<double>(dealer.Choose(static_cast<int>(samples))); };
+  const double x = at(n[0]);
+  const double y = at(n[1]);
+  entry.Label = dealer.Choose(4) == 0 ? otherwise : view.Nearest({ x, y, at(n[2]) });
+  LabelMaterial& m = entry.Material;
+  m.Value = { dealer.Between(0.0, 3000.0), dealer.Between(0.0, 2.0),
+    dealer.Between(0.0, dealer.Choose(3) == 0 ? 1e9 : 5.0), dealer.Between(0.0, 2.0) };
+  for (bool& isSet : m.IsSet)
+  {
+    isSet = dealer.Choose(4) != 0;
+  }
+  m.IsFelt = dealer.Choose(4) != 0;
+  m.IsForbidden = dealer.Choose(8) == 0;
+  return entry;
+}
+
+/** A label image of any type, extent, placement and direction, and a table. */
+void DealLabels(Dealer& dealer, Scene& scene)
+{
+  VolumeView view;
+  view.Type = static_cast<ScalarType>(dealer.Choose(10));
+  std::int64_t count = 1;
+  for (int a = 0; a < 3; ++a)
+  {
+    view.Dimensions[a] = 1 + dealer.Choose(MostSamples);
+    view.Stride[a] = count;
+    count *= view.Dimensions[a];
+  }
+  const std::size_t size = Sizes[static_cast<int>(view.Type)];
+  scene.LabelSamples.resize(count * size);
+  const std::uint8_t kind = dealer.Byte();
+  if (kind % 4 == 0)
+  {
+    dealer.Fill(scene.LabelSamples.data(), scene.LabelSamples.size() / 2);
+  }
+  else
+  {
+    // Blocks of few labels. For types of floating point, the bytes are mostly tiny fractions.
+    for (std::size_t i = 0; i < scene.LabelSamples.size(); i += size)
+    {
+      scene.LabelSamples[i + size - 1] = static_cast<char>(i / size / (1 + kind % 16) % 3 * 67);
+    }
+  }
+  if (view.Type == ScalarType::Float32)
+  {
+    MakeWhole<float>(scene.LabelSamples);
+  }
+  else if (view.Type == ScalarType::Float64)
+  {
+    MakeWhole<double>(scene.LabelSamples);
+  }
+  view.Data = scene.LabelSamples.data();
+  const auto labels = std::make_shared<BakedLabels>();
+  labels->View = LabelView(view);
+  // An axis may point the other way.
+  const double side = dealer.Choose(2) == 0 ? 1.0 : -1.0;
+  labels->IndexToWorld.Linear = Matrix3::FromColumns({ side * dealer.Between(0.1, 3.0), 0.0, 0.0 },
+    { dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0), 0.0 },
+    { 0.0, dealer.Between(-1.0, 1.0), dealer.Between(0.1, 3.0) });
+  labels->IndexToWorld.Offset = { dealer.Between(-10.0, 10.0), dealer.Between(-10.0, 10.0),
+    dealer.Between(-10.0, 10.0) };
+  std::vector<LabelledMaterial> entries;
+  for (int i = dealer.Choose(5); i > 0; --i)
+  {
+    const LabelledMaterial entry = DealEntry(dealer, labels->View, i - 2);
+    const bool isNew = std::none_of(entries.begin(), entries.end(),
+      [&entry](const LabelledMaterial& e) { return e.Label == entry.Label; });
+    if (isNew && entry.Label != NoLabel)
+    {
+      entries.push_back(entry);
+    }
+  }
+  labels->Table = LabelTable(entries);
+  labels->Zone = ForbiddenZone::Make(
+    labels->View, labels->Table, labels->IndexToWorld, dealer.Between(0.0, 3.0));
+  scene.Description.Labels = labels;
+  scene.Description.Settings.Geometry = static_cast<SurfaceGeometry>(dealer.Choose(3));
+}
+
 Vector3 DealTip(Dealer& dealer, const Vector3& before)
 {
   // A hand that is a hundred metres away is odd enough; numbers beyond are refused.
@@ -116,6 +219,10 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
   Dealer dealer(bytes, size);
   Scene scene;
   Deal(dealer, scene);
+  if (dealer.Choose(2) == 1)
+  {
+    DealLabels(dealer, scene);
+  }
   const HapticModel model(scene.Description);
   ServoState state;
   TickRecord record;

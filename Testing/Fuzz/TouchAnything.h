@@ -12,9 +12,10 @@
 
 /**
  * Bytes choose everything: type, size, spacing and samples (NaN and infinities, too), estimator,
- * solver, side, functions with steps, and a path with jumps and tips that are not numbers. Aborts
- * if a force or a proxy is not finite, a force exceeds what the material holds, or a state can't be
- * stored and taken up again.
+ * solver, side, functions with steps, a path with jumps and tips that are not numbers, and if they
+ * want, a label image of any type, size and direction with a table of materials and forbidden
+ * labels. Aborts if a force or a proxy is not finite, a force exceeds what the material holds, or a
+ * state can't be stored and taken up again.
  */
 void TouchAnything(const std::uint8_t* bytes, std::size_t size);
 

@@ -100,8 +100,9 @@ INSTANTIATE_TEST_SUITE_P(FarSide, AllocationFree,
 
 namespace
 {
-/// Blocks of 4^3 voxels of the labels -2 to 2, of which all but 0 have a material.
-std::shared_ptr<const BakedLabels> MakeLabels(const TestVolume& volume)
+/// Blocks of 4^3 voxels of the labels -2 to 2, of which all but 0 have a material, and -1 may be
+/// forbidden.
+std::shared_ptr<const BakedLabels> MakeLabels(const TestVolume& volume, bool isForbidden)
 {
   auto labels = std::make_shared<BakedLabels>();
   labels->View = LabelView(volume.View);
@@ -113,38 +114,55 @@ std::shared_ptr<const BakedLabels> MakeLabels(const TestVolume& volume)
     entries[i].Material.Value = { 300.0 + 100.0 * i, 0.2, 0.5 + 0.5 * i, 0.1 };
     entries[i].Material.IsSet.fill(true);
     entries[i].Material.IsFelt = i != 3;
+    entries[i].Material.IsForbidden = isForbidden && i == 1;
   }
   labels->Table = LabelTable(entries);
+  constexpr double standOff = 0.5; // world units
+  labels->Zone = ForbiddenZone::Make(labels->View, labels->Table, labels->IndexToWorld, standOff);
   return labels;
 }
+
+class AllocationFreeLabels
+  : public testing::TestWithParam<std::tuple<HapticSolver, SurfaceGeometry, bool>>
+{
+};
 } // namespace
 
-TEST(AllocationFreeLabels, NoTickAllocates)
+TEST_P(AllocationFreeLabels, NoTickAllocates)
 {
+  const auto [solver, geometry, isForbidden] = this->GetParam();
   const TestVolume volume = MakeRamp(20);
   TestVolume labels(ScalarType::Int16, { 24, 24, 24 });
   labels.Fill<std::int16_t>([](std::int64_t i, std::int64_t j, std::int64_t k)
     { return (i / 4 + 2 * (j / 4) + 3 * (k / 4)) % 5 - 2; });
-  for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
+  HapticModelDescription description = Describe(volume);
+  description.Labels = MakeLabels(labels, isForbidden);
+  description.Settings.Solver = solver;
+  description.Settings.Geometry = geometry;
+  const HapticModel model(description);
+  ASSERT_EQ(model.Baked->GetZone() != nullptr, isForbidden);
+  Wanderer wanderer(20.0);
+  ServoState state;
+  TickRecord record;
+  int held = 0;
+  int near = 0;
+  const std::size_t before = CountAllocations().Calls;
+  for (int i = 0; i < 50000; ++i)
   {
-    HapticModelDescription description = Describe(volume);
-    description.Labels = MakeLabels(labels);
-    description.Settings.Solver = solver;
-    const HapticModel model(description);
-    Wanderer wanderer(20.0);
-    ServoState state;
-    TickRecord record;
-    double work = 0.0;
-    const std::size_t before = CountAllocations().Calls;
-    for (int i = 0; i < 50000; ++i)
-    {
-      Tick(model, state, wanderer.Next(), record);
-      work += Norm(record.Force);
-    }
-    EXPECT_EQ(CountAllocations().Calls, before);
-    EXPECT_GT(work, 0.0);
+    Tick(model, state, wanderer.Next(), record);
+    held += record.NormalForce > 0.0 ? 1 : 0;
+    near +=
+      isForbidden && model.Baked->GetZone()->Find(model.DeviceToLabel(record.Proxy)).IsNear ? 1 : 0;
   }
+  EXPECT_EQ(CountAllocations().Calls, before);
+  EXPECT_GT(held, 0) << "no surface was met";
+  EXPECT_EQ(near > 0, isForbidden) << "whether a forbidden label was met";
 }
+
+INSTANTIATE_TEST_SUITE_P(All, AllocationFreeLabels,
+  testing::Combine(testing::Values(HapticSolver::Paper, HapticSolver::Precise),
+    testing::Values(SurfaceGeometry::Scalars, SurfaceGeometry::Labels, SurfaceGeometry::Both),
+    testing::Bool()));
 
 // The counter itself: without these the test above would pass with a broken one.
 TEST(AllocationCounter, SeesNew)
