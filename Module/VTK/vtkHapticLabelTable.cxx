@@ -39,10 +39,26 @@ public:
   std::vector<int> Labels;
   bool IsListed = false;
 
+  /** Callers mostly ask for all of a label, label after label. */
   const LabelEntry* Find(int label) const
   {
-    const auto entry = this->Entries.find(label);
-    return entry == this->Entries.end() ? nullptr : &entry->second;
+    const auto end = this->Entries.end();
+    if (this->Found != end && this->Found->first < label)
+    {
+      ++this->Found;
+    }
+    if (this->Found == end || this->Found->first != label)
+    {
+      this->Found = this->Entries.find(label);
+    }
+    return this->Found == end ? nullptr : &this->Found->second;
+  }
+
+  /** To be called if entries go. */
+  void Forget()
+  {
+    this->Found = this->Entries.end();
+    this->IsListed = false;
   }
 
   /** Sets a member of an entry, which is created if needed. Returns whether that is a change. */
@@ -95,6 +111,9 @@ public:
     const LabelEntry* const entry = this->Find(label);
     return entry ? (entry->*member).value_or(otherwise) : otherwise;
   }
+
+private:
+  mutable LabelEntries::const_iterator Found = this->Entries.end(); ///< the last time
 };
 
 namespace
@@ -354,7 +373,7 @@ void vtkHapticLabelTable::RemoveLabel(int label)
 {
   if (this->Internals->Entries.erase(label) > 0)
   {
-    this->Internals->IsListed = false;
+    this->Internals->Forget();
     this->Modified();
   }
 }
@@ -365,7 +384,7 @@ void vtkHapticLabelTable::RemoveAllLabels()
   if (!this->Internals->Entries.empty())
   {
     this->Internals->Entries.clear();
-    this->Internals->IsListed = false;
+    this->Internals->Forget();
     this->Modified();
   }
 }
@@ -470,7 +489,7 @@ void vtkHapticLabelTable::DeepCopy(vtkHapticLabelTable* source)
   if (!(this->Internals->Entries == source->Internals->Entries))
   {
     this->Internals->Entries = source->Internals->Entries;
-    this->Internals->IsListed = false;
+    this->Internals->Forget();
     this->Modified();
   }
 }

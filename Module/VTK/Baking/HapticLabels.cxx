@@ -13,6 +13,7 @@
 #include <cmath>
 #include <new>
 #include <sstream>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -116,7 +117,8 @@ bool ReadLabels(vtkImageData* image, vtkDataArray* labels, BakedLabels& baked, s
   return true;
 }
 
-LabelTable BakeTable(vtkHapticLabelTable* table)
+/** Also lists the forbidden labels. */
+LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
 {
   std::vector<LabelledMaterial> entries;
   for (vtkIdType i = 0; table && i < table->GetNumberOfLabels(); ++i)
@@ -137,14 +139,17 @@ LabelTable BakeTable(vtkHapticLabelTable* table)
     {
       entries.push_back(entry);
     }
+    if (entry.Material.IsForbidden)
+    {
+      forbidden.push_back(label);
+    }
   }
   return LabelTable(entries);
 }
 
 /** False, with an error, if the stand-off reaches too many voxels. */
-bool BakeZone(vtkHapticLabelTable* table, BakedLabels& baked, std::string& error)
+bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
 {
-  const double standOff = table ? table->GetStandOff() : 0.0;
   try
   {
     baked.Zone = ForbiddenZone::Make(baked.View, baked.Table, baked.IndexToWorld, standOff);
@@ -168,24 +173,39 @@ bool BakeZone(vtkHapticLabelTable* table, BakedLabels& baked, std::string& error
 std::shared_ptr<const BakedLabels> HapticLabels::Get(
   vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error)
 {
-  const Key key{ image, labels, table, image->GetMTime(), labels->GetMTime(),
-    table ? table->GetMTime() : 0 };
-  std::shared_ptr<const BakedLabels> baked = this->Baked.lock();
-  if (baked && key == this->BakedFrom)
+  const ImageKey imageKey{ image, labels, image->GetMTime(), labels->GetMTime() };
+  const TableKey tableKey{ table, table ? table->GetMTime() : 0 };
+  const std::shared_ptr<const BakedLabels> last = this->Baked.lock();
+  const bool isImage = last && imageKey == this->BakedImage;
+  if (isImage && tableKey == this->BakedTable)
   {
-    return baked;
+    return last;
   }
   const auto made = std::make_shared<BakedLabels>();
-  if (!ReadLabels(image, labels, *made, error))
+  if (isImage)
+  {
+    made->View = last->View;
+    made->IndexToWorld = last->IndexToWorld;
+    made->Samples = last->Samples;
+  }
+  else if (!ReadLabels(image, labels, *made, error))
   {
     return nullptr;
   }
-  made->Table = BakeTable(table);
-  if (!BakeZone(table, *made, error))
+  ZoneKey zoneKey;
+  std::get<double>(zoneKey) = table ? table->GetStandOff() : 0.0;
+  made->Table = BakeTable(table, std::get<std::vector<int>>(zoneKey));
+  if (isImage && zoneKey == this->BakedZone)
+  {
+    made->Zone = last->Zone;
+  }
+  else if (!BakeZone(std::get<double>(zoneKey), *made, error))
   {
     return nullptr;
   }
-  this->BakedFrom = key;
+  this->BakedImage = imageKey;
+  this->BakedTable = tableKey;
+  this->BakedZone = std::move(zoneKey);
   this->Baked = made;
   return made;
 }

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 class vtkDataArray;
 class vtkHapticLabelTable;
@@ -22,7 +23,10 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** The labels that were baked last; baked again only after a change. */
+/**
+ * The labels that were baked last; baked again only after a change. If only materials have changed,
+ * what takes long is kept: the checks of the image, and the distances to forbidden labels.
+ */
 class HapticLabels
 {
 public:
@@ -34,11 +38,17 @@ public:
     vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error);
 
 private:
-  /** Image, array, table, and the last change of each. */
-  using Key =
-    std::tuple<const void*, const void*, const void*, vtkMTimeType, vtkMTimeType, vtkMTimeType>;
+  ///@{
+  /** Image and array, or the table, and the last change of each. */
+  using ImageKey = std::tuple<const void*, const void*, vtkMTimeType, vtkMTimeType>;
+  using TableKey = std::tuple<const void*, vtkMTimeType>;
+  ///@}
+  /** The forbidden labels, in rising order, and the stand-off. */
+  using ZoneKey = std::tuple<std::vector<int>, double>;
 
-  Key BakedFrom{};
+  ImageKey BakedImage{};
+  TableKey BakedTable{};
+  ZoneKey BakedZone{};
   std::weak_ptr<const BakedLabels> Baked; ///< valid while a model uses it
 };
 

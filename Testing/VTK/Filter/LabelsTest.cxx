@@ -384,6 +384,33 @@ TEST_F(LabelsTest, AreReadAgainAfterAChange)
   EXPECT_NEAR(-Get(this->Run(51), "Force", Last, 2), 500.0 * Depth, 1e-9);
 }
 
+TEST_F(LabelsTest, ThatAreForbiddenAreReadAgainAfterAChange)
+{
+  // Nothing holds but the wall in front of label 2, which begins at x = 7.5.
+  SetConstant(this->Property->GetSurfaceStrength(), 0.0);
+  this->SetHalves();
+  this->Filter->SetPathData(MakePath(Line({ 3, 7, 7 }, { 10, 7, 7 }, 200)));
+  const auto reached = [this] { return this->Run(201)->GetPoint(200)[0]; };
+  EXPECT_EQ(reached(), 10.0);
+  this->Table->SetForbidden(2, true);
+  EXPECT_NEAR(reached(), 7.5, 0.1);
+  this->Table->SetStandOff(2.0);
+  EXPECT_NEAR(reached(), 5.5, 0.1);
+  this->Table->SetStiffness(1, 900.0); // materials alone: the wall stays
+  this->Table->SetStiffness(2, 900.0);
+  EXPECT_NEAR(reached(), 5.5, 0.1);
+  EXPECT_EQ(Get(this->Run(201), "Stiffness", 200), 900.0);
+  this->Table->SetForbidden(2, false);
+  EXPECT_EQ(reached(), 10.0);
+  this->Table->SetForbidden(2, true);
+  EXPECT_NEAR(reached(), 5.5, 0.1);
+  this->Filter->SetLabelData(
+    MakeImage(16, VTK_SHORT, [](const Point& p) { return p[0] < 8.5 ? 1.0 : 2.0; }));
+  EXPECT_NEAR(reached(), 6.5, 0.1);
+  this->Filter->SetLabelTable(nullptr);
+  EXPECT_EQ(reached(), 10.0);
+}
+
 TEST_F(LabelsTest, AMillionOfThemCanBeTold)
 {
   constexpr int side = 100;
