@@ -276,7 +276,12 @@ struct HaplyService::Server
         { "power_supply", "true" }, { "ready", "true" }, { "started", "true" } }));
     return arm;
   }
-  std::string MakeMessage(bool hasConfig, bool isCentred, bool isInUse)
+  bool IsInUse(const std::string& arm) const
+  {
+    return std::any_of(this->Sessions.begin(), this->Sessions.end(),
+      [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
+  }
+  std::string MakeMessage(bool hasConfig, bool isCentred)
   {
     this->Step();
     const Writer& write = this->Write;
@@ -286,10 +291,11 @@ struct HaplyService::Server
       tip[a] += this->Offset[a] + (isCentred ? 0.0 : BaseToMiddle[a]);
     }
     std::vector<std::pair<std::string, Members>> arms{ { Other,
-      this->MakeArm(hasConfig, { 0.3, 0.3, 0.3 }, {}, false) } };
+      this->MakeArm(hasConfig, { 0.3, 0.3, 0.3 }, {}, this->IsInUse(Other)) } };
     if (this->IsPlugged)
     {
-      arms.insert(arms.begin(), { Id, this->MakeArm(hasConfig, tip, this->Force, isInUse) });
+      arms.insert(
+        arms.begin(), { Id, this->MakeArm(hasConfig, tip, this->Force, this->IsInUse(Id)) });
     }
     const Members grip{
       { "state",
@@ -298,7 +304,7 @@ struct HaplyService::Server
             write.Flags({ { "a", this->IsPressed }, { "b", false }, { "c", false } }) } }) },
       { "status", "{\"awake\":true}" }
     };
-    Members all{ { "inverse3", write.Family(arms) },
+    Members all{ { this->Shape.Family, write.Family(arms) },
       { "wireless_verse_grip", write.Family({ { "61548", grip } }) } };
     if (this->IsNew())
     {
@@ -324,14 +330,9 @@ struct HaplyService::Server
     std::string inventory;
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      bool isInUse = false;
-      for (const HaplySession& other : this->Sessions)
-      {
-        isInUse = isInUse || (other.IsOpen && !other.Greeting.empty());
-      }
       session = this->Sessions.size();
       this->Sessions.emplace_back();
-      inventory = this->MakeMessage(true, false, isInUse);
+      inventory = this->MakeMessage(true, false);
     }
     try
     {
@@ -353,7 +354,7 @@ struct HaplyService::Server
       const std::string text = beast::buffers_to_string(buffer.data());
       std::unique_lock<std::mutex> lock(this->Mutex);
       this->Take(text, session, isCentred);
-      std::string state = this->MakeMessage(false, isCentred, true);
+      std::string state = this->MakeMessage(false, isCentred);
       const HaplyFault fault = this->Fault;
       this->Sessions[session].States += fault == HaplyFault::Silent ? 0 : 1;
       lock.unlock();
@@ -373,22 +374,29 @@ struct HaplyService::Server
     HaplySession& session = this->Sessions[number];
     session.Greeting = session.Greeting.empty() ? text : session.Greeting;
     const Json message = Json::parse(text, nullptr, false);
-    const Json::json_pointer device("/inverse3/0");
-    const Json::json_pointer vector(std::string("/inverse3/0/commands/set_cursor_force/") +
-      (this->IsNew() ? "vector" : "values"));
+    const std::string arm = "/" + this->Shape.Family + "/0";
+    const Json::json_pointer device(arm);
+    const Json::json_pointer vector(
+      arm + "/commands/set_cursor_force/" + (this->IsNew() ? "vector" : "values"));
     if (message.is_discarded() || !message.contains(vector) ||
-      message[device].value("device_id", "") != Id)
+      (message[device].value("device_id", "") != Id &&
+        message[device].value("device_id", "") != Other))
     {
       ++session.Refused;
       return;
     }
-    const Json::json_pointer preset("/inverse3/0/configure/preset");
+    const Json::json_pointer preset(arm + "/configure/preset");
     isCentred = isCentred ||
       (this->IsNew() && message.contains(preset) && message[preset] == "arm_front_centered");
     this->Step();
     const Json& force = message[vector];
-    this->Force = { force.value("x", 0.0), force.value("y", 0.0), force.value("z", 0.0) };
-    session.Forces.push_back(this->Force);
+    session.Arm = message[device].value("device_id", "");
+    session.Forces.push_back(
+      { force.value("x", 0.0), force.value("y", 0.0), force.value("z", 0.0) });
+    if (session.Arm == Id)
+    {
+      this->Force = session.Forces.back();
+    }
   }
   void AnswerHttp(tcp::socket& socket, const http::request<http::string_body>& request)
   {
@@ -403,7 +411,7 @@ struct HaplyService::Server
     else if (target == this->Prefix() + "/devices")
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      body = this->MakeMessage(true, false, false);
+      body = this->MakeMessage(true, false);
     }
     if (!body.empty())
     {

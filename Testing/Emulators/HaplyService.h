@@ -33,6 +33,7 @@ namespace emulated
 struct HaplyShape
 {
   std::string Version = "3.5.0";
+  std::string Family = "inverse3"; ///< of both arms
   std::string Type = "inverse3";
   bool HasMaps = false;       ///< as in 3.0: maps from identifiers to devices
   bool OmitsDefaults = false; ///< numbers that have their default, and buttons that are not pressed
@@ -53,6 +54,7 @@ enum class HaplyFault
 struct HaplySession
 {
   std::string Greeting;       ///< the first message
+  std::string Arm;            ///< that it commands
   std::vector<Triple> Forces; ///< of each message, N
   int Refused = 0;            ///< messages that it did not understand
   int States = 0;             ///< that it sent as answers
@@ -63,7 +65,7 @@ class HaplyService
 {
 public:
   static constexpr const char* Id = "049D";
-  static constexpr const char* Other = "04BA"; ///< a second arm, at rest
+  static constexpr const char* Other = "04BA"; ///< a second arm, which no force moves
 
   /** Listens, and names its ports in VOLUMEHAPTICS_HAPLY. */
   explicit HaplyService(const HaplyShape& shape = {});

@@ -71,10 +71,10 @@ void TakeText(const std::string& text)
       for (const int minor : { 0, 5 })
       {
         HaplyMessage ignored;
+        const HaplyAddress address{ { 3, minor }, arm.Family, arm.Id };
         // An arm that the service tells can be asked for a state, whatever its name.
-        Check(ReadHaplyMessage(WriteHaplyGreeting({ 3, minor }, arm.Id), ignored) == nullptr &&
-            ReadHaplyMessage(WriteHaplyForce({ 3, minor }, arm.Id, { 0.5, -1.0, 2.0 }), ignored) ==
-              nullptr &&
+        Check(ReadHaplyMessage(WriteHaplyGreeting(address), ignored) == nullptr &&
+            ReadHaplyMessage(WriteHaplyForce(address, { 0.5, -1.0, 2.0 }), ignored) == nullptr &&
             ignored.Arms.size() == 1,
           "a force is written");
       }

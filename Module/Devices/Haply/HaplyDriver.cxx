@@ -117,7 +117,8 @@ DeviceLimits HaplyDriver::GetLimits() const
 bool HaplyDriver::Reach(std::string& error)
 {
   std::string reason;
-  if (!HaplyPorts::Read(this->Ports, error) || !FindHaplyService(this->Ports, this->Version, error))
+  if (!HaplyPorts::Read(this->Ports, error) ||
+    !FindHaplyService(this->Ports, this->Address.Version, error))
   {
     return false;
   }
@@ -176,13 +177,15 @@ bool HaplyDriver::Greet(std::string& error)
     error = this->Label + " is in use by another program. Close that program.";
     return false;
   }
+  this->Address.Family = arm->Family;
+  this->Address.Id = arm->Id;
   this->IsLost = this->IsReady = this->IsRelieved = this->HasTip = false;
   this->Settled = this->EmptyWaits = 0;
   this->Note.clear();
   this->Request = nullptr;
   this->ToldAt = this->SentAt = ServoClock::Now();
   this->Awaited = 1;
-  if (!this->States.Send(WriteHaplyGreeting(this->Version, this->Id), SendTime))
+  if (!this->States.Send(WriteHaplyGreeting(this->Address), SendTime))
   {
     error = "Haply's Inverse service closed the connection. Start it again.";
     return false;
@@ -299,7 +302,7 @@ void HaplyDriver::Send(const Vector3& force)
   const Vector3 limited = size > most ? most / size * force : force;
   ++this->Awaited;
   this->SentAt = ServoClock::Now();
-  this->States.Send(WriteHaplyForce(this->Version, this->Id, FromDevice(limited)), SendTime);
+  this->States.Send(WriteHaplyForce(this->Address, FromDevice(limited)), SendTime);
 }
 
 void HaplyDriver::TakeStates(HardwareExchange& exchange)
@@ -342,7 +345,7 @@ void HaplyDriver::TakeStates(HardwareExchange& exchange)
 
 void HaplyDriver::TakeState(HardwareExchange& exchange, const HaplyArm& arm)
 {
-  const Vector3 origin = this->Version.IsNew() ? Vector3{} : Centre;
+  const Vector3 origin = this->Address.Version.IsNew() ? Vector3{} : Centre;
   if (!arm.Position || !IsFinite(*arm.Position))
   {
     return;

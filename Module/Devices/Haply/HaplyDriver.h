@@ -102,7 +102,7 @@ private:
   std::string Type;
   ///@}
   HaplyPorts Ports;
-  HaplyVersion Version;
+  HaplyAddress Address;
   WebSocketClient States;
   WebSocketClient Events;
 

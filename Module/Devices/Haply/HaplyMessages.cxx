@@ -111,6 +111,7 @@ HaplyArm ReadArm(const Json& device, const char* family)
   const Json& state = At(device, "state");
   const Json& status = At(device, "status");
   HaplyArm arm;
+  arm.Family = family;
   arm.Type = Text(config, "type");
   arm.Type = arm.Type.empty() ? family : arm.Type;
   arm.Handedness = Text(config, "handedness");
@@ -182,12 +183,12 @@ const Json& Unwrap(const Json& answer)
   return data.is_object() ? data : answer;
 }
 
-Json MakeForce(const HaplyVersion& version, const std::string& id, const Vector3& force)
+Json MakeForce(const HaplyAddress& address, const Vector3& force)
 {
   const Json vector = { { "x", force.X }, { "y", force.Y }, { "z", force.Z } };
-  return { { "device_id", id },
+  return { { "device_id", address.Id },
     { "commands",
-      { { "set_cursor_force", { { version.IsNew() ? "vector" : "values", vector } } } } } };
+      { { "set_cursor_force", { { address.Version.IsNew() ? "vector" : "values", vector } } } } } };
 }
 
 std::string Dump(const Json& message)
@@ -266,22 +267,21 @@ const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version)
   return NoVersion;
 }
 
-std::string WriteHaplyForce(
-  const HaplyVersion& version, const std::string& id, const Vector3& force)
+std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force)
 {
-  const Json message = { { "inverse3", Json::array({ MakeForce(version, id, force) }) } };
+  const Json message = { { address.Family, Json::array({ MakeForce(address, force) }) } };
   return Dump(message);
 }
 
-std::string WriteHaplyGreeting(const HaplyVersion& version, const std::string& id)
+std::string WriteHaplyGreeting(const HaplyAddress& address)
 {
-  if (!version.IsNew())
+  if (!address.Version.IsNew())
   {
-    return WriteHaplyForce(version, id, {});
+    return WriteHaplyForce(address, {});
   }
-  Json arm = MakeForce(version, id, {});
+  Json arm = MakeForce(address, {});
   arm["configure"] = { { "preset", Preset } };
-  Json message = { { "inverse3", Json::array({ arm }) } };
+  Json message = { { address.Family, Json::array({ arm }) } };
   message["session"] = { { "configure", { { "profile", { { "name", Profile } } } } } };
   return Dump(message);
 }

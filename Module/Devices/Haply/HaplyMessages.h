@@ -38,6 +38,7 @@ namespace VolumeHaptics
 /** An Inverse3, Inverse3x or Minverse, as a message tells it; vectors in Haply's axes. */
 struct HaplyArm
 {
+  std::string Family; ///< the name of the list it is in, which its commands have to name, too
   std::string Id;
   std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if it is told
   std::string Handedness;                ///< "left" or "right", if it is told
@@ -106,11 +107,18 @@ const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event);
 const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version);
 ///@}
 
+/** How to address an arm. */
+struct HaplyAddress
+{
+  HaplyVersion Version;
+  std::string Family;
+  std::string Id;
+};
+
 /** The message that asks for a force (N, in Haply's axes) and for a state. */
-std::string WriteHaplyForce(
-  const HaplyVersion& version, const std::string& id, const Vector3& force);
+std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force);
 /** The first message: no force, and from 3.5 on the session's profile and the arm's origin. */
-std::string WriteHaplyGreeting(const HaplyVersion& version, const std::string& id);
+std::string WriteHaplyGreeting(const HaplyAddress& address);
 
 ///@{
 /** Between Haply's axes and the device's. */

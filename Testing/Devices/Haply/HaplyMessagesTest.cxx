@@ -132,6 +132,7 @@ TEST(HaplyMessages, MapsAndEnvelopesHoldTheSame)
     const HaplyMessage message = Read(text);
     ASSERT_EQ(message.Arms.size(), 1U);
     EXPECT_EQ(message.Arms[0].Id, "049D");
+    EXPECT_EQ(message.Arms[0].Family, "inverse3");
     EXPECT_EQ(message.Arms[0].Type, "inverse3") << "by its family";
     EXPECT_EQ(message.Arms[0].Handedness, "left");
     EXPECT_EQ(message.Arms[0].Position->X, 0.5);
@@ -215,18 +216,19 @@ TEST(HaplyMessages, VersionsAreRead)
 
 TEST(HaplyMessages, ForcesAreWrittenAsEachVersionTakesThem)
 {
-  EXPECT_EQ(WriteHaplyForce({ 3, 5 }, "049D", { 0.5, -1.0, 1.5 }),
+  EXPECT_EQ(WriteHaplyForce({ { 3, 5 }, "inverse3", "049D" }, { 0.5, -1.0, 1.5 }),
     R"({"inverse3":[{"commands":{"set_cursor_force":{"vector":{"x":0.5,"y":-1.0,"z":1.5}}},"device_id":"049D"}]})");
-  EXPECT_EQ(WriteHaplyForce({ 3, 4 }, "04BA", {}),
-    R"({"inverse3":[{"commands":{"set_cursor_force":{"values":{"x":0.0,"y":0.0,"z":0.0}}},"device_id":"04BA"}]})");
-  const std::string greeting = WriteHaplyGreeting({ 3, 5 }, "049D");
+  EXPECT_EQ(WriteHaplyForce({ { 3, 4 }, "minverse", "04BA" }, {}),
+    R"({"minverse":[{"commands":{"set_cursor_force":{"values":{"x":0.0,"y":0.0,"z":0.0}}},"device_id":"04BA"}]})");
+  const std::string greeting = WriteHaplyGreeting({ { 3, 5 }, "inverse3", "049D" });
   EXPECT_NE(
     greeting.find(R"("session":{"configure":{"profile":{"name":"org.vtk.volumehaptics:touch"}}})"),
     std::string::npos)
     << greeting;
   EXPECT_NE(greeting.find(R"("configure":{"preset":"arm_front_centered"})"), std::string::npos);
   EXPECT_NE(greeting.find(R"("vector":{"x":0.0,"y":0.0,"z":0.0})"), std::string::npos);
-  EXPECT_EQ(WriteHaplyGreeting({ 3, 1 }, "049D"), WriteHaplyForce({ 3, 1 }, "049D", {}));
+  const HaplyAddress old{ { 3, 1 }, "inverse3", "049D" };
+  EXPECT_EQ(WriteHaplyGreeting(old), WriteHaplyForce(old, {}));
 }
 
 TEST(HaplyMessages, AxesTurnAndDoNotMirror)

@@ -94,10 +94,17 @@ TEST_F(HaplySessions, ItIsListedByItsNameAndHand)
   EXPECT_EQ(this->Bench.Device->GetLimits().WorkspaceRadius, 0.10);
 }
 
+TEST_F(HaplySessions, AFloorIsFeltWithAMinverse)
+{
+  HaplyShape shape;
+  shape.Type = shape.Family = "minverse";
+  ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
+}
+
 TEST_F(HaplySessions, AMinverseHasASmallerWorkspace)
 {
   HaplyShape shape;
-  shape.Type = "minverse";
+  shape.Type = shape.Family = "minverse";
   this->Serve(shape);
   ASSERT_NO_FATAL_FAILURE(this->Open());
   EXPECT_EQ(this->Bench.Device->GetName(), "Haply Minverse (049D, right-handed)");
@@ -143,4 +150,21 @@ TEST_F(HaplySessions, ASecondClientIsToldThatItIsInUse)
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_TRUE(Has(ErrorOf("haply"), "is in use by another program"));
   EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "undisturbed";
+}
+
+TEST_F(HaplySessions, TwoClientsEachHaveAnArm)
+{
+  this->Serve();
+  ASSERT_NO_FATAL_FAILURE(this->Open("haply:049D"));
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+  DeviceBench second;
+  ASSERT_TRUE(second.Open("haply:04BA")) << second.Error;
+  ASSERT_TRUE(second.WaitFor(DeviceStage::Ready)) << second.Text();
+  EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "undisturbed";
+  second.Device->Close();
+  std::vector<HaplySession> sessions = this->Service->GetSessions();
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_EQ(sessions[0].Arm, HaplyService::Id);
+  EXPECT_EQ(sessions[1].Arm, HaplyService::Other);
+  EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "still";
 }
