@@ -14,11 +14,11 @@
 #include <list>
 #include <locale>
 #include <mutex>
-#include <optional>
 #include <sstream>
 #include <thread>
 
 #include <sys/socket.h>
+#include <unistd.h>
 
 namespace emulated
 {
@@ -127,6 +127,8 @@ private:
 
 struct HaplyService::Server
 {
+  using Listener = websocket::stream<tcp::socket&>;
+
   explicit Server(const HaplyShape& shape)
     : Shape(shape)
     , Write(shape)
@@ -144,8 +146,8 @@ struct HaplyService::Server
 
   std::mutex Mutex; // of all that follows
   std::vector<std::thread> Threads;
-  std::vector<tcp::socket*> Sockets;
-  std::list<websocket::stream<tcp::socket>*> Listeners;
+  std::vector<int> Sockets; // duplicates of open connections, by which they are ended
+  std::list<Listener*> Listeners;
   std::vector<HaplySession> Sessions;
   HaplyFault Fault = HaplyFault::None;
   EmulatedHand Hand;
@@ -185,9 +187,10 @@ struct HaplyService::Server
         [this, socket, serve]
         {
           tcp::socket mine = std::move(*socket);
+          const int number = ::dup(mine.native_handle());
           {
             const std::lock_guard<std::mutex> other(this->Mutex);
-            this->Sockets.push_back(&mine);
+            this->Sockets.push_back(number);
           }
           try
           {
@@ -198,7 +201,8 @@ struct HaplyService::Server
             // The client is gone, or this service dies.
           }
           const std::lock_guard<std::mutex> other(this->Mutex);
-          this->Sockets.erase(std::find(this->Sockets.begin(), this->Sockets.end(), &mine));
+          this->Sockets.erase(std::find(this->Sockets.begin(), this->Sockets.end(), number));
+          ::close(number);
         });
     }
   }
@@ -217,9 +221,9 @@ struct HaplyService::Server
     std::vector<std::thread> threads;
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      for (tcp::socket* const socket : this->Sockets)
+      for (const int socket : this->Sockets)
       {
-        ::shutdown(socket->native_handle(), SHUT_RDWR);
+        ::shutdown(socket, SHUT_RDWR);
       }
       threads.swap(this->Threads);
     }
@@ -425,28 +429,18 @@ struct HaplyService::Server
   /// Keeps a listener to the events until it is gone.
   void Hold(tcp::socket& socket)
   {
-    std::optional<websocket::stream<tcp::socket>> moved;
-    {
-      // Its socket is there from now on.
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      moved.emplace(std::move(socket));
-      std::replace(this->Sockets.begin(), this->Sockets.end(), &socket, &moved->next_layer());
-    }
-    websocket::stream<tcp::socket>& stream = *moved;
+    websocket::stream<tcp::socket&> stream(socket);
     struct AtEnd
     {
       Server* All;
-      websocket::stream<tcp::socket>* Stream;
-      tcp::socket* Before;
+      Listener* Stream;
       ~AtEnd()
       {
         const std::lock_guard<std::mutex> lock(this->All->Mutex);
         this->All->Listeners.remove(this->Stream);
-        std::replace(this->All->Sockets.begin(), this->All->Sockets.end(),
-          &this->Stream->next_layer(), this->Before);
       }
     };
-    const AtEnd atEnd{ this, &stream, &socket };
+    const AtEnd atEnd{ this, &stream };
     stream.accept();
     stream.text(true);
     {
@@ -491,7 +485,7 @@ void HaplyService::Break(HaplyFault fault)
 void HaplyService::PushEvent(const std::string& json)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  for (websocket::stream<tcp::socket>* const listener : this->All->Listeners)
+  for (Server::Listener* const listener : this->All->Listeners)
   {
     boost::system::error_code ignored;
     listener->write(asio::buffer(json), ignored);
