@@ -97,6 +97,8 @@ const std::vector<Preset>& Presets()
       8, 40, vtkHapticProperty::HIGHER },
     // Surfaces are felt from both sides here, so that the background can be inside one: it is as
     // stiff as tissue, since the drag of tissue on a soft spring would leave the proxy far behind.
+    // Two surfaces of opposite sides are often a few voxels apart (scalp and skull): distinctness
+    // rises slowly, so that the one does not take over from the other in a step.
     { "MRI",
       {
         { 0, 12, K, 0.00, 0.00, 0.0 },    // background
@@ -105,7 +107,7 @@ const std::vector<Preset>& Presets()
         { 115, 135, K, 0.35, 0.40, 2.0 }, // white matter
         { 175, 255, K, 0.15, 0.20, 2.6 }, // fat
       },
-      3, 15, vtkHapticProperty::BOTH },
+      3, 70, vtkHapticProperty::BOTH },
     // One hard material of any unit: its surfaces are where the gradient is beyond the noise.
     { "Micro-CT", { { 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER },
     // All labels but 0 have one material: the numbers of labels say nothing of their tissues.

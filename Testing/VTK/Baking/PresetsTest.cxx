@@ -166,6 +166,18 @@ TEST_F(Presets, AreSmoothForARealScan)
   }
 }
 
+TEST_F(Presets, MriTakesUpItsSurfacesSlowly)
+{
+  // A gradient that wanders by 10 grey levels a millimetre changes what holds by less than a fifth.
+  ASSERT_TRUE(this->Property->ApplyPreset("MRI"));
+  vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
+  for (double gradient = 0.0; gradient < 200.0; gradient += 1.0)
+  {
+    EXPECT_LT(distinct->GetValue(gradient + 10.0) - distinct->GetValue(gradient), 0.2) << gradient;
+  }
+  EXPECT_EQ(distinct->GetValue(100.0), 1.0);
+}
+
 TEST_F(Presets, PhysicalHasThePublishedLiver)
 {
   ASSERT_TRUE(this->Property->ApplyPreset("CT physical"));
