@@ -21,6 +21,9 @@
  *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
+ *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a serial
+ *                      port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by hand
+ *                      each time it is opened.
  *   vendor:PLUGIN[:N]  devices of a vendor's library, through a plug-in that you build against the
  *                      installed SDK: Force Dimension's (forcedimension) and 3D Systems'
  *                      (openhaptics) are in Examples/Vendor. See SetVendorPath.

@@ -61,14 +61,16 @@ allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
 
 set(device_basis Core/Math Core/Model/ForceCaps.h Core/Servo)
 # The list of kinds names each kind.
-allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Haply/HaplyKind.h Devices/Pid/PidKind.h
-  Devices/SpaceMouse/SpaceMouseKind.h Devices/Vendor/VendorKind.h Devices/WoodenHaptics/WoodenKind.h)
+allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Haply/HaplyKind.h Devices/Hfab/HfabKind.h
+  Devices/Pid/PidKind.h Devices/SpaceMouse/SpaceMouseKind.h Devices/Vendor/VendorKind.h Devices/WoodenHaptics/WoodenKind.h)
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
+allow(Devices/Transport/Serial ${device_basis})
 allow(Devices/Transport/WebSocket ${device_basis})
 allow(Devices/Guard ${device_basis} Devices/Common)
 allow(Devices/Falcon ${device_basis} Devices/Common Devices/Guard Devices/Transport/Usb)
 allow(Devices/Haply ${device_basis} Devices/Common Devices/Transport/WebSocket)
+allow(Devices/Hfab ${device_basis} Devices/Common Devices/Transport/Serial)
 allow(Devices/Pid ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/SpaceMouse ${device_basis} Devices/Common Devices/Transport/Hid)
 allow(Devices/WoodenHaptics ${device_basis} Devices/Common Devices/Transport/Hid)

@@ -54,9 +54,10 @@ int List(std::ostream& out)
 /// Shows the requests to the hand until the device is ready; false if it won't be.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  const bool isWooden = options.Id.compare(0, 6, "wooden") == 0;
-  // A WoodenHaptics asks for its rest pose whenever it is opened.
-  if (options.What == Command::Home && !isWooden)
+  // These ask for their rest pose whenever they are opened.
+  const std::string kind = options.Id.substr(0, options.Id.find(':'));
+  const bool asksByItself = kind == "wooden" || kind == "hfab";
+  if (options.What == Command::Home && !asksByItself)
   {
     device->Home();
   }

@@ -4,6 +4,7 @@
 
 #include "Devices/Falcon/FalconKind.h"
 #include "Devices/Haply/HaplyKind.h"
+#include "Devices/Hfab/HfabKind.h"
 #include "Devices/Pid/PidKind.h"
 #include "Devices/SpaceMouse/SpaceMouseKind.h"
 #include "Devices/Vendor/VendorKind.h"
@@ -56,6 +57,9 @@ std::vector<DeviceKind> GetBuiltInKinds()
 #else
   kinds.push_back(
     WithoutLibrary("haply", "Boost.Beast and nlohmann's JSON", "VolumeHaptics_USE_BEAST"));
+#endif
+#if defined(VOLUME_HAPTICS_HAS_TERMIOS)
+  kinds.push_back(GetHfabKind());
 #endif
 #if defined(VOLUME_HAPTICS_HAS_DLOPEN)
   kinds.push_back(GetVendorKind());

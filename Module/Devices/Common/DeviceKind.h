@@ -54,8 +54,8 @@ struct DeviceKind
     Make;
   /**
    * What keeps this computer from having any device of this kind, such as a service that does not
-   * run or a library that is not found, and the cure. Empty if nothing does, even if no device is
-   * plugged in. May be null.
+   * run, a library or a port that is not found, and the cure. Empty if nothing does. May be null:
+   * then a device has to be plugged in, and no more.
    */
   std::function<std::string()> Missing = {};
 };

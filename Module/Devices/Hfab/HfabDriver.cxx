@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Hfab/HfabDriver.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include <poll.h>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int RoundPause = 2; // ms, between messages if the servo gives no force
+constexpr int LostPause = 10; // ms
+constexpr int WriteTime = 20; // ms
+/** ms. If an answer is later, the message is taken for lost, and the next one is sent. */
+constexpr double AnswerTime = 0.02;
+constexpr int MostRefusals = 5;
+
+constexpr const char* AskForPose =
+  "has to be told where its arm is: put the arm into its pose for calibration, hold it still, and "
+  "press Home().";
+constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
+
+double Since(std::int64_t time)
+{
+  return static_cast<double>(ServoClock::Now() - time) * ServoClock::SecondsPerNanosecond;
+}
+
+/** Until the servo gives a force, or for a time (ms). */
+void Wait(HardwareExchange& exchange, int time)
+{
+  pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
+  if (wake.fd < 0)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(time));
+  }
+  else if (poll(&wake, 1, time) > 0)
+  {
+    exchange.ClearWake();
+  }
+}
+
+} // namespace
+
+HfabDriver::HfabDriver(std::string port)
+  : Wanted(std::move(port))
+{
+}
+
+DeviceLimits HfabDriver::GetLimits() const
+{
+  return this->Geometry ? this->Geometry->Limits : DeviceLimits();
+}
+
+std::string HfabDriver::MakeIdentity(const SerialPortInfo& port)
+{
+  std::string word = port.Name.empty() ? "port:" + port.Path : port.Name;
+  std::replace_if(
+    word.begin(), word.end(), [](char c) { return c <= ' ' || c == '=' || c > '~'; }, '_');
+  return "hfab:" + word;
+}
+
+bool HfabDriver::Connect(std::string& error)
+{
+  SerialPortInfo port{ this->Wanted, {} };
+  if (this->Wanted.empty())
+  {
+    const std::vector<SerialPortInfo> boards = SerialPort::Find(Board);
+    if (boards.empty())
+    {
+      error = std::string("No hfab controller is plugged in: no serial port of a board named \"") +
+        Board + "\" is in " + SerialPort::NamesFolder +
+        ". Plug it in and switch it on, or give its port, such as \"hfab:/dev/ttyACM0\".";
+      return false;
+    }
+    port = boards.front();
+  }
+  else
+  {
+    port.Name = SerialPort::NameOf(port.Path);
+  }
+  this->Label = "hfab controller (" + port.Path + ")";
+  if (!this->Port.Open(port.Path, error))
+  {
+    return false;
+  }
+  if (!this->Shake(error))
+  {
+    this->Port.Close();
+    return false;
+  }
+  this->Label = std::string(this->Geometry->Name) + " (" + port.Path + ")";
+  this->Identity = MakeIdentity(port);
+  return true;
+}
+
+bool HfabDriver::Shake(std::string& error)
+{
+  this->Reader.Reset();
+  const std::int64_t begin = ServoClock::Now();
+  Reply reply = Reply::None;
+  while (reply == Reply::None && Since(begin) < HandshakeTime)
+  {
+    reply = this->Ask({});
+  }
+  if (reply != Reply::Answer)
+  {
+    error = this->Label +
+      (reply == Reply::Gone ? " was unplugged. Plug it in again."
+          : this->Reader.GetBadLines() > 0
+          ? " sends lines that are none of an hfab controller. Give "
+            "the port of the controller."
+          : " does not answer. Give the port of the controller, and "
+            "look after its firmware.");
+    return false;
+  }
+  this->Model = this->Reader.Get().Model;
+  this->Geometry = HfabModel::Find(this->Model);
+  if (!this->Geometry)
+  {
+    error = this->Label + " drives an arm of the model " + std::to_string(this->Model) +
+      ", whose geometry is not known. Known are 1 (Polhem), 2 (PHANToM) and 3 (WoodenHaptics).";
+    return false;
+  }
+  return true;
+}
+
+void HfabDriver::Disconnect() noexcept
+{
+  this->Port.Close();
+}
+
+HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexcept
+{
+  // An answer that came too late must not be taken for the next one.
+  char bytes[128];
+  int late = 0;
+  while ((late = this->Port.Read(bytes, sizeof(bytes), 0)) > 0)
+  {
+    this->Reader.Discard();
+  }
+  if (late < 0)
+  {
+    return Reply::Gone;
+  }
+  const HfabMessage message = EncodeHfab(milliamperes);
+  if (!this->Port.Write(message.Bytes.data(), message.Size, WriteTime))
+  {
+    char byte = 0;
+    return this->Port.Read(&byte, 1, 0) < 0 ? Reply::Gone : Reply::None;
+  }
+  const std::int64_t begin = ServoClock::Now();
+  while (Since(begin) < AnswerTime)
+  {
+    const int size = this->Port.Read(bytes, sizeof(bytes), 5);
+    if (size < 0)
+    {
+      return Reply::Gone;
+    }
+    bool hasAnswer = false;
+    for (int i = 0; i < size; ++i)
+    {
+      hasAnswer = this->Reader.Take(bytes[i]) || hasAnswer;
+    }
+    if (hasAnswer)
+    {
+      return Reply::Answer;
+    }
+  }
+  return Reply::None;
+}
+
+void HfabDriver::Rest() noexcept
+{
+  const HfabMessage zero = EncodeHfab({});
+  this->Port.Write(zero.Bytes.data(), zero.Size, WriteTime);
+}
+
+void HfabDriver::Serve(HardwareExchange& exchange)
+{
+  /** Runs also if something throws. */
+  struct AtEnd
+  {
+    HfabDriver* Driver;
+    ~AtEnd()
+    {
+      if (!this->Driver->Gone)
+      {
+        this->Driver->Rest();
+      }
+    }
+  };
+  const AtEnd atEnd{ this };
+  this->Gone = false;
+  this->Restart(exchange);
+  while (!exchange.MustStop())
+  {
+    if (exchange.HasSlept())
+    {
+      this->Lost = true;
+      this->Rest();
+    }
+    if (exchange.TakeHomeRequest())
+    {
+      if (this->Gone)
+      {
+        this->Tell(exchange, DeviceStage::Lost, Unplugged);
+      }
+      else if (this->Lost || this->Now == Phase::Ready)
+      {
+        this->Restart(exchange);
+      }
+      else
+      {
+        this->Now = Phase::Calibrating;
+        this->StillSince = 0;
+        this->Tell(exchange, DeviceStage::Homing, "is being calibrated: hold its arm still.");
+      }
+    }
+    if (this->Lost)
+    {
+      // Quench and Close wait for rounds of zero force.
+      exchange.GetForce();
+      Wait(exchange, LostPause);
+      continue;
+    }
+    this->Round(exchange);
+    if (!this->Lost)
+    {
+      Wait(exchange, RoundPause);
+    }
+  }
+}
+
+void HfabDriver::Restart(HardwareExchange& exchange)
+{
+  this->Lost = false;
+  this->HasTip = false;
+  this->Refusals = 0;
+  this->Now = Phase::Waiting;
+  this->LastAnswer = ServoClock::Now();
+  this->Port.Drain();
+  this->Reader.Reset();
+  this->Tell(exchange, DeviceStage::Homing, AskForPose);
+}
+
+void HfabDriver::Round(HardwareExchange& exchange)
+{
+  const Vector3 force = exchange.GetForce();
+  const std::array<int, 3> currents = this->Now == Phase::Ready
+    ? HfabModel::ComputeCurrents(*this->Geometry, this->JointAngles, HfabModel::ToArm(force))
+    : std::array<int, 3>{};
+  const Reply reply = this->Ask(currents);
+  if (reply == Reply::Gone)
+  {
+    this->Gone = true;
+    this->Lose(exchange, Unplugged);
+    return;
+  }
+  if (reply == Reply::None)
+  {
+    if (Since(this->LastAnswer) > SilenceTime)
+    {
+      this->Lose(exchange,
+        "does not answer. Look after its cable and its power, then press Home() and put the arm "
+        "into its pose for calibration.");
+    }
+    return;
+  }
+  this->LastAnswer = ServoClock::Now();
+  if (this->TakeAnswer(exchange))
+  {
+    exchange.NoteTaken();
+  }
+}
+
+bool HfabDriver::TakeAnswer(HardwareExchange& exchange)
+{
+  const HfabAnswer& answer = this->Reader.Get();
+  if (answer.Model != this->Model && (answer.Error & HfabMessageErrors) == 0)
+  {
+    this->Lose(exchange, "says that it drives another arm now. Open() it again.");
+    return false;
+  }
+  if ((answer.Error & HfabMessageErrors) != 0)
+  {
+    // Its counts are old. One spoilt message is no fault: the next one follows at once.
+    if (++this->Refusals > MostRefusals)
+    {
+      this->Lose(exchange,
+        "does not understand what is sent to it. Look after its cable and firmware, then press "
+        "Home() and put the arm into its pose for calibration.");
+    }
+    return false;
+  }
+  this->Refusals = 0;
+  this->Raw = answer.Counts;
+  if (this->Now == Phase::Calibrating)
+  {
+    this->Calibrate(exchange);
+  }
+  else if (this->Now == Phase::Ready)
+  {
+    this->FollowHand(exchange);
+  }
+  return !this->Lost;
+}
+
+void HfabDriver::Calibrate(HardwareExchange& exchange)
+{
+  bool isStill = this->StillSince != 0;
+  for (std::size_t e = 0; e < 3; ++e)
+  {
+    isStill = isStill && std::abs(this->Raw[e] - this->StillAt[e]) <= StillCounts;
+  }
+  if (!isStill)
+  {
+    this->StillAt = this->Raw;
+    this->StillSince = ServoClock::Now();
+    return;
+  }
+  if (Since(this->StillSince) < StillTime)
+  {
+    return;
+  }
+  for (std::size_t e = 0; e < this->Zero.size(); ++e)
+  {
+    this->Zero[e] = this->Raw[e] - this->Geometry->Home[e];
+  }
+  this->FollowHand(exchange);
+  if (!this->Lost)
+  {
+    this->Now = Phase::Ready;
+    this->Tell(exchange, DeviceStage::Ready, "");
+  }
+}
+
+void HfabDriver::FollowHand(HardwareExchange& exchange)
+{
+  HfabModel::Counts counts{};
+  for (std::size_t e = 0; e < counts.size(); ++e)
+  {
+    counts[e] = this->Raw[e] - this->Zero[e];
+  }
+  this->JointAngles = HfabModel::ComputeAngles(*this->Geometry, counts);
+  Vector3 tip;
+  const bool exists = HfabModel::ComputeTip(*this->Geometry, this->JointAngles, tip);
+  if (!exists || (this->HasTip && Norm(tip - this->Tip) > FarthestStep))
+  {
+    this->Lose(exchange,
+      "reads a jump of its arm that no hand makes: its button was pressed, or its encoders have "
+      "lost their zero. Press Home() and put the arm into its pose for calibration.");
+    return;
+  }
+  this->Tip = tip;
+  this->HasTip = true;
+  DeviceSample sample;
+  sample.Tip = HfabModel::ToDevice(tip);
+  sample.HasOrientation =
+    this->Geometry->TellsOrientation && (this->Reader.Get().Error & HfabGimbalErrors) == 0;
+  if (sample.HasOrientation)
+  {
+    sample.Orientation = HfabModel::ComputeOrientation(*this->Geometry, counts);
+  }
+  exchange.Tell(sample);
+}
+
+void HfabDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
+{
+  // Before sending anything, which may take long: the servo is told first.
+  this->Lost = true;
+  this->Tell(exchange, DeviceStage::Lost, text);
+  if (!this->Gone)
+  {
+    this->Rest();
+  }
+}
+
+void HfabDriver::Tell(
+  HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
+{
+  DeviceCondition condition;
+  std::snprintf(condition.Text.data(), condition.Text.size(), "%s %s", this->Label.c_str(), text);
+  exchange.SetCondition(stage, *text ? condition.Text.data() : "");
+}
+
+} // namespace VolumeHaptics

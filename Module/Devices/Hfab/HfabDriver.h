@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Arms with an hfab controller: WoodenHaptics, Polhem, re-driven PHANToMs, through a serial port.
+ *
+ * The controller answers each message with its counts, and says which arm it drives. It gets
+ * currents with each force of the servo, or every 2 ms without one; its firmware takes them away
+ * after 100 ms without a message.
+ *
+ * It does not know where its arm is: its counts begin at 0 when power comes, and at the push of its
+ * button, and it never tells whether that has happened. So it is calibrated whenever it is opened,
+ * and after every fault: with the arm in its pose for calibration, Home() notes the counts, as the
+ * published host does with those of the button. A jump that no hand makes is a fault, so that a
+ * push of the button elsewhere is one, too.
+ *
+ * No current flows without a force: unlike the published host, this does not hold up the weight of
+ * the arm. Not verified on a device.
+ */
+#ifndef HfabDriver_h
+#define HfabDriver_h
+
+#include "Devices/Common/HardwareDevice.h"
+#include "Devices/Hfab/HfabModel.h"
+#include "Devices/Hfab/HfabProtocol.h"
+#include "Devices/Transport/Serial/SerialPort.h"
+
+namespace VolumeHaptics
+{
+
+class HfabDriver final : public HardwareDriver
+{
+public:
+  /** The boards of published controllers have this word in their names. */
+  static constexpr const char* Board = "Teensyduino";
+  /** s, to wait for the first answer. */
+  static constexpr double HandshakeTime = 1.5;
+  /** s without an answer. */
+  static constexpr double SilenceTime = 0.1;
+  /** m, of the tip from one answer to the next: no hand is as fast. */
+  static constexpr double FarthestStep = 0.02;
+  /** s, in which the arm has to be still to be calibrated, and counts by which it may move. */
+  static constexpr double StillTime = 0.2;
+  static constexpr int StillCounts = 40;
+
+  /** The port, such as /dev/ttyACM0; empty: that of the first board. */
+  explicit HfabDriver(std::string port);
+
+  std::string GetName() const override { return this->Label; }
+  DeviceLimits GetLimits() const override;
+  std::string GetIdentity() const override { return this->Identity; }
+  bool Connect(std::string& error) override;
+  void Serve(HardwareExchange& exchange) override;
+  void Disconnect() noexcept override;
+
+  /** The identity of the board at a port for the user's file of devices. */
+  static std::string MakeIdentity(const SerialPortInfo& port);
+
+private:
+  enum class Phase : std::uint8_t
+  {
+    Waiting,     ///< for the hand to put the arm into its pose, and for Home()
+    Calibrating, ///< waits until the arm is still
+    Ready
+  };
+  enum class Reply : std::uint8_t
+  {
+    Answer,
+    None,
+    Gone
+  };
+
+  bool Shake(std::string& error);
+  /** Sends currents and waits for the answer. */
+  Reply Ask(const std::array<int, 3>& milliamperes) noexcept;
+  void Restart(HardwareExchange& exchange);
+  void Round(HardwareExchange& exchange);
+  bool TakeAnswer(HardwareExchange& exchange);
+  void Calibrate(HardwareExchange& exchange);
+  void FollowHand(HardwareExchange& exchange);
+  void Rest() noexcept;
+  void Lose(HardwareExchange& exchange, const char* text) noexcept;
+  void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
+
+  const std::string Wanted;
+  std::string Label = "hfab controller";
+  std::string Identity;
+  SerialPort Port;
+  HfabReader Reader;
+  const HfabGeometry* Geometry = nullptr;
+  int Model = 0;
+
+  Phase Now = Phase::Waiting;
+  bool Lost = false;
+  bool Gone = false;        ///< unplugged
+  HfabModel::Counts Zero{}; ///< counts in the pose for calibration, less those that it should have
+  HfabModel::Counts Raw{};
+  HfabModel::Counts StillAt{};
+  std::int64_t StillSince = 0;
+  bool HasTip = false;
+  Vector3 Tip; ///< in the arm's axes
+  HfabModel::Angles JointAngles{};
+  int Refusals = 0; ///< messages in a row that the controller did not take
+  std::int64_t LastAnswer = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Hfab/HfabKind.h"
+
+#include "Devices/Hfab/HfabDriver.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Nothing is sent to a board while it is listed: other programs of it have the same name. */
+std::vector<DeviceListing> ListBoards()
+{
+  std::vector<DeviceListing> all;
+  for (const SerialPortInfo& port : SerialPort::Find(HfabDriver::Board))
+  {
+    all.push_back({ "hfab:" + port.Path, "Arm with an hfab controller, if it is one: " + port.Name,
+      SerialPort::StateOf(port.Path), HfabDriver::MakeIdentity(port) });
+  }
+  return all;
+}
+
+/** A board cannot be asked what it is; permission is told by its listing. */
+std::string DescribeMissing()
+{
+  return SerialPort::Find(HfabDriver::Board).empty()
+    ? std::string("no serial port of a board named \"") + HfabDriver::Board + "\" is in " +
+      SerialPort::NamesFolder +
+      ". Plug the controller in, or give its port, such as \"hfab:/dev/ttyACM0\"."
+    : std::string();
+}
+
+std::unique_ptr<DeviceBackend> MakeHfab(
+  const std::string& id, const DeviceOptions&, std::string& error)
+{
+  const std::size_t colon = id.find(':');
+  const std::string port = colon == std::string::npos ? std::string() : id.substr(colon + 1);
+  if (colon != std::string::npos && (port.empty() || port[0] != '/'))
+  {
+    error = "\"" + id + "\" is no device id: give \"hfab\" or \"hfab:PORT\", such as " +
+      "\"hfab:/dev/ttyACM0\".";
+    return nullptr;
+  }
+  return std::make_unique<HardwareDevice>(std::make_unique<HfabDriver>(port));
+}
+
+} // namespace
+
+DeviceKind GetHfabKind()
+{
+  return { "hfab", &ListBoards, &MakeHfab, &DescribeMissing };
+}
+
+} // namespace VolumeHaptics

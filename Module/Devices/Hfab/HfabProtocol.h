@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The lines of text that hfab controllers exchange: no transport, no time.
+ *
+ * The computer sends "[ma,ma,ma]" and a line feed, the motors' currents; the controller answers
+ * each with "[model,e0,e1,e2,e3,e4,e5,error]", its encoders' counts. Messages are filled up to 16
+ * bytes with zeros, as the published host does; the controller skips them.
+ */
+#ifndef HfabProtocol_h
+#define HfabProtocol_h
+
+#include <array>
+#include <cstddef>
+
+namespace VolumeHaptics
+{
+
+/** A controller's answer. */
+struct HfabAnswer
+{
+  int Model = 0;
+  std::array<int, 6> Counts{};
+  int Error = 0; ///< bits, see below
+};
+
+///@{
+/** Bits of HfabAnswer::Error, as the firmware sets them. */
+constexpr int HfabGimbalErrors = 1 | 2 | 4; ///< an encoder of the handle can't be read
+/// It did not take the message; the counts are those of the last one that it took.
+constexpr int HfabMessageErrors = 8 | 128 | 256 | 512 | 1024;
+///@}
+
+/** Takes bytes as they come, and finds the answers in them. No allocation. */
+class HfabReader
+{
+public:
+  /** Takes a byte. True if it ends an answer, which Get then tells. */
+  bool Take(char byte) noexcept;
+  const HfabAnswer& Get() const noexcept { return this->Answer; }
+  /** How many lines were no answers. */
+  int GetBadLines() const noexcept { return this->BadLines; }
+  void Reset() noexcept;
+  /** Forgets the line under way. */
+  void Discard() noexcept { this->Field = -1; }
+
+private:
+  bool Fail() noexcept;
+
+  static constexpr int Fields = 8;
+  std::array<int, Fields> Numbers{};
+  HfabAnswer Answer;
+  int Field = -1; ///< of the number under way; below zero: waits for a bracket
+  int Digits = 0;
+  bool IsNegative = false;
+  int BadLines = 0;
+};
+
+/** A message to the controller. */
+struct HfabMessage
+{
+  static constexpr std::size_t LeastSize = 16;
+  std::array<char, 48> Bytes{};
+  std::size_t Size = 0;
+};
+
+/** Currents in mA. */
+HfabMessage EncodeHfab(const std::array<int, 3>& milliamperes) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

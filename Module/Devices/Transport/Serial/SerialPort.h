@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A serial port through termios, held by one program alone, and the ports of USB boards.
+ */
+#ifndef SerialPort_h
+#define SerialPort_h
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** A port of a USB board. */
+struct SerialPortInfo
+{
+  std::string Path; ///< its node, such as /dev/ttyACM0
+  /// the board's name with its serial number, as udev gives it; empty if it is not known
+  std::string Name;
+};
+
+class SerialPort
+{
+public:
+  /** Where udev names the boards. */
+  static constexpr const char* NamesFolder = "/dev/serial/by-id";
+
+  SerialPort() = default;
+  ~SerialPort() { this->Close(); }
+  SerialPort(const SerialPort&) = delete;
+  SerialPort& operator=(const SerialPort&) = delete;
+
+  /** The boards that have a word in their names, in the order of these. */
+  static std::vector<SerialPortInfo> Find(
+    const std::string& word, const std::string& folder = NamesFolder);
+  /** The name of a port's board, by its node or a link to it. */
+  static std::string NameOf(const std::string& path, const std::string& folder = NamesFolder);
+  /** "available", "in use", or the obstacle and its cure. */
+  static std::string StateOf(const std::string& path);
+
+  /**
+   * Opens it: raw bytes, 8N1 at 115200 baud, without flow control, and for this holder alone.
+   * False, with the reason and the cure.
+   */
+  bool Open(const std::string& path, std::string& error);
+  void Close() noexcept;
+
+  /** Sends all of it. False if the port does not take it within a time (ms), or is gone. */
+  bool Write(const char* bytes, std::size_t size, int time) noexcept;
+  /** Waits for a time (ms) at most. The number of bytes, 0 if none came; below zero: gone. */
+  int Read(char* bytes, std::size_t size, int time) noexcept;
+  /** Throws away what waits to be read. */
+  void Drain() noexcept;
+
+private:
+  int Descriptor = -1;
+};
+
+} // namespace VolumeHaptics
+
+#endif

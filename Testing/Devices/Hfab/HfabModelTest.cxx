@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The arms of hfab controllers against the published arithmetic (forsslund/hfabapi, commit cf00e97,
+ * in Emulators/HfabEmulator.cxx), whose slopes are differences of positions.
+ */
+
+#include "Devices/Hfab/HfabModel.h"
+#include "Emulators/HfabEmulator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace VolumeHaptics;
+using emulated::HfabEmulator;
+using emulated::Triple;
+
+namespace
+{
+constexpr double Circle = 6.283185307179586;
+
+/** The pose for calibration first, then poses about the middle of each arm's workspace. */
+class HfabPoses
+{
+public:
+  explicit HfabPoses(int model)
+    : Model(model)
+    , Random(static_cast<unsigned>(model))
+  {
+  }
+  HfabModel::Counts Next()
+  {
+    const HfabGeometry& geometry = *HfabModel::Find(this->Model);
+    if (this->IsFirst)
+    {
+      this->IsFirst = false;
+      return geometry.Home;
+    }
+    // rad; Polhem's pose for calibration is at the end of its joints. Its middle was found from the
+    // published position, which is the origin there.
+    const HfabModel::Angles home = HfabModel::ComputeAngles(geometry, geometry.Home);
+    const HfabModel::Angles middle =
+      this->Model == 1 ? HfabModel::Angles{ 0.0, 0.913, 2.36 } : home;
+    std::uniform_real_distribution<double> turn(-0.4, 0.4);
+    HfabModel::Counts counts{};
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      const double perRadian = geometry.Signs[j] * geometry.CountsPerTurn / Circle *
+        geometry.Body[j] / geometry.Capstan[j];
+      counts[j] = static_cast<int>((middle[j] + turn(this->Random)) * perRadian);
+    }
+    return counts;
+  }
+
+private:
+  const int Model;
+  std::mt19937 Random;
+  bool IsFirst = true;
+};
+
+Triple AnglesOf(int model, const HfabModel::Counts& counts)
+{
+  return HfabEmulator::AnglesOf(model, { counts[0], counts[1], counts[2] });
+}
+
+Vector3 TipAtHome(int model)
+{
+  const HfabGeometry& geometry = *HfabModel::Find(model);
+  Vector3 tip;
+  EXPECT_TRUE(
+    HfabModel::ComputeTip(geometry, HfabModel::ComputeAngles(geometry, geometry.Home), tip));
+  return tip;
+}
+} // namespace
+
+TEST(HfabModels, PositionsAreThePublishedOnes)
+{
+  for (int model = 1; model <= 3; ++model)
+  {
+    SCOPED_TRACE(model);
+    const HfabGeometry& geometry = *HfabModel::Find(model);
+    HfabPoses poses(model);
+    for (int i = 0; i < 300; ++i)
+    {
+      const HfabModel::Counts counts = poses.Next();
+      const Triple published = HfabEmulator::TipOf(model, AnglesOf(model, counts));
+      Vector3 tip;
+      ASSERT_TRUE(HfabModel::ComputeTip(geometry, HfabModel::ComputeAngles(geometry, counts), tip));
+      EXPECT_LT(Norm(tip - Vector3{ published[0], published[1], published[2] }), 1e-9);
+    }
+  }
+}
+
+TEST(HfabModels, PosesForCalibrationCanBeWorkedOutByHand)
+{
+  // WoodenHaptics: upright, the forearm level (6000 counts of 2000, geared 1:12, a quarter turn).
+  EXPECT_LT(Norm(TipAtHome(3) - Vector3{ 0.245 - 0.22, 0.0, 0.205 }), 1e-12);
+  // PHANToM: the upper arm level (7700 counts of 4000, geared 1:7.7, a quarter turn), the forearm
+  // hanging.
+  EXPECT_LT(Norm(TipAtHome(2) - Vector3{ 0.0, 0.0, 0.097 - 0.112 }), 1e-12);
+}
+
+TEST(HfabModels, JacobiansAreTheDifferenceQuotients)
+{
+  constexpr double h = 1e-6;
+  for (int model = 1; model <= 3; ++model)
+  {
+    SCOPED_TRACE(model);
+    const HfabGeometry& geometry = *HfabModel::Find(model);
+    HfabPoses poses(model);
+    for (int i = 0; i < 300; ++i)
+    {
+      const HfabModel::Angles at = HfabModel::ComputeAngles(geometry, poses.Next());
+      Matrix3 jacobian;
+      ASSERT_TRUE(HfabModel::ComputeJacobian(geometry, at, jacobian));
+      const Matrix3 columns = Transpose(jacobian);
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        HfabModel::Angles above = at;
+        HfabModel::Angles below = at;
+        above[j] += h;
+        below[j] -= h;
+        Vector3 a;
+        Vector3 b;
+        ASSERT_TRUE(HfabModel::ComputeTip(geometry, above, a));
+        ASSERT_TRUE(HfabModel::ComputeTip(geometry, below, b));
+        EXPECT_LT(Norm(columns.Row[j] - (0.5 / h) * (a - b)), 1e-8);
+      }
+    }
+  }
+}
+
+TEST(HfabModels, CurrentsAreThePublishedOnes)
+{
+  for (int model = 1; model <= 3; ++model)
+  {
+    SCOPED_TRACE(model);
+    const HfabGeometry& geometry = *HfabModel::Find(model);
+    HfabPoses poses(model);
+    for (int i = 0; i < 300; ++i)
+    {
+      const HfabModel::Counts counts = poses.Next();
+      const Vector3 force{ 0.5 * std::cos(i), 0.5 * std::sin(i), 0.3 };
+      const auto currents =
+        HfabModel::ComputeCurrents(geometry, HfabModel::ComputeAngles(geometry, counts), force);
+      const Triple published =
+        HfabEmulator::CurrentsOf(model, AnglesOf(model, counts), { force.X, force.Y, force.Z });
+      for (int j = 0; j < 3; ++j)
+      {
+        EXPECT_NEAR(currents[j], published[j], 0.51) << "rounded to a milliampere";
+      }
+    }
+  }
+}
+
+TEST(HfabModels, CurrentsSaturateTogetherAndWhatIsNoNumberIsNone)
+{
+  const HfabGeometry& geometry = *HfabModel::Find(3);
+  const HfabModel::Angles at = HfabModel::ComputeAngles(geometry, geometry.Home);
+  const auto large = HfabModel::ComputeCurrents(geometry, at, { 30.0, 40.0, 50.0 });
+  EXPECT_EQ(HfabModel::ComputeCurrents(geometry, at, { 30e9, 40e9, 50e9 }), large)
+    << "the direction stays";
+  int most = 0;
+  for (const int current : large)
+  {
+    most = std::max(most, std::abs(current));
+  }
+  EXPECT_EQ(most, 3000);
+  const std::array<int, 3> none{};
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL })
+  {
+    EXPECT_EQ(HfabModel::ComputeCurrents(geometry, at, { bad, 1.0, 1.0 }), none);
+    EXPECT_EQ(HfabModel::ComputeCurrents(geometry, { bad, 1.0, 1.0 }, { 1.0, 1.0, 1.0 }), none);
+  }
+}
+
+TEST(HfabModels, ALinkageThatCannotCloseHasNoTip)
+{
+  const HfabGeometry& geometry = *HfabModel::Find(1);
+  // The cranks' ends are 151 mm apart, nearer than the folded rod (190 mm) and its crank (34 mm)
+  // let them.
+  const HfabModel::Angles folded{ 0.0, 2.178, 3.6 };
+  Vector3 tip;
+  EXPECT_TRUE(std::isnan(HfabEmulator::TipOf(1, { folded[0], folded[1], folded[2] })[0]));
+  EXPECT_FALSE(HfabModel::ComputeTip(geometry, folded, tip));
+  EXPECT_EQ(
+    HfabModel::ComputeCurrents(geometry, folded, { 1.0, 1.0, 1.0 }), (std::array<int, 3>{}));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(HfabModel::ComputeTip(geometry, { 0.0, nan, 3.0 }, tip));
+  EXPECT_FALSE(HfabModel::ComputeTip(geometry, { 0.0, 0.0, nan }, tip));
+  for (const int model : { 0, 4, -1, 2147483647 })
+  {
+    EXPECT_EQ(HfabModel::Find(model), nullptr);
+  }
+}
+
+TEST(HfabModels, ThePolhemsHandleTurnsWithItsEncoders)
+{
+  const HfabGeometry& geometry = *HfabModel::Find(1);
+  HfabModel::Counts counts = geometry.Home;
+  const Quaternion before = HfabModel::ComputeOrientation(geometry, counts);
+  EXPECT_NEAR(SquaredNorm(before), 1.0, 1e-12);
+  // The last joint turns the handle about its own axis, the stylus' z, by a quarter turn.
+  counts[5] += 256;
+  const Quaternion turn = Conjugate(before) * HfabModel::ComputeOrientation(geometry, counts);
+  EXPECT_NEAR(std::abs(turn.W), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(turn.X, 0.0, 1e-12);
+  EXPECT_NEAR(turn.Y, 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(turn.Z), std::sqrt(0.5), 1e-12);
+  // The first motor turns arm and handle about the vertical, the device's y.
+  counts = geometry.Home;
+  const double quarter =
+    geometry.CountsPerTurn / 4.0 * geometry.Body[0] / geometry.Capstan[0] * geometry.Signs[0];
+  counts[0] += static_cast<int>(std::lround(quarter));
+  const Quaternion swing = HfabModel::ComputeOrientation(geometry, counts) * Conjugate(before);
+  EXPECT_NEAR(std::abs(swing.W), std::sqrt(0.5), 1e-3);
+  EXPECT_NEAR(swing.X, 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(swing.Y), std::sqrt(0.5), 1e-3);
+  EXPECT_NEAR(swing.Z, 0.0, 1e-12);
+}

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Sessions with arms of hfab controllers behind pseudo-terminals: each arm presses a floor in
+ * closed loop, and each fault ends in zero force and a text. Controllers and arms are those of the
+ * published firmware and host (Emulators/HfabEmulator.h).
+ */
+
+#include "Devices/Emulated/DeviceBench.h"
+#include "Devices/Hfab/HfabDriver.h"
+#include "Emulators/HfabEmulator.h"
+#include "Rigs/TemporaryFolder.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+using namespace emulated;
+
+namespace
+{
+// The device's right, up and towards the hand are the arm's y, z and x.
+const Matrix3 ToTheHfabArm = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
+const std::array<int, 3> NoCurrents{};
+
+struct HfabRig
+{
+  explicit HfabRig(int model)
+    : Arm(model)
+    , Home(HfabEmulator::TipOf(model, HfabEmulator::AnglesOf(model, HfabEmulator::HomeOf(model))))
+    // Polhem's pose for calibration is at the edge of its workspace.
+    , Middle(model == 1 ? Triple{} : Triple{ this->Home[0] + 0.02, 0.0, this->Home[2] })
+    , Height(this->Middle[2] - 0.01)
+    , Ground(this->Height, ToTheHfabArm)
+  {
+  }
+  std::string GetId() const { return "hfab:" + this->Arm.GetPort(); }
+  bool IsQuiet()
+  {
+    return Eventually([&] { return this->Arm.GetCurrents() == NoCurrents; });
+  }
+  void Calibrate()
+  {
+    ASSERT_TRUE(this->Bench.WaitForText("pose for calibration")) << this->Bench.Text();
+    this->Arm.PlaceAtHome();
+    this->Bench.Device->Home();
+    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  }
+  /// A place above the middle of the floor (m).
+  Triple At(double above) const
+  {
+    return { this->Middle[0], this->Middle[1], this->Height + above };
+  }
+  /// Leads the hand there, slowly.
+  bool Lead(const Triple& goal)
+  {
+    this->Arm.SetGoal(goal);
+    return Eventually([&] { return IsNear(this->Arm.GetTip(), goal, 1e-3); });
+  }
+  /// Calibrates, arms, and leads the hand to 5 mm inside the floor.
+  void Feel()
+  {
+    ASSERT_NO_FATAL_FAILURE(this->Calibrate());
+    ASSERT_TRUE(this->Lead(this->At(0.005)));
+    this->Bench.Start(this->Ground.Model);
+    ASSERT_TRUE(this->Bench.WaitForTicks(20));
+    this->Bench->Arm();
+    EXPECT_TRUE(this->Bench.Press([&] { this->Lead(this->At(0.005)); },
+      [&] { this->Arm.SetGoal(this->At(-0.005)); }, [&] { return this->IsHeld(); }))
+      << this->Arm.GetForce()[2] << " " << this->Bench.Text();
+  }
+  /// By the floor, against being led 5 mm inside.
+  bool IsHeld()
+  {
+    const double force = FloorStiffness * BalancedDepth(0.005);
+    return IsNear(this->Arm.GetForce(), { 0.0, 0.0, force }, 0.06);
+  }
+
+  HfabEmulator Arm;
+  const Triple Home;
+  const Triple Middle;
+  const double Height;
+  const Floor Ground;
+  DeviceBench Bench;
+};
+
+class HfabArms : public testing::TestWithParam<int>
+{
+};
+
+class Hfab : public testing::Test
+{
+protected:
+  void Break(HfabFault fault, const char* text)
+  {
+    ASSERT_TRUE(this->Rig.Bench.Open(this->Rig.GetId())) << this->Rig.Bench.Error;
+    ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
+    this->Rig.Arm.Fault = fault;
+    this->Rig.Bench.ExpectLost(text);
+    EXPECT_TRUE(this->Rig.IsQuiet());
+  }
+  HfabRig Rig{ 3 };
+};
+} // namespace
+
+TEST_P(HfabArms, PressAFloorAndLetGo)
+{
+  HfabRig rig(GetParam());
+  ASSERT_TRUE(rig.Bench.Open(rig.GetId())) << rig.Bench.Error;
+  const char* const names[] = { "Polhem", "PHANToM", "WoodenHaptics" };
+  EXPECT_EQ(rig.Bench.Device->GetName(),
+    std::string(names[GetParam() - 1]) + " (" + rig.Arm.GetPort() + ")");
+  EXPECT_TRUE(rig.Arm.IsRaw());
+  ASSERT_NO_FATAL_FAILURE(rig.Feel());
+  rig.Bench.Stop();
+  rig.Bench.Device->Close();
+  EXPECT_TRUE(rig.IsQuiet());
+  EXPECT_EQ(rig.Arm.GetErrors(), 0) << "the firmware took all messages";
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, HfabArms, testing::Values(1, 2, 3));
+
+TEST_F(Hfab, IsUncalibratedWheneverItIsOpened)
+{
+  DeviceBench& bench = this->Rig.Bench;
+  ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
+  EXPECT_EQ(bench.Device->GetLimits().MaximumForce, 2.5);
+  bench.Start(this->Rig.Ground.Model);
+  bench->Arm();
+  ASSERT_TRUE(bench.WaitForTicks(100));
+  EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  bench->ReadState();
+  EXPECT_FALSE(bench->GetState().IsArmed());
+  EXPECT_EQ(this->Rig.Arm.GetCurrents(), NoCurrents);
+  bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
+  ASSERT_TRUE(bench.Reopen()) << bench.Error;
+  EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+}
+
+TEST_F(Hfab, TheFirmwaresWatchdogIsTheLastResort)
+{
+  // A program that sends once and no more.
+  SerialPort port;
+  std::string error;
+  ASSERT_TRUE(port.Open(this->Rig.Arm.GetPort(), error)) << error;
+  const HfabMessage message = EncodeHfab({ 100, 0, 0 });
+  ASSERT_TRUE(port.Write(message.Bytes.data(), message.Size, 100));
+  EXPECT_TRUE(Eventually([&] { return this->Rig.Arm.GetWatchdogs() == 1; }));
+  EXPECT_TRUE(this->Rig.IsQuiet());
+}
+
+TEST_F(Hfab, SilenceCutsTheForceAndCalibrationBringsItBack)
+{
+  this->Break(HfabFault::Silence, "does not answer");
+  this->Rig.Arm.Fault = HfabFault::None;
+  this->Rig.Bench.Device->Home();
+  ASSERT_TRUE(this->Rig.Bench.WaitForText("has to be told where its arm is"));
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
+}
+
+TEST_F(Hfab, JunkCutsTheForce)
+{
+  this->Break(HfabFault::Junk, "does not answer");
+}
+
+TEST_F(Hfab, AJumpCutsTheForce)
+{
+  this->Break(HfabFault::Jump, "a jump of its arm that no hand makes");
+}
+
+TEST_F(Hfab, AnotherArmCutsTheForce)
+{
+  this->Break(HfabFault::OtherArm, "says that it drives another arm now");
+}
+
+TEST_F(Hfab, AControllerThatRefusesMessagesCutsTheForce)
+{
+  this->Break(HfabFault::Refusal, "does not understand what is sent to it");
+}
+
+TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
+{
+  ASSERT_TRUE(this->Rig.Bench.Open(this->Rig.GetId())) << this->Rig.Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
+  this->Rig.Arm.PressButton();
+  this->Rig.Bench.ExpectLost("its button was pressed");
+  EXPECT_TRUE(this->Rig.IsQuiet());
+}
+
+TEST_F(Hfab, UnpluggingIsSaidAndNothingComesBackByItself)
+{
+  ASSERT_TRUE(this->Rig.Bench.Open(this->Rig.GetId())) << this->Rig.Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
+  this->Rig.Arm.Unplug();
+  this->Rig.Bench.ExpectLost("was unplugged. Plug it in, then Open() and Start() it.");
+  this->Rig.Bench.Device->Home();
+  EXPECT_TRUE(this->Rig.Bench.WaitForText("was unplugged")) << this->Rig.Bench.Text();
+}
+
+TEST_F(Hfab, LateAnswersAreNotTakenForTheNextOnes)
+{
+  DeviceBench& bench = this->Rig.Bench;
+  ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
+  this->Rig.Arm.Fault = HfabFault::Late;
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  this->Rig.Arm.Fault = HfabFault::None;
+  // The tip that is told is where the arm is.
+  const Triple goal{ this->Rig.Home[0] + 0.02, 0.0, this->Rig.Home[2] - 0.005 };
+  this->Rig.Arm.SetGoal(goal);
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      DeviceSample sample;
+      bench.Device->Read(0.001, sample);
+      const Vector3 tip = HfabModel::ToArm(sample.Tip);
+      return IsNear({ tip.X, tip.Y, tip.Z }, goal, 1e-3);
+    }))
+    << bench.Text();
+  EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Ready) << bench.Text();
+}
+
+TEST_F(Hfab, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
+{
+  DeviceBench& bench = this->Rig.Bench;
+  ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
+  const auto push = [&]
+  {
+    DeviceSample sample;
+    bench.Device->Read(0.001, sample);
+    bench.Device->Write({ 0.0, 0.5, 0.0 });
+    return Size(this->Rig.Arm.GetForce()) > 0.4;
+  };
+  EXPECT_TRUE(Eventually(push));
+  EXPECT_TRUE(this->Rig.IsQuiet()) << "the servo fell silent";
+  EXPECT_TRUE(Eventually(push));
+  bench.Device->Quench();
+  EXPECT_TRUE(this->Rig.IsQuiet());
+}
+
+TEST_F(Hfab, APortThatCannotBeUsedIsAnErrorWithACure)
+{
+  EXPECT_TRUE(Has(ErrorOf("hfab:ttyACM0"), "is no device id"));
+  EXPECT_TRUE(Has(ErrorOf("hfab:/dev/no-such-port"), "not plugged in"));
+  EXPECT_TRUE(Has(ErrorOf("hfab:/dev/null"), "not a serial port"));
+  ASSERT_TRUE(this->Rig.Bench.Open(this->Rig.GetId())) << this->Rig.Bench.Error;
+  EXPECT_TRUE(Has(ErrorOf(this->Rig.GetId()), "in use by another program"));
+  EXPECT_EQ(SerialPort::StateOf(this->Rig.Arm.GetPort()), "in use");
+  this->Rig.Bench.Device->Close();
+  EXPECT_EQ(SerialPort::StateOf(this->Rig.Arm.GetPort()), "available");
+  this->Rig.Arm.Fault = HfabFault::Silence;
+  EXPECT_TRUE(Has(ErrorOf(this->Rig.GetId()), "does not answer"));
+  this->Rig.Arm.Fault = HfabFault::Junk;
+  EXPECT_TRUE(Has(ErrorOf(this->Rig.GetId()), "none of an hfab controller"));
+  const HfabEmulator other(7);
+  EXPECT_TRUE(Has(ErrorOf("hfab:" + other.GetPort()), "the model 7"));
+}
+
+TEST_F(Hfab, BoardsAreFoundByTheirNames)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = TemporaryPath("by-id");
+  fs::create_directories(folder);
+  const std::string name = "usb-Teensyduino_USB_Serial_11037800-if00";
+  fs::create_symlink(this->Rig.Arm.GetPort(), folder / name);
+  fs::create_symlink("/dev/null", folder / "usb-Other_board");
+  fs::create_symlink("/dev/no-such-port", folder / "usb-Teensyduino_gone");
+  const auto boards = SerialPort::Find(HfabDriver::Board, folder.string());
+  ASSERT_EQ(boards.size(), 1U);
+  EXPECT_EQ(boards[0].Path, this->Rig.Arm.GetPort());
+  EXPECT_EQ(boards[0].Name, name);
+  EXPECT_EQ(HfabDriver::MakeIdentity(boards[0]), "hfab:" + name);
+  EXPECT_EQ(HfabDriver::MakeIdentity({ "/dev/ttyACM0", "" }), "hfab:port:/dev/ttyACM0");
+  EXPECT_EQ(SerialPort::NameOf(this->Rig.Arm.GetPort(), folder.string()), name);
+  EXPECT_TRUE(SerialPort::Find(HfabDriver::Board, (folder / "none").string()).empty());
+}

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * An arm with an hfab controller behind a pseudo-terminal, as its published firmware and host show
+ * it.
+ *
+ * The controller is the firmware of forsslund/woodenhaptics, firmware/woody_teensy_mini (commit
+ * 86ecdba): it reads byte by byte up to a ']'; answers 256, 512, 8, 128 and 1024 are messages that
+ * it did not take, with the counts of before; a message that it takes feeds a watchdog of 100 ms,
+ * which takes the currents away; a current beyond the amplifiers' largest one is no current, for
+ * that motor alone; its button makes all counts 0, as power does.
+ *
+ * The arm is that of the published host, forsslund/hfabapi (commit cf00e97): tables of
+ * hfab_math.h, positions of hfab_kinematics.cpp, Polhem's linkage by the three angles of
+ * hfab_polhem.h. Slopes are differences of these positions, as the host takes them for Polhem.
+ */
+#ifndef HfabEmulator_h
+#define HfabEmulator_h
+
+#include "EmulatedHand.h"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace emulated
+{
+
+enum class HfabFault
+{
+  None,
+  Silence,
+  Junk,     ///< sends what is no answer
+  Late,     ///< answers after 30 ms
+  OtherArm, ///< says another model
+  Refusal,  ///< takes no message, as if each had another behind it
+  Jump      ///< an encoder counts 1000 more at once
+};
+
+class HfabEmulator
+{
+public:
+  /** 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
+  explicit HfabEmulator(int model);
+  ~HfabEmulator();
+  HfabEmulator(const HfabEmulator&) = delete;
+  HfabEmulator& operator=(const HfabEmulator&) = delete;
+
+  /** The port's node. */
+  const std::string& GetPort() const { return this->Port; }
+  void Unplug();
+  /** The hand puts the arm into its pose for calibration, at once. */
+  void PlaceAtHome();
+  void PressButton();
+  void SetGoal(const Triple& goal);
+  Triple GetTip() const;
+  /** N on the hand, of the currents that flow. */
+  Triple GetForce() const;
+  std::array<int, 3> GetCurrents() const;
+  int GetMessages() const { return this->Messages; }
+  /** How often the watchdog took currents away, and the mistakes in messages so far (bits). */
+  int GetWatchdogs() const { return this->Watchdogs; }
+  int GetErrors() const { return this->Errors; }
+  /** Whether the port was opened for raw bytes. */
+  bool IsRaw() const;
+
+  ///@{
+  /** The published arithmetic, for counts after calibration. */
+  static Triple TipOf(int model, const Triple& angles);
+  static Triple AnglesOf(int model, const std::array<int, 3>& counts);
+  static std::array<int, 3> HomeOf(int model);
+  /** Milliamperes for a force (N). */
+  static Triple CurrentsOf(int model, const Triple& angles, const Triple& force);
+  ///@}
+
+  std::atomic<HfabFault> Fault{ HfabFault::None };
+
+private:
+  void Run();
+  void Take(char byte, bool isTrailed);
+  void Answer(int error);
+  void TakeCurrents(const std::array<int, 3>& milliamperes);
+  void Move();
+
+  const int Model;
+  int Master = -1;
+  std::string Port;
+  mutable std::mutex Guard;
+  EmulatedHand Hand;
+  Triple Angles{};
+  std::array<int, 3> Offset{}; ///< what the encoders would read if they had counted from home
+  std::array<int, 3> Counts{};
+  std::array<int, 3> Currents{};
+  std::string Line;
+  std::chrono::steady_clock::time_point LastMessage;
+  std::chrono::steady_clock::time_point LastMove;
+  std::atomic<int> Messages{ 0 };
+  std::atomic<int> Watchdogs{ 0 };
+  std::atomic<int> Errors{ 0 };
+  std::atomic<bool> Stop{ false };
+  std::thread Thread;
+};
+
+} // namespace emulated
+
+#endif

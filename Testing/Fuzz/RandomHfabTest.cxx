@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The fuzzer's target for hfab controllers on random bytes.
+ */
+
+#include "TouchHfab.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+TEST(Fuzz, RandomBytesComeFromAnHfabController)
+{
+  for (int seed = 0; seed < 3000; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::vector<std::uint8_t> bytes(20 + random() % 600);
+    for (std::uint8_t& byte : bytes)
+    {
+      byte = static_cast<std::uint8_t>(random());
+    }
+    TouchHfab(bytes.data(), bytes.size());
+  }
+}
