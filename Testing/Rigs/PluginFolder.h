@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Plug-ins for vendors' libraries in a folder that no other user can write, which is the search
+ * path.
+ */
+#ifndef PluginFolder_h
+#define PluginFolder_h
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include <unistd.h>
+
+namespace devicetest
+{
+
+/**
+ * In the system's folder for temporary files, which is sticky: the folders above the build tree may
+ * be open to others.
+ */
+class PluginFolder
+{
+public:
+  PluginFolder()
+  {
+    std::string name =
+      (std::filesystem::temp_directory_path() / "VolumeHapticsVendorXXXXXX").string();
+    if (!mkdtemp(name.data()))
+    {
+      throw std::runtime_error("no folder can be made for plug-ins");
+    }
+    this->Path = std::filesystem::canonical(name);
+    setenv("VOLUMEHAPTICS_VENDOR_PATH", this->Path.c_str(), 1);
+  }
+  ~PluginFolder()
+  {
+    unsetenv("VOLUMEHAPTICS_VENDOR_PATH");
+    std::error_code ignored;
+    std::filesystem::permissions(this->Path, std::filesystem::perms::owner_all, ignored);
+    std::filesystem::remove_all(this->Path, ignored);
+  }
+  /** Copies a plug-in of the build tree, writable by its owner only. */
+  std::filesystem::path Add(const std::string& plugin, const std::string& name = "") const
+  {
+    const std::filesystem::path file =
+      this->Path / ("libvolumehaptics-" + (name.empty() ? plugin : name) + ".so");
+    std::filesystem::copy_file(
+      std::string(VOLUME_HAPTICS_PLUGINS) + "/libvolumehaptics-" + plugin + ".so", file,
+      std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file;
+  }
+  std::filesystem::path Path;
+};
+
+} // namespace devicetest
+
+#endif
