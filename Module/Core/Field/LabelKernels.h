@@ -7,10 +7,10 @@
 #ifndef LabelKernels_h
 #define LabelKernels_h
 
-#include "Core/Field/GaussianTaps.h"
 #include "Core/Field/LabelRows.h"
 #include "Core/Field/LabelSampler.h"
 #include "Core/Field/LabelSamples.h"
+#include "Core/Field/LinearKernels.h"
 #include "Core/Field/SeparableSum.h"
 
 namespace VolumeHaptics
@@ -173,7 +173,7 @@ VOLUME_HAPTICS_OUTLINE void FindInCopy(
 
 template <typename U>
 VOLUME_HAPTICS_INLINE void FindLabels(
-  const FieldView& view, double x, double y, double z, LabelBlock& block, LabelsFound<U>& found)
+  const LabelField& view, double x, double y, double z, LabelBlock& block, LabelsFound<U>& found)
 {
   const VolumeView& volume = view.Volume;
   const double position[3] = { x, y, z };
@@ -192,6 +192,27 @@ VOLUME_HAPTICS_INLINE void FindLabels(
   const U* const corner = static_cast<const U*>(volume.Data) + first[0] +
     first[1] * volume.Stride[1] + first[2] * volume.Stride[2];
   FindIn<U>({ corner, volume.Stride[1], volume.Stride[2] }, block, found);
+}
+
+/** The weights of the taps along an axis, then their slopes. */
+VOLUME_HAPTICS_INLINE void WeighTaps(const double* table, double position, double* weights)
+{
+  constexpr int intervals = LabelField::Intervals;
+  constexpr double scale = intervals;
+  const double place = position * scale;
+  const double interval = Floor(place);
+  const double t = place - interval;
+  const double twice = 2.0 * scale * t;
+  const double thrice = 3.0 * scale * t * t;
+  const double* const c = table +
+    (static_cast<std::uint64_t>(static_cast<std::int64_t>(interval)) % intervals) *
+      LabelField::Coefficients * LabelTaps;
+  for (int i = 0; i < LabelTaps; i += 4)
+  {
+    const auto term = [&](int power) { return LoadDouble4(c + power * LabelTaps + i); };
+    StoreDouble4((term(0) + t * term(1)) + (t * t) * (term(2) + t * term(3)), weights + i);
+    StoreDouble4((scale * term(1) + twice * term(2)) + thrice * term(3), weights + LabelTaps + i);
+  }
 }
 
 /** The sums of four weights (value, slope) over all patterns of four bits. */
@@ -218,20 +239,20 @@ VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4
   }
 }
 
-VOLUME_HAPTICS_INLINE void WeighLabels(
-  const FieldView& view, double x, double y, double z, LabelWeights& weights)
+void WeighLabels(
+  const LabelField& view, double x, double y, double z, LabelWeights& weights) noexcept
 {
   alignas(32) double across[2 * LabelTaps];
-  LocateGaussian(view, 0, x, LabelTaps, across);
+  WeighTaps(view.Table, x, across);
   TabulateSums(across, weights.Low);
   TabulateSums(across + 4, weights.High);
-  LocateGaussian(view, 1, y, LabelTaps, across);
+  WeighTaps(view.Table, y, across);
   for (int j = 0; j < LabelTaps; ++j)
   {
     const double value = across[j];
     StoreDouble4(Double4{ value, value, across[LabelTaps + j], 0.0 }, weights.Across[j]);
   }
-  LocateGaussian(view, 2, z, LabelTaps, weights.Along);
+  WeighTaps(view.Table, z, weights.Along);
 }
 
 /** The unsigned number of a type's size. */
@@ -241,11 +262,8 @@ using LabelBits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
     std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
 
 template <typename T>
-void LookAtLabels(const FieldView& view, double x, double y, double z, LabelBlock& block,
-  LabelWeights& weights) noexcept
+void FindLabelsOf(const LabelField& view, double x, double y, double z, LabelBlock& block) noexcept
 {
-  // The weights do not wait for the labels: the processor works on both at once.
-  WeighLabels(view, x, y, z, weights);
   LabelsFound<LabelBits<T>> found;
   FindLabels(view, x, y, z, block, found);
   block.Count = found.Count;
@@ -299,7 +317,7 @@ FieldSample ShareOf(const LabelWeights& weights, const std::uint64_t* planes) no
 template <typename T>
 LabelFunctions LabelFunctionsFor()
 {
-  return { LookAtLabels<T>, ShareOf };
+  return { FindLabelsOf<T>, WeighLabels, ShareOf };
 }
 
 /** The functions of this translation unit's instruction set. */

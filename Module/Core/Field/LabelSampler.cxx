@@ -10,14 +10,72 @@ LabelFunctions SelectBaselineLabelFunctions(ScalarType);
 LabelFunctions SelectAVX2LabelFunctions(ScalarType);
 #endif
 
+namespace
+{
+
+/** The weights and slopes of a kernel at a fraction i / Intervals of a voxel. */
+struct WeightsAt
+{
+  WeightsAt(const GradientKernel& kernel, int i)
+  {
+    constexpr int last = GradientKernel::Intervals - 1;
+    static_assert(LabelField::Intervals == GradientKernel::Intervals);
+    const int count = 2 * kernel.Taps;
+    const double* const c = &kernel.Table[static_cast<std::size_t>(std::min(i, last)) *
+      GradientKernel::Coefficients * static_cast<std::size_t>(count)];
+    for (int tap = 0; tap < kernel.Taps; ++tap)
+    {
+      this->Value[tap] = c[tap];
+      this->Slope[tap] = c[kernel.Taps + tap];
+      // The end of the last interval is where its polynomials are the sums of their coefficients.
+      for (int power = 1; power < GradientKernel::Coefficients && i > last; ++power)
+      {
+        this->Value[tap] += c[power * count + tap];
+        this->Slope[tap] += c[power * count + kernel.Taps + tap];
+      }
+    }
+  }
+
+  double Value[LabelBlock::Taps];
+  double Slope[LabelBlock::Taps];
+};
+
+std::vector<double> MakeTable(const GradientKernel& kernel)
+{
+  if (kernel.Taps != LabelBlock::Taps || kernel.Table.empty())
+  {
+    return {};
+  }
+  constexpr double h = 1.0 / LabelField::Intervals;
+  std::vector<double> table;
+  table.reserve(std::size_t{ LabelField::Intervals } * LabelField::Coefficients * LabelBlock::Taps);
+  for (int i = 0; i < LabelField::Intervals; ++i)
+  {
+    const WeightsAt a(kernel, i);
+    const WeightsAt b(kernel, i + 1);
+    for (int power = 0; power < LabelField::Coefficients; ++power)
+    {
+      for (int tap = 0; tap < LabelBlock::Taps; ++tap)
+      {
+        const double rise = b.Value[tap] - a.Value[tap];
+        const double from = h * a.Slope[tap];
+        const double to = h * b.Slope[tap];
+        const double c[LabelField::Coefficients] = { a.Value[tap], from,
+          3.0 * rise - 2.0 * from - to, from + to - 2.0 * rise };
+        table.push_back(c[power]);
+      }
+    }
+  }
+  return table;
+}
+
+} // namespace
+
 LabelSampler::LabelSampler(
   const VolumeView& view, const GradientKernel& kernel, InstructionSet instructions)
-  : View{ view, kernel.GetView() }
+  : Table(MakeTable(kernel))
+  , View{ view, this->Table.data() }
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->View.Last[axis] = static_cast<double>(view.Dimensions[axis] - 1);
-  }
 #ifdef VOLUME_HAPTICS_HAS_AVX2
   if (instructions == InstructionSet::AVX2)
   {

@@ -4,10 +4,10 @@
  * @file
  * The labels around a position and the shares that they have, weighted by a Gaussian of 8 taps.
  *
- * Look() reads the 8^3 voxels and keeps, for each label, which of them it is:
- * a bit for each. Share() sums the kernel's weights over the bits of a label. A row along x has 8
- * bits; the sums of its weights over all patterns of 4 bits stand in a table (LabelWeights), so
- * that a row costs two lookups, whatever its labels are.
+ * Find() reads the 8^3 voxels and keeps, for each label, which of them have it: a bit for each.
+ * Share() sums the kernel's weights over the bits of a label. A row along x has 8 bits; the sums of
+ * its weights over all patterns of 4 bits stand in a table (LabelWeights), so that a row costs two
+ * lookups, whatever its labels are.
  *
  * As for FieldSampler, the kernels are compiled once per instruction set and all of them give the
  * same shares, to the bit.
@@ -17,6 +17,8 @@
 
 #include "Core/Field/FieldSampler.h"
 #include "Core/Field/LabelView.h"
+
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -51,28 +53,50 @@ struct LabelWeights
   alignas(32) double Along[2 * LabelBlock::Taps];
 };
 
+/** The samples and the weights of a kernel; borrows both. */
+struct LabelField
+{
+  static constexpr int Intervals = 32; ///< of the sub-voxel fraction
+  static constexpr int Coefficients = 4;
+
+  VolumeView Volume;
+  /** Of the weights' polynomials: for each interval the constant ones of all taps, and so on. */
+  const double* Table = nullptr;
+};
+
 /** The kernels for one scalar type. */
 struct LabelFunctions
 {
-  void (*Look)(
-    const FieldView&, double x, double y, double z, LabelBlock&, LabelWeights&) noexcept = nullptr;
+  void (*Find)(const LabelField&, double x, double y, double z, LabelBlock&) noexcept = nullptr;
+  void (*Weigh)(const LabelField&, double x, double y, double z, LabelWeights&) noexcept = nullptr;
   FieldSample (*Share)(const LabelWeights&, const std::uint64_t* planes) noexcept = nullptr;
 };
 
-/** A label image and a Gaussian of 8 taps. Borrows the samples and the kernel's table. */
+/**
+ * A label image and a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Borrows the samples.
+ *
+ * Between 32 fractions of a voxel, at which they are those of the kernel, the weights are cubic
+ * Hermite polynomials: so they and their slopes are continuous, and each slope is the derivative of
+ * its weight. They differ from the kernel's own weights by less than 1e-8.
+ */
 class LabelSampler
 {
 public:
   LabelSampler(const VolumeView& view, const GradientKernel& kernel,
     InstructionSet instructions = DetectInstructionSet());
+  LabelSampler(const LabelSampler&) = delete;
+  LabelSampler& operator=(const LabelSampler&) = delete;
 
-  /**
-   * The labels around a continuous index within the image, and the weights there. Taps beyond the
-   * image repeat its border.
-   */
-  void Look(const Vector3& index, LabelBlock& block, LabelWeights& weights) const noexcept
+  /** The labels around a continuous index within the image, whose border repeats beyond it. */
+  void Find(const Vector3& index, LabelBlock& block) const noexcept
   {
-    this->Functions.Look(this->View, index.X, index.Y, index.Z, block, weights);
+    this->Functions.Find(this->View, index.X, index.Y, index.Z, block);
+  }
+
+  /** The weights at a continuous index within the image. */
+  void Weigh(const Vector3& index, LabelWeights& weights) const noexcept
+  {
+    this->Functions.Weigh(this->View, index.X, index.Y, index.Z, weights);
   }
 
   /** The share of a label around a position, and its gradient per index step. */
@@ -81,8 +105,15 @@ public:
     return this->Functions.Share(weights, planes);
   }
 
+  ///@{
+  /** Beyond the object. */
+  const void* GetMemory() const noexcept { return this->Table.data(); }
+  std::size_t GetMemorySize() const noexcept { return this->Table.capacity() * sizeof(double); }
+  ///@}
+
 private:
-  FieldView View;
+  const std::vector<double> Table;
+  LabelField View;
   LabelFunctions Functions;
 };
 

@@ -26,19 +26,22 @@ void BakedLabels::Mix(const Vector3& labelIndex, MaterialTable::Values& values) 
   }
   std::array<double, channels> sum{};
   std::array<double, channels> share{};
-  const LabelMaterial* material = nullptr;
-  for (int corner = 0; corner < LabelCell::Corners; ++corner)
+  for (int corner = 0; corner < LabelCell::Corners;)
   {
-    if (corner == 0 || cell.Label[corner] != cell.Label[corner - 1])
+    // Neighbours with one label at once.
+    const std::int64_t label = cell.Label[corner];
+    double whole = 0.0;
+    for (; corner < LabelCell::Corners && cell.Label[corner] == label; ++corner)
     {
-      material = this->Table.Find(cell.Label[corner]);
+      whole += cell.Share[corner];
     }
-    for (int c = 0; c < channels && material; ++c)
+    if (const LabelMaterial* const material = this->Table.Find(label))
     {
-      if (material->IsSet[c])
+      for (int c = 0; c < channels; ++c)
       {
-        sum[c] += cell.Share[corner] * material->Value[c];
-        share[c] += cell.Share[corner];
+        const double part = material->IsSet[c] ? whole : 0.0;
+        sum[c] += part * material->Value[c];
+        share[c] += part;
       }
     }
   }

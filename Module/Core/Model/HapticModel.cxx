@@ -92,6 +92,8 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , LabelGradientToDevice(Transpose(this->DeviceToWorldRotation) *
       Transpose(Inverse(LabelToWorld(*this->Baked).Linear)))
   , LabelReach(FindLabelReach(*this->Baked) / this->WorldUnitsPerMeter)
+  , LabelGradientToReach(
+      this->LabelReach * (this->DeviceToIndex.Linear * this->LabelGradientToDevice))
   , MostStepsPerMeter(FindMostSteps(*this))
 {
 }
@@ -113,7 +115,7 @@ std::array<HapticModel::MemoryRange, 9> HapticModel::GetTables() const noexcept
     labels ? MemoryRange{ labels->Table.GetPlaces(), labels->Table.GetPlacesSize() }
            : MemoryRange{},
     walls ? MemoryRange{ walls, sizeof(*walls) } : MemoryRange{},
-    walls ? MemoryRange{ walls->GetMemory(), walls->GetMemorySize() } : MemoryRange{} };
+    walls ? MemoryRange{ walls->GetTable(), walls->GetTableSize() } : MemoryRange{} };
 }
 
 std::size_t HapticModel::GetMemorySize() const noexcept

@@ -74,6 +74,8 @@ public:
   const Matrix3 LabelGradientToDevice;
   /** The distance (m) of x_s and x_v from a proxy at a wall between labels. */
   const double LabelReach;
+  /** Turns a gradient per index step of the label image, over its magnitude, into x_s - x_p. */
+  const Matrix3 LabelGradientToReach;
   /** The most index steps in 1 m of the volume or, if its walls are felt, of the label image. */
   const double MostStepsPerMeter;
 

@@ -4,7 +4,7 @@
 
 #include "Core/Field/LabelSamples.h"
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace VolumeHaptics
@@ -61,6 +61,12 @@ struct LabelWalls::Around
 
 namespace
 {
+
+std::uint64_t NextNumber()
+{
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
+}
 
 /** Weights at a position within the image; returns the first tap's index. */
 std::int64_t FindWeights(const GradientKernel& kernel, double position, double* weights) noexcept
@@ -124,16 +130,18 @@ LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radiu
       ScalePerCut * (radius + 1))
   , View(view.GetView())
   , Table(table)
+  , Number(NextNumber())
   , Last{ static_cast<double>(this->View.Dimensions[0] - 1),
     static_cast<double>(this->View.Dimensions[1] - 1),
     static_cast<double>(this->View.Dimensions[2] - 1) }
+  , InverseRadius(1.0 / this->Kernel.Radius)
   , Sampler(this->View, this->Kernel)
   , GatherShares(WithSampleType(
       this->View.Type, [](auto sample) -> GatherFunction { return &Gather<decltype(sample)>; }))
 {
 }
 
-LabelWall LabelWalls::Find(const Vector3& index) const noexcept
+LabelWall LabelWalls::Find(const Vector3& index, LabelMemory& memory) const noexcept
 {
   // Also false for NaN.
   const bool isInside = index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
@@ -142,20 +150,56 @@ LabelWall LabelWalls::Find(const Vector3& index) const noexcept
   {
     return {};
   }
-  return this->Kernel.Taps == LabelBlock::Taps ? this->FindInBlock(index) : this->FindInRuns(index);
+  return this->Kernel.Taps == LabelBlock::Taps ? this->FindInBlock(index, memory)
+                                               : this->FindInRuns(index);
 }
 
-LabelWall LabelWalls::FindInBlock(const Vector3& index) const noexcept
+bool LabelWalls::Remember(const LabelBlock& block, LabelMemory& memory) const noexcept
 {
-  LabelBlock block;
+  memory.Walls = 0;
+  if (block.Count > 2)
+  {
+    return false;
+  }
+  memory.Walls = this->Number;
+  memory.HasWall = false;
+  if (block.Count == 2)
+  {
+    const LabelOrder first = this->Table.OrderOf(block.Label[0]);
+    const LabelOrder second = this->Table.OrderOf(block.Label[1]);
+    const bool isFirst = second < first;
+    memory.HasWall = isFirst || first < second;
+    std::copy_n(block.Planes[isFirst ? 0 : 1], LabelBlock::Taps, memory.Planes);
+  }
+  return true;
+}
+
+LabelWall LabelWalls::FindInBlock(const Vector3& index, LabelMemory& memory) const noexcept
+{
+  const std::int64_t cell[3] = { static_cast<std::int64_t>(index.X),
+    static_cast<std::int64_t>(index.Y), static_cast<std::int64_t>(index.Z) };
+  const bool isKnown = memory.Walls == this->Number && cell[0] == memory.Cell[0] &&
+    cell[1] == memory.Cell[1] && cell[2] == memory.Cell[2];
   LabelWeights weights;
-  this->Sampler.Look(index, block, weights);
-  if (block.Count < 2)
+  if (!isKnown)
+  {
+    LabelBlock block;
+    this->Sampler.Find(index, block);
+    std::copy_n(cell, 3, memory.Cell);
+    if (!this->Remember(block, memory))
+    {
+      this->Sampler.Weigh(index, weights);
+      return this->FindNearest(block.Count, block.Label,
+        [&](int i) { return this->Sampler.Share(weights, block.Planes[i]); });
+    }
+  }
+  if (!memory.HasWall)
   {
     return {};
   }
-  return this->FindNearest(
-    block.Count, block.Label, [&](int i) { return this->Sampler.Share(weights, block.Planes[i]); });
+  this->Sampler.Weigh(index, weights);
+  const FieldSample share = this->Sampler.Share(weights, memory.Planes);
+  return { true, 2.0 * share.Value - 1.0, 2.0 * share.Gradient };
 }
 
 LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
@@ -187,19 +231,6 @@ LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
 template <typename F>
 LabelWall LabelWalls::FindNearest(int count, const std::int64_t* labels, F&& share) const noexcept
 {
-  if (count == 2)
-  {
-    // As below, without a list.
-    const LabelOrder first = this->Table.OrderOf(labels[0]);
-    const LabelOrder second = this->Table.OrderOf(labels[1]);
-    const bool isFirst = second < first;
-    if (!isFirst && !(first < second))
-    {
-      return {};
-    }
-    const FieldSample& part = share(isFirst ? 0 : 1);
-    return { true, 2.0 * part.Value - 1.0, 2.0 * part.Gradient };
-  }
   // From the hardest label on; the nearest of the walls between labels of different order.
   LabelOrder order[LabelBlock::Most];
   int sorted[LabelBlock::Most];
@@ -229,13 +260,6 @@ LabelWall LabelWalls::FindNearest(int count, const std::int64_t* labels, F&& sha
     }
   }
   return wall;
-}
-
-double LabelWalls::BorderFade(const Vector3& index) const noexcept
-{
-  const Vector3 inside = Least(index, this->Last - index);
-  const double nearest = std::min(std::min(inside.X, inside.Y), inside.Z);
-  return std::clamp(nearest / this->Kernel.Radius, 0.0, 1.0);
 }
 
 } // namespace VolumeHaptics

@@ -26,6 +26,8 @@
 #include "Core/Field/LabelSampler.h"
 #include "Core/Model/LabelTable.h"
 
+#include <algorithm>
+
 namespace VolumeHaptics
 {
 
@@ -37,6 +39,18 @@ struct LabelWall
   Vector3 Gradient;   ///< of Value, per index step of the label image
 };
 
+/**
+ * The voxels of the last look, in a cell of the label image: the next looks mostly need the same
+ * ones. It saves time and changes no result.
+ */
+struct LabelMemory
+{
+  std::uint64_t Walls = 0; ///< the number of the LabelWalls that looked; 0: none
+  std::int64_t Cell[3];
+  bool HasWall;                           ///< of two labels; if not, there is no wall
+  std::uint64_t Planes[LabelBlock::Taps]; ///< of the harder label, as in LabelBlock
+};
+
 /** Finds walls. Borrows the view's memory and the table. */
 class LabelWalls
 {
@@ -46,19 +60,34 @@ public:
   LabelWalls(const LabelWalls&) = delete;
   LabelWalls& operator=(const LabelWalls&) = delete;
 
+  ///@{
   /** The wall at an index of the label image. There is none beyond the image. */
-  LabelWall Find(const Vector3& index) const noexcept;
+  LabelWall Find(const Vector3& index, LabelMemory& memory) const noexcept;
+  LabelWall Find(const Vector3& index) const noexcept
+  {
+    LabelMemory memory;
+    return this->Find(index, memory);
+  }
+  ///@}
 
   /** 0 at the border of the label image, rising to 1 one kernel radius inside. */
-  double BorderFade(const Vector3& index) const noexcept;
+  double BorderFade(const Vector3& index) const noexcept
+  {
+    const Vector3 inside = Least(index, this->Last - index);
+    const double nearest = std::min(std::min(inside.X, inside.Y), inside.Z);
+    return std::clamp(nearest * this->InverseRadius, 0.0, 1.0);
+  }
 
-  ///@{
-  /** Beyond the object. */
-  const void* GetMemory() const noexcept { return this->Kernel.Table.data(); }
+  /** Bytes beyond the object. */
   std::size_t GetMemorySize() const noexcept
   {
-    return this->Kernel.Table.capacity() * sizeof(double);
+    return this->Kernel.Table.capacity() * sizeof(double) + this->Sampler.GetMemorySize();
   }
+
+  ///@{
+  /** The table that every tick reads, with the default radius. */
+  const void* GetTable() const noexcept { return this->Sampler.GetMemory(); }
+  std::size_t GetTableSize() const noexcept { return this->Sampler.GetMemorySize(); }
   ///@}
 
   /** Scale of the kernel's Gaussian, as a share of the length at which it is cut. */
@@ -72,7 +101,9 @@ private:
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
-  LabelWall FindInBlock(const Vector3& index) const noexcept;
+  LabelWall FindInBlock(const Vector3& index, LabelMemory& memory) const noexcept;
+  /** False if there are more than two labels. */
+  bool Remember(const LabelBlock& block, LabelMemory& memory) const noexcept;
   LabelWall FindInRuns(const Vector3& index) const noexcept;
   /** The nearest wall; share(i) is the share of the label i and its gradient. */
   template <typename F>
@@ -81,7 +112,9 @@ private:
   const GradientKernel Kernel;
   const VolumeView View;
   const LabelTable& Table;
-  Vector3 Last;                ///< the largest index along each axis
+  const std::uint64_t Number; ///< no other object has it
+  Vector3 Last;               ///< the largest index along each axis
+  const double InverseRadius;
   const LabelSampler Sampler;  ///< of the default radius of 3, which has LabelBlock::Taps
   GatherFunction GatherShares; ///< of other radii
 };

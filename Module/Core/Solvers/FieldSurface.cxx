@@ -32,7 +32,8 @@ bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface&
 }
 
 /** The nearest wall between labels, or the scalars' surface. */
-Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& labelIndex) noexcept
+Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& labelIndex,
+  LabelMemory& memory) noexcept
 {
   const BakedVolume& baked = *model.Baked;
   Surface surface;
@@ -52,7 +53,7 @@ Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& 
   {
     return surface;
   }
-  const LabelWall wall = baked.Walls->Find(labelIndex);
+  const LabelWall wall = baked.Walls->Find(labelIndex, memory);
   const Vector3 gradient = model.LabelGradientToDevice * wall.Gradient;
   const double square = Dot(gradient, gradient);
   // A wall far away leaves the scalars' surface alone.
@@ -64,9 +65,11 @@ Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& 
   {
     return surface;
   }
+  // Root and reciprocal do not wait for each other.
   const double magnitude = std::sqrt(square);
-  surface.Normal = (1.0 / magnitude) * gradient;
-  surface.Reach = model.DeviceToIndex.Linear * (model.LabelReach * surface.Normal);
+  const double inverse = (1.0 / square) * magnitude;
+  surface.Normal = inverse * gradient;
+  surface.Reach = inverse * (model.LabelGradientToReach * wall.Gradient);
   surface.GradientMagnitude = magnitude;
   surface.Value = wall.Value;
   surface.Fade = std::min(model.BorderFade(index), baked.Walls->BorderFade(labelIndex));
@@ -77,7 +80,8 @@ Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& 
 
 } // namespace
 
-Surface FindSurfaceOfLabels(const HapticModel& model, const Vector3& index) noexcept
+Surface FindSurfaceOfLabels(
+  const HapticModel& model, const Vector3& index, LabelMemory& memory) noexcept
 {
   const Vector3 labelIndex = model.IndexToLabel(index);
   Surface surface;
@@ -85,7 +89,8 @@ Surface FindSurfaceOfLabels(const HapticModel& model, const Vector3& index) noex
   {
     return surface;
   }
-  return model.Baked->Walls ? FindWall(model, index, labelIndex) : FindFieldSurface(model, index);
+  return model.Baked->Walls ? FindWall(model, index, labelIndex, memory)
+                            : FindFieldSurface(model, index);
 }
 
 } // namespace Law

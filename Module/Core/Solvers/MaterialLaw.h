@@ -104,12 +104,14 @@ inline Surface FindFieldSurface(const HapticModel& model, const Vector3& index) 
 }
 
 /** Where labels make surfaces: FieldSurface.cxx. */
-Surface FindSurfaceOfLabels(const HapticModel& model, const Vector3& index) noexcept;
+Surface FindSurfaceOfLabels(
+  const HapticModel& model, const Vector3& index, LabelMemory& memory) noexcept;
 
 /** The surface through an index, with an ascending normal. */
-inline Surface FindSurface(const HapticModel& model, const Vector3& index) noexcept
+inline Surface FindSurface(
+  const HapticModel& model, const Vector3& index, LabelMemory& memory) noexcept
 {
-  return model.Baked->FeelsLabels() ? FindSurfaceOfLabels(model, index)
+  return model.Baked->FeelsLabels() ? FindSurfaceOfLabels(model, index, memory)
                                     : FindFieldSurface(model, index);
 }
 

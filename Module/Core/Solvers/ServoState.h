@@ -9,6 +9,7 @@
 #ifndef ServoState_h
 #define ServoState_h
 
+#include "Core/Model/LabelWalls.h"
 #include "Core/Solvers/LocalState.h"
 #include "Core/Solvers/PreciseState.h"
 #include "Core/Solvers/TickRecord.h"
@@ -27,6 +28,7 @@ struct ServoState
   bool Enabled = false; ///< if false, the next tick puts the proxy on the tip with no force
   PreciseState Precise;
   LocalState Local;
+  LabelMemory Labels; ///< only saves time
 };
 
 } // namespace VolumeHaptics

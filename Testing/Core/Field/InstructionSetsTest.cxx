@@ -163,8 +163,10 @@ TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
           const Vector3 p{ 13.0 * uniform(engine), 12.0 * uniform(engine), 11.0 * uniform(engine) };
           LabelBlock blocks[2];
           LabelWeights weights[2];
-          baseline.Look(p, blocks[0], weights[0]);
-          avx2.Look(p, blocks[1], weights[1]);
+          baseline.Find(p, blocks[0]);
+          baseline.Weigh(p, weights[0]);
+          avx2.Find(p, blocks[1]);
+          avx2.Weigh(p, weights[1]);
           ASSERT_EQ(blocks[0].Count, blocks[1].Count);
           for (int l = 0; l < blocks[0].Count; ++l)
           {

@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LabelWall, IsNeverFallenThrough)
 {
-  // L6: 10^6 crossings of an oblique wall by tips of up to 3 m/s that press with less than T_N.
+  // L6: an oblique wall, and tips of up to 3 m/s that press with less than T_N.
   const Vector3 normal = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };
   const Vector3 middle{ 16, 16, 16 };
   const auto labels = [&](const Vector3& x) { return Dot(x - middle, normal) > 0.0 ? 1 : 0; };
@@ -206,4 +206,52 @@ TEST(LabelWall, IsNeverFallenThrough)
     }
   }
   EXPECT_EQ(through, 0);
+}
+
+TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
+{
+  // L6: 10^6 crossings of an oblique wall, each in one tick, wherever voxels make bumps and dents.
+  const Vector3 normal = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };
+  const Vector3 middle{ 16, 16, 16 };
+  const auto labels = [&](const Vector3& x) { return Dot(x - middle, normal) > 0.0 ? 1 : 0; };
+  LabelledScene scene(32, labels, { Entry(1, 500.0, 2.0) });
+  const HapticModel model(scene.Description);
+  const Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, -1.0, 0.0 };
+  const Vector3 v = Cross(normal, u);
+  std::mt19937_64 engine(9);
+  const auto draw = [&](double low, double high)
+  { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; };
+  constexpr double bumps = 0.4;
+#ifdef NDEBUG
+  constexpr int crossings = 1000000;
+#else
+  constexpr int crossings = 20000;
+#endif
+  ServoState state;
+  TickRecord record;
+  Vector3 foot = middle;
+  Tick(model, state, Millimetre * (foot - normal), record);
+  int through = 0;
+  int unheld = 0;
+  int caught = 0;
+  for (int i = 0; i < crossings; ++i)
+  {
+    const bool goesIn = i % 2 == 0;
+    if (goesIn && i % 100 == 0)
+    {
+      // Elsewhere, in the open.
+      foot = middle + draw(-6.0, 6.0) * u + draw(-6.0, 6.0) * v;
+      state.Enabled = false;
+      Tick(model, state, Millimetre * (foot - normal), record);
+    }
+    foot += draw(-0.1, 0.1) * u + draw(-0.1, 0.1) * v;
+    const double depth = goesIn ? draw(0.5, 0.9) : draw(-0.9, -0.5);
+    Tick(model, state, Millimetre * (foot + depth * normal), record);
+    through += Dot((1.0 / Millimetre) * record.Proxy - middle, normal) > bumps ? 1 : 0;
+    unheld += goesIn && !(Norm(record.Force) > 0.0) ? 1 : 0;
+    caught += !goesIn && Norm(record.Force) > 1e-6 ? 1 : 0;
+  }
+  EXPECT_EQ(through, 0);
+  EXPECT_EQ(unheld, 0);
+  EXPECT_EQ(caught, 0) << "the way out is free";
 }

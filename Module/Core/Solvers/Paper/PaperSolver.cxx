@@ -40,13 +40,13 @@ Vector3 Advance(const Vector3& start, const SplitLag& lag, TickRecord& record) n
 
 } // namespace
 
-void StepPaper(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
+void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
 {
   const Vector3& tip = record.Tip;
   const Vector3 position = state.Enabled ? state.Proxy : tip;
   const Vector3 lag = tip - position;
   const Vector3 index = model.DeviceToIndex(position);
-  Surface surface = Law::FindSurface(model, index);
+  Surface surface = Law::FindSurface(model, index, state.Labels);
   Law::Orient(model, lag, surface);
   // Before the materials, so that the processor has it by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);

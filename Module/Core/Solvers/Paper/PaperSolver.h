@@ -14,8 +14,8 @@ class HapticModel;
 struct ServoState;
 struct TickRecord;
 
-/** One tick from record.Tip; writes all of the record. */
-void StepPaper(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept;
+/** One tick from record.Tip; writes all of the record, and the memory of labels. */
+void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -25,6 +25,8 @@ constexpr double LongestRest = 2e-3;
  */
 constexpr double LongestSampleDistance = 1e-3;
 constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
+/** The first length for walls between labels, which have bumps of a tenth of a voxel anyhow. */
+constexpr double LongestWallDistance = 4e-3;
 
 /** Predictions beyond these do not save the sample that judges them. */
 constexpr double LeastPrediction = 0.5;
@@ -43,7 +45,8 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
 {
   const Vector3 from = this->State.ReachedTip;
   const Vector3 lag = from - this->Proxy;
-  if (this->State.CachedSampleDistance > LongestSampleDistance)
+  if (this->State.CachedSampleDistance >
+    (this->IsOfWalls ? LongestWallDistance : LongestSampleDistance))
   {
     this->LookAround(lag, this->FindTouched(lag));
     this->Refresh(Norm(lag));

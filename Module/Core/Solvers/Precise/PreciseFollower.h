@@ -19,8 +19,9 @@ class PreciseFollower
 {
 public:
   PreciseFollower(const HapticModel& model, ServoState& state) noexcept
-    : Field(model)
+    : Field(model, state.Labels)
     , IsTwoSided(model.Baked->Settings.Side == SurfaceSide::Both)
+    , IsOfWalls(model.Baked->Settings.Geometry == SurfaceGeometry::Labels)
     , Proxy(state.Proxy)
     , State(state.Precise)
   {
@@ -56,6 +57,7 @@ private:
 
   PreciseSurroundings Field;
   const bool IsTwoSided;
+  const bool IsOfWalls;
   Vector3 Proxy;
   PreciseState& State;
   Balance Last{};

@@ -94,7 +94,7 @@ PrecisePoint PreciseSurroundings::Look(
 {
   ++this->Looks;
   const Vector3 index = this->Model.DeviceToIndex(proxy);
-  Surface surface = Law::FindSurface(this->Model, index);
+  Surface surface = Law::FindSurface(this->Model, index, this->Labels);
   const bool isDescending = Law::Orient(this->Model, lag, surface);
   PrecisePoint point;
   // Before the values: their sampling hides the lookup's latency.

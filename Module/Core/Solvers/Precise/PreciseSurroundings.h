@@ -56,8 +56,9 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 class PreciseSurroundings
 {
 public:
-  explicit PreciseSurroundings(const HapticModel& model) noexcept
+  PreciseSurroundings(const HapticModel& model, LabelMemory& labels) noexcept
     : Model(model)
+    , Labels(labels)
   {
   }
 
@@ -127,6 +128,7 @@ private:
     PrecisePoint& point) const noexcept;
 
   const HapticModel& Model;
+  LabelMemory& Labels;
   int Looks = 0;
 };
 
