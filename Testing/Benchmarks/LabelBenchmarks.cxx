@@ -7,6 +7,8 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
+#include <vector>
 
 using namespace VolumeHaptics;
 
@@ -61,6 +63,20 @@ BakedLabels MakeBall(const BallVolume& volume, ScalarType type)
   return labels;
 }
 
+/** ns */
+double ReadClock()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::nano>(now).count();
+}
+
+double FindMedian(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 void Slide(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
 {
   const auto model = MakeModel(volume, GetEstimators()[2], choice);
@@ -87,19 +103,37 @@ void Slide(benchmark::State& bench, const BallVolume& volume, const ModelChoice&
       state = start;
     }
   }
-  // One more round, since a proxy sticks to a wall of voxels now and then.
+  // One more round, tick by tick; a proxy sticks to a wall of voxels now and then.
   state = start;
-  const auto sliding = std::count_if(tips.begin(), tips.end(),
-    [&](const Vector3& at)
-    {
-      Tick(*model, state, at, record);
-      return record.Contact == ContactState::Sliding;
-    });
-  bench.counters["sliding"] = static_cast<double>(sliding) / static_cast<double>(tips.size());
+  std::ptrdiff_t sliding = 0;
+  std::vector<double> times;
+  std::vector<double> clocks;
+  for (const Vector3& at : tips)
+  {
+    const double begin = ReadClock();
+    Tick(*model, state, at, record);
+    const double end = ReadClock();
+    times.push_back(end - begin);
+    clocks.push_back(ReadClock() - end);
+    sliding += record.Contact == ContactState::Sliding ? 1 : 0;
+  }
+  bench.counters["p50"] = FindMedian(times) - FindMedian(clocks);
   if (10 * sliding < 9 * static_cast<std::ptrdiff_t>(tips.size()))
   {
     bench.SkipWithError("the proxy does not slide");
   }
+}
+
+void Add(const BallVolume& volume, HapticSolver solver, const std::string& variant,
+  const std::shared_ptr<const BakedLabels>& labels, SurfaceGeometry geometry)
+{
+  ModelChoice choice;
+  choice.Solver = solver;
+  choice.Labels = labels;
+  choice.Geometry = geometry;
+  const char* const tick = solver == HapticSolver::Paper ? "label_tick" : "precise_label_tick";
+  benchmark::RegisterBenchmark(
+    NameOf(tick, variant, "slide", volume.Name).c_str(), Slide, volume, choice);
 }
 
 void Register(const BallVolume& volume, const BakedLabels& labels, const std::string& type)
@@ -110,20 +144,9 @@ void Register(const BallVolume& volume, const BakedLabels& labels, const std::st
   const auto withTable = std::make_shared<const BakedLabels>(tabled);
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
-    const std::string tick = solver == HapticSolver::Paper ? "tick" : "precise_tick";
-    const auto add = [&](const std::string& variant,
-                       const std::shared_ptr<const BakedLabels>& touched, SurfaceGeometry geometry)
-    {
-      ModelChoice choice;
-      choice.Solver = solver;
-      choice.Labels = touched;
-      choice.Geometry = geometry;
-      benchmark::RegisterBenchmark(
-        NameOf(tick, variant + "_" + type, "slide", volume.Name).c_str(), Slide, volume, choice);
-    };
-    add("materials", withTable, SurfaceGeometry::Scalars);
-    add("geometry", bare, SurfaceGeometry::Labels);
-    add("geometry+materials", withTable, SurfaceGeometry::Labels);
+    Add(volume, solver, "materials_" + type, withTable, SurfaceGeometry::Scalars);
+    Add(volume, solver, "geometry_" + type, bare, SurfaceGeometry::Labels);
+    Add(volume, solver, "geometry+materials_" + type, withTable, SurfaceGeometry::Labels);
   }
 }
 
@@ -131,6 +154,8 @@ void Register(const BallVolume& volume, const BakedLabels& labels, const std::st
 
 void RegisterLabelBenchmarks(const BallVolume& volume)
 {
+  Add(volume, HapticSolver::Paper, "none", nullptr, SurfaceGeometry::Scalars);
+  Add(volume, HapticSolver::Precise, "none", nullptr, SurfaceGeometry::Scalars);
   Register(volume, MakeBall<std::uint8_t>(volume, ScalarType::UInt8), "uint8");
   Register(volume, MakeBall<std::int16_t>(volume, ScalarType::Int16), "int16");
   Register(volume, MakeBall<std::int32_t>(volume, ScalarType::Int32), "int32");

@@ -9,6 +9,19 @@
 namespace benchmarks
 {
 
+namespace
+{
+
+/** Of times that are not sorted yet. */
+IterationTime Summarize(std::vector<double>& times)
+{
+  std::sort(times.begin(), times.end());
+  const std::size_t half = times.size() / 2;
+  return { 0.5 * (times[half] + times[times.size() - 1 - half]), times.front() };
+}
+
+} // namespace
+
 bool Medians::ReportContext(const Context& context)
 {
   PrintBasicContext(&this->GetErrorStream(), context);
@@ -19,6 +32,7 @@ bool Medians::ReportContext(const Context& context)
 void Medians::ReportRuns(const std::vector<Run>& runs)
 {
   std::vector<double> times;
+  std::vector<double> ticks;
   for (const Run& run : runs)
   {
     if (run.error_occurred)
@@ -29,18 +43,24 @@ void Medians::ReportRuns(const std::vector<Run>& runs)
     else if (run.run_type == Run::RT_Iteration)
     {
       times.push_back(1e9 * run.cpu_accumulated_time / static_cast<double>(run.iterations));
+      if (const auto tick = run.counters.find("p50"); tick != run.counters.end())
+      {
+        ticks.push_back(tick->second);
+      }
     }
   }
   if (times.empty())
   {
     return;
   }
-  std::sort(times.begin(), times.end());
   const std::string& name = runs.front().run_name.function_name;
-  const std::size_t half = times.size() / 2;
-  const double median = 0.5 * (times[half] + times[times.size() - 1 - half]);
-  this->Times[name] = { median, times.front() };
-  std::printf("%-48s %10.1f %10.1f %10.1f\n", name.c_str(), median, times.front(), times.back());
+  const IterationTime time = Summarize(times);
+  this->Times[name] = time;
+  std::printf("%-48s %10.1f %10.1f %10.1f\n", name.c_str(), time.Median, time.Least, times.back());
+  if (!ticks.empty())
+  {
+    this->Times[name + "/p50"] = Summarize(ticks);
+  }
 }
 
 IterationTime Medians::operator[](const std::string& name) const

@@ -30,7 +30,10 @@ public:
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /** NaN for what was not measured. */
+  /**
+   * NaN for what was not measured. With "/p50" after its name, what a benchmark has measured of its
+   * iterations one by one: its counter p50 (ns).
+   */
   IterationTime operator[](const std::string& name) const;
 
 private:

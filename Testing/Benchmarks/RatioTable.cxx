@@ -17,7 +17,7 @@ constexpr double NoTarget = 0.0;
 constexpr double SameCost = 1.15;
 /** PRECISE in contact costs four times PAPER at most. */
 constexpr double PreciseTarget = 4.0;
-/** A tick with labels beside one without. */
+/** The median tick with labels beside one without. */
 constexpr double LabelTarget = 1.25;
 /** A gradient beside reading its taps, when they are in the cache and when they are not. */
 constexpr double WarmTarget = 2.0;
@@ -131,15 +131,20 @@ void PrintRatios(const Medians& medians)
     PrintRatio(medians, NameOf("precise_tick", estimator.Name, "slide", "256^3"),
       NameOf("tick", estimator.Name, "slide", "256^3"), PreciseTarget);
   }
-  PrintTitle("Tick with labels beside one without, sliding at 0.1 m/s");
-  for (const char* tick : { "tick", "precise_tick" })
+  for (const char* const measure : { "", "/p50" })
   {
-    for (const char* variant : { "materials", "geometry", "geometry+materials" })
+    PrintTitle(*measure ? "Tick with labels beside one without, median tick of a slide"
+                        : "Tick with labels beside one without, mean of a slide");
+    for (const char* const tick : { "label_tick", "precise_label_tick" })
     {
-      for (const char* type : { "uint8", "int16", "int32" })
+      for (const char* const variant : { "materials", "geometry", "geometry+materials" })
       {
-        PrintRatio(medians, NameOf(tick, std::string(variant) + "_" + type, "slide", "256^3"),
-          NameOf(tick, "GAUSSIAN_r2", "slide", "256^3"), LabelTarget);
+        for (const char* const type : { "uint8", "int16", "int32" })
+        {
+          PrintRatio(medians,
+            NameOf(tick, std::string(variant) + "_" + type, "slide", "256^3") + measure,
+            NameOf(tick, "none", "slide", "256^3") + measure, *measure ? LabelTarget : NoTarget);
+        }
       }
     }
   }
