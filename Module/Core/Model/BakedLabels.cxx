@@ -26,15 +26,8 @@ void BakedLabels::Mix(const Vector3& labelIndex, MaterialTable::Values& values) 
   }
   std::array<double, channels> sum{};
   std::array<double, channels> share{};
-  for (int corner = 0; corner < LabelCell::Corners;)
+  const auto add = [&](std::int64_t label, double whole)
   {
-    // Neighbours with one label at once.
-    const std::int64_t label = cell.Label[corner];
-    double whole = 0.0;
-    for (; corner < LabelCell::Corners && cell.Label[corner] == label; ++corner)
-    {
-      whole += cell.Share[corner];
-    }
     if (const LabelMaterial* const material = this->Table.Find(label))
     {
       for (int c = 0; c < channels; ++c)
@@ -44,6 +37,31 @@ void BakedLabels::Mix(const Vector3& labelIndex, MaterialTable::Values& values) 
         share[c] += part;
       }
     }
+  };
+  // Mostly there are two labels: no branch depends on where they are.
+  const std::int64_t first = cell.Label[0];
+  std::int64_t second = first;
+  double shares[2] = { 0.0, 0.0 };
+  for (int corner = 0; corner < LabelCell::Corners; ++corner)
+  {
+    const bool isFirst = cell.Label[corner] == first;
+    second = isFirst ? second : cell.Label[corner];
+    shares[0] += isFirst ? cell.Share[corner] : 0.0;
+    shares[1] += isFirst ? 0.0 : cell.Share[corner];
+  }
+  bool areTwo = true;
+  for (const std::int64_t label : cell.Label)
+  {
+    areTwo &= label == first || label == second;
+  }
+  if (areTwo)
+  {
+    add(first, shares[0]);
+    add(second, shares[1]);
+  }
+  for (int corner = 0; corner < LabelCell::Corners && !areTwo; ++corner)
+  {
+    add(cell.Label[corner], cell.Share[corner]);
   }
   for (int c = 0; c < channels; ++c)
   {

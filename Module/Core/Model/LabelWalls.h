@@ -46,9 +46,9 @@ struct LabelWall
 struct LabelMemory
 {
   std::uint64_t Walls = 0; ///< the number of the LabelWalls that looked; 0: none
-  std::int64_t Cell[3];
-  bool HasWall;                           ///< of two labels; if not, there is no wall
-  std::uint64_t Planes[LabelBlock::Taps]; ///< of the harder label, as in LabelBlock
+  std::int64_t Cell[3] = {};
+  bool HasWall = false;                        ///< of two labels; if not, there is no wall
+  std::uint64_t Planes[LabelBlock::Taps] = {}; ///< of the harder label, as in LabelBlock
 };
 
 /** Finds walls. Borrows the view's memory and the table. */
