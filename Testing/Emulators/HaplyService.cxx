@@ -158,6 +158,7 @@ struct HaplyService::Server
   bool IsPressed = false;
   bool IsCalibrated = true;
   bool IsPlugged = true;
+  Triple Place{};
   double Scale = 1.0;
 
   bool IsNew() const { return this->Shape.Version >= "3.5"; }
@@ -260,9 +261,9 @@ struct HaplyService::Server
     if (this->IsNew())
     {
       state.emplace_back("transform",
-        write.Object(
-          { { "position", write.Vector({}) }, { "rotation", write.Turn({ 1.0, 0.0, 0.0, 0.0 }) },
-            { "scale", write.Vector({ this->Scale, this->Scale, this->Scale }, 1.0) } }));
+        write.Object({ { "position", write.Vector(this->Place) },
+          { "rotation", write.Turn({ 1.0, 0.0, 0.0, 0.0 }) },
+          { "scale", write.Vector({ this->Scale, this->Scale, this->Scale }, 1.0) } }));
     }
     Members arm;
     if (hasConfig)
@@ -534,9 +535,10 @@ void HaplyService::Unplug()
   this->All->IsPlugged = false;
 }
 
-void HaplyService::SetScale(double scale)
+void HaplyService::SetTransform(const Triple& position, double scale)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
+  this->All->Place = position;
   this->All->Scale = scale;
 }
 

@@ -92,8 +92,8 @@ public:
 
   void SetCalibrated(bool isCalibrated);
   void Unplug();
-  /** The scale of the session's transform. */
-  void SetScale(double scale);
+  /** The session's transform, as a program of the Hub sets it: its position (m) and its scale. */
+  void SetTransform(const Triple& position, double scale);
   /** The wireless grip: orientation (w, x, y, z) and its button a. */
   void SetGrip(const std::array<double, 4>& orientation, bool isPressed);
 

@@ -181,6 +181,7 @@ bool HaplyDriver::Greet(std::string& error)
   this->Address.Id = arm->Id;
   this->IsLost = this->IsReady = this->IsRelieved = this->HasTip = false;
   this->Settled = this->EmptyWaits = 0;
+  this->Transform = {};
   this->Note.clear();
   this->Request = nullptr;
   this->ToldAt = this->SentAt = ServoClock::Now();
@@ -345,32 +346,34 @@ void HaplyDriver::TakeStates(HardwareExchange& exchange)
 
 void HaplyDriver::TakeState(HardwareExchange& exchange, const HaplyArm& arm)
 {
-  const Vector3 origin = this->Address.Version.IsNew() ? Vector3{} : Centre;
   if (!arm.Position || !IsFinite(*arm.Position))
   {
     return;
   }
+  const Vector3 origin = this->Address.Version.IsNew() ? Vector3{} : Centre;
   const Vector3 tip = ToDevice(*arm.Position - origin);
   const double farthest =
     FarthestStep + this->GetLimits().MaximumSpeed * SecondsSince(this->ToldAt);
   const bool hasStepped = this->HasTip && Norm(tip - this->Tip) > farthest;
-  this->Settled = hasStepped ? 0 : std::min(this->Settled + 1, SettledStates);
+  const HaplyTransform transform = arm.Transform.value_or(this->Transform);
+  const bool isMoved = !transform.IsNear(this->Transform);
+  this->Settled = hasStepped || isMoved ? 0 : std::min(this->Settled + 1, SettledStates);
   this->Tip = tip;
   this->HasTip = true;
+  this->Transform = transform;
   this->ToldAt = ServoClock::Now();
   this->EmptyWaits = 0;
-  if (this->IsReady && hasStepped)
+  if (transform.IsScaled())
   {
     return this->Lose(exchange,
-      std::string("made a step that no hand makes. Did Haply's Hub change its settings?") +
+      std::string("has a workspace that is scaled, so that forces would do another work than is "
+                  "computed. Set its scale to 1 in Haply's Hub.") +
         AfterLoss);
   }
-  if (arm.HasTransform)
+  if (this->IsReady && (hasStepped || isMoved))
   {
     return this->Lose(exchange,
-      std::string("has a workspace that is moved, turned or scaled, so that positions and forces "
-                  "are not its own. Take that away in Haply's Hub.") +
-        AfterLoss);
+      std::string("was moved without the hand. Did Haply's Hub change its settings?") + AfterLoss);
   }
   DeviceSample sample;
   sample.Tip = tip;

@@ -118,6 +118,7 @@ private:
   int Settled = 0; ///< positions in a row without a step
   Vector3 Tip;     ///< of the last position, in the device's axes
   bool HasTip = false;
+  HaplyTransform Transform;      ///< the last one that was told
   std::string Note;              ///< the last warning of the service
   const char* Request = nullptr; ///< to the hand, the last one
 };

@@ -20,7 +20,7 @@ constexpr const char* TooMany = "told of too many devices";
 constexpr const char* NoDevices = "sent a list of devices that is none";
 constexpr const char* NoVersion = "does not tell its version";
 constexpr std::size_t MostDevices = 64;
-/** By which a transform may differ from none: float arithmetic of the service. */
+/** By which transforms may differ and count as the same: float arithmetic of the service. */
 constexpr double TransformTolerance = 1e-5;
 
 /** Names the session in Haply's Hub, as the documentation recommends it. */
@@ -89,20 +89,16 @@ std::optional<Quaternion> Turn(const Json& object, const char* name)
     Number(value, "z", 0.0) };
 }
 
-bool IsNear(double value, double other)
+std::optional<HaplyTransform> ReadTransform(const Json& transform)
 {
-  return std::abs(value - other) < TransformTolerance;
-}
-
-/** Whether a transform does anything; its parts may be missing. */
-bool Moves(const Json& transform)
-{
-  const Vector3 place = Vector(transform, "position").value_or(Vector3{});
-  const Quaternion turn = Turn(transform, "rotation").value_or(Quaternion{});
+  if (!transform.is_object())
+  {
+    return std::nullopt;
+  }
   const Json& scale = At(transform, "scale");
-  const bool isScaled = !IsNear(Number(scale, "x", 1.0), 1.0) ||
-    !IsNear(Number(scale, "y", 1.0), 1.0) || !IsNear(Number(scale, "z", 1.0), 1.0);
-  return isScaled || !IsNear(Norm(place), 0.0) || !IsNear(std::abs(turn.W), 1.0);
+  return HaplyTransform{ Vector(transform, "position").value_or(Vector3{}),
+    Turn(transform, "rotation").value_or(Quaternion{}),
+    { Number(scale, "x", 1.0), Number(scale, "y", 1.0), Number(scale, "z", 1.0) } };
 }
 
 HaplyArm ReadArm(const Json& device, const char* family)
@@ -119,7 +115,7 @@ HaplyArm ReadArm(const Json& device, const char* family)
   arm.Velocity = Vector(state, "cursor_velocity");
   arm.Force = Vector(state, "current_cursor_force");
   arm.Orientation = Turn(state, "body_orientation");
-  arm.HasTransform = Moves(At(state, "transform"));
+  arm.Transform = ReadTransform(At(state, "transform"));
   arm.IsCalibrated = Told(status, "calibrated");
   arm.IsReady = Told(status, "ready");
   arm.IsInUse = Told(status, "in_use");
@@ -198,6 +194,19 @@ std::string Dump(const Json& message)
 }
 
 } // namespace
+
+bool HaplyTransform::IsScaled() const noexcept
+{
+  return !(Norm(this->Scale - Vector3{ 1.0, 1.0, 1.0 }) < TransformTolerance);
+}
+
+bool HaplyTransform::IsNear(const HaplyTransform& other) const noexcept
+{
+  const Quaternion turn = this->Rotation * Conjugate(other.Rotation);
+  return Norm(this->Position - other.Position) < TransformTolerance &&
+    Norm(this->Scale - other.Scale) < TransformTolerance &&
+    Norm(Vector3{ turn.X, turn.Y, turn.Z }) < TransformTolerance;
+}
 
 const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message)
 {

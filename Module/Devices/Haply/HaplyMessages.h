@@ -35,6 +35,19 @@
 namespace VolumeHaptics
 {
 
+/** From the device's space to that of the session. */
+struct HaplyTransform
+{
+  Vector3 Position; ///< m
+  Quaternion Rotation;
+  Vector3 Scale{ 1.0, 1.0, 1.0 };
+
+  /** Whether it changes lengths, and so the work of a force. */
+  bool IsScaled() const noexcept;
+  /** Within what the service's float arithmetic makes of the same one. */
+  bool IsNear(const HaplyTransform& other) const noexcept;
+};
+
 /** An Inverse3, Inverse3x or Minverse, as a message tells it; vectors in Haply's axes. */
 struct HaplyArm
 {
@@ -46,8 +59,7 @@ struct HaplyArm
   std::optional<Vector3> Velocity;       ///< m/s
   std::optional<Vector3> Force;          ///< N: the one that the service commands
   std::optional<Quaternion> Orientation; ///< of its body
-  /// Whether the session's space is moved, turned or scaled against the device.
-  bool HasTransform = false;
+  std::optional<HaplyTransform> Transform;
   ///@{
   /** Only if it is told. */
   std::optional<bool> IsCalibrated;

@@ -106,13 +106,27 @@ TEST_F(HaplyFaults, TheCalibrationIsLost)
 TEST_F(HaplyFaults, ThePositionSteps)
 {
   this->Service->Shift({ 0.0, 0.3, 0.0 });
-  this->ExpectLost("made a step that no hand makes");
+  this->ExpectLost("was moved without the hand");
 }
 
 TEST_F(HaplyFaults, TheWorkspaceIsScaled)
 {
-  this->Service->SetScale(2.0);
-  this->ExpectLost("moved, turned or scaled");
+  this->Service->SetTransform({}, 2.0);
+  this->ExpectLost("has a workspace that is scaled");
+  this->Bench.Device->Home();
+  EXPECT_TRUE(Eventually([&] { return this->Service->GetSessions().size() == 2; }));
+  EXPECT_TRUE(this->Bench.WaitForText("has a workspace that is scaled")) << "still";
+}
+
+TEST_F(HaplyFaults, TheWorkspaceIsMovedUnderTheHand)
+{
+  this->Service->SetTransform({ 0.0, 0.001, 0.0 }, 1.0);
+  this->ExpectLost("was moved without the hand");
+  // Where it is now is as good as anywhere else, as long as it stays.
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  this->Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
 }
 
 TEST_F(HaplyFaults, AnEventOfTheArmStopsIt)

@@ -50,9 +50,11 @@ HaplyArm ReadState(const std::string& state)
   return message.Arms.at(0);
 }
 
-bool Moves(const std::string& transform)
+HaplyTransform ReadTransform(const std::string& transform)
 {
-  return ReadState(R"({"transform":)" + transform + "}").HasTransform;
+  const HaplyArm arm = ReadState(R"({"transform":)" + transform + "}");
+  EXPECT_TRUE(arm.Transform) << transform;
+  return arm.Transform.value_or(HaplyTransform{});
 }
 
 void ExpectRefused(const std::string& text)
@@ -78,7 +80,7 @@ TEST(HaplyMessages, AnInventoryTellsTheDevices)
   EXPECT_EQ(arm.Orientation->W, 0.7113037);
   EXPECT_EQ(arm.Orientation->Y, 0.7026367);
   EXPECT_FALSE(arm.Force);
-  EXPECT_FALSE(arm.HasTransform);
+  EXPECT_FALSE(arm.Transform);
   EXPECT_EQ(arm.IsCalibrated, false);
   EXPECT_EQ(arm.IsReady, true);
   EXPECT_EQ(arm.IsInUse, false);
@@ -139,14 +141,25 @@ TEST(HaplyMessages, MapsAndEnvelopesHoldTheSame)
   }
 }
 
-TEST(HaplyMessages, ATransformIsNoticed)
+TEST(HaplyMessages, ATransformIsReadWithItsDefaults)
 {
-  EXPECT_FALSE(Moves("{}"));
-  EXPECT_FALSE(Moves(R"({"position":{},"rotation":{"w":1.0},"scale":{"x":1,"y":1}})"));
-  EXPECT_FALSE(Moves(R"({"rotation":{"w":-1.0}})")) << "the same turn";
-  EXPECT_TRUE(Moves(R"({"position":{"y":0.01}})"));
-  EXPECT_TRUE(Moves(R"({"rotation":{"w":0.99,"z":0.14}})"));
-  EXPECT_TRUE(Moves(R"({"scale":{"z":2.0}})"));
+  const HaplyTransform none;
+  for (const char* const same :
+    { "{}", R"({"position":{},"rotation":{"w":1.0},"scale":{"x":1,"y":1}})",
+      R"({"rotation":{"w":-1.0}})", R"({"position":{"x":1e-6}})" })
+  {
+    EXPECT_TRUE(ReadTransform(same).IsNear(none)) << same;
+    EXPECT_FALSE(ReadTransform(same).IsScaled()) << same;
+  }
+  for (const char* const other : { R"({"position":{"y":0.01}})",
+         R"({"rotation":{"w":0.99,"z":0.14}})", R"({"scale":{"z":2.0}})" })
+  {
+    EXPECT_FALSE(ReadTransform(other).IsNear(none)) << other;
+    EXPECT_TRUE(ReadTransform(other).IsNear(ReadTransform(other))) << other;
+  }
+  EXPECT_FALSE(ReadTransform(R"({"position":{"y":0.01}})").IsScaled());
+  EXPECT_TRUE(ReadTransform(R"({"scale":{"z":2.0}})").IsScaled());
+  EXPECT_TRUE(ReadTransform(R"({"scale":{"x":-1.0}})").IsScaled());
 }
 
 TEST(HaplyMessages, JunkIsRefused)

@@ -31,20 +31,23 @@ protected:
   /// Arms, and leads the hand to the floor's middle, 10 mm inside.
   void Feel(double rate = 1000.0)
   {
+    // Before the loop begins: below the floor, it would feel the floor from below.
+    this->LeadAbove();
     this->Bench.Start(this->Ground.Model, rate);
     ASSERT_TRUE(this->Bench.WaitForTicks(20));
     this->Bench->Arm();
-    EXPECT_TRUE(this->Bench.Press(
-      [&]
-      {
-        this->Service->SetGoal({ 0.0, 0.0, Floor + 0.005 });
-        Eventually([&] { return std::abs(this->Service->GetTip()[2] - Floor - 0.005) < 0.001; });
-      },
+    EXPECT_TRUE(this->Bench.Press([&] { this->LeadAbove(); },
       [&] {
         this->Service->SetGoal({ 0.0, 0.0, Floor - 0.005 });
       },
       [&] { return this->IsHeld(); }))
       << this->Service->GetForce()[2];
+  }
+  void LeadAbove()
+  {
+    this->Service->SetGoal({ 0.0, 0.0, Floor + 0.005 });
+    EXPECT_TRUE(
+      Eventually([&] { return std::abs(this->Service->GetTip()[2] - Floor - 0.005) < 0.001; }));
   }
   /// By the floor, straight up, against being led 5 mm inside.
   bool IsHeld()
