@@ -175,7 +175,7 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(
 {
   const ImageKey imageKey{ image, labels, image->GetMTime(), labels->GetMTime() };
   const TableKey tableKey{ table, table ? table->GetMTime() : 0 };
-  const std::shared_ptr<const BakedLabels> last = this->Baked.lock();
+  std::shared_ptr<const BakedLabels> last = this->Baked.lock();
   const bool isImage = last && imageKey == this->BakedImage;
   if (isImage && tableKey == this->BakedTable)
   {
