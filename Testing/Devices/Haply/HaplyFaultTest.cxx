@@ -22,6 +22,17 @@ protected:
   }
 };
 
+/// What the list of kinds that this computer can't have says of this one.
+std::string MissingText()
+{
+  std::string text;
+  for (const DeviceObstacle& obstacle : ListMissingKinds())
+  {
+    text += obstacle.Kind == "haply" ? obstacle.Text : "";
+  }
+  return text;
+}
+
 std::string MakeEvent(const char* name, const char* level, const char* device, const char* message)
 {
   return std::string(R"({"name":")") + name + R"(","category":"device","level":")" + level +
@@ -164,6 +175,8 @@ TEST(HaplyErrors, SayWhatToDo)
     const HaplyService service(shape);
   }
   EXPECT_TRUE(ListDevices().empty());
+  EXPECT_TRUE(Has(MissingText(), "does not answer at port")) << MissingText();
+  EXPECT_TRUE(Has(MissingText(), "Start Haply's Hub"));
   EXPECT_TRUE(Has(ErrorOf("haply"), "Start Haply's Hub")) << ErrorOf("haply");
   setenv("VOLUMEHAPTICS_HAPLY", "10001,events", 1);
   EXPECT_TRUE(Has(ErrorOf("haply"), "Give the ports")) << ErrorOf("haply");
@@ -172,6 +185,7 @@ TEST(HaplyErrors, SayWhatToDo)
   EXPECT_TRUE(Has(ErrorOf("haply:"), "is no device id"));
   {
     const HaplyService service(shape);
+    EXPECT_EQ(MissingText(), "") << "a service that runs";
     EXPECT_TRUE(Has(ErrorOf("haply:7777"), "It has haply:049D, haply:04BA"))
       << ErrorOf("haply:7777");
   }
