@@ -28,8 +28,8 @@
  * motion, it takes the mean of its first and last direction (second order).
  *
  * A sliding hand repeats its motion from tick to tick, which saves most samples. The last sample is
- * cached until the proxy is 1e-3 voxels away from it, or 4e-3 with the geometry from labels. While a
- * surface holds, a tick's first motion is lengthened by the ratio that the last ticks have shown
+ * cached until the proxy is 1e-3 voxels away from it, or 4e-3 with the geometry from labels. While
+ * a surface holds, a tick's first motion is lengthened by the ratio that the last ticks have shown
  * (PreciseState::StepPrediction). A tick of a tenth of a voxel then takes one or two samples. Cache
  * and prediction only propose motions; no judgement rests on them.
  *
