@@ -102,6 +102,13 @@ int Describe(int, char* name, size_t nameSize, char* serial, size_t serialSize)
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
+void Close(void* handle)
+{
+  auto* const device = static_cast<Device*>(handle);
+  drdClose(device->Id);
+  delete device;
+}
+
 void* Open(int number)
 {
   const int id = drdOpenID(static_cast<char>(number));
@@ -115,9 +122,11 @@ void* Open(int number)
   device->Id = static_cast<char>(id);
   device->HasWrist = dhdHasWrist(device->Id);
   device->MaximumTorque = LimitsOf(dhdGetSystemType(device->Id)).MaximumTorque;
-  if (drdIsInitialized(device->Id))
+  if (drdIsInitialized(device->Id) && dhdEnableForce(DHD_ON, device->Id) < 0)
   {
-    dhdEnableForce(DHD_ON, device->Id);
+    OpenError() = Explain("does not switch its force on", "Look after its cable and power.");
+    Close(device);
+    return nullptr;
   }
   return device;
 }
@@ -165,7 +174,13 @@ int CheckStatus(Device& device)
                    "fast. Press Home(), and Arm() again.";
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
-  device.HadForce = hasForce;
+  if (!hasForce)
+  {
+    // Not ready: else its button could switch a force on that has not grown from zero.
+    device.Error = "has its force switched off. Press its force button, or Home().";
+    return VOLUME_HAPTICS_VENDOR_WAITS;
+  }
+  device.HadForce = true;
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
@@ -247,13 +262,6 @@ int Home(void* handle)
 const char* LastError(void* device)
 {
   return device ? static_cast<Device*>(device)->Error.c_str() : OpenError().c_str();
-}
-
-void Close(void* handle)
-{
-  auto* const device = static_cast<Device*>(handle);
-  drdClose(device->Id);
-  delete device;
 }
 
 } // namespace

@@ -124,10 +124,10 @@ public:
 
   ///@{
   /**
-   * The folders of plug-ins for vendors' libraries, vendor:PLUGIN[:N], separated by colons. None is
-   * loaded that other users may write. Default: empty, which stands for the environment variable
-   * VOLUMEHAPTICS_VENDOR_PATH. EnumerateDevices and ListDevices look by the variable only. Takes
-   * effect with Open.
+   * The folders of plug-ins for vendors' libraries, vendor:PLUGIN[:N], separated by colons. No
+   * plug-in is loaded that other users may write; the libraries that it needs are not checked.
+   * Default: empty, which stands for the environment variable VOLUMEHAPTICS_VENDOR_PATH.
+   * EnumerateDevices and ListDevices look by the variable only. Takes effect with Open.
    */
   void SetVendorPath(const std::string& path);
   std::string GetVendorPath() const

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 
 #include <sys/stat.h>
@@ -18,6 +19,7 @@ namespace
 
 constexpr const char* Prefix = "libvolumehaptics-";
 constexpr const char* Suffix = ".so";
+constexpr int MostLinks = 40; // on one path, as in Linux
 
 const char* ReadVariable()
 {
@@ -45,11 +47,57 @@ std::string ReasonAgainst(const std::string& path, bool isAbove)
       "\" belongs to another user, who could put anything there. Copy the plug-in to a folder of "
       "your own.";
   }
-  const bool isOpen = (info.st_mode & (S_IWGRP | S_IWOTH)) != 0;
+  // The mode of a link means nothing: its folder says who can replace it.
+  const bool isOpen = !S_ISLNK(info.st_mode) && (info.st_mode & (S_IWGRP | S_IWOTH)) != 0;
   const bool isSticky = S_ISDIR(info.st_mode) && (info.st_mode & S_ISVTX) != 0;
   return !isOpen || (isAbove && isSticky) ? std::string()
                                           : "others may write \"" + path +
       "\", and so what would be loaded. Run: chmod go-w '" + path + "'";
+}
+
+/**
+ * The real path. Empty, with the reason and the cure, if another user can write a link or a folder
+ * on the way to it.
+ */
+std::string Resolve(const std::string& path, std::string& error)
+{
+  namespace fs = std::filesystem;
+  const fs::path named = path;
+  std::deque<fs::path> ahead(named.begin(), named.end());
+  fs::path real = "/";
+  int links = 0;
+  error = ReasonAgainst(real.string(), true);
+  while (error.empty() && !ahead.empty())
+  {
+    const fs::path part = ahead.front();
+    ahead.pop_front();
+    if (part.empty() || part == ".")
+    {
+      continue;
+    }
+    if (part == "/" || part == "..")
+    {
+      real = part == "/" ? part : real.parent_path();
+      continue;
+    }
+    const fs::path next = real / part;
+    error = ReasonAgainst(next.string(), true);
+    std::error_code isNoLink;
+    const fs::path target = fs::read_symlink(next, isNoLink);
+    if (isNoLink)
+    {
+      real = next;
+    }
+    else if (++links > MostLinks)
+    {
+      error = "\"" + path + "\" has too many links.";
+    }
+    else
+    {
+      ahead.insert(ahead.begin(), target.begin(), target.end());
+    }
+  }
+  return error.empty() ? real.string() : std::string();
 }
 
 } // namespace
@@ -134,28 +182,22 @@ std::vector<VendorFile> VendorFolder::Find(
 
 std::string VendorFolder::Check(const std::string& path, std::string& error)
 {
-  char* const resolved = realpath(path.c_str(), nullptr);
-  if (!resolved)
-  {
-    error = "\"" + path + "\" can't be found: " + std::strerror(errno) + ".";
-    return {};
-  }
-  const std::string real = resolved;
-  std::free(resolved);
-  struct stat info
-  {
-  };
-  if (stat(real.c_str(), &info) != 0 || !S_ISREG(info.st_mode))
+  namespace fs = std::filesystem;
+  // Others may neither add links to the folder that is searched nor replace the file.
+  const std::string folder = Resolve(fs::path(path).parent_path().string(), error);
+  const std::string real = error.empty() ? Resolve(path, error) : std::string();
+  std::error_code ignored;
+  if (error.empty() && !fs::is_regular_file(real, ignored))
   {
     error = "\"" + path + "\" is not a file.";
-    return {};
   }
-  error = ReasonAgainst(real, false);
-  for (std::size_t end = real.rfind('/'), level = 0; error.empty() && end != std::string::npos;
-       ++level)
+  if (error.empty())
   {
-    error = ReasonAgainst(end == 0 ? "/" : real.substr(0, end), level > 0);
-    end = end == 0 ? std::string::npos : real.rfind('/', end - 1);
+    error = ReasonAgainst(folder, false);
+  }
+  if (error.empty())
+  {
+    error = ReasonAgainst(fs::path(real).parent_path().string(), false);
   }
   return error.empty() ? real : std::string();
 }

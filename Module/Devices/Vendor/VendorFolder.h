@@ -6,9 +6,11 @@
  * loaded.
  *
  * A plug-in runs with all rights of the user. So only folders that the user names are searched, and
- * nothing is loaded that another user could have written: the file, its folder and all folders
- * above belong to the user or to root, and no one else may write them. (A folder above that others
- * may write is accepted if it is sticky, as /tmp is: others can't replace what is in it.)
+ * no plug-in is loaded that another user could have written: the folder that is searched, the file,
+ * its folder, all folders above and all links on the way belong to the user or to root, and no one
+ * else may write them. (A folder above that others may write is accepted if it is sticky, as /tmp
+ * is: others can't replace what is in it.) The libraries that a plug-in needs are not checked: the
+ * system's loader finds them.
  */
 #ifndef VendorFolder_h
 #define VendorFolder_h

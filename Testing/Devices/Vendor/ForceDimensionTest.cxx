@@ -146,6 +146,34 @@ TEST_F(ForceDimension, FindsItsZeroOnlyWhenTheUserSaysSo)
   EXPECT_EQ(this->With([](const FakeForceDimension& fake) { return fake.ForcesBeforeZero; }), 0);
 }
 
+TEST_F(ForceDimension, IsNotReadyWhileItsForceIsOff)
+{
+  this->With([](FakeForceDimension& fake) { fake.IsInitialised = false; });
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("it moves by itself")) << this->Bench.Text();
+  // It is led to its zero by hand, and its force is still off.
+  this->With([](FakeForceDimension& fake) { fake.IsInitialised = true; });
+  ASSERT_TRUE(this->Bench.WaitForText("has its force switched off")) << this->Bench.Text();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  this->Bench.Start(this->Ground.Model);
+  ASSERT_TRUE(this->Bench.WaitForTicks(20));
+  this->Bench->Arm();
+  this->Lead({ 0.0, 0.0, Height - 0.01 });
+  ASSERT_TRUE(this->Bench.WaitForTicks(50));
+  EXPECT_EQ(this->Force(), Triple{}) << "its button would switch that on at once";
+  this->With([](FakeForceDimension& fake) { fake.ForceIsOn = true; });
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+}
+
+TEST_F(ForceDimension, AForceThatCantBeSwitchedOnIsAnErrorWithACure)
+{
+  this->With([](FakeForceDimension& fake) { fake.FailsToEnable = true; });
+  const std::string error = ErrorOf("vendor:forcedimension");
+  EXPECT_TRUE(Has(error, "does not switch its force on (communication error)")) << error;
+  this->With([](FakeForceDimension& fake) { fake.FailsToEnable = false; });
+  EXPECT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+}
+
 TEST_F(ForceDimension, TorqueGoesToDevicesThatGiveIt)
 {
   this->With([](FakeForceDimension& fake) { fake.Type = 104; }); // a sigma.7

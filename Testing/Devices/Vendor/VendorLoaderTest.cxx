@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 using namespace vendortest;
 
@@ -93,6 +94,71 @@ TEST_F(VendorLoader, ALinkIsAsSafeAsItsTarget)
   fs::create_symlink(elsewhere / "real.so", file);
   ASSERT_EQ(chmod(elsewhere.c_str(), 0777), 0);
   EXPECT_TRUE(Has(Refused(), "others may write")) << Refused();
+}
+
+TEST_F(VendorLoader, ALinkIsAsSafeAsTheFoldersOnItsWay)
+{
+  const fs::path file = this->Folder.Add("played");
+  const fs::path safe = this->Folder.Path / "safe";
+  const fs::path open = this->Folder.Path / "open";
+  fs::create_directory(safe);
+  fs::create_directory(open);
+  fs::rename(file, safe / "real.so");
+  ASSERT_EQ(chmod(safe.c_str(), 0700), 0);
+  ASSERT_EQ(chmod((safe / "real.so").c_str(), 0700), 0);
+  // Others can put a link into the folder that is searched.
+  fs::create_symlink(safe / "real.so", open / file.filename());
+  setenv("VOLUMEHAPTICS_VENDOR_PATH", open.c_str(), 1);
+  for (const mode_t mode : { 0777, 01777, 0770 })
+  {
+    ASSERT_EQ(chmod(open.c_str(), mode), 0);
+    EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
+    EXPECT_TRUE(ListVendors().empty());
+  }
+  // They can replace a link to which another one leads.
+  fs::create_symlink(open / file.filename(), file);
+  setenv("VOLUMEHAPTICS_VENDOR_PATH", this->Folder.Path.c_str(), 1);
+  EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
+  // A link to the folder is one of these, too.
+  fs::create_directory_symlink(open, this->Folder.Path / "plugins");
+  setenv("VOLUMEHAPTICS_VENDOR_PATH", (this->Folder.Path / "plugins").c_str(), 1);
+  EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
+  ASSERT_EQ(chmod(open.c_str(), 0755), 0);
+  DeviceBench bench;
+  EXPECT_TRUE(bench.Open("vendor:played")) << bench.Error;
+}
+
+TEST_F(VendorLoader, LinksInACircleEndWithAnError)
+{
+  const fs::path file = this->Folder.Path / "libvolumehaptics-played.so";
+  fs::create_symlink(file.filename(), file);
+  EXPECT_TRUE(Has(Refused(), "too many links")) << Refused();
+}
+
+TEST_F(VendorLoader, LoadsNothingThatBelongsToAnotherUser)
+{
+  if (geteuid() != 0)
+  {
+    GTEST_SKIP() << "only root can give files away";
+  }
+  constexpr uid_t other = 65534;
+  const fs::path file = this->Folder.Add("played");
+  for (const fs::path& given : { file, this->Folder.Path })
+  {
+    ASSERT_EQ(chown(given.c_str(), other, other), 0);
+    EXPECT_TRUE(Has(Refused(), ("\"" + given.string() + "\" belongs to another").c_str()))
+      << Refused();
+    EXPECT_TRUE(ListVendors().empty());
+    ASSERT_EQ(chown(given.c_str(), 0, 0), 0);
+  }
+  // A link, too.
+  fs::rename(file, this->Folder.Path / "real.so");
+  fs::create_symlink("real.so", file);
+  ASSERT_EQ(lchown(file.c_str(), other, other), 0);
+  EXPECT_TRUE(Has(Refused(), "belongs to another")) << Refused();
+  ASSERT_EQ(lchown(file.c_str(), 0, 0), 0);
+  DeviceBench bench;
+  EXPECT_TRUE(bench.Open("vendor:played")) << bench.Error;
 }
 
 TEST_F(VendorLoader, NothingIsSearchedBesideTheFolders)

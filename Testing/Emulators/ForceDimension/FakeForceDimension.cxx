@@ -187,6 +187,11 @@ extern "C"
     {
       return -1;
     }
+    if (fake->FailsToEnable)
+    {
+      lastError = "communication error";
+      return -1;
+    }
     fake->Calls.emplace_back(val == DHD_ON ? "on" : "off");
     fake->ForceIsOn = val == DHD_ON;
     return 0;

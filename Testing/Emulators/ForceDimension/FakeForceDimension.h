@@ -33,6 +33,7 @@ struct FakeForceDimension
   bool FailsToOpen = false;
   bool FailsToRead = false;
   bool FailsToWrite = false;
+  bool FailsToEnable = false;
   bool TellsNonsense = false;
   unsigned Buttons = 0;
   std::array<std::array<double, 3>, 3> Frame{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
