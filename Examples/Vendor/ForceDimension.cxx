@@ -144,7 +144,7 @@ int GetSerial(void* handle, char* serial, size_t size)
   {
     number = 0;
   }
-  std::snprintf(serial, size, number != 0 ? "%u" : "", static_cast<unsigned>(number));
+  std::snprintf(serial, size, "%s", number != 0 ? std::to_string(number).c_str() : "");
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 

@@ -25,7 +25,7 @@ TEST(ToolOptions, AreRead)
   std::string error;
   ASSERT_TRUE(ReadToolOptions(
     { "record", "--rate", "500", "pid:1209:ffb0", "a.csv", "--newtons", "2,-3", "--axis", "y",
-      "--seconds", "1.5", "--homing-time", "9", "--firmware", "f.bin" },
+      "--seconds", "1.5", "--homing-time", "9", "--firmware", "f.bin", "--vendor-path", "/a:/b" },
     options, error))
     << error;
   EXPECT_EQ(options.What, ToolOptions::Command::Record);
@@ -39,6 +39,7 @@ TEST(ToolOptions, AreRead)
   EXPECT_EQ(options.Seconds, 1.5);
   EXPECT_EQ(options.HomingTime, 9.0);
   EXPECT_EQ(options.Firmware, "f.bin");
+  EXPECT_EQ(options.VendorPath, "/a:/b");
   ASSERT_TRUE(ReadToolOptions({ "monitor", "falcon", "--newtons", "-2" }, options, error));
   EXPECT_EQ(options.Newtons[1], -2.0) << "of both axes";
 }

@@ -57,16 +57,35 @@ TEST_F(DeviceHardware, IsEnumeratedByIdAndListedWithItsState)
   EXPECT_EQ(table->GetValueByName(row, "State").ToString(), "available");
 }
 
+TEST_F(DeviceHardware, KindsThatCannotBeHadAreListedWithTheCure)
+{
+  setenv("VOLUMEHAPTICS_VENDOR_PATH", "relative", 1);
+  vtkNew<vtkTable> table;
+  vtkHapticDevice::ListMissingKinds(table);
+  unsetenv("VOLUMEHAPTICS_VENDOR_PATH");
+  std::string state;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (table->GetValueByName(row, "Kind").ToString() == "vendor")
+    {
+      state = table->GetValueByName(row, "State").ToString();
+    }
+  }
+  EXPECT_NE(state.find("Name the whole path"), std::string::npos) << state;
+}
+
 TEST_F(DeviceHardware, OptionsReachIt)
 {
   EXPECT_EQ(this->Device->GetNewtonsPerFullScale()[0], 100.0)
     << "unknown devices are taken for strong ones";
   this->Device->SetFirmwareFile("image.bin");
+  this->Device->SetVendorPath("/a:/b");
   this->Device->SetHomingTime(7.0);
   this->Device->UseGuardOff();
   this->Device->SetNewtonsPerFullScale(3.0, -200.0);
   ASSERT_TRUE(this->Device->Open("played:0"));
   EXPECT_EQ(this->Played.Options.FirmwareFile, "image.bin");
+  EXPECT_EQ(this->Played.Options.VendorPath, "/a:/b");
   EXPECT_EQ(this->Played.Options.HomingTime, 7.0);
   EXPECT_FALSE(this->Played.Options.UseGuard);
   EXPECT_EQ(this->Played.Options.NewtonsPerFullScale[0], 3.0);
