@@ -275,6 +275,7 @@ void HfabDriver::Round(HardwareExchange& exchange)
     }
     return;
   }
+  this->Pause = Since(this->LastAnswer);
   this->LastAnswer = ServoClock::Now();
   if (this->TakeAnswer(exchange))
   {
@@ -353,7 +354,8 @@ void HfabDriver::FollowHand(HardwareExchange& exchange)
   this->JointAngles = HfabModel::ComputeAngles(*this->Geometry, counts);
   Vector3 tip;
   const bool exists = HfabModel::ComputeTip(*this->Geometry, this->JointAngles, tip);
-  if (!exists || (this->HasTip && Norm(tip - this->Tip) > FarthestStep))
+  const double farthest = std::max(FarthestStep, FastestHand * this->Pause);
+  if (!exists || (this->HasTip && Norm(tip - this->Tip) > farthest))
   {
     this->Lose(exchange,
       "reads a jump of its arm that no hand makes: its button was pressed, or its encoders have "

@@ -35,10 +35,19 @@ public:
   static constexpr const char* Board = "Teensyduino";
   /** s, to wait for the first answer. */
   static constexpr double HandshakeTime = 1.5;
-  /** s without an answer. */
-  static constexpr double SilenceTime = 0.1;
-  /** m, of the tip from one answer to the next: no hand is as fast. */
+  /**
+   * s without an answer, after which the device is lost. Force is gone long before: the servo takes
+   * it away after 30 ms without positions, and the firmware after 100 ms without messages.
+   */
+  static constexpr double SilenceTime = 0.5;
+  ///@{
+  /**
+   * The longest way of the tip (m) from one answer to the next, and its speed (m/s) in a longer
+   * pause: no hand is as fast.
+   */
   static constexpr double FarthestStep = 0.02;
+  static constexpr double FastestHand = 2.5;
+  ///@}
   /** s, in which the arm has to be still to be calibrated, and counts by which it may move. */
   static constexpr double StillTime = 0.2;
   static constexpr int StillCounts = 40;
@@ -102,6 +111,7 @@ private:
   HfabModel::Angles JointAngles{};
   int Refusals = 0; ///< messages in a row that the controller did not take
   std::int64_t LastAnswer = 0;
+  double Pause = 0.0; ///< s, between the last two answers
 };
 
 } // namespace VolumeHaptics
