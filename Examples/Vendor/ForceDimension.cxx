@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The plug-in forcedimension: omega, delta, sigma, lambda and the Novint Falcon through Force
-// Dimension's SDK (libdrd, which has libdhd in it).
+// The plug-in forcedimension: omega, delta, sigma and the Novint Falcon through Force Dimension's
+// SDK (libdrd, which has libdhd in it); other devices of the SDK with 8 N at most.
 //
 // The SDK's axes are x towards the user, y to the right and z up, in metres and newtons; ours are
 // its y, z and x. Not verified on a device. The SDK's watchdog and its velocity threshold stay as

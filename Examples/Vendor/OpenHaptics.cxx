@@ -185,6 +185,14 @@ void WaitForTick(Device& device)
   }
 }
 
+// Empties libHD's stack. Not while the callback runs, which has to see them.
+void ForgetFaults()
+{
+  while (HD_DEVICE_ERROR(hdGetError()))
+  {
+  }
+}
+
 void Disable(Device* device)
 {
   hdDisableDevice(device->Handle);
@@ -200,6 +208,7 @@ void* Open(int number)
     return nullptr;
   }
   const std::string name = Names()[static_cast<size_t>(number)];
+  ForgetFaults(); // of a try before
   const HHD handle = hdInitDevice(number == 0 ? HD_DEFAULT_DEVICE : name.c_str());
   const HDErrorInfo error = hdGetError();
   if (HD_DEVICE_ERROR(error))
@@ -218,6 +227,7 @@ void* Open(int number)
   hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
   // N m; as the data sheet of the Phantom Premium 6DOF has it for its weakest axis.
   device->MaximumTorque = outputs == 6 ? 0.17 : 0.0;
+  ForgetFaults(); // a device that does not know the question gives no torque
   hdEnable(HD_FORCE_OUTPUT);
   hdSetSchedulerRate(SchedulerRate);
   device->Callback = hdScheduleAsynchronous(&OnTick, device, HD_MAX_SCHEDULER_PRIORITY);

@@ -53,9 +53,9 @@ struct DeviceKind
     const std::string& id, const DeviceOptions& options, std::string& error)>
     Make;
   /**
-   * What keeps this computer from having any device of this kind, such as a service that does not
-   * run, a library or a port that is not found, and the cure. Empty if nothing does. May be null:
-   * then a device has to be plugged in, and no more.
+   * The reason why this computer can't have any device of this kind, such as a service that does
+   * not run, a library or a port that is not found, and the cure. Empty if there is none. May be
+   * null: then a device has to be plugged in, and no more.
    */
   std::function<std::string()> Missing = {};
 };

@@ -21,7 +21,7 @@ bool AddDeviceKind(const DeviceKind& kind, std::string& error);
 /** Every device that is plugged in, in the order of the kinds. */
 std::vector<DeviceListing> ListDevices();
 
-/** What keeps this computer from having devices of a kind. */
+/** The reason why this computer has no devices of a kind. */
 struct DeviceObstacle
 {
   std::string Kind;

@@ -20,6 +20,7 @@ namespace
 constexpr int RoundPause = 1;    // ms, the longest between two rounds
 constexpr int LostPause = 10;    // ms
 constexpr double Farthest = 10.; // m: a position beyond is none
+constexpr std::uint32_t AllAxes = 7;
 
 /** Until the servo gives a force, or for a time (ms). */
 void Wait(HardwareExchange& exchange, int time)
@@ -97,12 +98,13 @@ bool VendorDriver::TakeLimits(std::string& error)
   }
   const bool isValid = IsLimit(limits.MaximumForce) && limits.MaximumForce > 0.0 &&
     IsLimit(limits.MaximumTorque) && IsLimit(limits.MaximumStiffness) &&
-    IsLimit(limits.MaximumDamping) && IsLimit(limits.MaximumSpeed) && IsLimit(limits.Friction) &&
+    IsLimit(limits.MaximumDamping) && IsLimit(limits.MaximumSpeed) && IsLimit(limits.OwnDamping) &&
     IsLimit(limits.WorkspaceRadius);
-  if (!isValid)
+  const bool hasAxis = limits.ForceAxes == 0 || (limits.ForceAxes & AllAxes) != 0;
+  if (!isValid || !hasAxis)
   {
-    error = "does not say its largest force, or has limits that are no numbers. Its plug-in has to "
-            "be changed.";
+    error = "does not say its largest force, has limits that are no numbers, or has no axis. Its "
+            "plug-in has to be changed.";
     return false;
   }
   this->Limits = {};
@@ -110,9 +112,9 @@ bool VendorDriver::TakeLimits(std::string& error)
   this->Limits.MaximumStiffness = limits.MaximumStiffness;
   this->Limits.MaximumDamping = limits.MaximumDamping;
   this->Limits.MaximumSpeed = limits.MaximumSpeed;
-  this->Limits.Damping = limits.Friction;
+  this->Limits.Damping = limits.OwnDamping;
   this->Limits.WorkspaceRadius = limits.WorkspaceRadius;
-  this->Limits.ForceAxes = limits.ForceAxes & 7u;
+  this->Limits.ForceAxes = limits.ForceAxes == 0 ? AllAxes : limits.ForceAxes & AllAxes;
   this->MaximumTorque = limits.MaximumTorque;
   return true;
 }

@@ -27,7 +27,9 @@ std::vector<DeviceListing> ListVendors()
       {
         all.push_back({ "vendor:" + file.Plugin + ":" + std::to_string(number), device.Name,
           device.IsOpen ? "in use" : "available",
-          VendorLibrary::MakeIdentity(file.Plugin, number, device.Serial) });
+          device.Serial.empty()
+            ? std::string() // it may have one that only the open device tells
+            : VendorLibrary::MakeIdentity(file.Plugin, number, device.Serial) });
         ++number;
       }
     }

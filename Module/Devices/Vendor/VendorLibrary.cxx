@@ -23,7 +23,10 @@ bool IsWhole(const VolumeHapticsVendorPlugin& table)
     table.Read && table.Write && table.LastError && table.Close;
 }
 
-/** The table of a file's plug-in; null, with the reason and the cure. */
+/**
+ * The table of a file's plug-in; null, with the reason and the cure. A library stays loaded even if
+ * it is refused: the vendor's library may have begun threads.
+ */
 const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string& error)
 {
   void* const library = dlopen(real.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -42,7 +45,6 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
   {
     error = "\"" + real +
       "\" is no plug-in: it does not export VolumeHapticsVendorGetPlugin (VendorPlugin.h).";
-    dlclose(library);
     return nullptr;
   }
   const VolumeHapticsVendorPlugin* const table = get(VOLUME_HAPTICS_VENDOR_VERSION);
@@ -51,7 +53,6 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
     error = "\"" + real + "\" is a plug-in for another version than " +
       std::to_string(VOLUME_HAPTICS_VENDOR_VERSION) +
       ", or leaves functions out. Build it again with the VendorPlugin.h of this version.";
-    dlclose(library);
     return nullptr;
   }
   return table;

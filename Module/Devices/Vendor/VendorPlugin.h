@@ -14,8 +14,9 @@
  * stylus points along its own -z, so that its handle is on the side of +z, and has its button on
  * the side of +y; its orientation is the turn from the device's axes to these.
  *
- * Threads: Read, Write and Home of a device are called from one thread, Open and Close before and
- * after from another. Functions for two devices may run at the same time. Count and Describe are
+ * Threads: Read, Write and Home of a device are called from one thread. Open, GetLimits, GetSerial
+ * and a Write of zero come before from another thread, as a Write of zero and Close come after.
+ * Functions for one device never run at the same time, those for two may. Count and Describe are
  * not called while a device of the plug-in is open. Read and Write are called about a thousand
  * times a second and may not take more than a millisecond, as a rule; a device of which they take
  * more than half a second is lost. No exception may leave a function.
@@ -38,7 +39,7 @@ extern "C"
 {
 #endif
 
-  /** What the functions return that return an int: below zero, LastError has a text. */
+  /** Results of functions that return an int. If one is below zero, LastError has a text. */
   enum VolumeHapticsVendorResult
   {
     VOLUME_HAPTICS_VENDOR_NEWS = 1,   /**< Read: a new measurement */
@@ -55,9 +56,9 @@ extern "C"
     double MaximumStiffness; /**< N/m, that it holds at 1 kHz */
     double MaximumDamping;   /**< N s/m */
     double MaximumSpeed;     /**< m/s; a faster tip means that the hand has lost the handle */
-    double Friction;         /**< N s/m, its own viscous friction */
+    double OwnDamping;       /**< N s/m, of its own viscous friction */
     double WorkspaceRadius;  /**< m */
-    uint32_t ForceAxes;      /**< bit i: it can push along axis i; 7: all */
+    uint32_t ForceAxes;      /**< bit i: it can push along axis i; 7, or 0: all */
   };
 
   struct VolumeHapticsVendorPose

@@ -19,7 +19,7 @@ public:
   static HapticLabelItem* New();
   vtkTypeMacro(HapticLabelItem, vtkContextItem);
 
-  /** What to draw, and in which rectangle; the list has to outlive the item. */
+  /** The list to draw, and its rectangle; the list has to outlive the item. */
   void Show(const VolumeHaptics::HapticLabelList& list, const int rectangle[4]);
 
   bool Paint(vtkContext2D* painter) override;

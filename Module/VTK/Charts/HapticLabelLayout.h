@@ -15,7 +15,7 @@ namespace VolumeHaptics
 
 class HapticLabelList;
 
-/** What is at a position. */
+/** The part of the list at a position. */
 struct LabelPart
 {
   enum KindType

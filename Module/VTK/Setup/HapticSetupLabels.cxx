@@ -41,7 +41,7 @@ bool ReadLabel(const std::string& text, int& label)
   return error == std::errc() && stop == end && std::to_string(label) == text;
 }
 
-/** What is set of a label; writing leaves the rest out. */
+/** The settings of a label; writing leaves out those that are not set. */
 void PassLabel(
   SetupNode row, int label, vtkHapticLabelTable* table, bool hasFelt, bool hasForbidden)
 {

@@ -87,7 +87,9 @@ protected:
 
 TEST_F(ForceDimension, PressesAFloorAndLetsGo)
 {
-  ASSERT_EQ(ListVendors().size(), 1U);
+  const std::vector<DeviceListing> all = ListVendors();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].Identity, "") << "only an open device tells its serial number";
   ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 12.0) << "an omega";
   EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:forcedimension:4711");
@@ -215,6 +217,7 @@ TEST_F(ForceDimension, AReadThatFailsCutsTheForce)
 
 TEST_F(ForceDimension, AWriteThatFailsIsAFault)
 {
+  // The library takes no zero either: only its watchdog can end the force.
   this->Break([](FakeForceDimension& fake) { fake.FailsToWrite = true; }, "does not take a force");
 }
 

@@ -7,10 +7,13 @@
  * (Emulators/OpenHaptics/FakeOpenHaptics.h): right, up, towards the user; millimetres.
  */
 
+#include "Devices/Vendor/VendorPlugin.h"
 #include "Emulators/OpenHaptics/FakeOpenHaptics.h"
 #include "VendorRig.h"
 
 #include <HD/hd.h>
+
+#include <dlfcn.h>
 
 using namespace vendortest;
 
@@ -23,7 +26,6 @@ const Matrix3 ToTheFloor = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0
 class OpenHaptics : public testing::Test
 {
 protected:
-  OpenHaptics() { this->Folder.Add("openhaptics"); }
   ~OpenHaptics() override { unsetenv("VOLUMEHAPTICS_OPENHAPTICS_DEVICES"); }
   template <typename F>
   auto With(F&& use)
@@ -80,6 +82,7 @@ protected:
 
   FakeOpenHaptics& Fake = FakeOpenHaptics::Get();
   const PluginFolder Folder;
+  const fs::path File = this->Folder.Add("openhaptics");
   const Floor Ground{ Height, ToTheFloor };
   DeviceBench Bench;
 };
@@ -87,7 +90,9 @@ protected:
 
 TEST_F(OpenHaptics, PressesAFloorAndLetsGo)
 {
-  ASSERT_EQ(ListVendors().size(), 1U);
+  const std::vector<DeviceListing> found = ListVendors();
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].Identity, "") << "only an open device tells its serial number";
   ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
   const DeviceLimits limits = this->Bench.Device->GetLimits();
   EXPECT_EQ(limits.MaximumForce, 3.3);
@@ -188,6 +193,7 @@ TEST_F(OpenHaptics, ABrokenConnectionCutsTheForce)
 
 TEST_F(OpenHaptics, ASchedulerThatStandsStillIsAFault)
 {
+  // Its callback sets no zero any more: only the library's watchdog can end the force.
   this->Break(
     [](FakeOpenHaptics& fake) { fake.StandsStill = true; }, "the library's scheduler stands still");
 }
@@ -200,17 +206,36 @@ TEST_F(OpenHaptics, APositionThatIsNoNumberCutsTheForce)
 
 TEST_F(OpenHaptics, AForceThatIsNotRenewedEndsInTheCallback)
 {
-  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
-  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  // The plug-in alone: a driver writes zero by itself.
+  void* const library = dlopen(this->File.c_str(), RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(library, nullptr);
+  using Getter = const VolumeHapticsVendorPlugin* (*)(uint32_t);
+  const auto get = reinterpret_cast<Getter>(dlsym(library, "VolumeHapticsVendorGetPlugin"));
+  ASSERT_NE(get, nullptr);
+  const VolumeHapticsVendorPlugin* const plugin = get(VOLUME_HAPTICS_VENDOR_VERSION);
+  void* const device = plugin->Open(0);
+  ASSERT_NE(device, nullptr);
+  const double force[3] = { 0.0, 1.0, 0.0 };
+  const double zero[3] = {};
   EXPECT_TRUE(Eventually(
     [&]
     {
-      DeviceSample sample;
-      this->Bench.Device->Read(0.001, sample);
-      this->Bench.Device->Write({ 0.0, 1.0, 0.0 });
-      return this->Force()[1] > 0.5;
+      plugin->Write(device, force, zero);
+      return this->Force()[1] == 1.0;
     }));
-  EXPECT_TRUE(this->IsQuiet());
+  EXPECT_TRUE(this->IsQuiet()) << "without another call";
+  plugin->Write(device, zero, zero);
+  plugin->Close(device);
+}
+
+TEST_F(OpenHaptics, FaultsOfAFailureToOpenAreForgotten)
+{
+  this->With(
+    [](FakeOpenHaptics& fake) {
+      fake.Faults.insert(fake.Faults.end(), { HD_COMM_ERROR, HD_COMM_ERROR });
+    });
+  ASSERT_TRUE(this->Bench.Open("vendor:openhaptics")) << this->Bench.Error;
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
 }
 
 TEST_F(OpenHaptics, NamedDevicesAreCountedAndOneIsOpenAtATime)

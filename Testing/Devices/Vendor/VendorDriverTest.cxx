@@ -50,7 +50,10 @@ protected:
     ASSERT_TRUE(this->Bench.Open("vendor:played")) << this->Bench.Error;
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
-  /// Reads and writes as the servo does, until the device has that force.
+  /**
+   * Reads and writes as the servo does, until the device has exactly that force: one that a busy
+   * machine renews late is fading.
+   */
   bool Push(const DeviceCommand& command)
   {
     return Eventually(
@@ -59,7 +62,14 @@ protected:
         DeviceSample sample;
         this->Bench.Device->Read(0.001, sample);
         this->Bench.Device->Send(command);
-        return this->Force() != std::array<double, 3>{};
+        const Vector3& f = command.Force;
+        const Vector3& t = command.Torque;
+        return this->Ask(
+          [&](const PlayedVendor& played)
+          {
+            return played.Force == std::array<double, 3>{ f.X, f.Y, f.Z } &&
+              played.Torque == std::array<double, 3>{ t.X, t.Y, t.Z };
+          });
       });
   }
   /// A fault while a force flows.
@@ -146,9 +156,6 @@ TEST_F(VendorDevice, ForceAndTorqueArriveWithinTheLimits)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenReady());
   ASSERT_TRUE(this->Push({ { 3.0, 0.0, 0.0 }, { 0.0, 0.05, 0.0 } }));
-  EXPECT_EQ(this->Force(), (std::array<double, 3>{ 3.0, 0.0, 0.0 }));
-  EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Torque; }),
-    (std::array<double, 3>{ 0.0, 0.05, 0.0 }));
   const auto isCut = [&]
   {
     this->Bench.Device->Send({ { 0.0, 40.0, 0.0 }, { 0.0, 0.0, -2.0 } });
@@ -160,7 +167,7 @@ TEST_F(VendorDevice, ForceAndTorqueArriveWithinTheLimits)
       });
   };
   EXPECT_TRUE(Eventually(isCut));
-  // What the servo no longer renews becomes zero, and so does what is quenched.
+  // A force that the servo no longer renews becomes zero, and so does one that is quenched.
   const auto isZero = [&]
   {
     return this->Ask(
@@ -180,8 +187,14 @@ TEST_F(VendorDevice, BeginsAndEndsWithZero)
   ASSERT_NO_FATAL_FAILURE(this->OpenReady());
   ASSERT_TRUE(this->Push({ { 1.0, 0.0, 0.0 }, {} }));
   this->Bench.Device->Close();
-  EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Calls; }),
-    (std::vector<std::string>{ "open", "zero", "force", "zero", "close" }));
+  const auto calls = this->Ask([](const PlayedVendor& played) { return played.Calls; });
+  ASSERT_GE(calls.size(), 5U);
+  EXPECT_EQ(calls[0], "open");
+  EXPECT_EQ(calls[1], "zero");
+  EXPECT_EQ(calls[2], "force");
+  // In between are as many as it fades and comes back if the machine is busy.
+  EXPECT_EQ(calls[calls.size() - 2], "zero");
+  EXPECT_EQ(calls.back(), "close");
 }
 
 TEST_F(VendorDevice, WaitsUntilItIsHomed)
@@ -274,6 +287,16 @@ TEST_F(VendorDevice, IsNotOpenedWithoutItsLimits)
     });
   EXPECT_TRUE(Has(ErrorOf("vendor:played"), "limits that are no numbers"));
   EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Calls.back(); }), "close");
+}
+
+TEST_F(VendorDevice, PushesAlongAllAxesIfItsAxesAreNotKnown)
+{
+  this->Play([](PlayedVendor& played) { played.Limits.ForceAxes = 0; });
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  EXPECT_EQ(this->Bench.Device->GetLimits().ForceAxes, 7u);
+  this->Bench.Device->Close();
+  this->Play([](PlayedVendor& played) { played.Limits.ForceAxes = 8; });
+  EXPECT_TRUE(Has(ErrorOf("vendor:played"), "has no axis"));
 }
 
 TEST_F(VendorDevice, TheReasonOfAFailureToOpenIsThePluginsOwn)

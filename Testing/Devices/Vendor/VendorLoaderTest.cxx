@@ -10,6 +10,7 @@
 
 #include <fstream>
 
+#include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -199,4 +200,7 @@ TEST_F(VendorLoader, APluginOfAnotherVersionIsRefused)
   setenv("PLAYED_VENDOR", "without-write", 1);
   EXPECT_TRUE(Has(Refused(), "leaves functions out")) << Refused();
   unsetenv("PLAYED_VENDOR");
+  // Its threads may still run.
+  const fs::path file = this->Folder.Path / "libvolumehaptics-played.so";
+  EXPECT_NE(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD), nullptr);
 }
