@@ -341,3 +341,33 @@ TEST(FarSideContact, StructuresOfLowerValuesFeelAsThoseOfHigherOnes)
     EXPECT_GT(largest, 0.6);
   }
 }
+
+// T1 and T2 of the specification, in a volume of which no position is three radii from the border.
+TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
+{
+  const TestVolume ramp = MakeRamp(12);
+  HapticModelDescription description = Describe(ramp);
+  description.Material.SurfaceStrength = ConstantPolyline(2.0);
+  description.Material.Friction = { { 0.0, 0.1 }, { 1200.0, 0.5 } };
+  description.Settings.Placement = MaterialPlacement::Kernel;
+  description.Settings.Alignment = ContactAlignment::Distinctness;
+  const HapticModel kernel(description);
+  description.Settings.Placement = MaterialPlacement::FarSide;
+  description.Settings.Alignment = ContactAlignment::Edge;
+  const HapticModel far(description);
+  ServoState states[2];
+  TickRecord records[2];
+  for (int i = 0; i <= 100; ++i)
+  {
+    // 5 mm in, and out again; aside meanwhile.
+    const double depth = 0.1 * (i <= 50 ? i : 100 - i);
+    const Vector3 tip = { 0.005 + 2e-5 * i, 0.006, 0.001 * (4.0 + depth) };
+    Tick(kernel, states[0], tip, records[0]);
+    Tick(far, states[1], tip, records[1]);
+    EXPECT_NEAR(Norm(records[1].Force - records[0].Force), 0.0, 1e-9) << depth << " mm deep";
+    if (i <= 50)
+    {
+      EXPECT_NEAR(records[1].NormalForce, std::min(2.0, 0.5 * depth), 1e-9) << depth << " mm deep";
+    }
+  }
+}

@@ -102,12 +102,21 @@ TEST(FarSide, IsThreeRadiiAwayOnAnEvenRamp)
   EXPECT_NEAR(far.Evenness, 1.0, 1e-12);
 }
 
-TEST(FarSide, EndsAtTheBorder)
+// The samples do not tell what is beyond the border, so that a ramp is even up to there.
+TEST(FarSide, StopsAtTheBorder)
 {
   const Layers ramp([](double z) { return 100.0 * z; });
   const double last = 63.0 - Middle;
-  EXPECT_NEAR(ramp.Find(last - 1.0).Ahead, 100.0 * last, 1e-9);
-  EXPECT_EQ(ramp.Find(last - 1.0).Evenness, 0.0);
+  // Steps of half a voxel: two of them are inside, ahead or behind.
+  const FarValues far = ramp.Find(last - 1.2);
+  EXPECT_NEAR(far.Ahead, 100.0 * (last - 0.2), 1e-9);
+  EXPECT_NEAR(far.Behind, 100.0 * (last - 1.2 - 3.0 * Radius), 1e-9);
+  EXPECT_NEAR(far.Evenness, 1.0, 1e-12);
+  EXPECT_NEAR(ramp.Find(1.2 - Middle).Behind, 100.0 * (0.2 - Middle), 1e-9);
+  // Nor is there another edge than the one inside.
+  const Layers edge([&](double z) { return 1000.0 * Phi(z - last + 1.0); });
+  EXPECT_NEAR(edge.Find(last - 1.0).Behind, 0.0, 1000.0 * Tolerance);
+  EXPECT_NEAR(edge.Find(last - 1.0).Ahead, edge.Value(last), 1e-9);
 }
 
 TEST(FarSide, IsFiniteWhateverTheSamplesAre)

@@ -26,9 +26,9 @@ struct Walk
   double Far;    ///< the value found so far
   double Last;   ///< V at the last sample
   double Valley; ///< Far where the rise was smallest since the largest one
+  double Rise;   ///< of V along the gradient in this step; before the first one, the gradient's
   double Weight = 1.0;
   double Change = 0.0; ///< of V in this step
-  double Rise = 0.0;   ///< the same, positive along the gradient
   double Largest = 0.0;
   double Smallest = 0.0; ///< since the largest one
 
@@ -63,21 +63,38 @@ FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vec
   const Vector3 step = part * reach;
   const double sign = isDescending ? -1.0 : 1.0;
   const double start = field.Value(index);
-  Walk ahead{ start, start, start };
-  Walk behind{ start, start, start };
+  Walk ahead{ start, start, start, part * rise };
+  Walk behind{ start, start, start, part * rise };
   double evenness = 0.0;
+  bool goesAhead = true;
+  bool goesBehind = true;
   for (int j = 1; j <= FarSide::MostSteps; ++j)
   {
-    const ValuePair values = field.Values(index, static_cast<double>(j) * step);
-    ahead.Step(values.Ahead, sign);
-    behind.Step(values.Behind, -sign);
+    const Vector3 offset = static_cast<double>(j) * step;
+    goesAhead = goesAhead && field.IsInside(index + offset);
+    goesBehind = goesBehind && field.IsInside(index - offset);
+    const ValuePair values = field.Values(index, offset);
+    if (goesAhead)
+    {
+      ahead.Step(values.Ahead, sign);
+    }
+    if (goesBehind)
+    {
+      behind.Step(values.Behind, -sign);
+    }
     const double most = std::max(part * rise, std::max(ahead.Largest, behind.Largest));
     const double inverse = most > LeastRise ? 1.0 / most : 0.0;
-    ahead.Add(inverse);
-    behind.Add(inverse);
+    if (goesAhead)
+    {
+      ahead.Add(inverse);
+    }
+    if (goesBehind)
+    {
+      behind.Add(inverse);
+    }
     evenness = std::min(ahead.Weight, behind.Weight) *
       std::max(0.0, std::min(ahead.Rise, behind.Rise) * inverse);
-    if (ahead.Weight == 0.0 && behind.Weight == 0.0)
+    if ((!goesAhead || ahead.Weight == 0.0) && (!goesBehind || behind.Weight == 0.0))
     {
       break;
     }

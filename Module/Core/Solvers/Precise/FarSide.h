@@ -24,7 +24,12 @@
  * the ramp is flat. v_j falls from 1, at (a_j - l)/m = FarSide::Rise, to 0 at FarSide::NextEdge: if
  * another edge begins, F is the value between the two, so that the skull is not read through the
  * scalp. On an edge that is blurred by a Gaussian of 0.5 to 2 voxels (with the default radius of 2)
- * F is the plateau's value within 2.5 % of the edge's height.
+ * F is the plateau's value within 2.5 % of the edge's height. At the border of the volume the walk
+ * of a side stops, as if V went on beyond it as before: an even ramp is one up to the border.
+ *
+ * An even ramp leads nowhere: there the values are those of the kernel, a radius to either side of
+ * each position, as if MaterialPlacement were Kernel; between an edge and an even ramp they are
+ * blended.
  *
  * ## Along a surface
  *
@@ -74,6 +79,16 @@ constexpr double WalkInterval = 0.5;
 ///@}
 /** The least share of its height by which an edge stays the same. */
 constexpr double SharedHeight = 0.3;
+/** A ramp that is less even than this is an edge. */
+constexpr double EdgeEvenness = 0.5;
+/** More than 1, so that rounding and interpolation do not make an edge of an even ramp. */
+constexpr double MostEvenness = 1.1;
+
+/** From 0 for an edge to 1 for an even ramp, on which there is none. */
+inline double FindEvenShare(const FarValues& far) noexcept
+{
+  return std::clamp(MostEvenness * (far.Evenness - EdgeEvenness) / (1.0 - EdgeEvenness), 0.0, 1.0);
+}
 } // namespace FarSide
 
 /**

@@ -25,10 +25,6 @@ constexpr double EdgeTolerance = 1e-3;
 constexpr double EdgeWidth = 0.5;
 /** N; how steeply it gains it at the beginning, per share of EdgeWidth. */
 constexpr double EdgeStrength = 20.0;
-/** A ramp that is less even than this is an edge. */
-constexpr double EdgeEvenness = 0.5;
-/** More than 1, so that rounding and interpolation do not make an edge of an even ramp. */
-constexpr double MostEvenness = 1.1;
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
 double AtEdge(const MaterialPoint& point, double value, bool isDescending) noexcept
@@ -58,8 +54,7 @@ double GradedStrength(
   const double middle = 0.5 * (point.SurfaceValue + point.MediumValue);
   const double height = std::abs(point.SurfaceValue - point.MediumValue);
   const double above = isDescending ? middle - inside : inside - middle;
-  const double even =
-    std::clamp(MostEvenness * (point.Far.Evenness - EdgeEvenness) / (1.0 - EdgeEvenness), 0.0, 1.0);
+  const double even = FarSide::FindEvenShare(point.Far);
   const double past =
     std::clamp(std::max(0.0, above) / std::max(EdgeWidth * height, 1e-300) + even, 0.0, 1.0);
   const double share = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
@@ -144,12 +139,18 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& s
     const double rise = this->FindRise(surface);
     point.Far =
       FindFarSide(baked.Field, index, surface.Reach, baked.Kernel.Radius, rise, isDescending);
-    if (share < 1.0)
+    const double edge = share * (1.0 - FarSide::FindEvenShare(point.Far));
+    if (edge < 1.0)
     {
       const ValuePair nearby = baked.Field.Values(index, surface.Reach);
-      point.Far.Ahead = nearby.Ahead + share * (point.Far.Ahead - nearby.Ahead);
-      point.Far.Behind = nearby.Behind + share * (point.Far.Behind - nearby.Behind);
+      point.Far.Ahead = nearby.Ahead + edge * (point.Far.Ahead - nearby.Ahead);
+      point.Far.Behind = nearby.Behind + edge * (point.Far.Behind - nearby.Behind);
     }
+  }
+  if (FarSide::FindEvenShare(point.Far) >= 1.0)
+  {
+    point.FarLasts = lasts;
+    return baked.Field.Values(index, surface.Reach);
   }
   if (!isAlike || !IsSameEdge(*before, point.Far))
   {
