@@ -545,7 +545,8 @@ bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double posit
   const auto& labels = this->Internals->Labels;
   const vtkIdType row = labels.List.FindRow(label);
   const vtkIdType first = labels.List.GetFirstRow();
-  if (!position || row < first || row >= first + labels.List.GetVisibleRows())
+  if (!position || !labels.List.IsCounted() || row < first ||
+    row >= first + labels.List.GetVisibleRows())
   {
     return false;
   }
@@ -564,7 +565,7 @@ bool vtkHapticFunctionEditor::GetSliderPosition(int function, double value, doub
 {
   const auto& labels = this->Internals->Labels;
   if (!position || function < STIFFNESS || function > SURFACE_STRENGTH ||
-    !labels.List.GetSelected())
+    !labels.List.IsCounted() || !labels.List.GetSelected())
   {
     return false;
   }

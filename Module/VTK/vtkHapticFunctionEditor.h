@@ -254,7 +254,8 @@ public:
   /**
    * The position on the display (pixels) of a label's name or one of its boxes, and of a value on
    * the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after a render. False if it
-   * is not shown: the label is scrolled away, or none is selected.
+   * is not shown: the label is scrolled away, none is selected, or the image is another one or has
+   * changed since the render.
    */
   bool GetLabelPosition(int label, int part, double position[2]) VTK_SIZEHINT(position, 2);
   bool GetSliderPosition(int function, double value, double position[2]) VTK_SIZEHINT(position, 2);

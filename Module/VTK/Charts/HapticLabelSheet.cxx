@@ -110,7 +110,9 @@ void HapticLabelSheet::Turn(int x, int y, double steps)
   {
     const double end = this->List.GetEnd(part.Quantity);
     const double before = std::max(0.0, this->List.GetValue(part.Quantity));
-    this->List.SetValue(part.Quantity, std::clamp(before + steps * end / SliderSteps, 0.0, end));
+    // A program may have set a value beyond the largest end.
+    const double after = before + steps * end / SliderSteps;
+    this->List.SetValue(part.Quantity, std::clamp(after, 0.0, std::max(end, before)));
   }
   else
   {

@@ -102,8 +102,17 @@ void TestImages(LabelView& view)
   const auto image = MakeSlices(VTK_UNSIGNED_CHAR, { 1, 2 });
   view.Shown->SetLabelData(image);
   view.Check(view.Lists({ 1, 2, 7 }), "another image");
+  view.Window->Render();
+  double at[2];
+  view.Check(view.Shown->SelectLabel(2) &&
+      view.Shown->GetLabelPosition(2, Editor::LABEL_NAME, at) &&
+      view.Shown->GetSliderPosition(Editor::FRICTION, 0.5, at),
+    "positions in the list");
   image->GetPointData()->GetScalars()->SetComponent(0, 0, 9.0);
   image->Modified();
+  view.Check(!view.Shown->GetLabelPosition(2, Editor::LABEL_NAME, at) &&
+      !view.Shown->GetSliderPosition(Editor::FRICTION, 0.5, at),
+    "no positions in a list that is out of date");
   view.Check(view.Lists({ 1, 2, 7, 9 }), "an image that has changed");
   view.Shown->SetLabelData(vtkSmartPointer<vtkImageData>::New());
   view.Check(view.Lists({}), "an empty image");
@@ -161,6 +170,11 @@ void TestMaterials(LabelView& view)
   const Place strength = view.AtSlider(Editor::SURFACE_STRENGTH, 1.0);
   view.Check(editor->TurnWheel(-2.0, strength[0], strength[1]), "the wheel on a slider");
   view.Check(table->GetSurfaceStrength(5) == 8.0 - 2.0 * 10.0 / 200.0, "moves it by two steps");
+  // The program sets a value beyond the largest end of a slider, 100.
+  table->SetSurfaceStrength(5, 500.0);
+  editor->TurnWheel(-2.0, strength[0], strength[1]);
+  view.Check(table->GetSurfaceStrength(5) == 500.0 - 2.0 * 100.0 / 200.0,
+    "a value beyond the end goes on from where it is");
 
   before = table->GetMTime();
   const Place slider = view.AtSlider(Editor::STIFFNESS, 900.0);
