@@ -122,6 +122,10 @@ void* Open(int number)
   device->Id = static_cast<char>(id);
   device->HasWrist = dhdHasWrist(device->Id);
   device->MaximumTorque = LimitsOf(dhdGetSystemType(device->Id)).MaximumTorque;
+  if (dhdHasActiveGripper(device->Id))
+  {
+    dhdEmulateButton(DHD_ON, device->Id); // a closed gripper is the button 0
+  }
   if (drdIsInitialized(device->Id) && dhdEnableForce(DHD_ON, device->Id) < 0)
   {
     OpenError() = Explain("does not switch its force on", "Look after its cable and power.");

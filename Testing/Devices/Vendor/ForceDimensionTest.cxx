@@ -132,6 +132,26 @@ TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
   EXPECT_NEAR(handle.Z, 0.0, 1e-9);
 }
 
+TEST_F(ForceDimension, AClosedGripperIsItsButton)
+{
+  this->With([](FakeForceDimension& fake) { fake.HasGripper = fake.IsGripperClosed = true; });
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  const auto has = [&](unsigned buttons)
+  {
+    return Eventually(
+      [&]
+      {
+        DeviceSample sample;
+        return this->Bench.Device->Read(0.001, sample) == DeviceState::Running &&
+          sample.Buttons == buttons;
+      });
+  };
+  EXPECT_TRUE(has(1u));
+  this->With([](FakeForceDimension& fake) { fake.IsGripperClosed = false; });
+  EXPECT_TRUE(has(0u));
+}
+
 TEST_F(ForceDimension, FindsItsZeroOnlyWhenTheUserSaysSo)
 {
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = false; });

@@ -203,10 +203,29 @@ extern "C"
     return fake && fake->HasWrist;
   }
 
+  bool dhdHasActiveGripper(char ID)
+  {
+    const Opened fake(ID);
+    return fake && fake->HasGripper;
+  }
+
+  int dhdEmulateButton(uchar val, char ID)
+  {
+    const Opened fake(ID);
+    if (!fake || !fake->HasGripper)
+    {
+      lastError = "feature not available";
+      return -1;
+    }
+    fake->EmulatesButton = val == DHD_ON;
+    return 0;
+  }
+
   uint dhdGetButtonMask(char ID)
   {
     const Opened fake(ID);
-    return fake ? fake->Buttons : 0;
+    const bool isEmulated = fake && fake->EmulatesButton && fake->IsGripperClosed;
+    return fake ? fake->Buttons | (isEmulated ? 1u : 0u) : 0u;
   }
 
   int dhdGetPosition(double* px, double* py, double* pz, char ID)

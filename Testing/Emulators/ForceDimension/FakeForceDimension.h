@@ -26,6 +26,9 @@ struct FakeForceDimension
   int Count = 1;
   int Type = 34; ///< an omega.6
   bool HasWrist = true;
+  bool HasGripper = false;
+  bool IsGripperClosed = false;
+  bool EmulatesButton = false; ///< the gripper's, which it does only if it is told to
   bool IsOpen = false;
   bool IsInitialised = true;
   bool HasPower = true;

@@ -41,6 +41,8 @@ extern "C"
   int dhdGetStatus(int status[DHD_MAX_STATUS], char ID = -1);
   int dhdEnableForce(uchar val, char ID = -1);
   bool dhdHasWrist(char ID = -1);
+  bool dhdHasActiveGripper(char ID = -1);
+  int dhdEmulateButton(uchar val, char ID = -1);
   uint dhdGetButtonMask(char ID = -1);
   int dhdGetPosition(double* px, double* py, double* pz, char ID = -1);
   int dhdGetPositionAndOrientationFrame(
