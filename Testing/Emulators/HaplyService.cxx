@@ -157,6 +157,7 @@ struct HaplyService::Server
   std::array<double, 4> Grip{ 1.0, 0.0, 0.0, 0.0 };
   bool IsPressed = false;
   bool IsCalibrated = true;
+  bool IsReady = true;
   bool IsPlugged = true;
   Triple Place{};
   double Scale = 1.0;
@@ -256,14 +257,20 @@ struct HaplyService::Server
       { "current_cursor_force", write.Vector(force) }, { "control_mode", "\"idle\"" } };
     if (this->Fault != HaplyFault::Blind)
     {
-      state.insert(state.begin(), { "cursor_position", write.Vector(tip) });
+      state.insert(state.begin(),
+        { "cursor_position",
+          this->Fault == HaplyFault::NoNumber ? R"({"x":0.0,"y":null,"z":0.0})"
+                                              : write.Vector(tip) });
     }
     if (this->IsNew())
     {
       state.emplace_back("transform",
         write.Object({ { "position", write.Vector(this->Place) },
           { "rotation", write.Turn({ 1.0, 0.0, 0.0, 0.0 }) },
-          { "scale", write.Vector({ this->Scale, this->Scale, this->Scale }, 1.0) } }));
+          { "scale",
+            this->Fault == HaplyFault::NoScale
+              ? R"({"x":null})"
+              : write.Vector({ this->Scale, this->Scale, this->Scale }, 1.0) } }));
     }
     Members arm;
     if (hasConfig)
@@ -274,11 +281,21 @@ struct HaplyService::Server
           { "handedness", "\"right\"" } }));
     }
     arm.emplace_back("state", write.Object(state));
-    // Told in full: a missing flag is not a default that the documentation states.
-    const auto flag = [](bool value) { return std::string(value ? "true" : "false"); };
-    arm.emplace_back("status",
-      write.Object({ { "calibrated", flag(this->IsCalibrated) }, { "in_use", flag(isInUse) },
-        { "power_supply", "true" }, { "ready", "true" }, { "started", "true" } }));
+    // Told in full or not: a missing flag is not a default that the documentation states.
+    Members status;
+    for (const auto& [name, value] : { std::pair("calibrated", this->IsCalibrated),
+           std::pair("in_use", isInUse), std::pair("power_supply", true),
+           std::pair("ready", this->IsReady), std::pair("started", true) })
+    {
+      if (value || !this->Shape.OmitsFalseFlags)
+      {
+        status.emplace_back(name, value ? "true" : "false");
+      }
+    }
+    if (hasConfig || this->Shape.HasStatus)
+    {
+      arm.emplace_back("status", write.Object(status));
+    }
     return arm;
   }
   bool IsInUse(const std::string& arm) const
@@ -286,7 +303,8 @@ struct HaplyService::Server
     return std::any_of(this->Sessions.begin(), this->Sessions.end(),
       [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
   }
-  std::string MakeMessage(bool hasConfig, bool isCentred)
+  /// `number` is that of the message that it answers.
+  std::string MakeMessage(bool hasConfig, bool isCentred, std::size_t number = 0)
   {
     this->Step();
     const Writer& write = this->Write;
@@ -295,6 +313,7 @@ struct HaplyService::Server
     {
       tip[a] += this->Offset[a] + (isCentred ? 0.0 : BaseToMiddle[a]);
     }
+    tip[0] += static_cast<double>(number) * this->Shape.NumberScale;
     std::vector<std::pair<std::string, Members>> arms{ { Other,
       this->MakeArm(hasConfig, { 0.3, 0.3, 0.3 }, {}, this->IsInUse(Other)) } };
     if (this->IsPlugged)
@@ -359,9 +378,9 @@ struct HaplyService::Server
       const std::string text = beast::buffers_to_string(buffer.data());
       std::unique_lock<std::mutex> lock(this->Mutex);
       this->Take(text, session, isCentred);
-      std::string state = this->MakeMessage(false, isCentred);
+      std::string state =
+        this->MakeMessage(false, isCentred, this->Sessions[session].Forces.size());
       const HaplyFault fault = this->Fault;
-      this->Sessions[session].States += fault == HaplyFault::Silent ? 0 : 1;
       lock.unlock();
       if (fault == HaplyFault::Slow)
       {
@@ -370,6 +389,10 @@ struct HaplyService::Server
       if (fault != HaplyFault::Silent)
       {
         state = fault == HaplyFault::Junk ? state.substr(0, state.size() / 2) : state;
+        stream.write(asio::buffer(state));
+      }
+      if (fault == HaplyFault::Twice)
+      {
         stream.write(asio::buffer(state));
       }
     }
@@ -413,7 +436,7 @@ struct HaplyService::Server
       body = "{\"project_name\":\"haply-inverse-service\",\"git_tag\":\"" + this->Shape.Version +
         "\",\"project_version\":\"" + this->Shape.Version + ".0\"}";
     }
-    else if (target == this->Prefix() + "/devices")
+    else if (target == this->Prefix() + "/devices" && this->Shape.HasDeviceList)
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       body = this->MakeMessage(true, false);
@@ -527,6 +550,12 @@ void HaplyService::SetCalibrated(bool isCalibrated)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
   this->All->IsCalibrated = isCalibrated;
+}
+
+void HaplyService::SetReady(bool isReady)
+{
+  const std::lock_guard<std::mutex> lock(this->All->Mutex);
+  this->All->IsReady = isReady;
 }
 
 void HaplyService::Unplug()

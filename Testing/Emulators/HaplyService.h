@@ -39,15 +39,23 @@ struct HaplyShape
   bool OmitsDefaults = false; ///< numbers that have their default, and buttons that are not pressed
   bool IsReordered = false;   ///< members of objects in the other order
   bool HasEvents = true;
+  bool HasDeviceList = true;    ///< by HTTP
+  bool OmitsFalseFlags = false; ///< of a status
+  bool HasStatus = true;        ///< in states, too; else in the inventory only
+  /** The x of a position (m) is this times the number of the session's message that it answers. */
+  double NumberScale = 0.0;
 };
 
 enum class HaplyFault
 {
   None,
-  Silent, ///< it takes messages and answers none
-  Slow,   ///< each state comes after 60 ms
-  Junk,   ///< its states are no JSON
-  Blind   ///< its states have no position
+  Silent,   ///< it takes messages and answers none
+  Slow,     ///< each state comes after 60 ms
+  Junk,     ///< its states are no JSON
+  Blind,    ///< its states have no position
+  NoNumber, ///< a coordinate is NaN, as nlohmann's library writes it: null
+  NoScale,  ///< so is one of the transform
+  Twice     ///< it answers each message twice
 };
 
 /** All that the service saw of a session. */
@@ -57,7 +65,6 @@ struct HaplySession
   std::string Arm;            ///< that it commands
   std::vector<Triple> Forces; ///< of each message, N
   int Refused = 0;            ///< messages that it did not understand
-  int States = 0;             ///< that it sent as answers
   bool IsOpen = true;
 };
 
@@ -91,6 +98,7 @@ public:
   Triple GetForce();
 
   void SetCalibrated(bool isCalibrated);
+  void SetReady(bool isReady);
   void Unplug();
   /** The session's transform, as a program of the Hub sets it: its position (m) and its scale. */
   void SetTransform(const Triple& position, double scale);

@@ -30,6 +30,7 @@ constexpr int IdleWait = 2; // ms, between messages if the servo gives no force
 constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
 constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond; // as HardwareExchange::WatchdogTime
 constexpr int LostWait = 10;                                    // ms
+constexpr int MostStates = 1000; // that lie there at a time; some seconds of them
 
 constexpr const char* HowToStart =
   "Start Haply's Hub, or the service itself (on Linux: systemctl start haply-inverse-service). If "
@@ -180,6 +181,8 @@ bool HaplyDriver::Greet(std::string& error)
   this->Address.Family = arm->Family;
   this->Address.Id = arm->Id;
   this->IsLost = this->IsReady = this->IsRelieved = this->HasTip = false;
+  this->IsCalibrated = this->IsArmReady = false;
+  this->TakeFlags(*arm);
   this->Settled = this->EmptyWaits = 0;
   this->Transform = {};
   this->Note.clear();
@@ -310,43 +313,60 @@ void HaplyDriver::TakeStates(HardwareExchange& exchange)
 {
   const std::int64_t end = ServoClock::Now() + StateWait;
   ++this->EmptyWaits;
-  while (this->Awaited > 0 && !this->IsLost)
+  int taken = 0;
+  for (bool hasMore = true; hasMore;)
   {
-    switch (this->States.Receive(this->Text, end))
+    switch (this->States.Receive(this->Text, taken == 0 ? end : 0))
     {
       case WebSocketClient::Outcome::Closed:
         return this->Lose(exchange,
           "is gone: the Inverse service ended or closed the connection. Start it, then Home() and "
           "Arm() again.");
       case WebSocketClient::Outcome::Nothing:
-        return;
+        hasMore = false;
+        break;
       case WebSocketClient::Outcome::Message:
+        this->Awaited = std::max(0, this->Awaited - 1);
+        if (++taken > MostStates)
+        {
+          return this->Lose(exchange,
+            std::string("is gone: the Inverse service sends states without end.") + AfterLoss);
+        }
+        this->Newest.swap(this->Text);
         break;
     }
-    --this->Awaited;
-    if (const char* const fault = ReadHaplyMessage(this->Text, this->Message))
-    {
-      return this->Lose(
-        exchange, std::string("is gone: the Inverse service ") + fault + "." + AfterLoss);
-    }
-    if (this->Awaited == 0 && !this->IsRelieved)
-    {
-      exchange.NoteTaken();
-    }
-    for (const HaplyArm& arm : this->Message.Arms)
-    {
-      if (arm.Id == this->Id)
-      {
-        this->TakeState(exchange, arm);
-        break;
-      }
-    }
+  }
+  if (taken == 0)
+  {
+    return;
+  }
+  if (const char* const fault = ReadHaplyMessage(this->Newest, this->Message))
+  {
+    return this->Lose(
+      exchange, std::string("is gone: the Inverse service ") + fault + "." + AfterLoss);
+  }
+  if (this->Awaited == 0 && !this->IsRelieved)
+  {
+    exchange.NoteTaken();
+  }
+  const auto arm = std::find_if(this->Message.Arms.begin(), this->Message.Arms.end(),
+    [this](const HaplyArm& one) { return one.Id == this->Id; });
+  if (arm != this->Message.Arms.end())
+  {
+    this->TakeState(exchange, *arm);
   }
 }
 
 void HaplyDriver::TakeState(HardwareExchange& exchange, const HaplyArm& arm)
 {
-  if (!arm.Position || !IsFinite(*arm.Position))
+  if (arm.IsSpoilt || (arm.Position && !IsFinite(*arm.Position)))
+  {
+    return this->Lose(exchange,
+      std::string("is gone: the Inverse service tells its position in something else than "
+                  "numbers.") +
+        AfterLoss);
+  }
+  if (!arm.Position)
   {
     return;
   }
@@ -398,10 +418,17 @@ void HaplyDriver::TakeGrips(DeviceSample& sample) const
   }
 }
 
+void HaplyDriver::TakeFlags(const HaplyArm& arm)
+{
+  this->IsCalibrated = arm.IsCalibrated.value_or(this->IsCalibrated);
+  this->IsArmReady = arm.IsReady.value_or(this->IsArmReady);
+}
+
 void HaplyDriver::FollowStatus(HardwareExchange& exchange, const HaplyArm& arm)
 {
-  const bool isCalibrated = arm.IsCalibrated.value_or(true);
-  const bool isReady = arm.IsReady.value_or(true);
+  this->TakeFlags(arm);
+  const bool isCalibrated = this->IsCalibrated;
+  const bool isReady = this->IsArmReady;
   if (this->IsReady && (!isCalibrated || !isReady))
   {
     return this->Lose(exchange,

@@ -6,8 +6,12 @@
  *
  * The service answers each message with one state. The thread of the device sends one when the
  * servo gives a force, or after 2 ms without one, and waits for its state: so the servo sets the
- * pace, it never waits, and never is more than one message under way. If a state takes longer than
- * the servo's watchdog, one message of zero force follows; when both are answered, work goes on.
+ * pace, and it never waits. At most one message waits for its state, and after the time of the
+ * servo's watchdog one more, with zero force; when both are answered, work goes on. If more states
+ * come than were asked for, the newest one counts, so that positions never fall behind.
+ *
+ * The arm is ready after the service has told that it is calibrated and ready. A flag that is left
+ * out stays as it was told last.
  *
  * The first message and the last one have zero force. The documentation says that a force holds for
  * a tick and that a device becomes idle if no more come, but neither after how long, nor what
@@ -87,6 +91,8 @@ private:
   void TakeState(HardwareExchange& exchange, const HaplyArm& arm);
   void TakeGrips(DeviceSample& sample) const;
   void TakeEvents(HardwareExchange& exchange);
+  /** Keeps those that are not told. */
+  void TakeFlags(const HaplyArm& arm);
   void FollowStatus(HardwareExchange& exchange, const HaplyArm& arm);
   void CheckSilence(HardwareExchange& exchange);
   void Rest() noexcept;
@@ -108,8 +114,14 @@ private:
 
   HaplyMessage Message; ///< the last one
   std::string Text;
+  std::string Newest; ///< state, as text
   bool IsLost = false;
-  bool IsReady = false;    ///< the device may give force
+  bool IsReady = false; ///< the device may give force
+  ///@{
+  /** As the service told it last; false until it does. */
+  bool IsCalibrated = false;
+  bool IsArmReady = false;
+  ///@}
   bool IsRelieved = false; ///< a message of zero force follows one that waits for its state
   int Awaited = 0;         ///< messages without a state
   std::int64_t SentAt = 0;

@@ -13,7 +13,7 @@ namespace
 
 constexpr double ListTime = 0.5; // s
 
-/** What the service has now. */
+/** Asks the service for its devices. */
 bool FindHaplys(HaplyMessage& message, std::string& error)
 {
   HaplyPorts ports;
@@ -44,21 +44,20 @@ std::vector<DeviceListing> ListHaplys()
     for (const HaplyArm& arm : message.Arms)
     {
       const char* const state = arm.IsInUse.value_or(false) ? "in use"
-        : !arm.IsCalibrated.value_or(true) ? "not calibrated: put its handle into the inkwell"
-                                           : "available";
+        : !arm.IsCalibrated.value_or(false) ? "not calibrated: put its handle into the inkwell"
+                                            : "available";
       all.push_back({ "haply:" + arm.Id, NameOfHaply(arm), state, "haply:" + arm.Id });
     }
   }
   return all;
 }
 
-/** What keeps this computer from having one: mostly that the service does not run. */
+/** The reason why this computer has none: mostly that the service does not run. */
 std::string WhyNoHaplys()
 {
-  HaplyPorts ports;
-  HaplyVersion version;
+  HaplyMessage message;
   std::string error;
-  return HaplyPorts::Read(ports, error) && FindHaplyService(ports, version, error) ? "" : error;
+  return FindHaplys(message, error) ? "" : error;
 }
 
 std::unique_ptr<DeviceBackend> MakeHaply(

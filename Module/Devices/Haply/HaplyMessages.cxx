@@ -44,61 +44,67 @@ const Json& At(const Json& object, const char* name)
   return Nothing;
 }
 
-double Number(const Json& object, const char* name, double missing)
-{
-  const Json& value = At(object, name);
-  return value.is_number() ? value.get<double>() : missing;
-}
-
 std::string Text(const Json& object, const char* name)
 {
   const Json& value = At(object, name);
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
+///@{
+/** Keep the value if it is left out. False if it is there and is something else. */
+bool Take(const Json& object, const char* name, bool& value)
+{
+  const auto found = object.find(name);
+  const bool isThere = found != object.end();
+  value = isThere && found->is_boolean() ? found->get<bool>() : value;
+  return !isThere || found->is_boolean();
+}
+
+bool Take(const Json& object, const char* name, double& value)
+{
+  const auto found = object.find(name);
+  const bool isThere = found != object.end();
+  value = isThere && found->is_number() ? found->get<double>() : value;
+  return !isThere || found->is_number();
+}
+
+bool Take(const Json& object, const char* name, Vector3& value)
+{
+  const auto found = object.find(name);
+  return found == object.end() ||
+    (found->is_object() && Take(*found, "x", value.X) && Take(*found, "y", value.Y) &&
+      Take(*found, "z", value.Z));
+}
+
+bool Take(const Json& object, const char* name, Quaternion& value)
+{
+  const auto found = object.find(name);
+  return found == object.end() ||
+    (found->is_object() && Take(*found, "w", value.W) && Take(*found, "x", value.X) &&
+      Take(*found, "y", value.Y) && Take(*found, "z", value.Z));
+}
+
+bool Take(const Json& object, const char* name, HaplyTransform& value)
+{
+  const auto found = object.find(name);
+  return found == object.end() ||
+    (found->is_object() && Take(*found, "position", value.Position) &&
+      Take(*found, "rotation", value.Rotation) && Take(*found, "scale", value.Scale));
+}
+///@}
+
+/** Nothing if it is left out, or is something else. */
+template <typename Value>
+std::optional<Value> Told(const Json& object, const char* name)
+{
+  Value value{};
+  return !At(object, name).is_null() && Take(object, name, value) ? std::optional<Value>(value)
+                                                                  : std::nullopt;
+}
+
 bool Flag(const Json& object, const char* name, bool missing)
 {
-  const Json& value = At(object, name);
-  return value.is_boolean() ? value.get<bool>() : missing;
-}
-
-std::optional<bool> Told(const Json& object, const char* name)
-{
-  const Json& value = At(object, name);
-  return value.is_boolean() ? std::optional<bool>(value.get<bool>()) : std::nullopt;
-}
-
-std::optional<Vector3> Vector(const Json& object, const char* name)
-{
-  const Json& value = At(object, name);
-  if (!value.is_object())
-  {
-    return std::nullopt;
-  }
-  return Vector3{ Number(value, "x", 0.0), Number(value, "y", 0.0), Number(value, "z", 0.0) };
-}
-
-std::optional<Quaternion> Turn(const Json& object, const char* name)
-{
-  const Json& value = At(object, name);
-  if (!value.is_object())
-  {
-    return std::nullopt;
-  }
-  return Quaternion{ Number(value, "w", 1.0), Number(value, "x", 0.0), Number(value, "y", 0.0),
-    Number(value, "z", 0.0) };
-}
-
-std::optional<HaplyTransform> ReadTransform(const Json& transform)
-{
-  if (!transform.is_object())
-  {
-    return std::nullopt;
-  }
-  const Json& scale = At(transform, "scale");
-  return HaplyTransform{ Vector(transform, "position").value_or(Vector3{}),
-    Turn(transform, "rotation").value_or(Quaternion{}),
-    { Number(scale, "x", 1.0), Number(scale, "y", 1.0), Number(scale, "z", 1.0) } };
+  return Told<bool>(object, name).value_or(missing);
 }
 
 HaplyArm ReadArm(const Json& device, const char* family)
@@ -111,14 +117,16 @@ HaplyArm ReadArm(const Json& device, const char* family)
   arm.Type = Text(config, "type");
   arm.Type = arm.Type.empty() ? family : arm.Type;
   arm.Handedness = Text(config, "handedness");
-  arm.Position = Vector(state, "cursor_position");
-  arm.Velocity = Vector(state, "cursor_velocity");
-  arm.Force = Vector(state, "current_cursor_force");
-  arm.Orientation = Turn(state, "body_orientation");
-  arm.Transform = ReadTransform(At(state, "transform"));
-  arm.IsCalibrated = Told(status, "calibrated");
-  arm.IsReady = Told(status, "ready");
-  arm.IsInUse = Told(status, "in_use");
+  arm.Position = Told<Vector3>(state, "cursor_position");
+  arm.Velocity = Told<Vector3>(state, "cursor_velocity");
+  arm.Force = Told<Vector3>(state, "current_cursor_force");
+  arm.Orientation = Told<Quaternion>(state, "body_orientation");
+  arm.Transform = Told<HaplyTransform>(state, "transform");
+  arm.IsSpoilt = (!arm.Position && !At(state, "cursor_position").is_null()) ||
+    (!arm.Transform && !At(state, "transform").is_null());
+  arm.IsCalibrated = Told<bool>(status, "calibrated");
+  arm.IsReady = Told<bool>(status, "ready");
+  arm.IsInUse = Told<bool>(status, "in_use");
   return arm;
 }
 
@@ -127,7 +135,7 @@ HaplyGrip ReadGrip(const Json& device, const char*)
   const Json& state = At(device, "state");
   const Json& buttons = At(state, "buttons");
   HaplyGrip grip;
-  grip.Orientation = Turn(state, "orientation");
+  grip.Orientation = Told<Quaternion>(state, "orientation");
   grip.IsAwake = Flag(At(device, "status"), "awake", true);
   grip.Buttons = Flag(state, "button", false) || Flag(buttons, "a", false) ? 1U : 0U;
   std::uint32_t bit = 1U;

@@ -11,8 +11,9 @@
  * The service sends a message for each one that it gets. Fields come in any order. A field that has
  * its default may be missing: a number is then 0, the w of an orientation 1, a button not pressed.
  * A position that is missing as a whole counts as not told, because the documentation says so of
- * the parts of a transform only. Services of 3.0 have maps from identifiers to devices where later
- * ones have lists.
+ * the parts of a transform only. A coordinate that is there and is no number has no default: its
+ * vector counts as not told, and an arm's position or transform as spoilt. Services of 3.0 have
+ * maps from identifiers to devices where later ones have lists.
  *
  * JSON is read by nlohmann's library: headers only, and nested input does not recurse. VTK's
  * jsoncpp is of no use here: this room does not know VTK, whose copy has other names in Debian than
@@ -60,6 +61,8 @@ struct HaplyArm
   std::optional<Vector3> Force;          ///< N: the one that the service commands
   std::optional<Quaternion> Orientation; ///< of its body
   std::optional<HaplyTransform> Transform;
+  /** The position or the transform is there, but not in numbers: NaN is written as null. */
+  bool IsSpoilt = false;
   ///@{
   /** Only if it is told. */
   std::optional<bool> IsCalibrated;

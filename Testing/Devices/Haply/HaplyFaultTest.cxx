@@ -16,7 +16,7 @@ class HaplyFaults : public HaplyTest
 protected:
   void SetUp() override
   {
-    this->Serve();
+    this->Serve(Numbered());
     ASSERT_NO_FATAL_FAILURE(this->Open());
     ASSERT_NO_FATAL_FAILURE(this->Feel());
   }
@@ -79,13 +79,33 @@ TEST_F(HaplyFaults, TheServiceIsSlow)
       this->Bench->Arm();
     },
     [] {}, [&] { return this->IsHeld(); }));
-  const HaplySession session = this->LastSession();
-  EXPECT_TRUE(Eventually(
-    [&]
-    {
-      const HaplySession now = this->LastSession();
-      return now.States >= static_cast<int>(now.Forces.size()) - 1;
-    }));
+  this->Bench.Stop();
+  EXPECT_TRUE(Eventually([&] { return this->CountBehind() < 1.5; }));
+}
+
+TEST_F(HaplyFaults, TheServiceAnswersTwice)
+{
+  this->Bench.Stop();
+  const std::size_t before = this->LastSession().Forces.size();
+  this->Service->Break(HaplyFault::Twice);
+  ASSERT_TRUE(Eventually([&] { return this->LastSession().Forces.size() > before + 600; }));
+  // One state too many for each of the 600: a client that takes one at a time is 300 behind.
+  EXPECT_LT(this->CountBehind(), 100.0);
+  this->Service->Break(HaplyFault::None);
+  EXPECT_TRUE(Eventually([&] { return this->CountBehind() < 1.5; })) << this->CountBehind();
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready) << this->Bench.Text();
+}
+
+TEST_F(HaplyFaults, ThePositionIsNoNumber)
+{
+  this->Service->Break(HaplyFault::NoNumber);
+  this->ExpectLost("tells its position in something else than numbers");
+}
+
+TEST_F(HaplyFaults, TheTransformIsNoNumber)
+{
+  this->Service->Break(HaplyFault::NoScale);
+  this->ExpectLost("tells its position in something else than numbers");
 }
 
 TEST_F(HaplyFaults, TheServiceSendsJunk)
@@ -112,6 +132,12 @@ TEST_F(HaplyFaults, TheCalibrationIsLost)
 {
   this->Service->SetCalibrated(false);
   this->ExpectLost("has lost its calibration");
+}
+
+TEST_F(HaplyFaults, TheArmIsNotReadyAnyMore)
+{
+  this->Service->SetReady(false);
+  this->ExpectLost("is not ready any more");
 }
 
 TEST_F(HaplyFaults, ThePositionSteps)
@@ -188,6 +214,13 @@ TEST(HaplyErrors, SayWhatToDo)
     EXPECT_EQ(MissingText(), "") << "a service that runs";
     EXPECT_TRUE(Has(ErrorOf("haply:7777"), "It has haply:049D, haply:04BA"))
       << ErrorOf("haply:7777");
+  }
+  {
+    HaplyShape listless;
+    listless.HasDeviceList = false;
+    const HaplyService service(listless);
+    EXPECT_TRUE(ListDevices().empty());
+    EXPECT_TRUE(Has(MissingText(), "Start it again")) << MissingText();
   }
   {
     shape.Version = "4.0.0";

@@ -182,10 +182,32 @@ TEST(HaplyMessages, JunkIsRefused)
     many += ",{}";
   }
   ExpectRefused(many + "]}");
-  // Of another type than expected: as if not told.
-  const HaplyArm arm = ReadState(R"({"cursor_position":"far","cursor_velocity":{"x":"fast"}})");
-  EXPECT_FALSE(arm.Position);
-  EXPECT_EQ(arm.Velocity->X, 0.0);
+}
+
+TEST(HaplyMessages, ACoordinateThatIsNoNumberIsNotZero)
+{
+  // nlohmann's library writes NaN as null.
+  for (const char* const junk : { "null", "\"fast\"", "true", "{}", "[1]" })
+  {
+    const std::string vector = std::string(R"({"x":0.1,"y":)") + junk + ",\"z\":0.2}";
+    const HaplyArm arm = ReadState(R"({"cursor_position":)" + vector + R"(,"cursor_velocity":)" +
+      vector + R"(,"body_orientation":)" + vector + "}");
+    EXPECT_FALSE(arm.Position) << junk;
+    EXPECT_FALSE(arm.Velocity) << junk;
+    EXPECT_FALSE(arm.Orientation) << junk;
+    EXPECT_TRUE(arm.IsSpoilt) << junk;
+    for (const char* const part : { "position", "rotation", "scale" })
+    {
+      const HaplyArm moved =
+        ReadState(std::string(R"({"transform":{")") + part + "\":" + vector + "}}");
+      EXPECT_FALSE(moved.Transform) << part << " " << junk;
+      EXPECT_TRUE(moved.IsSpoilt) << part << " " << junk;
+    }
+  }
+  EXPECT_TRUE(ReadState(R"({"cursor_position":"far"})").IsSpoilt);
+  EXPECT_TRUE(ReadState(R"({"transform":{"scale":2.0}})").IsSpoilt);
+  EXPECT_FALSE(ReadState(R"({"cursor_velocity":{"x":null}})").IsSpoilt) << "not used";
+  EXPECT_FALSE(ReadState(R"({"cursor_position":{},"transform":{}})").IsSpoilt);
 }
 
 TEST(HaplyMessages, EventsHaveALevelAndADevice)

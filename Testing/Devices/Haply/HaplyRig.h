@@ -61,6 +61,23 @@ protected:
     this->Bench.ExpectLost(text);
     EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   }
+  /**
+   * By how many of its messages the client's position is behind, at most one of them being under
+   * way. For services that number their positions; not while a loop runs.
+   */
+  double CountBehind()
+  {
+    const auto sent = static_cast<double>(this->LastSession().Forces.size());
+    DeviceSample sample;
+    this->Bench.Device->Read(1e-3, sample);
+    return sent - sample.Tip.X / Numbered().NumberScale;
+  }
+  static HaplyShape Numbered()
+  {
+    HaplyShape shape;
+    shape.NumberScale = 1e-7;
+    return shape;
+  }
   HaplySession LastSession() { return this->Service->GetSessions().back(); }
   Triple LastForce()
   {

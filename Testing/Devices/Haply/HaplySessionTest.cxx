@@ -16,19 +16,20 @@ namespace
 class HaplySessions : public HaplyTest
 {
 protected:
-  void FeelAndEnd(const HaplyShape& shape, double rate = 1000.0)
+  void FeelAndEnd(HaplyShape shape, double rate = 1000.0)
   {
+    shape.NumberScale = Numbered().NumberScale;
     this->Serve(shape);
     ASSERT_NO_FATAL_FAILURE(this->Open());
     ASSERT_NO_FATAL_FAILURE(this->Feel(rate));
     this->Bench.Stop();
+    EXPECT_TRUE(Eventually([&] { return this->CountBehind() < 1.5; })) << "each one has its state";
     this->Bench.Device->Close();
+    EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; })) << "the last one";
     const HaplySession session = this->LastSession();
     EXPECT_EQ(session.Refused, 0) << "all messages are as this version takes them";
     ASSERT_FALSE(session.Forces.empty());
     EXPECT_EQ(Size(session.Forces.front()), 0.0) << "the first one";
-    EXPECT_EQ(Size(session.Forces.back()), 0.0) << "the last one";
-    EXPECT_EQ(session.States, static_cast<int>(session.Forces.size())) << "one for each message";
     for (const Triple& force : session.Forces)
     {
       EXPECT_LE(Size(force), 2.0 + 1e-9);
@@ -141,6 +142,31 @@ TEST_F(HaplySessions, ItIsReadyWhenItIsCalibrated)
   this->Service->SetCalibrated(true);
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   EXPECT_EQ(this->Bench.Text(), "");
+}
+
+TEST_F(HaplySessions, ItIsReadyOnlyIfThatIsTold)
+{
+  HaplyShape shape;
+  shape.OmitsFalseFlags = true;
+  this->Serve(shape);
+  this->Service->SetCalibrated(false);
+  EXPECT_TRUE(Has(ListDevices().at(0).State, "not calibrated"));
+  ASSERT_TRUE(this->Bench.Open("haply")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("is not calibrated"));
+  this->Service->SetReady(false);
+  this->Service->SetCalibrated(true);
+  this->Bench.Device->Home(); // a new inventory
+  ASSERT_TRUE(this->Bench.WaitForText("is not ready"));
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
+  this->Service->SetReady(true);
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+}
+
+TEST_F(HaplySessions, TheInventoryTellsFlagsThatStatesLeaveOut)
+{
+  HaplyShape shape;
+  shape.HasStatus = false;
+  ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
 }
 
 TEST_F(HaplySessions, ASecondClientIsToldThatItIsInUse)
