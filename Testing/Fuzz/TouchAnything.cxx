@@ -94,7 +94,7 @@ void Deal(Dealer& dealer, Scene& scene)
   d.View.Data = scene.Samples.data();
 }
 
-/** What the baking refuses in a label image: samples that are no whole numbers become 0. */
+/** Baking refuses label samples that are no whole numbers: they become 0. */
 template <typename T>
 void MakeWhole(std::vector<char>& samples)
 {

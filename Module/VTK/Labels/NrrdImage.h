@@ -21,7 +21,7 @@
 namespace VolumeHaptics
 {
 
-/** What the header says about the samples. Positions are left-posterior-superior, as in ITK. */
+/** The samples, as the header describes them. Positions are left-posterior-superior, as in ITK. */
 struct NrrdImage
 {
   std::array<std::size_t, 3> Size{};

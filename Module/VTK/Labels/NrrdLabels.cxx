@@ -37,7 +37,7 @@ std::string Unescape(std::string_view text)
   return result;
 }
 
-/** What a header tells of one segment. */
+/** One segment, as the header describes it. */
 struct SegmentFields
 {
   std::optional<int> Layer;

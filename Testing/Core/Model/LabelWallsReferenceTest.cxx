@@ -389,7 +389,7 @@ TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
 
 TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
 {
-  // What a solver sees: on the device's axes a gradient is divided by the spacing.
+  // As a solver sees it: on the device's axes a gradient is divided by the spacing.
   const Vector3 spacing{ 0.6, 1.0, 2.5 };
   const TestVolume scalars = MakeRamp(40);
   const TestVolume volume = MakeCubes(

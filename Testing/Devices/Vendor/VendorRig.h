@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What is listed of the devices of plug-ins.
+ * The rows of the list of devices that plug-ins have.
  */
 #ifndef VendorRig_h
 #define VendorRig_h

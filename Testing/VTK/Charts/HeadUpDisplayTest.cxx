@@ -194,7 +194,7 @@ TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
   const std::string name = layer % 2 == 0 ? "\nlayer " + std::to_string(layer) + " \xC3\xB6, value"
                                           : "\nlabel " + std::to_string(layer) + ", value";
   EXPECT_NE(this->Display->GetText().find(name), std::string::npos) << this->Display->GetText();
-  // What the table does not know, and what is outside of the labels, is named by value.
+  // Labels without a name, and places outside of the label image, are named by value.
   table->RemoveLabel(layer);
   EXPECT_NE(this->Display->GetText().find("ramp, value"), std::string::npos);
   table->SetLabelName(layer, "back");

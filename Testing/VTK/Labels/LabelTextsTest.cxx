@@ -46,7 +46,7 @@ TEST_F(LabelFiles, ItkSnap)
   EXPECT_EQ(this->Table->GetLabelName(1), "Left ventricle");
   EXPECT_EQ(this->Table->GetLabelName(-4), "say \"aah\", 3 #2");
   this->ExpectColor(1, 1.0, 0.0, 0.2);
-  // What ITK-SNAP doesn't show is felt nevertheless.
+  // Labels that ITK-SNAP doesn't show are felt nevertheless.
   EXPECT_TRUE(this->Table->GetFelt(-4));
   EXPECT_FALSE(this->Table->HasMaterial(1));
 }

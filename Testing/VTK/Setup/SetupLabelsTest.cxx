@@ -162,7 +162,7 @@ TEST(SetupLabels, OfWhichAFileHasAPart)
 
 TEST(SetupLabels, AreLessThanAMillion)
 {
-  // What could not be loaded again is not saved.
+  // A table that could not be loaded again is not saved.
   const std::string file = File("Million.json");
   std::ofstream(file) << "as before";
   for (const int labels : { 80000, 1000000 })
