@@ -140,9 +140,11 @@ struct HaplyService::Server
   asio::io_context Io;
   tcp::acceptor States{ this->Io, { asio::ip::address_v4::loopback(), 0 } };
   tcp::acceptor Events{ this->Io, { asio::ip::address_v4::loopback(), 0 } };
+  tcp::acceptor Http{ this->Io, { asio::ip::address_v4::loopback(), 0 } };
   std::atomic<bool> MustStop{ false };
   std::thread StatesThread;
   std::thread EventsThread;
+  std::thread HttpThread;
 
   std::mutex Mutex; // of all that follows
   std::vector<std::thread> Threads;
@@ -163,12 +165,18 @@ struct HaplyService::Server
   double Scale = 1.0;
 
   bool IsNew() const { return this->Shape.Version >= "3.5"; }
-  std::string Prefix() const { return this->Shape.HasMaps ? "/3.0" : ""; }
+  std::string Prefix() const { return this->Shape.HasMaps ? "/3.0" : this->IsNew() ? "" : "/3.1"; }
 
   void Listen()
   {
     this->StatesThread = std::thread(
-      [this] { this->Accept(this->States, [this](tcp::socket& s) { this->Answer(s); }); });
+      [this]
+      {
+        this->Accept(
+          this->States, [this](tcp::socket& s) { this->Answer(s, !this->Shape.HasOwnHttp); });
+      });
+    this->HttpThread = std::thread(
+      [this] { this->Accept(this->Http, [this](tcp::socket& s) { this->Answer(s, true); }); });
     this->EventsThread = std::thread(
       [this] { this->Accept(this->Events, [this](tcp::socket& s) { this->Hold(s); }); });
   }
@@ -214,12 +222,13 @@ struct HaplyService::Server
     {
       return;
     }
-    for (tcp::acceptor* const acceptor : { &this->States, &this->Events })
+    for (tcp::acceptor* const acceptor : { &this->States, &this->Events, &this->Http })
     {
       ::shutdown(acceptor->native_handle(), SHUT_RDWR); // ends accept()
     }
     this->StatesThread.join();
     this->EventsThread.join();
+    this->HttpThread.join();
     std::vector<std::thread> threads;
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -236,6 +245,7 @@ struct HaplyService::Server
     boost::system::error_code ignored;
     this->States.close(ignored);
     this->Events.close(ignored);
+    this->Http.close(ignored);
   }
 
   // All of these under the mutex.
@@ -337,14 +347,14 @@ struct HaplyService::Server
     return write.Object(all);
   }
 
-  void Answer(tcp::socket& socket)
+  void Answer(tcp::socket& socket, bool hasHttp)
   {
     beast::flat_buffer buffer;
     http::request<http::string_body> request;
     http::read(socket, buffer, request);
     if (!websocket::is_upgrade(request))
     {
-      this->AnswerHttp(socket, request);
+      this->AnswerHttp(socket, request, hasHttp);
       return;
     }
     websocket::stream<tcp::socket&> stream(socket);
@@ -365,6 +375,7 @@ struct HaplyService::Server
     }
     catch (const std::exception&)
     {
+      std::this_thread::sleep_for(std::chrono::milliseconds(this->Shape.DropTime));
       const std::lock_guard<std::mutex> lock(this->Mutex);
       this->Sessions[session].IsOpen = false;
     }
@@ -426,7 +437,8 @@ struct HaplyService::Server
       this->Force = session.Forces.back();
     }
   }
-  void AnswerHttp(tcp::socket& socket, const http::request<http::string_body>& request)
+  void AnswerHttp(
+    tcp::socket& socket, const http::request<http::string_body>& request, bool hasHttp)
   {
     http::response<http::string_body> answer{ http::status::not_found, request.version() };
     const std::string target(request.target());
@@ -441,7 +453,7 @@ struct HaplyService::Server
       const std::lock_guard<std::mutex> lock(this->Mutex);
       body = this->MakeMessage(true, false);
     }
-    if (!body.empty())
+    if (hasHttp && !body.empty())
     {
       answer.result(http::status::ok);
       // The envelope of 3.5; the same without one is in its tutorial 00.
@@ -480,8 +492,8 @@ HaplyService::HaplyService(const HaplyShape& shape)
   : All(std::make_unique<Server>(shape))
 {
   const unsigned short events = this->All->Events.local_endpoint().port();
-  std::string ports =
-    std::to_string(this->All->States.local_endpoint().port()) + "," + std::to_string(events);
+  std::string ports = std::to_string(this->All->States.local_endpoint().port()) + "," +
+    std::to_string(events) + "," + std::to_string(this->All->Http.local_endpoint().port());
   if (!shape.HasEvents)
   {
     this->All->Events.close();

@@ -10,10 +10,12 @@
  * service/api/simulation, service/realtime/control-commands ("vector"; forces of a tick),
  * service/commons/types (units), service/commons/basis (right, forward, up),
  * service/commons/mount-and-workspace (presets), service/session-configuration/sessions (profile),
- * service/events and service/api/events, service/api/http (version, envelope),
- * service/tutorials/00 to 06 (handshake, omitted defaults, a grip's buttons and axis). Of 3.0:
- * 3.0.2/service (maps of devices, /3.0/version). That services before 3.5 take "values" is from
- * programs for them: NVIDIA Isaac Lab, isaaclab/devices/haply, and jhu-saw/sawHaplyService 25f21be.
+ * service/events and service/api/events, service/api/http (version, envelope), service/tutorials/00
+ * to 06 (handshake, omitted defaults, a grip's buttons and axis). Of 3.0: 3.0.2/service (maps of
+ * devices, /3.0/version; up to 3.1.1 HTTP "on http://localhost:10000", which is not the WebSocket's
+ * port), and /3.1/devices of the Rust client haply 0.8. That services before 3.5 take "values" is
+ * from programs for them: NVIDIA Isaac Lab, isaaclab/devices/haply, and jhu-saw/sawHaplyService
+ * 25f21be.
  *
  * How long a force holds without another message, and what becomes of it when a client is gone, is
  * not documented. Here it holds for ever, which is the worst.
@@ -39,9 +41,11 @@ struct HaplyShape
   bool OmitsDefaults = false; ///< numbers that have their default, and buttons that are not pressed
   bool IsReordered = false;   ///< members of objects in the other order
   bool HasEvents = true;
+  bool HasOwnHttp = false;      ///< at another port than that of the states, as up to 3.1
   bool HasDeviceList = true;    ///< by HTTP
   bool OmitsFalseFlags = false; ///< of a status
   bool HasStatus = true;        ///< in states, too; else in the inventory only
+  int DropTime = 0;             ///< ms, after which a session that was closed is in use no more
   /** The x of a position (m) is this times the number of the session's message that it answers. */
   double NumberScale = 0.0;
 };

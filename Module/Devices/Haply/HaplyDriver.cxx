@@ -29,12 +29,15 @@ constexpr double LastTime = 0.2; ///< for the last state, and for taking leave
 constexpr int IdleWait = 2; // ms, between messages if the servo gives no force
 constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
 constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond; // as HardwareExchange::WatchdogTime
-constexpr int LostWait = 10;                                    // ms
+constexpr std::int64_t DropTime = 500 * ServoClock::Millisecond;
+constexpr int LostWait = 10;     // ms
 constexpr int MostStates = 1000; // that lie there at a time; some seconds of them
 
 constexpr const char* HowToStart =
   "Start Haply's Hub, or the service itself (on Linux: systemctl start haply-inverse-service). If "
-  "it listens to other ports, name them in VOLUMEHAPTICS_HAPLY, such as 10001,10020.";
+  "it listens to other ports, name them in VOLUMEHAPTICS_HAPLY, such as 10001,10020: those of the "
+  "states and "
+  "of the events, and as a third one that of HTTP if it has its own.";
 constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
 constexpr const char* AskForReady = "is not ready: look at its light and its power.";
@@ -70,10 +73,18 @@ bool HaplyPorts::Read(HaplyPorts& ports, std::string& error)
 {
   const char* const variable = std::getenv("VOLUMEHAPTICS_HAPLY");
   const std::string text = variable == nullptr ? "" : variable;
-  const std::size_t comma = text.find(',');
-  if (!text.empty() &&
-    (!ReadPort(text.substr(0, comma), ports.States) ||
-      (comma != std::string::npos && !ReadPort(text.substr(comma + 1), ports.Events))))
+  std::size_t begin = text.empty() ? std::string::npos : 0;
+  bool areRight = true;
+  for (std::uint16_t* const port : { &ports.States, &ports.Events, &ports.Http })
+  {
+    if (begin != std::string::npos)
+    {
+      const std::size_t comma = text.find(',', begin);
+      areRight = ReadPort(text.substr(begin, comma - begin), *port) && areRight;
+      begin = comma == std::string::npos ? comma : comma + 1;
+    }
+  }
+  if (!areRight || begin != std::string::npos)
   {
     error = "The environment variable VOLUMEHAPTICS_HAPLY is \"" + text +
       "\". Give the ports of the Inverse service, such as 10001,10020, or unset it.";
@@ -82,29 +93,47 @@ bool HaplyPorts::Read(HaplyPorts& ports, std::string& error)
   return true;
 }
 
+bool AskHaply(
+  const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error)
+{
+  for (const std::uint16_t port : { ports.States, ports.Http })
+  {
+    const std::int64_t asked = ServoClock::Now();
+    for (const char* const prefix : { "", "/3.1", "/3.0" })
+    {
+      const double left = AskTime - SecondsSince(asked);
+      std::string reason;
+      if (left > 0.0 && FetchText(port, prefix + target, left, text, reason))
+      {
+        return true;
+      }
+      error = error.empty() ? reason : error;
+    }
+  }
+  return false;
+}
+
 bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
 {
-  const std::string port = std::to_string(ports.States);
+  const std::string where =
+    " at port " + std::to_string(ports.States) + " or " + std::to_string(ports.Http);
   std::string text;
   std::string reason;
-  if (!FetchText(ports.States, "/version", AskTime, text, reason) &&
-    !FetchText(ports.States, "/3.0/version", AskTime, text, reason))
+  if (!AskHaply(ports, "/version", text, reason))
   {
-    error = "Haply's Inverse service does not answer at port " + port + " (" + reason + "). " +
-      HowToStart;
+    error = "Haply's Inverse service does not answer" + where + " (" + reason + "). " + HowToStart;
     return false;
   }
   if (const char* const fault = ReadHaplyVersion(text, version))
   {
-    error = "The program at port " + port + " " + fault +
-      ", so it is not Haply's Inverse service. " + HowToStart;
+    error =
+      "The program" + where + " " + fault + ", so it is not Haply's Inverse service. " + HowToStart;
     return false;
   }
   if (!version.IsKnown())
   {
-    error = "Haply's Inverse service at port " + port + " is of version " +
-      std::to_string(version.Major) + "." + std::to_string(version.Minor) +
-      ". Versions 3 are supported.";
+    error = "Haply's Inverse service" + where + " is of version " + std::to_string(version.Major) +
+      "." + std::to_string(version.Minor) + ". Versions 3 are supported.";
     return false;
   }
   return true;
@@ -164,6 +193,12 @@ bool HaplyDriver::Choose(std::string& error)
   return false;
 }
 
+bool HaplyDriver::IsTaken() const
+{
+  return std::any_of(this->Message.Arms.begin(), this->Message.Arms.end(),
+    [this](const HaplyArm& arm) { return arm.Id == this->Id && arm.IsInUse.value_or(false); });
+}
+
 bool HaplyDriver::Greet(std::string& error)
 {
   const auto arm = std::find_if(this->Message.Arms.begin(), this->Message.Arms.end(),
@@ -173,7 +208,7 @@ bool HaplyDriver::Greet(std::string& error)
     error = this->Label + " is not plugged in any more.";
     return false;
   }
-  if (arm->IsInUse.value_or(false))
+  if (this->IsTaken())
   {
     error = this->Label + " is in use by another program. Close that program.";
     return false;
@@ -239,6 +274,8 @@ void HaplyDriver::Serve(HardwareExchange& exchange)
     }
     if (this->IsLost)
     {
+      // Quench and Close wait for rounds of zero force.
+      exchange.GetForce();
       std::this_thread::sleep_for(std::chrono::milliseconds(LostWait));
     }
     else
@@ -253,9 +290,25 @@ void HaplyDriver::Restart(HardwareExchange& exchange)
   this->Rest();
   this->Disconnect();
   std::string error;
-  if (!this->Reach(error) || !this->Greet(error))
+  const std::int64_t end = ServoClock::Now() + DropTime;
+  bool isOpen = false;
+  for (bool tries = true; tries;)
   {
-    this->Disconnect();
+    this->Message = {};
+    isOpen = this->Reach(error) && this->Greet(error);
+    if (!isOpen)
+    {
+      this->Disconnect();
+    }
+    // The service may not yet have dropped the session that was closed just now.
+    tries = !isOpen && this->IsTaken() && ServoClock::Now() < end && !exchange.MustStop();
+    if (tries)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(LostWait));
+    }
+  }
+  if (!isOpen)
+  {
     this->IsLost = true;
     exchange.SetCondition(DeviceStage::Lost, error.c_str());
   }

@@ -34,15 +34,27 @@
 namespace VolumeHaptics
 {
 
-/** Where the service listens: $VOLUMEHAPTICS_HAPLY, "PORT" or "PORT,EVENTS", or its defaults. */
+/**
+ * Where the service listens: $VOLUMEHAPTICS_HAPLY, "PORT", "PORT,EVENTS" or "PORT,EVENTS,HTTP", or
+ * its defaults. The documentation has HTTP at 10000 up to 3.1, and at the port of the states in the
+ * latest 3.5.
+ */
 struct HaplyPorts
 {
-  std::uint16_t States = 10001; ///< and HTTP
+  std::uint16_t States = 10001; ///< and HTTP, of later services
   std::uint16_t Events = 10020;
+  std::uint16_t Http = 10000; ///< of earlier services
 
   /** False, with the reason and the cure. */
   static bool Read(HaplyPorts& ports, std::string& error);
 };
+
+/**
+ * Asks the service by HTTP: "/version", or "/devices", at either port, and with the prefix of a
+ * version. False, with the reason.
+ */
+bool AskHaply(
+  const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
 
 /** Asks the service for its version. False, with the reason and the cure. */
 bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
@@ -81,6 +93,8 @@ private:
   /** Opens the connection and takes the inventory. */
   bool Reach(std::string& error);
   bool Choose(std::string& error);
+  /** Whether a session has the arm, by the last message. */
+  bool IsTaken() const;
   /** The first message. */
   bool Greet(std::string& error);
   void Restart(HardwareExchange& exchange);

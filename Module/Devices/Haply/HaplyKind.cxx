@@ -11,8 +11,6 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double ListTime = 0.5; // s
-
 /** Asks the service for its devices. */
 bool FindHaplys(HaplyMessage& message, std::string& error)
 {
@@ -23,8 +21,7 @@ bool FindHaplys(HaplyMessage& message, std::string& error)
   {
     return false;
   }
-  const char* const fault = FetchText(ports.States, "/devices", ListTime, text, error) ||
-      FetchText(ports.States, "/3.0/devices", ListTime, text, error)
+  const char* const fault = AskHaply(ports, "/devices", text, error)
     ? ReadHaplyMessage(text, message)
     : "does not list its devices";
   if (fault != nullptr)

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -18,6 +19,7 @@ using Json = nlohmann::json;
 constexpr const char* NoObject = "sent something that is not a JSON object";
 constexpr const char* TooMany = "told of too many devices";
 constexpr const char* NoDevices = "sent a list of devices that is none";
+constexpr const char* NoId = "told of an arm without an identifier";
 constexpr const char* NoVersion = "does not tell its version";
 constexpr std::size_t MostDevices = 64;
 /** By which transforms may differ and count as the same: float arithmetic of the service. */
@@ -232,6 +234,11 @@ const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message)
     {
       return fault;
     }
+  }
+  if (std::any_of(message.Arms.begin(), message.Arms.end(),
+        [](const HaplyArm& arm) { return arm.Id.empty(); }))
+  {
+    return NoId;
   }
   for (const char* const family : { "verse_grip", "wireless_verse_grip", "custom_verse_grip" })
   {

@@ -206,8 +206,11 @@ TEST(HaplyErrors, SayWhatToDo)
   EXPECT_TRUE(Has(ErrorOf("haply"), "Start Haply's Hub")) << ErrorOf("haply");
   setenv("VOLUMEHAPTICS_HAPLY", "10001,events", 1);
   EXPECT_TRUE(Has(ErrorOf("haply"), "Give the ports")) << ErrorOf("haply");
-  setenv("VOLUMEHAPTICS_HAPLY", "65536", 1);
-  EXPECT_TRUE(Has(ErrorOf("haply"), "Give the ports"));
+  for (const char* const ports : { "65536", "10001,", "1,2,http", "1,2,3,4" })
+  {
+    setenv("VOLUMEHAPTICS_HAPLY", ports, 1);
+    EXPECT_TRUE(Has(ErrorOf("haply"), "Give the ports")) << ports;
+  }
   EXPECT_TRUE(Has(ErrorOf("haply:"), "is no device id"));
   {
     const HaplyService service(shape);

@@ -175,8 +175,12 @@ TEST(HaplyMessages, JunkIsRefused)
   {
     ExpectRefused(text);
   }
+  for (const char* const nameless : { "{}", R"({"device_id":7})", R"({"device_id":""})" })
+  {
+    ExpectRefused(std::string(R"({"inverse3":[)") + nameless + "]}");
+  }
   ExpectRefused(std::string(100000, '['));
-  std::string many = "{\"inverse3\":[{}";
+  std::string many = "{\"verse_grip\":[{}";
   for (int i = 0; i < 100; ++i)
   {
     many += ",{}";

@@ -56,15 +56,19 @@ TEST_F(HaplySessions, WithAnOldService)
   shape.Version = "3.0.7";
   shape.HasMaps = true;
   shape.HasEvents = false;
+  shape.HasOwnHttp = true;
   ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
   EXPECT_EQ(this->LastSession().Greeting.find("\"session\""), std::string::npos);
+  EXPECT_EQ(ListDevices().size(), 2U);
 }
 
 TEST_F(HaplySessions, WithAServiceOfThreeOne)
 {
   HaplyShape shape;
   shape.Version = "3.1.1";
+  shape.HasOwnHttp = true;
   ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
+  EXPECT_EQ(ListDevices().size(), 2U);
 }
 
 TEST_F(HaplySessions, WithOmittedDefaultsInAnotherOrder)
@@ -167,6 +171,19 @@ TEST_F(HaplySessions, TheInventoryTellsFlagsThatStatesLeaveOut)
   HaplyShape shape;
   shape.HasStatus = false;
   ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape));
+}
+
+TEST_F(HaplySessions, HomeWaitsUntilTheServiceHasDroppedTheSession)
+{
+  HaplyShape shape;
+  shape.DropTime = 200;
+  this->Serve(shape);
+  ASSERT_NO_FATAL_FAILURE(this->Open());
+  this->Service->SetCalibrated(false);
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Lost));
+  this->Service->SetCalibrated(true);
+  this->Bench.Device->Home();
+  EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
 }
 
 TEST_F(HaplySessions, ASecondClientIsToldThatItIsInUse)
