@@ -534,6 +534,15 @@ std::size_t HaplyService::CountListeners()
   return this->All->Listeners.size();
 }
 
+void HaplyService::DropListeners()
+{
+  const std::lock_guard<std::mutex> lock(this->All->Mutex);
+  for (Server::Listener* const listener : this->All->Listeners)
+  {
+    ::shutdown(listener->next_layer().native_handle(), SHUT_RDWR);
+  }
+}
+
 void HaplyService::SetGoal(const Triple& goal)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);

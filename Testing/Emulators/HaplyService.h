@@ -90,6 +90,8 @@ public:
   /** To everyone who listens to the events. */
   void PushEvent(const std::string& json);
   std::size_t CountListeners();
+  /** Ends the connections of all who listen to the events. */
+  void DropListeners();
 
   ///@{
   /** The hand's goal, and the tip, from the middle of the workspace, in Haply's axes (m). */

@@ -231,7 +231,7 @@ bool HaplyDriver::Greet(std::string& error)
   }
   // Services without this channel have no events.
   std::string ignored;
-  this->Events.Open(this->Ports.Events, AskTime, ignored);
+  this->HasEvents = this->Events.Open(this->Ports.Events, AskTime, ignored);
   return true;
 }
 
@@ -524,6 +524,13 @@ void HaplyDriver::TakeEvents(HardwareExchange& exchange)
       this->Note = what;
       this->Tell(exchange, DeviceStage::Ready, "tells a warning: " + what + ".");
     }
+  }
+  if (this->IsReady && this->HasEvents && !this->Events.IsOpen())
+  {
+    this->HasEvents = false;
+    this->Tell(exchange, DeviceStage::Ready,
+      "goes on without the Inverse service's warnings: their connection has ended. Home() connects "
+      "again.");
   }
 }
 

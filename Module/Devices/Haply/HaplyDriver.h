@@ -125,6 +125,7 @@ private:
   HaplyAddress Address;
   WebSocketClient States;
   WebSocketClient Events;
+  bool HasEvents = false; ///< until people were told that their connection has ended
 
   HaplyMessage Message; ///< the last one
   std::string Text;

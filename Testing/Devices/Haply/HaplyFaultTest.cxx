@@ -180,6 +180,15 @@ TEST_F(HaplyFaults, AnEventOfTheArmStopsIt)
   this->ExpectLost("was stopped by the Inverse service: Emergency brake engaged.");
 }
 
+TEST_F(HaplyFaults, TheEventsEndWithAWord)
+{
+  ASSERT_TRUE(Eventually([&] { return this->Service->CountListeners() == 1; }));
+  this->Service->DropListeners();
+  EXPECT_TRUE(this->Bench.WaitForText("goes on without the Inverse service's warnings"));
+  EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
+  EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "it goes on";
+}
+
 TEST_F(HaplyFaults, AnotherSessionTakesTheArm)
 {
   ASSERT_TRUE(Eventually([&] { return this->Service->CountListeners() == 1; }));
