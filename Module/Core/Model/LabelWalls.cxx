@@ -62,7 +62,7 @@ struct LabelWalls::Around
 namespace
 {
 
-std::uint64_t NextNumber()
+std::uint64_t NextWallsNumber()
 {
   static std::atomic<std::uint64_t> last{ 0 };
   return ++last;
@@ -130,7 +130,7 @@ LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radiu
       ScalePerCut * (radius + 1))
   , View(view.GetView())
   , Table(table)
-  , Number(NextNumber())
+  , Number(NextWallsNumber())
   , Last{ static_cast<double>(this->View.Dimensions[0] - 1),
     static_cast<double>(this->View.Dimensions[1] - 1),
     static_cast<double>(this->View.Dimensions[2] - 1) }
