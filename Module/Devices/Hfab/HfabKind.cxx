@@ -22,7 +22,7 @@ std::vector<DeviceListing> ListBoards()
 }
 
 /** A board cannot be asked what it is; permission is told by its listing. */
-std::string DescribeMissing()
+std::string WhyNoBoards()
 {
   return SerialPort::Find(HfabDriver::Board).empty()
     ? std::string("no serial port of a board named \"") + HfabDriver::Board + "\" is in " +
@@ -49,7 +49,7 @@ std::unique_ptr<DeviceBackend> MakeHfab(
 
 DeviceKind GetHfabKind()
 {
-  return { "hfab", &ListBoards, &MakeHfab, &DescribeMissing };
+  return { "hfab", &ListBoards, &MakeHfab, &WhyNoBoards };
 }
 
 } // namespace VolumeHaptics

@@ -38,7 +38,7 @@ std::vector<DeviceListing> ListVendors()
 }
 
 /** The obstacle of each plug-in that can't be used, and that of the kind as a whole. */
-std::string DescribeMissing()
+std::string WhyNoVendors()
 {
   std::vector<std::string> obstacles;
   const std::vector<std::string> folders = VendorFolder::Split("");
@@ -96,7 +96,7 @@ std::unique_ptr<DeviceBackend> MakeVendor(
 
 DeviceKind GetVendorKind()
 {
-  return { "vendor", &ListVendors, &MakeVendor, &DescribeMissing };
+  return { "vendor", &ListVendors, &MakeVendor, &WhyNoVendors };
 }
 
 } // namespace VolumeHaptics
