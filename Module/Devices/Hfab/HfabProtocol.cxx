@@ -45,8 +45,12 @@ bool HfabReader::Take(char byte) noexcept
   int& number = this->Numbers[static_cast<std::size_t>(this->Field)];
   if (byte >= '0' && byte <= '9')
   {
+    if (++this->Digits > MostDigits)
+    {
+      return this->Fail();
+    }
     number = 10 * number + (byte - '0');
-    return ++this->Digits > MostDigits ? this->Fail() : false;
+    return false;
   }
   if (byte == '-' && this->Digits == 0 && !this->IsNegative)
   {
