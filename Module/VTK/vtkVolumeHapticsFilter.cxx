@@ -5,7 +5,6 @@
 #include "VTK/Baking/HapticHash.h"
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticModelBuilder.h"
-#include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
@@ -115,7 +114,6 @@ vtkStandardNewMacro(vtkVolumeHapticsFilter);
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   : Surfaces(new VolumeHaptics::HapticSurface)
-  , Noise(new VolumeHaptics::HapticNoise)
   , Regions(new VolumeHaptics::RegionSeries)
   , Labels(new VolumeHaptics::HapticLabels)
 {
@@ -264,7 +262,6 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Description.Settings.Caps.Stiffness = this->MaximumStiffness;
   options.Description.DeviceCaps = deviceCaps;
   options.Surfaces = this->Surfaces.get();
-  options.Noise = this->Noise.get();
   options.Regions = this->Regions.get();
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);

@@ -130,7 +130,6 @@ class HapticBaker;
 class HapticLabels;
 class HapticModel;
 class HapticSurface;
-class HapticNoise;
 class RegionSeries;
 struct Affine3;
 struct BakedLabels;
@@ -218,7 +217,6 @@ private:
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
-  std::unique_ptr<VolumeHaptics::HapticNoise> Noise;
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
   std::unique_ptr<VolumeHaptics::HapticLabels> Labels;
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;

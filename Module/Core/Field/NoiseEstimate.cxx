@@ -15,7 +15,9 @@ constexpr int BlockReach = 2;
 constexpr int BlockSide = 2 * BlockReach + 1;
 constexpr int BlockSamples = BlockSide * BlockSide * BlockSide;
 constexpr int Quadratic = 10; // coefficients
+/** Their product is the number of blocks. */
 constexpr int MostBlocksAlongAnAxis = 16;
+constexpr int MostBlocksAlongAnAxisIfLarge = 8;
 /** The share of the blocks, in ascending order of their remainders, that counts as flat. */
 constexpr double Flattest = 0.1;
 /** A tenth of the estimates from 115 degrees of freedom lies below this share of the true value. */
@@ -37,9 +39,9 @@ struct BlockAxis
 {
   static constexpr std::int64_t None = -1;
 
-  explicit BlockAxis(std::int64_t count)
+  BlockAxis(std::int64_t count, int most)
     : Last(count - 1)
-    , Step(std::max<std::int64_t>(BlockSide, count / MostBlocksAlongAnAxis))
+    , Step(std::max<std::int64_t>(BlockSide, count / most))
     , Blocks(count < BlockSide ? 0 : (count - BlockSide) / this->Step + 1)
   {
   }
@@ -61,7 +63,8 @@ struct BlockAxis
 std::array<BlockAxis, 3> AxesOf(const NoiseSamples& samples)
 {
   const std::int64_t* const n = samples.Dimensions;
-  return { BlockAxis(n[0]), BlockAxis(n[1]), BlockAxis(n[2]) };
+  const int most = IsLargeVolume(n) ? MostBlocksAlongAnAxisIfLarge : MostBlocksAlongAnAxis;
+  return { BlockAxis(n[0], most), BlockAxis(n[1], most), BlockAxis(n[2], most) };
 }
 
 /** The sum of squares of a block after the best quadratic is subtracted. */
@@ -142,6 +145,12 @@ static_assert(GradientKernel::Intervals == 32, "NoiseGain reads one position per
 
 } // namespace
 
+bool IsLargeVolume(const std::int64_t dimensions[3])
+{
+  const std::int64_t* const n = dimensions;
+  return n[0] > 0 && n[1] > 0 && n[2] > MostSamplesRead / n[0] / n[1];
+}
+
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples)
 {
@@ -155,6 +164,7 @@ void CollectNoiseSamples(
     samples.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
   }
   const std::array<BlockAxis, 3> axes = AxesOf(samples);
+  const bool isLarge = IsLargeVolume(samples.Dimensions);
   for (int a = 0; a < 3; ++a)
   {
     for (std::int64_t i = 0; i < n[a]; ++i)
@@ -184,6 +194,12 @@ void CollectNoiseSamples(
           samples.Indices.push_back(
             at[0] + samples.Dimensions[0] * (at[1] + samples.Dimensions[1] * at[2]));
           samples.Values.push_back(read(i + n[0] * (j + n[1] * k)));
+          const double value = samples.Values.back();
+          if (isLarge && std::isfinite(value))
+          {
+            const double range[2] = { value, value };
+            samples.MergeRange(range);
+          }
         }
       }
     }

@@ -17,20 +17,32 @@
 namespace VolumeHaptics
 {
 
+/**
+ * The largest number of samples of a volume that is not large: 128 MiB of 16 bits. Looking at all
+ * of them takes some ten milliseconds; of a large volume only spread samples are looked at, so that
+ * the time does not grow with the volume, nor the memory if it is mapped from a file.
+ */
+constexpr std::int64_t MostSamplesRead = std::int64_t{ 1 } << 26;
+
+/** Whether a volume is large: it has more than MostSamplesRead samples. */
+bool IsLargeVolume(const std::int64_t dimensions[3]);
+
 /** Returns the sample with a number, i + n_x (j + n_y k), of a piece of a volume. */
 using SampleReader = std::function<double(std::int64_t)>;
 
 /**
  * Adds the samples of noise blocks and corners that one piece of a volume holds. The piece has a
- * sample for every index of `extent`; the indices count as those of `whole`. The range is the
- * caller's to merge (NoiseSamples::MergeRange).
+ * sample for every index of `extent`; the indices count as those of `whole`. If the whole is
+ * large, their range is merged, too; else the range of all samples of the piece is the caller's to
+ * merge (NoiseSamples::MergeRange).
  */
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples);
 
 /**
  * The standard deviation of the noise (scalar units): the remainder of blocks of 5^3 samples after
- * the best quadratic is subtracted, in the flattest tenth of some thousand blocks.
+ * the best quadratic is subtracted, in the flattest tenth of up to 4096 blocks (512 of a large
+ * volume), which are spread evenly.
  *
  * Blocks that are all the smallest or the largest value (padding, saturation) and blocks that are
  * not complete do not count. 0 without noise, and for volumes of less than 5 samples along an axis.

@@ -5,9 +5,9 @@
  * Samples of a whole volume, from which its noise and its border value are estimated.
  *
  * A region of a volume is touched with the noise and the border value of the whole. If the volume
- * is in pieces, each piece gives the samples that it holds (NoiseEstimate.h): some thousand blocks
- * of 5^3 samples, and the corners. Merge puts together blocks that pieces share. Plain numbers,
- * which can be sent as they are.
+ * is in pieces, each piece gives the samples that it holds (NoiseEstimate.h): up to 4096 blocks of
+ * 5^3 samples, 512 of a large volume, and the corners. Merge puts together blocks that pieces
+ * share. Plain numbers, which can be sent as they are.
  */
 #ifndef NoiseSamples_h
 #define NoiseSamples_h
@@ -33,8 +33,8 @@ struct NoiseSamples
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
-   * Smallest and largest value of all samples of the pieces; the first is the larger if there are
-   * none.
+   * Smallest and largest value of all samples of the pieces, or, of a large volume, of those in
+   * Values; the first is the larger if there are none.
    */
   double Range[2] = { 1.0, 0.0 };
 

@@ -78,13 +78,13 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 
 /** Keeps noise from being felt unless the user has set the gradient of a surface. */
 void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
-  const WholeFacts& whole, HapticNoise& estimate, HapticModelDescription& d)
+  const WholeFacts& whole, HapticModelDescription& d)
 {
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
   {
     const double noise =
-      whole.IsThere ? whole.Noise : estimate.Get(image, scalars, d.View, property->GetComponent());
+      whole.IsThere ? whole.Noise : FindNoise(image, scalars, d.View, property->GetComponent());
     ramp = MakeNoiseRamp(noise, BakedVolume::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())
@@ -181,7 +181,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   {
     return nullptr;
   }
-  BakeNoiseRamp(property, image, scalars, whole, *options.Noise, d);
+  BakeNoiseRamp(property, image, scalars, whole, d);
   const std::string array =
     std::to_string(component) + (scalars->GetName() ? scalars->GetName() : "");
   d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;

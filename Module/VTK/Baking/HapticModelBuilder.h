@@ -19,7 +19,6 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 class HapticSurface;
-class HapticNoise;
 class RegionSeries;
 
 struct HapticModelOptions
@@ -31,7 +30,6 @@ struct HapticModelOptions
   HapticModelDescription Description;
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
-  HapticNoise* Noise = nullptr;      ///< required
   RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
 };
 

@@ -5,38 +5,80 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 
+#include "vtkType.h"
+
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/**
+ * The array, the address of its values, their number along each axis, component, last change. No
+ * two objects ever have the same time of change, so that an object that is gone, whose address
+ * another has now, is not taken for that.
+ */
+using NoiseKey =
+  std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;
+
+struct KnownNoise
+{
+  NoiseKey Of{};
+  double Noise = 0.0;
+};
+
+/** As many arrays as a program may touch in turn. */
+constexpr std::size_t MostKnown = 16;
+
+NoiseKey MakeNoiseKey(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  const std::int64_t* const n = view.Dimensions;
+  // Programs that write into an array often call Modified() of the image only.
+  return { scalars, view.Data, { n[0], n[1], n[2] }, component,
+    std::max(image->GetMTime(), scalars->GetMTime()) };
+}
+
+} // namespace
 
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
   const int whole[6], NoiseSamples& samples)
 {
   CollectNoiseSamples(
     [=](std::int64_t i) { return scalars->GetComponent(i, component); }, extent, whole, samples);
-  double range[2];
-  scalars->GetRange(range, component);
-  samples.MergeRange(range);
+  if (!IsLargeVolume(samples.Dimensions))
+  {
+    double range[2];
+    scalars->GetRange(range, component);
+    samples.MergeRange(range);
+  }
 }
 
-double HapticNoise::Get(
-  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+double FindNoise(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
-  const std::int64_t* const n = view.Dimensions;
-  // Programs that write into an array often call Modified() of the image only.
-  const Key key{ scalars, view.Data, { n[0], n[1], n[2] }, component,
-    std::max(image->GetMTime(), scalars->GetMTime()) };
-  if (key != this->EstimatedFrom)
+  thread_local std::array<KnownNoise, MostKnown> known;
+  thread_local std::size_t next = 0;
+  const NoiseKey key = MakeNoiseKey(image, scalars, view, component);
+  const auto found = std::find_if(
+    known.begin(), known.end(), [&key](const KnownNoise& noise) { return noise.Of == key; });
+  if (found != known.end())
   {
-    const int extent[6] = { 0, static_cast<int>(n[0] - 1), 0, static_cast<int>(n[1] - 1), 0,
-      static_cast<int>(n[2] - 1) };
-    NoiseSamples samples;
-    CollectNoiseSamples(scalars, component, extent, extent, samples);
-    this->Noise = EstimateNoise(samples);
-    this->EstimatedFrom = key;
+    return found->Noise;
   }
-  return this->Noise;
+  const std::int64_t* const n = view.Dimensions;
+  const int extent[6] = { 0, static_cast<int>(n[0] - 1), 0, static_cast<int>(n[1] - 1), 0,
+    static_cast<int>(n[2] - 1) };
+  NoiseSamples samples;
+  CollectNoiseSamples(scalars, component, extent, extent, samples);
+  const double noise = EstimateNoise(samples);
+  // VTK notes an array's range in the array, whose time of change this may move on.
+  known[next] = { MakeNoiseKey(image, scalars, view, component), noise };
+  next = (next + 1) % MostKnown;
+  return noise;
 }
 
 } // namespace VolumeHaptics

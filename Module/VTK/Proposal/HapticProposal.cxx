@@ -140,8 +140,8 @@ bool ProposeFromVolume(
   {
     const GradientKernel kernel(
       GradientEstimator::Gaussian, SearchRadius, GaussianWeights::OwnDerivative);
-    const double noise = volume.Whole.IsThere ? volume.Whole.Noise
-                                              : HapticNoise().Get(image, scalars, view, component);
+    const double noise =
+      volume.Whole.IsThere ? volume.Whole.Noise : FindNoise(image, scalars, view, component);
     const EdgeThresholds thresholds = MakeThresholds(noise, range, kernel);
     const FieldSampler field(view, kernel);
     ProposalFacts facts;
