@@ -168,7 +168,7 @@ echo "== Tests with the thread sanitizer in $build_dir-thread"
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
   # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
-  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Recording|Scene|Session|Setup)[.])'
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Recording|Scene|Session|Setup|Work)[.])'
 else
   run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo'
 fi

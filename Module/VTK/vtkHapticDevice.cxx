@@ -154,7 +154,7 @@ void vtkHapticDevice::Halt()
 //------------------------------------------------------------------------------
 bool vtkHapticDevice::UpdateState()
 {
-  this->Internals->Recorder.TellTrouble();
+  this->Internals->Recorder.Follow();
   const bool wasForbidden = this->IsAtForbiddenLabel();
   const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
   this->Internals->Orders.TellMemoryTrouble();

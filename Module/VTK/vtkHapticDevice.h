@@ -35,12 +35,13 @@
  * vtkHapticHardware.
  *
  * While the owner's thread is busy with long work, the force is off: see BeginLongWork, which
- * StartRecording and Publish call by themselves for large volumes. If the program does not call the
+ * Publish and StopRecording call by themselves where they need it. If the program does not call the
  * device for 2 s without having announced such work, the force fades and stays off until Arm is
  * called again: see SetAttentionTime.
  *
- * The servo reads the image's own array, without a copy: give the image a new array instead of
- * resizing or refilling one that is being touched.
+ * The servo reads the image's own array, without a copy, and so does work in the background: give
+ * the image a new array instead of resizing or refilling one that is being touched. Modified()
+ * announces values that were changed in place; what was being found out about them begins again.
  *
  * Positions are in world units and forces in newtons along the world's axes, unless stated.
  * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a
@@ -166,10 +167,9 @@ public:
    *
    * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of
    * AttentionTime (unless that is 0), the force stays on: fading would disturb more than so short a
-   * pause, and the margin of eight allows for a slow computer. StartRecording calls these by itself
-   * to hash a large volume, Publish to mesh it, and StopRecording and RecoverRecording to write a
-   * long recording. If the pipeline before the filter takes seconds, the application has to call
-   * them.
+   * pause, and the margin of eight allows for a slow computer. Publish calls these by itself
+   * to mesh a large volume, and StopRecording and RecoverRecording to write a long recording. If
+   * the pipeline before the filter takes seconds, the application has to call them.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();
@@ -413,6 +413,12 @@ public:
    * as only the placement of the device changed during the recording. Needs a running servo and a
    * filter. A region (vtkHapticRegionFilter) is not recorded, nor published during a recording: no
    * single image could replay it.
+   *
+   * The recording begins at once, however large the volume is. The hashes of volume and labels are
+   * made meanwhile, of the values as they then are; UpdateState hands them to the recording, and
+   * GetStatusText tells how far they are. StopRecording waits up to 10 s for them, but not while
+   * the device is armed: if they are not known yet, VolumeHash is empty then, a replay is not
+   * refused for its labels, and a warning says so.
    *
    * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
    * Torque (N m, sent; zero, as nothing gives torque yet), Orientation (world) and

@@ -9,6 +9,7 @@
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/RegionSeries.h"
+#include "VTK/Baking/TouchedArray.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/HapticTrace.h"
@@ -367,28 +368,35 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsFilter::HashScalars()
 {
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
-  vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
-  return scalars ? VolumeHaptics::HashArray(scalars, image->GetDimensions()) : std::string();
+  const VolumeHaptics::TouchedArray scalars = this->GetTouched()[0];
+  return scalars.Array ? VolumeHaptics::HashArray(scalars.Array, scalars.Dimensions.data())
+                       : std::string();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsFilter::HashLabels()
 {
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
-  vtkDataArray* const labels = image ? this->GetInputArrayToProcess(1, image) : nullptr;
-  return labels ? VolumeHaptics::HashArray(labels, image->GetDimensions()) : std::string();
+  const VolumeHaptics::TouchedArray labels = this->GetTouched()[1];
+  return labels.Array ? VolumeHaptics::HashArray(labels.Array, labels.Dimensions.data())
+                      : std::string();
 }
 
 //------------------------------------------------------------------------------
-double vtkVolumeHapticsFilter::EstimateHashTime()
+std::array<VolumeHaptics::TouchedArray, 2> vtkVolumeHapticsFilter::GetTouched()
 {
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
-  vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
-  vtkImageData* const labelled = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
-  vtkDataArray* const labels = labelled ? this->GetInputArrayToProcess(1, labelled) : nullptr;
-  return (scalars ? VolumeHaptics::EstimateHashTime(scalars) : 0.0) +
-    (labels ? VolumeHaptics::EstimateHashTime(labels) : 0.0);
+  std::array<VolumeHaptics::TouchedArray, 2> touched;
+  constexpr int ports[] = { 0, 3 };
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(ports[i], 0));
+    if (vtkDataArray* const array = image ? this->GetInputArrayToProcess(i, image) : nullptr)
+    {
+      touched[i].Array = array;
+      std::copy_n(image->GetDimensions(), 3, touched[i].Dimensions.begin());
+      touched[i].Time = std::max(image->GetMTime(), array->GetMTime());
+    }
+  }
+  return touched;
 }
 
 //------------------------------------------------------------------------------

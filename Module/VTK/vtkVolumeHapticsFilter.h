@@ -115,6 +115,7 @@
 #include "vtkVolumeHapticsAlgorithm.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
+#include <array>  // for std::array
 #include <memory> // for std::shared_ptr
 #include <string> // for std::string
 
@@ -134,6 +135,7 @@ class RegionSeries;
 struct Affine3;
 struct BakedLabels;
 struct ForceCaps;
+struct TouchedArray;
 } // namespace VolumeHaptics
 #endif
 
@@ -200,7 +202,7 @@ private:
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
     double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
   double EstimateBakeTime();
-  double EstimateHashTime();
+  std::array<VolumeHaptics::TouchedArray, 2> GetTouched();
   ///@}
 
   /** Bakes the labels, if there are any; false after an error. */

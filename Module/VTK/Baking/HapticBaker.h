@@ -3,8 +3,10 @@
 #ifndef HapticBaker_h
 #define HapticBaker_h
 
+#include "VTK/Baking/TouchedArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <array>
 #include <memory>
 
 namespace VolumeHaptics
@@ -40,8 +42,8 @@ public:
    */
   double EstimateTime() const { return this->Filter->EstimateBakeTime(); }
 
-  /** As vtkVolumeHapticsFilter::HashScalars(). */
-  double EstimateHashTime() const { return this->Filter->EstimateHashTime(); }
+  /** The arrays of HashScalars() and HashLabels(); null for one that is not there. */
+  std::array<TouchedArray, 2> GetTouched() const { return this->Filter->GetTouched(); }
 
 private:
   vtkVolumeHapticsFilter* const Filter;

@@ -27,26 +27,30 @@ double EstimateHashTime(vtkDataArray* array)
                                       : SecondsPerValue);
 }
 
-std::string HashArray(vtkDataArray* array, const int dimensions[3])
+std::string HashArray(vtkDataArray* array, const int dimensions[3], const HashProgress& progress)
 {
   vtksysMD5* const md5 = vtksysMD5_New();
   vtksysMD5_Initialize(md5);
   const auto append = [md5](const void* bytes, vtkIdType size)
+  { vtksysMD5_Append(md5, static_cast<const unsigned char*>(bytes), static_cast<int>(size)); };
+  bool isEnded = false;
+  const auto goesOn = [&](vtkIdType done, vtkIdType all)
   {
-    // The hash takes int sizes.
-    constexpr vtkIdType most = 1 << 30;
-    const auto* from = static_cast<const unsigned char*>(bytes);
-    for (vtkIdType done = 0; done < size; done += most)
-    {
-      vtksysMD5_Append(md5, from + done, static_cast<int>(std::min(most, size - done)));
-    }
+    isEnded = progress && !progress(static_cast<double>(done) / static_cast<double>(all));
+    return !isEnded;
   };
   const int shape[] = { dimensions[0], dimensions[1], dimensions[2], array->GetNumberOfComponents(),
     array->GetDataType() };
   append(shape, sizeof(shape));
   if (array->HasStandardMemoryLayout())
   {
-    append(array->GetVoidPointer(0), array->GetNumberOfValues() * array->GetDataTypeSize());
+    constexpr vtkIdType piece = 1 << 20; // bytes
+    const auto* const bytes = static_cast<const unsigned char*>(array->GetVoidPointer(0));
+    const vtkIdType all = array->GetNumberOfValues() * array->GetDataTypeSize();
+    for (vtkIdType from = 0; from < all && goesOn(from, all); from += piece)
+    {
+      append(bytes + from, std::min(piece, all - from));
+    }
   }
   else
   {
@@ -55,9 +59,10 @@ std::string HashArray(vtkDataArray* array, const int dimensions[3])
     const auto tuples =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
     tuples->SetNumberOfComponents(array->GetNumberOfComponents());
-    for (vtkIdType from = 0; from < array->GetNumberOfTuples(); from += block)
+    const vtkIdType all = array->GetNumberOfTuples();
+    for (vtkIdType from = 0; from < all && goesOn(from, all); from += block)
     {
-      const vtkIdType size = std::min(block, array->GetNumberOfTuples() - from);
+      const vtkIdType size = std::min(block, all - from);
       tuples->SetNumberOfTuples(size);
       tuples->InsertTuples(0, size, from, array);
       append(tuples->GetVoidPointer(0), tuples->GetNumberOfValues() * tuples->GetDataTypeSize());
@@ -66,7 +71,7 @@ std::string HashArray(vtkDataArray* array, const int dimensions[3])
   char digest[33] = {};
   vtksysMD5_FinalizeHex(md5, digest);
   vtksysMD5_Delete(md5);
-  return digest;
+  return isEnded ? std::string() : digest;
 }
 
 } // namespace VolumeHaptics

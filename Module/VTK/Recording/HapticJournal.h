@@ -28,7 +28,14 @@ struct RecordingAbout
 {
   std::string DeviceId;
   std::string Settings;   ///< the filter's PrintSelf when the recording began
-  std::string VolumeHash; ///< of the touched scalars
+  std::string VolumeHash; ///< of the touched scalars; empty while it is not known
+};
+
+/** What is known only some time after a recording began; empty if there is none. */
+struct RecordingHashes
+{
+  std::string Volume;
+  std::string Labels;
 };
 
 /** The state and the settings from which a replay begins. */

@@ -29,4 +29,22 @@ std::string SignatureOfColumns()
   return signature;
 }
 
+void PutText(std::string& bytes, const std::string& text)
+{
+  Put(bytes, static_cast<std::uint64_t>(text.size()));
+  bytes += text;
+}
+
+bool GetText(const std::string& bytes, std::size_t& position, std::string& text)
+{
+  std::uint64_t size = 0;
+  if (!Get(bytes, position, size) || size > bytes.size() - position)
+  {
+    return false;
+  }
+  text = bytes.substr(position, size);
+  position += size;
+  return true;
+}
+
 } // namespace VolumeHaptics

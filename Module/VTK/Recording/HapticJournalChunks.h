@@ -7,6 +7,7 @@
  * A chunk is a head (kind, 0, size and checksum of the payload) and a payload. Payloads:
  * - About: JournalMark, then texts, each after its length: the columns, and those of
  *   RecordingAbout;
+ * - Hashes: the texts of RecordingHashes, each after its length, once they are known;
  * - Begin: a RecordingBegin;
  * - Placements: PlacementRows;
  * - Ticks: the number of lost ticks so far (64 bits), the number of these (32 bits), the size of
@@ -29,6 +30,7 @@ constexpr char JournalMark[16] = { 'V', 'o', 'l', 'u', 'm', 'e', 'H', 'a', 'p', 
 
 constexpr std::uint32_t AboutChunk =
   0x41744856; // no chunk begins with zeros, as a file after a power cut may
+constexpr std::uint32_t HashesChunk = 0x48744856;
 constexpr std::uint32_t BeginChunk = 0x42744856;
 constexpr std::uint32_t PlacementsChunk = 0x50744856;
 constexpr std::uint32_t TicksChunk = 0x54744856;
@@ -39,6 +41,11 @@ constexpr std::size_t TicksHeadSize = 12;
 std::uint64_t SumOf(const std::string& payload);
 /** Names, types and components of the columns: a journal with other columns can't be read. */
 std::string SignatureOfColumns();
+
+/** Appends a text after its length. */
+void PutText(std::string& bytes, const std::string& text);
+/** False if there are not enough bytes. */
+bool GetText(const std::string& bytes, std::size_t& position, std::string& text);
 
 template <typename T>
 void Put(std::string& bytes, const T& value)

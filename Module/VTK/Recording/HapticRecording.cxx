@@ -135,17 +135,38 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
   return true;
 }
 
+void HapticRecording::SetHashes(const RecordingHashes& hashes)
+{
+  const std::lock_guard<std::mutex> lock(this->QueueMutex);
+  this->Hashes.reset(new RecordingHashes(hashes));
+}
+
+void HapticRecording::WriteHashes()
+{
+  std::unique_ptr<RecordingHashes> hashes;
+  {
+    const std::lock_guard<std::mutex> lock(this->QueueMutex);
+    hashes.swap(this->Hashes);
+  }
+  if (hashes && this->Failure.load() == 0)
+  {
+    this->Failure.store(this->Writer->WriteHashes(*hashes));
+  }
+}
+
 void HapticRecording::WriteUntilStopped()
 {
   ServoClock::BlockSignals();
   while (!this->StopRequested.load() && this->Failure.load() == 0)
   {
     const std::int64_t now = ServoClock::Now();
+    this->WriteHashes();
     while (this->WriteGroup(false))
     {
     }
     ServoClock::SleepUntil(now + WriterPeriod);
   }
+  this->WriteHashes();
   while (this->WriteGroup(true))
   {
   }

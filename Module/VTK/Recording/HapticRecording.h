@@ -57,9 +57,14 @@ public:
    * world.
    */
   bool Append(const ServoSnapshot& snapshot);
+  /** Tells the hashes, once, when they are known; from the owner's thread. */
+  void SetHashes(const RecordingHashes& hashes);
+
   /** The number of ticks that were lost before they came here. */
   void SetMissed(std::uint64_t ticks) { this->Missed.store(ticks); }
   std::uint64_t GetLostTicks() const { return this->Missed.load() + this->Dropped.load(); }
+
+  const std::string& GetFile() const { return this->File; }
 
   /** The number of ticks in the journal. */
   std::uint64_t GetNumberOfTicks() const { return this->Written.load(); }
@@ -78,6 +83,7 @@ public:
 
 private:
   void WriteUntilStopped();
+  void WriteHashes();
   /** Writes a full group, or at the end any group; false if there is none. */
   bool WriteGroup(bool isEnd);
   void StopWriter();
@@ -98,7 +104,8 @@ private:
   std::mutex QueueMutex;
   std::deque<RecordingRow> Waiting;
   std::vector<PlacementRow> NewPlacements;
-  std::unique_ptr<RecordingBegin> Begin; // until it is written
+  std::unique_ptr<RecordingHashes> Hashes; // until they are written
+  std::unique_ptr<RecordingBegin> Begin;   // until it is written
   std::atomic<std::uint64_t> Missed{ 0 };
   std::atomic<std::uint64_t> Dropped{ 0 };
   std::atomic<bool> StopRequested{ false };

@@ -7,6 +7,7 @@
 #include "VTK/Recording/HapticJournalChunks.h"
 #include "VTK/Recording/JournalWriter.h"
 #include "VTK/Trace/HapticTraceColumns.h"
+#include "VTK/Trace/RecordingNames.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -25,7 +26,8 @@ constexpr std::uint64_t MostPayload = 1 << 24;
 
 bool IsKind(std::uint32_t kind)
 {
-  return kind == AboutChunk || kind == BeginChunk || kind == PlacementsChunk || kind == TicksChunk;
+  return kind == AboutChunk || kind == HashesChunk || kind == BeginChunk ||
+    kind == PlacementsChunk || kind == TicksChunk;
 }
 
 /** Whether a whole chunk begins behind the first byte. */
@@ -229,6 +231,10 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
   {
     return !this->HasAbout && chunk.Kind == AboutChunk && this->TakeAbout(payload, error);
   }
+  if (chunk.Kind == HashesChunk)
+  {
+    return this->TakeHashes(payload);
+  }
   if (chunk.Kind == BeginChunk)
   {
     const bool isWhole = !this->HasBegin && payload.size() == sizeof(this->Begin);
@@ -279,13 +285,10 @@ bool JournalReader::TakeAbout(const std::string& payload, std::string& error)
   for (std::string* const text :
     { &signature, &this->About.DeviceId, &this->About.Settings, &this->About.VolumeHash })
   {
-    std::uint64_t size = 0;
-    if (!Get(payload, at, size) || size > payload.size() - at)
+    if (!GetText(payload, at, *text))
     {
       return false;
     }
-    *text = payload.substr(at, size);
-    at += size;
   }
   if (payload[sizeof(JournalMark) - 1] != JournalMark[sizeof(JournalMark) - 1] ||
     signature != SignatureOfColumns())
@@ -294,6 +297,25 @@ bool JournalReader::TakeAbout(const std::string& payload, std::string& error)
     return false;
   }
   this->HasAbout = true;
+  return true;
+}
+
+bool JournalReader::TakeHashes(const std::string& payload)
+{
+  std::size_t at = 0;
+  RecordingHashes hashes;
+  if (!GetText(payload, at, hashes.Volume) || !GetText(payload, at, hashes.Labels) ||
+    at != payload.size())
+  {
+    return false;
+  }
+  this->About.VolumeHash = hashes.Volume;
+  if (!hashes.Labels.empty())
+  {
+    std::string& settings = this->About.Settings;
+    settings += settings.empty() || settings.back() == '\n' ? "" : "\n";
+    settings += RecordingNames::LabelHash + hashes.Labels + "\n";
+  }
   return true;
 }
 

@@ -83,6 +83,7 @@ private:
   bool ReadAt(std::uint64_t position, void* data, std::size_t size);
   bool ReadHead(std::uint64_t position, Chunk& chunk);
   bool TakeIn(const Chunk& chunk, const std::string& payload, std::string& error);
+  bool TakeHashes(const std::string& payload);
   bool TakeAbout(const std::string& payload, std::string& error);
   bool ForEachChunk(std::uint32_t kind, const std::function<bool(const Chunk&)>& visit);
 

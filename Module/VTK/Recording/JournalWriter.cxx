@@ -162,8 +162,7 @@ bool JournalWriter::Create(
     for (const std::string& text :
       { SignatureOfColumns(), about.DeviceId, about.Settings, about.VolumeHash })
     {
-      Put(payload, static_cast<std::uint64_t>(text.size()));
-      payload += text;
+      PutText(payload, text);
     }
     isGood = this->WriteChunk(AboutChunk, payload) == 0;
     if (!isGood)
@@ -212,6 +211,14 @@ int JournalWriter::WriteChunk(std::uint32_t kind, const std::string& payload)
     this->Failure = WriteAll(this->Descriptor, chunk.data(), chunk.size());
   }
   return this->Failure;
+}
+
+int JournalWriter::WriteHashes(const RecordingHashes& hashes)
+{
+  std::string payload;
+  PutText(payload, hashes.Volume);
+  PutText(payload, hashes.Labels);
+  return this->WriteChunk(HashesChunk, payload);
 }
 
 int JournalWriter::WriteBegin(const RecordingBegin& begin)

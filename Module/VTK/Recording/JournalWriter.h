@@ -38,6 +38,7 @@ public:
   void Remove();
   ///@{
   /** Returns 0, or the errno of the failure; nothing is written after that. */
+  int WriteHashes(const RecordingHashes& hashes);
   int WriteBegin(const RecordingBegin& begin);
   int WritePlacements(const std::vector<PlacementRow>& placements);
   int WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost);

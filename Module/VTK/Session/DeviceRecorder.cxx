@@ -3,6 +3,7 @@
 #include "VTK/Session/DeviceRecorder.h"
 
 #include "VTK/Baking/HapticBaker.h"
+#include "VTK/Baking/HapticHash.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Recording/HapticJournal.h"
 #include "VTK/Recording/HapticRecordingFile.h"
@@ -14,9 +15,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <sys/stat.h>
 #include <utility>
@@ -32,20 +35,64 @@ constexpr double SecondsPerLine = 2e-5;
 /** A tick in a journal while the tip moves, at least: 80 to 180 were measured. */
 constexpr double BytesPerTick = 80;
 
+/**
+ * Hashing that is expected to take no longer than the first (s) is waited for when a recording
+ * starts, up to the second. So the journal of a small volume has the hash from its beginning.
+ */
+constexpr double ShortHashing = 5e-3;
+constexpr double ShortWait = 20e-3;
+/** At the end of a recording without force, the hashes are waited for no longer than this (s). */
+constexpr double LongestWait = 10.0;
+
+using TouchedArrays = std::array<TouchedArray, 2>;
+
+double EstimateHashing(const TouchedArrays& touched)
+{
+  double time = 0.0;
+  for (const TouchedArray& one : touched)
+  {
+    time += one.Array ? EstimateHashTime(one.Array) : 0.0;
+  }
+  return time;
+}
+
+/** On the worker's thread: nothing if it is cancelled. */
+std::optional<RecordingHashes> HashAll(const TouchedArrays& touched, WorkMonitor& monitor)
+{
+  const double all = EstimateHashing(touched);
+  double before = 0.0;
+  std::array<std::string, 2> hashes;
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    vtkDataArray* const array = touched[i].Array;
+    if (!array)
+    {
+      continue;
+    }
+    const double share = EstimateHashTime(array) / std::max(all, 1e-12);
+    hashes[i] = HashArray(array, touched[i].Dimensions.data(),
+      [&](double done)
+      {
+        monitor.SetProgress(before + share * done);
+        return !monitor.IsCancelled();
+      });
+    if (hashes[i].empty())
+    {
+      return std::nullopt;
+    }
+    before += share;
+  }
+  return RecordingHashes{ hashes[0], hashes[1] };
+}
+
 double EstimateWriting(const std::string& file, double ticks)
 {
   return ticks * (GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick);
 }
 
-/** The labels that a replay needs, unless the filter has none. */
+/** The table of the labels that a replay needs. */
 void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
 {
-  const std::string hash = filter->HashLabels();
-  if (hash.empty())
-  {
-    return;
-  }
-  os << RecordingNames::LabelHash << hash << "\n";
   vtkHapticLabelTable* const table = filter->GetLabelTable();
   constexpr vtkIdType most = 1000; // of the labels that are told one by one
   if (table && table->GetNumberOfLabels() <= most)
@@ -60,6 +107,14 @@ void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
 }
 
 } // namespace
+
+DeviceRecorder::DeviceRecorder(vtkHapticDevice* device, DeviceSession& session)
+  : Device(device)
+  , Session(session)
+{
+}
+
+DeviceRecorder::~DeviceRecorder() = default;
 
 /** The ticks that can be recorded into a file of that name; null after an error. */
 TickCollector* DeviceRecorder::FindRecordable(const std::string& name) const
@@ -126,28 +181,28 @@ bool DeviceRecorder::Start(const std::string& name, vtkVolumeHapticsFilter* filt
 
 bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt)
 {
-  if (!this->FindRecordable(name))
+  TickCollector* const ticks = this->FindRecordable(name);
+  if (!ticks)
   {
     return false;
   }
   RecordingAbout about;
   about.DeviceId = this->Session.GetId();
-  if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = felt)
+  if (felt)
   {
+    const TouchedArrays touched = HapticBaker(felt).GetTouched();
     std::ostringstream settings;
-    filter->PrintSettings(settings, vtkIndent());
+    felt->PrintSettings(settings, vtkIndent());
     settings << "ServoRate of the device: " << this->Session.GetRate() << " Hz\n";
-    const LongWork work(
-      this->Device, "the volume is hashed", HapticBaker(filter).EstimateHashTime());
-    about.VolumeHash = filter->HashScalars();
-    DescribeLabels(filter, settings);
+    if (touched[1].Array)
+    {
+      DescribeLabels(felt, settings);
+    }
     about.Settings = settings.str();
-  }
-  // Observers of the long work may have stopped the servo, or begun a recording.
-  TickCollector* const ticks = this->FindRecordable(name);
-  if (!ticks)
-  {
-    return false;
+    if (!this->FindHashes(felt) && EstimateHashing(touched) <= ShortHashing)
+    {
+      this->Hashing.WaitFor(ShortWait);
+    }
   }
   auto recording = std::make_unique<HapticRecording>();
   std::string error;
@@ -158,6 +213,8 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
     return false;
   }
   ticks->StartRecording(std::move(recording));
+  this->Felt = felt;
+  this->Follow();
   this->File = name;
   this->IsTroubleTold = false;
   if (!warning.empty())
@@ -165,6 +222,58 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
     vtkWarningWithObjectMacro(this->Device, << warning);
   }
   return true;
+}
+
+const RecordingHashes* DeviceRecorder::FindHashes(vtkVolumeHapticsFilter* filter)
+{
+  const TouchedArrays touched = HapticBaker(filter).GetTouched();
+  return this->Hashing.Follow({ touched[0].GetKey(), touched[1].GetKey() },
+    [touched](WorkMonitor& monitor) { return HashAll(touched, monitor); });
+}
+
+void DeviceRecorder::Follow()
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  if (!ticks || !ticks->IsRecording())
+  {
+    return;
+  }
+  if (const RecordingHashes* const hashes = this->Felt ? this->FindHashes(this->Felt) : nullptr)
+  {
+    ticks->SetRecordingHashes(*hashes);
+    this->Felt = nullptr;
+  }
+  this->Session.NoteBackgroundWork(
+    this->Felt ? "the recorded volume is hashed" : "", this->Hashing.GetProgress());
+  this->TellTrouble();
+}
+
+void DeviceRecorder::AwaitHashes(HapticRecording& recording)
+{
+  this->Session.NoteBackgroundWork("", 0.0);
+  const vtkSmartPointer<vtkVolumeHapticsFilter> felt = std::exchange(this->Felt, nullptr);
+  if (!felt)
+  {
+    return;
+  }
+  const RecordingHashes* hashes = this->FindHashes(felt);
+  if (!hashes && !this->Session.HasArmOrder())
+  {
+    this->Hashing.WaitFor(LongestWait);
+    hashes = this->FindHashes(felt);
+  }
+  if (hashes)
+  {
+    recording.SetHashes(*hashes);
+  }
+  else
+  {
+    vtkWarningWithObjectMacro(this->Device,
+      << "The recording " << Printable(recording.GetFile())
+      << " has no hash of its volume, as it ended before that was known: nothing tells later which "
+         "volume it is of. Disarm() before StopRecording(), which then waits for the hash, or go "
+         "on until GetStatusText() no longer tells of it.");
+  }
 }
 
 bool DeviceRecorder::Stop(bool isAnnounced)
@@ -177,6 +286,7 @@ bool DeviceRecorder::Stop(bool isAnnounced)
     return false;
   }
   const std::string file = std::exchange(this->File, std::string());
+  this->AwaitHashes(*recording);
   if (const std::uint64_t lost = recording->GetLostTicks())
   {
     vtkWarningWithObjectMacro(this->Device,

@@ -7,8 +7,13 @@
 #ifndef DeviceRecorder_h
 #define DeviceRecorder_h
 
+#include "VTK/Baking/TouchedArray.h"
 #include "VTK/Session/DeviceSession.h"
+#include "VTK/Work/BackgroundWork.h"
 
+#include "vtkSmartPointer.h"
+
+#include <array>
 #include <string>
 
 class vtkHapticDevice;
@@ -21,11 +26,8 @@ namespace VolumeHaptics
 class DeviceRecorder
 {
 public:
-  DeviceRecorder(vtkHapticDevice* device, DeviceSession& session)
-    : Device(device)
-    , Session(session)
-  {
-  }
+  DeviceRecorder(vtkHapticDevice* device, DeviceSession& session);
+  ~DeviceRecorder();
 
   ///@{
   /** See the functions of vtkHapticDevice. */
@@ -45,17 +47,28 @@ public:
   const std::string& GetFile() const { return this->File; }
 
   /**
-   * Reports an error, once for a recording, if the recording fails, for example with a full disk.
+   * To be called often while a recording is under way. Hands over the hashes of the volume when
+   * they are known. Reports an error, once for a recording, if the recording fails, for example
+   * with a full disk.
    */
-  void TellTrouble();
+  void Follow();
 
 private:
+  using HashKey = std::array<TouchedArray::Key, 2>; ///< of scalars and labels
+
   bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
+  /** The hashes of what a filter touches now; null until they are known. */
+  const RecordingHashes* FindHashes(vtkVolumeHapticsFilter* filter);
+  /** Hands over the hashes at the end of a recording; waits for them unless a hand would, too. */
+  void AwaitHashes(HapticRecording& recording);
+  void TellTrouble();
   TickCollector* FindRecordable(const std::string& file) const;
 
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   std::string File;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< until its hashes are handed over
+  KeyedWork<HashKey, RecordingHashes> Hashing;
   bool IsTroubleTold = false;
 };
 

@@ -375,6 +375,14 @@ void DeviceSession::RemoveReader(int reader)
   }
 }
 
+void DeviceSession::NoteBackgroundWork(const std::string& what, double share)
+{
+  constexpr double percent = 100.0;
+  this->BackgroundWork = what.empty()
+    ? what
+    : " Meanwhile " + what + " (" + std::to_string(static_cast<int>(percent * share)) + " %).";
+}
+
 DeviceStatus DeviceSession::GetStatus() const
 {
   DeviceStatus status;
@@ -390,6 +398,7 @@ DeviceStatus DeviceSession::GetStatus() const
   {
     status.LongWork = work->What;
   }
+  status.BackgroundWork = this->BackgroundWork;
   if (this->Servo)
   {
     status.State = &this->State;

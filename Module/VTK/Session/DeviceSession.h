@@ -125,6 +125,8 @@ public:
   bool EndWork();
   bool HasWork() const { return !this->Works.empty(); }
   ///@}
+  /** Work that nothing waits for, such as "the volume is hashed", and its share that is done. */
+  void NoteBackgroundWork(const std::string& what, double share);
   /** Whether the device is open and, as far as is known now, can be felt. */
   bool IsReady() const
   {
@@ -200,6 +202,7 @@ private:
   bool Clutched = false;    ///< as ordered
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
+  std::string BackgroundWork; // a text for the status; empty without
   std::vector<Work> Works;
   std::set<int> Readers; ///< numbers of AddReader
 };

@@ -183,7 +183,8 @@ int DeviceStatus::FindType() const
 std::string DeviceStatus::MakeText() const
 {
   const std::string& trouble = this->RecordingTrouble;
-  return Printable(this->DescribeDevice() + (trouble.empty() ? "" : " " + trouble));
+  return Printable(
+    this->DescribeDevice() + this->BackgroundWork + (trouble.empty() ? "" : " " + trouble));
 }
 
 std::string DeviceStatus::DescribeDevice() const

@@ -25,7 +25,8 @@ struct DeviceStatus
 
   bool IsArmOrdered = false;      ///< see ServoLoop::IsArmOrdered
   bool NeedsConfirmation = false; ///< before anything is felt
-  std::string LongWork;           ///< keeps the force off, such as "the volume is hashed"; or empty
+  std::string LongWork;           ///< keeps the force off, such as "a surface is meshed"; or empty
+  std::string BackgroundWork;     ///< a sentence on what nothing waits for; or empty
 
   std::uint32_t Orders = 0; ///< see ServoLoop::GetOrders
   /** The latest state; null unless the servo runs; the rest then means nothing. */

@@ -48,6 +48,8 @@ public:
   void StartRecording(std::unique_ptr<HapticRecording> recording);
   std::unique_ptr<HapticRecording> StopRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
+  /** See HapticRecording::SetHashes; a recording is under way. */
+  void SetRecordingHashes(const RecordingHashes& hashes) { this->Recording->SetHashes(hashes); }
   /** The reason if the recording has failed; empty while there is none. */
   std::string GetRecordingTrouble() const
   {

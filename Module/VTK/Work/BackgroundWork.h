@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Work on a volume that a hand must not wait for, on a thread of its own.
+ *
+ * The owner (the GUI thread) begins the work, looks at its progress, and takes its result whenever
+ * it comes by; neither waits for the other. The work does its task in pieces of some milliseconds
+ * and asks between them whether it is cancelled. A KeyedWork also knows which data its result is
+ * of, and begins again if they have changed:
+ *
+ *   KeyedWork<DataKey, std::string> hash;
+ *   const std::string* known = hash.Follow({ array, array->GetMTime() }, // on each GUI tick
+ *     [array](WorkMonitor& monitor) { return HashArray(array, dimensions, monitor); });
+ *
+ * What the task holds, such as a reference to an array, is released by the owner, never by the
+ * worker: the last reference of a VTK object must not be dropped by another thread. The task reads
+ * values while the program may write them: the program announces that with Modified(), and gets
+ * another result. The memory of the values must stay where it is for as long as the array exists,
+ * as for the servo: see vtkHapticDevice.
+ *
+ * The worker has a low priority, so that it delays neither the servo nor the picture. A forked
+ * child has no worker; there, work that was under way never ends.
+ */
+#ifndef BackgroundWork_h
+#define BackgroundWork_h
+
+#include "Core/Servo/ServoClock.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+/** What a task and its owner tell each other. */
+class WorkMonitor
+{
+public:
+  ///@{
+  /** Called by the task. */
+  bool IsCancelled() const noexcept { return this->Cancelled.load(std::memory_order_relaxed); }
+  void SetProgress(double share) noexcept { this->Share.store(share, std::memory_order_relaxed); }
+  ///@}
+  ///@{
+  /** Called by the owner; the progress is 0 to 1. */
+  void Cancel() noexcept { this->Cancelled.store(true, std::memory_order_relaxed); }
+  double GetProgress() const noexcept { return this->Share.load(std::memory_order_relaxed); }
+  ///@}
+
+private:
+  std::atomic<bool> Cancelled{ false };
+  std::atomic<double> Share{ 0.0 };
+};
+
+/** A task on a thread of its own. All functions are for the owner. */
+class BackgroundWork
+{
+public:
+  using Task = std::function<void(WorkMonitor&)>;
+
+  BackgroundWork() = default;
+  /** Cancels the task. */
+  ~BackgroundWork() { this->End(); }
+  BackgroundWork(const BackgroundWork&) = delete;
+  BackgroundWork& operator=(const BackgroundWork&) = delete;
+
+  /**
+   * Begins a task, instead of one that is under way. If the system gives no thread, the task is
+   * done at once, before this returns.
+   */
+  void Begin(Task task);
+  /** Cancels the task, waits for the end of its piece, and releases what it holds. */
+  void End() noexcept;
+
+  /** Whether a task was begun, and End() was not called since. */
+  bool IsBegun() const { return this->Current != nullptr; }
+  /** Whether the task has returned; what it wrote can be read. */
+  bool HasReturned() const;
+  /** Waits until the task has returned, or for some seconds; returns whether it has. */
+  bool WaitFor(double seconds) const;
+  /** 0 to 1; 0 without a task. */
+  double GetProgress() const;
+
+private:
+  struct Run
+  {
+    Task Work;
+    WorkMonitor Monitor;
+    std::atomic<bool> HasReturned{ false };
+    std::thread Thread;
+    const std::int64_t Process = ServoClock::GetProcess();
+
+    void Do() noexcept;
+  };
+  bool IsOurs() const { return this->Current->Process == ServoClock::GetProcess(); }
+
+  std::unique_ptr<Run> Current;
+};
+
+/**
+ * A result that is made in the background of the data that a key names, such as an array and the
+ * time of its last change.
+ */
+template <typename Key, typename Result>
+class KeyedWork
+{
+public:
+  /** Returns nothing if it is cancelled. */
+  using Maker = std::function<std::optional<Result>(WorkMonitor&)>;
+
+  /**
+   * The result of a key; null until it is known. If the key is another one than before, the work is
+   * begun with `make`, and that of the old key is cancelled. If the work fails for lack of memory,
+   * the result stays null.
+   */
+  const Result* Follow(const Key& key, const Maker& make)
+  {
+    if (!this->Of || !(*this->Of == key))
+    {
+      this->Forget();
+      this->Of = key;
+      const auto made = this->Made = std::make_shared<std::optional<Result>>();
+      this->Work.Begin([made, make](WorkMonitor& monitor) { *made = make(monitor); });
+    }
+    if (this->Work.IsBegun() && this->Work.HasReturned())
+    {
+      this->Work.End();
+    }
+    return !this->Work.IsBegun() && *this->Made ? &**this->Made : nullptr;
+  }
+
+  /** Cancels the work and forgets its result. */
+  void Forget()
+  {
+    this->Work.End();
+    this->Of.reset();
+    this->Made.reset();
+  }
+
+  /** Whether a result is being made. */
+  bool IsUnderWay() const { return this->Work.IsBegun() && !this->Work.HasReturned(); }
+  bool WaitFor(double seconds) const { return this->Work.WaitFor(seconds); }
+  double GetProgress() const { return this->Work.GetProgress(); }
+
+private:
+  std::optional<Key> Of;
+  std::shared_ptr<std::optional<Result>> Made; // written by the task
+  BackgroundWork Work;                         // last: it ends first
+};
+
+} // namespace VolumeHaptics
+
+#endif

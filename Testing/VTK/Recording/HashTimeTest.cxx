@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A recording begins at once, and its hashes come when they are known. An array holds the hash up
+ * for as long as a test wants; HashScalars, which another test compares with an MD5 of Python's,
+ * says what it has to be.
+ */
+
+#include "Rigs/RecordingRig.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkShortArray.h>
+#include <vtkStringArray.h>
+
+#include <atomic>
+#include <thread>
+
+using namespace devicetest;
+
+namespace
+{
+/// Values that another thread than the one that made the array gets only while it is open.
+class GatedArray : public vtkShortArray
+{
+public:
+  static GatedArray* New();
+  vtkTypeMacro(GatedArray, vtkShortArray);
+  void* GetVoidPointer(vtkIdType value) override
+  {
+    if (std::this_thread::get_id() != this->Owner)
+    {
+      ++this->Asked;
+      while (!this->IsOpen)
+      {
+        std::this_thread::yield();
+      }
+    }
+    return this->Superclass::GetVoidPointer(value);
+  }
+
+  std::atomic<bool> IsOpen{ false };
+  std::atomic<int> Asked{ 0 };
+
+private:
+  const std::thread::id Owner = std::this_thread::get_id();
+};
+vtkStandardNewMacro(GatedArray);
+
+class HashTime : public Recording
+{
+protected:
+  HashTime() { this->Filter->SetInputData(0, this->Give(this->Gated)); }
+  ~HashTime() override { this->Gated->IsOpen = true; }
+
+  /// V = 100 z, as in the image of the rig.
+  vtkSmartPointer<vtkImageData> Give(vtkShortArray* values)
+  {
+    constexpr int n = 16;
+    values->SetNumberOfValues(n * n * n);
+    for (vtkIdType i = 0; i < n * n * n; ++i)
+    {
+      values->SetValue(i, static_cast<short>(100 * (i / (n * n))));
+    }
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(n, n, n);
+    image->GetPointData()->SetScalars(values);
+    return image;
+  }
+  std::string ReadHash()
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->Name.c_str());
+    reader->Update();
+    auto* const text = vtkStringArray::SafeDownCast(
+      reader->GetOutput()->GetFieldData()->GetAbstractArray("VolumeHash"));
+    return text && text->GetNumberOfValues() == 1 ? std::string(text->GetValue(0)) : "no array";
+  }
+  bool IsHashing()
+  {
+    this->Device->UpdateState();
+    return this->Device->GetStatusText().find("the recorded volume is hashed") != std::string::npos;
+  }
+  bool WaitUntilAsked(int times = 1)
+  {
+    return this->Wait([this, times] { return this->Gated->Asked >= times; });
+  }
+  /// From another thread, while the owner waits.
+  std::thread OpenSoon()
+  {
+    return std::thread(
+      [this]
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        this->Gated->IsOpen = true;
+      });
+  }
+
+  vtkNew<GatedArray> Gated;
+};
+} // namespace
+
+TEST_F(HashTime, IsNotThatOfTheStart)
+{
+  ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
+  this->StartRecording();
+  EXPECT_TRUE(this->IsHashing()) << this->Device->GetStatusText();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+  ASSERT_TRUE(this->WaitTicks(20));
+  this->Gated->IsOpen = true;
+  ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
+  ASSERT_TRUE(this->Device->StopRecording());
+  EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
+  EXPECT_TRUE(this->Log.Warnings.empty());
+  // The same values are not hashed again.
+  const int asked = this->Gated->Asked;
+  this->StartRecording();
+  EXPECT_FALSE(this->IsHashing());
+  ASSERT_TRUE(this->WaitTicks(20));
+  ASSERT_TRUE(this->Device->StopRecording());
+  EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
+  EXPECT_EQ(this->Gated->Asked, asked);
+}
+
+TEST_F(HashTime, IsNotWaitedForWhileArmed)
+{
+  ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
+  this->StartRecording();
+  ASSERT_TRUE(this->WaitTicks(20));
+  ASSERT_TRUE(this->Device->StopRecording());
+  EXPECT_EQ(this->ReadHash(), "");
+  ASSERT_EQ(this->Log.Warnings.size(), 1U);
+  EXPECT_NE(this->Log.Warnings[0].find("no hash of its volume"), std::string::npos);
+  EXPECT_FALSE(this->IsHashing()) << "of a recording that has ended";
+}
+
+TEST_F(HashTime, IsWaitedForWithoutForce)
+{
+  this->Begin();
+  this->StartRecording();
+  ASSERT_TRUE(this->WaitTicks(20));
+  std::thread opener = this->OpenSoon();
+  ASSERT_TRUE(this->Device->StopRecording());
+  opener.join();
+  EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
+  EXPECT_TRUE(this->Log.Warnings.empty());
+}
+
+TEST_F(HashTime, MayEndWithTheDevice)
+{
+  ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
+  this->StartRecording();
+  ASSERT_TRUE(this->WaitUntilAsked());
+  std::thread opener = this->OpenSoon();
+  this->Device->Close();
+  opener.join();
+  EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
+}
+
+TEST_F(HashTime, BeginsAgainIfTheValuesChange)
+{
+  this->Begin();
+  this->StartRecording();
+  ASSERT_TRUE(this->WaitUntilAsked());
+  const std::string before = this->Filter->HashScalars();
+  // What the worker has begun ends first. It has not read any value.
+  this->Gated->SetValue(7, 5);
+  this->Gated->Modified();
+  std::thread opener = this->OpenSoon();
+  this->Device->UpdateState();
+  opener.join();
+  ASSERT_TRUE(this->WaitUntilAsked(2));
+  ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
+  ASSERT_TRUE(this->Device->StopRecording());
+  EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
+  EXPECT_NE(this->ReadHash(), before);
+}
+
+TEST_F(HashTime, BeginsAgainIfTheImageIsReplaced)
+{
+  this->Begin();
+  this->StartRecording();
+  ASSERT_TRUE(this->WaitUntilAsked());
+  std::thread opener = this->OpenSoon();
+  vtkNew<vtkShortArray> values;
+  const auto image = this->Give(values);
+  values->SetValue(9, 3);
+  this->Filter->SetInputData(0, image);
+  this->Device->UpdateState(); // the worker may hold the last reference but this one
+  opener.join();
+  ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
+  ASSERT_TRUE(this->Device->StopRecording());
+  EXPECT_EQ(this->ReadHash(), this->Filter->HashScalars());
+}
+
+TEST_F(HashTime, OfLabelsIsInTheSettings)
+{
+  vtkNew<GatedArray> labels;
+  this->Filter->SetLabelData(this->Give(labels));
+  this->Gated->IsOpen = true;
+  this->Begin();
+  this->StartRecording();
+  EXPECT_TRUE(this->IsHashing()) << "of the labels";
+  this->Wander(30);
+  labels->IsOpen = true;
+  ASSERT_TRUE(this->Wait([this] { return !this->IsHashing(); }));
+  this->ExpectSame(0.0);
+  auto* const settings =
+    vtkStringArray::SafeDownCast(this->Recorded->GetFieldData()->GetAbstractArray("Settings"));
+  ASSERT_NE(settings, nullptr);
+  EXPECT_NE(settings->GetValue(0).find("\nLabelHash: " + this->Filter->HashLabels() + "\n"),
+    std::string::npos);
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Work in the background: its owner never waits for it unless it says so, and never gets a result
+ * of data that have changed.
+ */
+
+#include "VTK/Work/BackgroundWork.h"
+
+#include "Rigs/Eventually.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+#if defined(__unix__)
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
+using namespace VolumeHaptics;
+using devicetest::Eventually;
+
+namespace
+{
+using Work = KeyedWork<int, std::string>;
+
+/// A task that goes on until it is opened or cancelled.
+class Gate
+{
+public:
+  std::optional<std::string> Pass(WorkMonitor& monitor, const std::string& result)
+  {
+    ++this->Entered;
+    while (!this->IsOpen && !monitor.IsCancelled())
+    {
+      std::this_thread::yield();
+    }
+    ++this->Left;
+    return monitor.IsCancelled() ? std::nullopt : std::optional<std::string>(result);
+  }
+  Work::Maker Make(const std::string& result)
+  {
+    return [this, result](WorkMonitor& monitor) { return this->Pass(monitor, result); };
+  }
+
+  std::atomic<bool> IsOpen{ false };
+  std::atomic<int> Entered{ 0 };
+  std::atomic<int> Left{ 0 };
+};
+} // namespace
+
+TEST(BackgroundWork, GivesAResultWhenItIsKnownAndMakesItOnce)
+{
+  Gate gate;
+  Work work;
+  EXPECT_FALSE(work.IsUnderWay());
+  EXPECT_EQ(work.Follow(1, gate.Make("one")), nullptr);
+  EXPECT_TRUE(work.IsUnderWay());
+  ASSERT_TRUE(Eventually([&] { return gate.Entered == 1; }));
+  EXPECT_EQ(work.Follow(1, gate.Make("another")), nullptr);
+  gate.IsOpen = true;
+  ASSERT_TRUE(work.WaitFor(60.0));
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::string* const result = work.Follow(1, gate.Make("another"));
+    ASSERT_NE(result, nullptr);
+    EXPECT_EQ(*result, "one");
+  }
+  EXPECT_FALSE(work.IsUnderWay());
+  EXPECT_EQ(gate.Entered, 1);
+}
+
+TEST(BackgroundWork, OfDataThatChangeBeginsAgain)
+{
+  Gate old;
+  Gate gate;
+  Work work;
+  work.Follow(1, old.Make("old"));
+  ASSERT_TRUE(Eventually([&] { return old.Entered == 1; }));
+  EXPECT_EQ(work.Follow(2, gate.Make("new")), nullptr);
+  EXPECT_EQ(old.Left, 1) << "the old work has ended before the new one begins";
+  gate.IsOpen = true;
+  const std::string* result = nullptr;
+  ASSERT_TRUE(Eventually([&] { return (result = work.Follow(2, gate.Make("new"))) != nullptr; }));
+  EXPECT_EQ(*result, "new");
+  // A change after the work has returned, before its owner has looked.
+  Work other;
+  other.Follow(1, gate.Make("old"));
+  ASSERT_TRUE(other.WaitFor(60.0));
+  const std::string* const none = other.Follow(2, gate.Make("new"));
+  EXPECT_TRUE(!none || *none == "new");
+  ASSERT_TRUE(Eventually([&] { return (result = other.Follow(2, gate.Make("new"))) != nullptr; }));
+  EXPECT_EQ(*result, "new");
+}
+
+TEST(BackgroundWork, IsCancelledByItsOwner)
+{
+  Gate gate;
+  Work work;
+  work.Follow(1, gate.Make("one"));
+  work.Forget();
+  EXPECT_EQ(gate.Entered, gate.Left);
+  EXPECT_FALSE(work.IsUnderWay());
+  {
+    Work gone;
+    gone.Follow(1, gate.Make("one"));
+  }
+  EXPECT_EQ(gate.Entered, gate.Left);
+  // It can begin again.
+  gate.IsOpen = true;
+  ASSERT_TRUE(Eventually([&] { return work.Follow(1, gate.Make("one")) != nullptr; }));
+}
+
+TEST(BackgroundWork, LetsItsOwnerReleaseWhatItHolds)
+{
+  std::thread::id releaser;
+  Gate gate;
+  Work work;
+  {
+    const std::shared_ptr<int> held(new int(5),
+      [&releaser](int* number)
+      {
+        releaser = std::this_thread::get_id();
+        delete number;
+      });
+    const auto make = [held, &gate](WorkMonitor& monitor)
+    { return gate.Pass(monitor, std::to_string(*held)); };
+    work.Follow(1, make);
+  }
+  gate.IsOpen = true;
+  ASSERT_TRUE(work.WaitFor(60.0));
+  EXPECT_EQ(releaser, std::thread::id()) << "not by the worker";
+  const std::string* const result = work.Follow(1, gate.Make("another"));
+  ASSERT_NE(result, nullptr);
+  EXPECT_EQ(*result, "5");
+  EXPECT_EQ(releaser, std::this_thread::get_id());
+}
+
+TEST(BackgroundWork, TellsItsProgress)
+{
+  Gate gate;
+  Work work;
+  EXPECT_EQ(work.GetProgress(), 0.0);
+  work.Follow(1,
+    [&gate](WorkMonitor& monitor)
+    {
+      monitor.SetProgress(0.25);
+      return gate.Pass(monitor, "");
+    });
+  ASSERT_TRUE(Eventually([&] { return gate.Entered == 1; }));
+  EXPECT_EQ(work.GetProgress(), 0.25);
+  EXPECT_FALSE(work.WaitFor(0.01)) << "its owner does not wait longer than it says";
+}
+
+TEST(BackgroundWork, WithoutMemoryHasNoResult)
+{
+  Work work;
+  const Work::Maker make = [](WorkMonitor&) -> std::optional<std::string>
+  { throw std::bad_alloc(); };
+  EXPECT_EQ(work.Follow(1, make), nullptr);
+  ASSERT_TRUE(work.WaitFor(60.0));
+  EXPECT_EQ(work.Follow(1, make), nullptr);
+  EXPECT_FALSE(work.IsUnderWay());
+}
+
+// The sanitizer can't follow a fork of a program with threads.
+#if defined(__unix__) && !defined(__SANITIZE_THREAD__)
+TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
+{
+  Gate gate;
+  auto work = std::make_unique<Work>();
+  work->Follow(1, gate.Make("one"));
+  ASSERT_TRUE(Eventually([&] { return gate.Entered == 1; }));
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    alarm(30);
+    const bool isQuiet = !work->WaitFor(0.01) && !work->Follow(1, gate.Make("one"));
+    work.reset();
+    Work own;
+    gate.IsOpen = true;
+    own.Follow(2, gate.Make("two"));
+    const bool isDone = own.WaitFor(20.0) && own.Follow(2, gate.Make("two"));
+    _exit(isQuiet && isDone ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+#endif
