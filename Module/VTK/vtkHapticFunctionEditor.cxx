@@ -89,6 +89,30 @@ struct vtkHapticFunctionEditor::vtkInternals
       y -= origin[1];
     }
   }
+
+  /** From the viewport to the display. */
+  void ToDisplay(double position[2]) const
+  {
+    int origin[2] = { 0, 0 };
+    this->ToViewport(origin[0], origin[1]);
+    position[0] -= origin[0];
+    position[1] -= origin[1];
+  }
+
+  /**
+   * Does work of the editor between StartEvent and EndEvent. Observers may render meanwhile, which
+   * shows the chart as it is, and may release the editor.
+   */
+  template <typename WorkType>
+  void DoLongWork(vtkHapticFunctionEditor* editor, const WorkType& work)
+  {
+    const vtkSmartPointer<vtkHapticFunctionEditor> self(editor);
+    this->IsCounting = true;
+    editor->InvokeEvent(vtkCommand::StartEvent);
+    work();
+    this->IsCounting = false;
+    editor->InvokeEvent(vtkCommand::EndEvent);
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -264,19 +288,22 @@ bool vtkHapticFunctionEditor::Propose()
   const vtkSmartPointer<vtkImageData> image(d.Image);
   VolumeHaptics::MaterialProposal proposal;
   std::string error;
-  d.IsCounting = d.IsProposing = true;
-  this->InvokeEvent(vtkCommand::StartEvent);
-  const bool isThere = VolumeHaptics::ProposeFromVolume(image, d.GetComponent(), proposal, error);
-  if (isThere)
-  {
-    d.Proposal = vtkSmartPointer<vtkHapticProperty>::New();
-    VolumeHaptics::FillFromProposal(proposal, d.Proposal);
-    d.Chart.ShowData(d.Image, d.GetComponent());
-    this->UpdateEdges();
-    this->Modified();
-  }
-  d.IsCounting = d.IsProposing = false;
-  this->InvokeEvent(vtkCommand::EndEvent);
+  bool isThere = false;
+  d.IsProposing = true;
+  d.DoLongWork(this,
+    [&]
+    {
+      isThere = VolumeHaptics::ProposeFromVolume(image, d.GetComponent(), proposal, error);
+      if (isThere)
+      {
+        d.Proposal = vtkSmartPointer<vtkHapticProperty>::New();
+        VolumeHaptics::FillFromProposal(proposal, d.Proposal);
+        d.Chart.ShowData(d.Image, d.GetComponent());
+        this->UpdateEdges();
+        this->Modified();
+      }
+      d.IsProposing = false;
+    });
   if (!isThere)
   {
     vtkErrorMacro(<< error);
@@ -353,29 +380,25 @@ void vtkHapticFunctionEditor::UpdateEdges()
 void vtkHapticFunctionEditor::Update()
 {
   auto& d = *this->Internals;
-  const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
-  // Observers may render during the work: that shows the chart as it is.
-  if (this->Function == LABELS)
+  if (d.IsCounting)
   {
-    if (!d.IsCounting && !d.Labels.List.IsCounted())
-    {
-      d.IsCounting = true;
-      this->InvokeEvent(vtkCommand::StartEvent);
-      d.Labels.List.Count();
-      d.IsCounting = false;
-      this->InvokeEvent(vtkCommand::EndEvent);
-    }
     return;
   }
-  const bool showsData = d.Chart.ShowsData(d.Image, d.GetComponent());
-  if (!d.IsCounting && !(showsData && this->ShowsEdges()))
+  if (this->Function == LABELS)
   {
-    d.IsCounting = true;
-    this->InvokeEvent(vtkCommand::StartEvent);
-    d.Chart.ShowData(d.Image, d.GetComponent());
-    this->UpdateEdges();
-    d.IsCounting = false;
-    this->InvokeEvent(vtkCommand::EndEvent);
+    if (!d.Labels.List.IsCounted())
+    {
+      d.DoLongWork(this, [&d] { d.Labels.List.Count(); });
+    }
+  }
+  else if (!d.Chart.ShowsData(d.Image, d.GetComponent()) || !this->ShowsEdges())
+  {
+    d.DoLongWork(this,
+      [&]
+      {
+        d.Chart.ShowData(d.Image, d.GetComponent());
+        this->UpdateEdges();
+      });
   }
 }
 
@@ -436,13 +459,14 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
   const vtkMTimeType before = edited ? edited->GetMTime() : 0;
   d.ToViewport(x, y);
   d.Held = starts ? button : d.Held;
+  const int sent = event == vtkCommand::MouseMoveEvent ? d.Held : button;
   if (this->Function == LABELS)
   {
-    this->SendToLabels(event, x, y);
+    d.Labels.SendMouse(event, sent, x, y);
   }
   else
   {
-    d.Chart.SendMouse(event, event == vtkCommand::MouseMoveEvent ? d.Held : button, x, y);
+    d.Chart.SendMouse(event, sent, x, y);
   }
   d.Held = event == vtkCommand::LeftButtonReleaseEvent ? 0 : d.Held;
   if (edited && edited->GetMTime() > before)
@@ -450,27 +474,6 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
     this->InvokeEvent(vtkCommand::InteractionEvent);
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticFunctionEditor::SendToLabels(int event, int x, int y)
-{
-  auto& d = *this->Internals;
-  if (!d.Labels.List.Table || d.Held != LEFT_BUTTON)
-  {
-    return;
-  }
-  switch (event)
-  {
-    case vtkCommand::MouseMoveEvent:
-      d.Labels.Move(x, y);
-      break;
-    case vtkCommand::LeftButtonReleaseEvent:
-      d.Labels.Release();
-      break;
-    default:
-      d.Labels.Press(x, y);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -526,54 +529,36 @@ void vtkHapticFunctionEditor::GetDisplayPosition(
     return;
   }
   this->Internals->Chart.GetPosition(value, functionValue, position);
-  this->ToDisplay(position);
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticFunctionEditor::ToDisplay(double position[2])
-{
-  int origin[2] = { 0, 0 };
-  this->Internals->ToViewport(origin[0], origin[1]);
-  position[0] -= origin[0];
-  position[1] -= origin[1];
+  this->Internals->ToDisplay(position);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double position[2])
 {
   using VolumeHaptics::LabelPart;
-  const auto& labels = this->Internals->Labels;
-  const vtkIdType row = labels.List.FindRow(label);
-  const vtkIdType first = labels.List.GetFirstRow();
-  if (!position || !labels.List.IsCounted() || row < first ||
-    row >= first + labels.List.GetVisibleRows())
+  const auto& d = *this->Internals;
+  const auto kind = part == LABEL_NAME ? LabelPart::Name
+    : part == LABEL_FELT               ? LabelPart::Felt
+                                       : LabelPart::Forbidden;
+  const bool isShown = position && d.Labels.GetLabelPosition(label, kind, position);
+  if (isShown)
   {
-    return false;
+    d.ToDisplay(position);
   }
-  const VolumeHaptics::HapticLabelLayout layout = labels.GetLayout();
-  const vtkRectf place = part == LABEL_NAME
-    ? layout.GetName(row)
-    : layout.GetBox(row, part == LABEL_FELT ? LabelPart::Felt : LabelPart::Forbidden);
-  position[0] = place.GetLeft() + 0.5 * place.GetWidth();
-  position[1] = place.GetBottom() + 0.5 * place.GetHeight();
-  this->ToDisplay(position);
-  return true;
+  return isShown;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::GetSliderPosition(int function, double value, double position[2])
 {
-  const auto& labels = this->Internals->Labels;
-  if (!position || function < STIFFNESS || function > SURFACE_STRENGTH ||
-    !labels.List.IsCounted() || !labels.List.GetSelected())
+  const auto& d = *this->Internals;
+  const bool isShown = position && function >= STIFFNESS && function <= SURFACE_STRENGTH &&
+    d.Labels.GetSliderPosition(function, value, position);
+  if (isShown)
   {
-    return false;
+    d.ToDisplay(position);
   }
-  const vtkRectf place = labels.GetLayout().GetSlider(function);
-  position[0] = place.GetLeft() + place.GetWidth() * value / labels.List.GetEnd(function);
-  position[1] = place.GetBottom() + 0.5 * place.GetHeight();
-  this->ToDisplay(position);
-  return true;
+  return isShown;
 }
 
 //------------------------------------------------------------------------------

@@ -282,8 +282,6 @@ private:
   bool ShowsEdges();
   void UpdateEdges();
   bool Send(int event, int button, int x, int y);
-  void SendToLabels(int event, int x, int y);
-  void ToDisplay(double position[2]);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

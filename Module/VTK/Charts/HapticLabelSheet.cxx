@@ -4,6 +4,8 @@
 
 #include "VTK/Charts/HapticChartText.h"
 
+#include "vtkCommand.h"
+#include "vtkContextMouseEvent.h"
 #include "vtkContextScene.h"
 #include "vtkHapticLabelTable.h"
 
@@ -49,6 +51,26 @@ void HapticLabelSheet::Slide(int quantity, float x)
   const double share = std::clamp<double>((x - bar.GetLeft()) / bar.GetWidth(), 0.0, 1.0);
   this->List.SetValue(
     quantity, std::round(share * SliderSteps) / SliderSteps * this->List.GetEnd(quantity));
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelSheet::SendMouse(int event, int button, int x, int y)
+{
+  if (!this->List.Table || button != vtkContextMouseEvent::LEFT_BUTTON)
+  {
+    return;
+  }
+  switch (event)
+  {
+    case vtkCommand::MouseMoveEvent:
+      this->Move(x, y);
+      break;
+    case vtkCommand::LeftButtonReleaseEvent:
+      this->Release();
+      break;
+    default:
+      this->Press(x, y);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -118,6 +140,36 @@ void HapticLabelSheet::Turn(int x, int y, double steps)
   {
     this->List.ScrollTo(this->List.GetFirstRow() - std::llround(RowsPerTurn * steps));
   }
+}
+
+//------------------------------------------------------------------------------
+bool HapticLabelSheet::GetLabelPosition(
+  int label, LabelPart::KindType part, double position[2]) const
+{
+  const vtkIdType row = this->List.FindRow(label);
+  const vtkIdType first = this->List.GetFirstRow();
+  if (!this->List.IsCounted() || row < first || row >= first + this->List.GetVisibleRows())
+  {
+    return false;
+  }
+  const HapticLabelLayout layout = this->GetLayout();
+  const vtkRectf place = part == LabelPart::Name ? layout.GetName(row) : layout.GetBox(row, part);
+  position[0] = place.GetLeft() + 0.5 * place.GetWidth();
+  position[1] = place.GetBottom() + 0.5 * place.GetHeight();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticLabelSheet::GetSliderPosition(int quantity, double value, double position[2]) const
+{
+  if (!this->List.IsCounted() || !this->List.GetSelected())
+  {
+    return false;
+  }
+  const vtkRectf place = this->GetLayout().GetSlider(quantity);
+  position[0] = place.GetLeft() + place.GetWidth() * value / this->List.GetEnd(quantity);
+  position[1] = place.GetBottom() + 0.5 * place.GetHeight();
+  return true;
 }
 
 } // namespace VolumeHaptics

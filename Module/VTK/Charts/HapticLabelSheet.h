@@ -31,15 +31,27 @@ public:
   void Place(const int rectangle[4]);
   HapticLabelLayout GetLayout() const { return { this->Rectangle, this->List }; }
 
-  ///@{
-  /** The left button and the wheel at a position in the viewport. */
-  void Press(int x, int y);
-  void Move(int x, int y);
-  void Release();
+  /**
+   * Passes on a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
+   * Other buttons do nothing.
+   */
+  void SendMouse(int event, int button, int x, int y);
+  /** The wheel at a position in the viewport. */
   void Turn(int x, int y, double steps);
+
+  ///@{
+  /**
+   * The position in the viewport of a label's name or one of its boxes, and of a value on the
+   * slider of a quantity. False if it is not shown.
+   */
+  bool GetLabelPosition(int label, LabelPart::KindType part, double position[2]) const;
+  bool GetSliderPosition(int quantity, double value, double position[2]) const;
   ///@}
 
 private:
+  void Press(int x, int y);
+  void Move(int x, int y);
+  void Release();
   /** Sets the quantity of a slider to the value at a position on it. */
   void Slide(int quantity, float x);
 
