@@ -32,6 +32,7 @@ Some options, passed on to volumehaptics-explore, which lists all of them with -
   --device ID       of the window: virtual (the mouse), replay:FILE, ...
   --setup FILE      of the window: functions, settings and camera, loaded and saved
   --stereo MODE     of the window, such as anaglyph
+  --sound           of the window: what is touched can be heard; --sound FILE.wav writes the sound along the path
 EOF
 }
 
@@ -95,7 +96,7 @@ source "$root/CMake/install-packages.sh"
 source "$root/Data/head-ct.sh"
 say "Packages"
 require_packages cmake ninja-build g++ libvtk9-dev xvfb xauth libgl1-mesa-dri pkg-config \
-  libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev
+  libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev libpulse-dev
 echo "Everything that is needed is installed."
 
 mkdir -p "$build"
@@ -111,6 +112,14 @@ do
   case "$1" in
     --live | -*=*)
       options+=("$1")
+      ;;
+    --sound)
+      options+=("$1")
+      if [[ "${2:-}" == *.[wW][aA][vV] ]]
+      then
+        options+=("$2")
+        shift
+      fi
       ;;
     -*)
       options+=("$1" "${@:2:1}")

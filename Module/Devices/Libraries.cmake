@@ -22,26 +22,11 @@ if (BEAST_INCLUDE_DIR AND NLOHMANN_INCLUDE_DIR)
   set(BEAST_FOUND ON)
 endif ()
 
+include("${CMAKE_CURRENT_LIST_DIR}/../UseLibrary.cmake")
 set(VolumeHaptics_DEVICE_LIBRARIES)
-# Makes the option VolumeHaptics_USE_NAME, on if the library is found; an error if it is asked for and not found.
-macro (volume_haptics_use name found devices package)
-  if (${found})
-    option(VolumeHaptics_USE_${name} "Talk to ${devices}" ON)
-  else ()
-    option(VolumeHaptics_USE_${name} "Talk to ${devices}" OFF)
-  endif ()
-  if (VolumeHaptics_USE_${name})
-    if (NOT ${found})
-      message(FATAL_ERROR "VolumeHaptics_USE_${name} is on, but the library is not found. "
-        "Install it (on Debian: apt-get install ${package}), or turn the option off.")
-    endif ()
-    list(APPEND VolumeHaptics_DEVICE_LIBRARIES ${${name}_LINK_LIBRARIES})
-  else ()
-    message(STATUS "Without ${devices}: VolumeHaptics_USE_${name} is off (on Debian: apt-get install ${package})")
-  endif ()
-endmacro ()
-volume_haptics_use(LIBUSB LIBUSB_FOUND "the Novint Falcon, through libusb" "pkg-config libusb-1.0-0-dev")
-volume_haptics_use(HIDAPI HIDAPI_FOUND
-  "WoodenHaptics, force-feedback sticks and 3Dconnexion mice, through hidapi" "pkg-config libhidapi-dev")
-volume_haptics_use(BEAST BEAST_FOUND "Haply's Inverse3 and Minverse, through Boost.Beast"
-  "libboost-dev nlohmann-json3-dev")
+volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES LIBUSB LIBUSB_FOUND
+  "Talk to the Novint Falcon, through libusb" "pkg-config libusb-1.0-0-dev")
+volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES HIDAPI HIDAPI_FOUND
+  "Talk to WoodenHaptics, force-feedback sticks and 3Dconnexion mice, through hidapi" "pkg-config libhidapi-dev")
+volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES BEAST BEAST_FOUND
+  "Talk to Haply's Inverse3 and Minverse, through Boost.Beast" "libboost-dev nlohmann-json3-dev")

@@ -92,19 +92,22 @@ allow(VTK/Charts VTK/Proposal/EdgeHistogram.h)
 allow(VTK/Setup Core/Model VTK/Baking)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
-# private classes of the library, of which it gets the objects.
+# private classes of the library, of which it gets the objects, and hands ticks on through a ring of headers alone.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard)
 set(explorer Applications/Explorer)
 set(chart VTK/Charts/HapticForceChart.h VTK/Charts/HapticForceTable.h)
 set(writer VTK/Trace/TraceWriter.h)
-allow(${explorer} ${chart} ${writer})
+set(ring Core/Servo/TraceRing.h)
+allow(${explorer} ${chart} ${writer} ${ring})
 allow(${explorer}/Errors)
+allow(${explorer}/Sound ${explorer}/Errors ${ring})
 allow(${explorer}/Volume ${explorer}/Errors)
 allow(${explorer}/Analysis)
 allow(${explorer}/View ${explorer}/Errors)
 allow(${explorer}/Path ${explorer}/Analysis ${explorer}/View)
 set(exploration ${explorer}/Errors ${explorer}/Volume ${explorer}/Analysis ${explorer}/View ${explorer}/Path)
+list(APPEND exploration ${explorer}/Sound)
 allow(${explorer}/Exploration ${exploration})
 list(APPEND exploration ${explorer}/Exploration)
 allow(${explorer}/Scene ${exploration})
@@ -121,6 +124,7 @@ endforeach ()
 file(GLOB shared RELATIVE "${root}/Module" "${root}/Module/Core/Solvers/*.h" "${root}/Module/Core/Solvers/*.cxx")
 forbid("The files that solvers share must not know a solver." "Core/Solvers/[A-Za-z]+/" ${shared})
 forbid("Core and Devices must not know VTK." "[\"</]vtk[A-Za-z0-9_]*\\.h" Core Devices)
+forbid("Sound must not know VTK." "[\"</]vtk[A-Za-z0-9_]*\\.h" ${explorer}/Sound)
 forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|PiecewiseTable)\\.h" Devices)
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"

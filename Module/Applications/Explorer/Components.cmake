@@ -32,21 +32,27 @@ set(Explore_SOURCES
   Analysis/VolumeAnalysis.cxx
   Errors/MessageCapture.cxx
   Exploration/Exploration.cxx
+  Exploration/HeardTicks.cxx
   Exploration/MethodScale.cxx
   Exploration/TissueTable.cxx
   Live/LiveRun.cxx
   Live/TouchScene.cxx
+  Live/WindowSound.cxx
   Options.cxx
   Path/PolarGrid.cxx
   Path/SurfaceMap.cxx
   Path/TipPathPlanner.cxx
   Report/ForcePicture.cxx
   Report/ReportFiles.cxx
+  Report/TraceSound.cxx
   Report/TraceSummary.cxx
   Scene/CoarseFrames.cxx
   Scene/ExplorerScene.cxx
   Scene/Trail.cxx
   Scene/VolumeLook.cxx
+  Sound/ContactSound.cxx
+  Sound/SoundStream.cxx
+  Sound/WaveFile.cxx
   View/SceneCamera.cxx
   View/StereoModes.cxx
   View/ViewFrame.cxx
@@ -56,3 +62,20 @@ set(Explore_SOURCES
   Volume/VolumeChecks.cxx
   Volume/VolumeLoader.cxx
   Volume/VolumeOrientation.cxx)
+
+# The sound of --sound. PulseAudio's library is used if it is found.
+include("${CMAKE_CURRENT_LIST_DIR}/../../UseLibrary.cmake")
+find_package(PkgConfig QUIET)
+if (PKG_CONFIG_FOUND)
+  pkg_check_modules(PULSE QUIET libpulse)
+endif ()
+set(Explore_LIBRARIES)
+set(Explore_INCLUDE_DIRS)
+volume_haptics_use(Explore_LIBRARIES PULSE PULSE_FOUND "Let the explorer be heard through PulseAudio or PipeWire"
+  "pkg-config libpulse-dev")
+if (VolumeHaptics_USE_PULSE)
+  set(Explore_INCLUDE_DIRS ${PULSE_INCLUDE_DIRS})
+  list(APPEND Explore_SOURCES Sound/PulseOutput.cxx)
+else ()
+  list(APPEND Explore_SOURCES Sound/NoSoundOutput.cxx)
+endif ()

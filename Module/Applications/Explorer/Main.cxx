@@ -7,6 +7,7 @@
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/ForcePicture.h"
 #include "Applications/Explorer/Report/ReportFiles.h"
+#include "Applications/Explorer/Report/TraceSound.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "Applications/Explorer/Volume/LabelLoader.h"
@@ -71,13 +72,23 @@ Explore::SceneOptions MakeLook(
   return look;
 }
 
+void WriteSound(const Explore::Exploration& exploration, const Explore::Options& options)
+{
+  if (!options.SoundFile.empty())
+  {
+    Explore::WriteSound(exploration, options.SoundFile);
+    std::cout << "Written: " << options.SoundFile << std::endl;
+  }
+}
+
 void OpenWindow(const Explore::Exploration& exploration, const Explore::Options& options)
 {
   Explore::SceneOptions look = MakeLook(exploration, options);
   look.OffScreen = false;
   look.Interactive = true;
   look.Caption.clear(); // its place belongs to the head-up display
-  Explore::RunTouchWindow(exploration, look, options.Device, options.Setup, options.Stereo);
+  Explore::RunTouchWindow(
+    exploration, look, options.Device, options.Setup, options.Stereo, options.Sound);
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
@@ -112,8 +123,14 @@ int Run(const Explore::Options& options)
 
   if (!options.Pictures && !options.Live && HasDisplay())
   {
+    WriteSound(exploration, options);
     OpenWindow(exploration, options);
     return DONE;
+  }
+  if (options.Sound)
+  {
+    std::cerr << "--sound: there is no window. Cure: name a file, as in --sound touch.wav."
+              << std::endl;
   }
   Explore::MakeFolder(options.Folder);
   bool isReproduced = true;
@@ -125,6 +142,7 @@ int Run(const Explore::Options& options)
     // The pictures show what was felt live.
     exploration.Trace = live.Trace;
   }
+  WriteSound(exploration, options);
   Explore::WriteText(summary, options.Folder + "/summary.txt");
   Explore::WriteTrace(exploration.Trace, options.Folder + "/trace.vtp");
   Explore::WriteTable(exploration.Trace, options.Folder + "/trace.csv");

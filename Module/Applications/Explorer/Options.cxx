@@ -3,10 +3,13 @@
 #include "Applications/Explorer/Options.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/View/StereoModes.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"
+
+#include <vtksys/SystemTools.hxx>
 
 #include <array>
 #include <cmath>
@@ -103,6 +106,34 @@ int ParseWidth(const std::string& text)
   return static_cast<int>(width);
 }
 
+bool IsSoundFile(const std::string& name)
+{
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name)) ==
+    ".wav";
+}
+
+/// Into a file, or with an empty name on the loudspeakers.
+void SetSound(Options& options, const std::string& file)
+{
+  if (!file.empty())
+  {
+    if (!IsSoundFile(file))
+    {
+      throw InputError(
+        "--sound " + file, "is no name of a sound file", "take one that ends in .wav");
+    }
+    options.SoundFile = file;
+    return;
+  }
+  if (!Explore::SoundOutput::IsAvailable())
+  {
+    throw InputError("--sound", "this program was built without PulseAudio's library",
+      "build it from its sources with the package libpulse-dev, as Examples/explore.sh does, or "
+      "name a file, as in --sound touch.wav");
+  }
+  options.Sound = true;
+}
+
 void SetOption(Options& options, const std::string& name, const std::string& value)
 {
   if (name == "--pictures")
@@ -155,6 +186,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     Explore::FindStereoMode(value); // throws, if it has to, before anything is computed
     options.Stereo = value;
   }
+  else if (name == "--sound")
+  {
+    SetSound(options, value);
+  }
   else if (name == "--size")
   {
     options.Width = ParseWidth(value);
@@ -193,6 +228,10 @@ Options ParseOptions(int argc, char* argv[])
     else if (word == "--live")
     {
       options.Live = true;
+    }
+    else if (word == "--sound" && (i + 1 >= argc || !IsSoundFile(argv[i + 1])))
+    {
+      SetSound(options, "");
     }
     else if (word.size() > 1 && word[0] == '-')
     {
@@ -249,6 +288,9 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate
+  --sound           of the window: what is touched can be heard, a click where a surface is touched or
+                    pierced, and noise while the tip slides; the harder, the brighter
+  --sound FILE.wav  the sound along the path, in a file
   --preset NAME     materials: auto (default: "CT contrast" for Hounsfield units, else propose), propose
                     (what the volume's own edges suggest), histogram)" +
     presets + R"(

@@ -25,6 +25,8 @@ struct Options
   DeviceChoice Device;   // of the window
   std::string Setup;     // file of the window's functions, settings and camera
   std::string Stereo;    // of the window
+  bool Sound = false;    // of the window
+  std::string SoundFile; // for the sound along the path
   Settings How;
   MapperChoice Mapper = MapperChoice::Auto;
   int Width = 900;

@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Live/WindowSound.h"
 #include "Applications/Explorer/View/StereoModes.h"
 
 #include "vtkCamera.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 namespace
 {
@@ -62,6 +64,7 @@ Keys
   v  function editor  n  next function      c  recentre           k  clutch
   p  propose functions, again: take them    Backspace  drop the proposal
   l  materials of labels: click on a label, drag its sliders
+  o  sound on, off, with --sound
   + -  workspace      Home  home a device     q  close
 )";
 } // namespace
@@ -98,7 +101,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
 }
 
 void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
-  const DeviceChoice& device, const std::string& setup, const std::string& stereo)
+  const DeviceChoice& device, const std::string& setup, const std::string& stereo, bool sound)
 {
   TouchScene touch;
   SetStereo(touch.Scene.Window, stereo);
@@ -115,6 +118,7 @@ void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(touch.Scene.Window);
   interactor->SetInteractorStyle(touch.Style);
+  const auto heard = sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
   std::cout << touch.Scene.MapperName << "\n" << KEYS << std::endl;
   touch.Scene.Window->Render();
   interactor->Initialize();

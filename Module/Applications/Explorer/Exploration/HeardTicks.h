@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_HeardTicks_h
+#define Explore_HeardTicks_h
+
+#include "Applications/Explorer/Sound/SoundTick.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace Explore
+{
+/// Tells what is heard of ticks. The forces are those that the device gets: none while it is not
+/// armed. Stiffness and strength are those of the material, by the filter's functions of
+/// SurfaceValue or its table of labels: a trace has them as they are felt, capped, equalised by
+/// SameShape, and lowered by distinctness.
+class HeardTicks
+{
+public:
+  explicit HeardTicks(vtkVolumeHapticsFilter* filter);
+
+  /// Of the states that follow those of the last call: see vtkHapticDevice::DrainStates. The label
+  /// is that of the latest state.
+  std::vector<SoundTick> Read(vtkTable* states, std::int64_t label);
+  /// Of a trace of the filter, or of a recording.
+  std::vector<SoundTick> Read(vtkPolyData* trace);
+
+private:
+  struct Columns;
+  std::vector<SoundTick> Read(const Columns& columns, std::int64_t label);
+  void SetMaterial(SoundTick& tick, double value, std::int64_t label) const;
+
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  double Proxy[3] = { 0.0, 0.0, 0.0 }; // world, of the last tick
+  double Time = 0.0;                   // s, of the last tick
+  bool HasProxy = false;
+};
+} // namespace Explore
+
+#endif

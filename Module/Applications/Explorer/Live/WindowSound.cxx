@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/WindowSound.h"
+
+#include <iostream>
+#include <string>
+
+namespace Explore
+{
+WindowSound::WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interactor)
+  : Device(touch.Device)
+  , Style(touch.Style)
+  , Interactor(interactor)
+  , Ticks(touch.Device->GetVolumeHaptics())
+  , Stream(SAMPLES_PER_SECOND)
+  , Output(SoundOutput::Open(this->Stream))
+{
+  this->StatesObserver->SetClientData(this);
+  this->StatesObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<WindowSound*>(self)->TakeStates(); });
+  this->KeyObserver->SetClientData(this);
+  this->KeyObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<WindowSound*>(self)->PressKey(); });
+  this->Style->AddObserver(vtkInteractorStyleHaptic::StatesEvent, this->StatesObserver);
+  this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
+}
+
+WindowSound::~WindowSound()
+{
+  this->Style->RemoveObserver(this->StatesObserver);
+  this->Interactor->RemoveObserver(this->KeyObserver);
+}
+
+void WindowSound::TakeStates()
+{
+  for (const SoundTick& tick : this->Ticks.Read(this->Style->GetStates(), this->Device->GetLabel()))
+  {
+    this->Stream.Push(tick);
+  }
+  const std::string trouble = this->Output ? this->Output->TakeTrouble() : std::string();
+  if (!trouble.empty())
+  {
+    std::cerr << "--sound: there is no sound (" << trouble
+              << "). Cure: start the explorer anew with PulseAudio or PipeWire running."
+              << std::endl;
+  }
+}
+
+void WindowSound::PressKey()
+{
+  if (this->Interactor->GetKeyCode() == 'o')
+  {
+    this->Stream.SetMuted(!this->Stream.IsMuted());
+    std::cout << (this->Stream.IsMuted() ? "Sound off" : "Sound on") << std::endl;
+  }
+}
+} // namespace Explore

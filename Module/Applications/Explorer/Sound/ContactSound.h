@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ContactSound_h
+#define Explore_ContactSound_h
+
+#include "Applications/Explorer/Sound/SoundTick.h"
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+
+namespace Explore
+{
+constexpr int SAMPLES_PER_SECOND = 48000; // of files and loudspeakers
+
+/// The sound of a tip on surfaces: noise while it slides, a click where it touches one, and a click
+/// with a burst of noise where it goes through.
+///
+///   ContactSound sound(48000.0);
+///   sound.Feed(tick);         // each tick of the servo, in order
+///   sound.Render(samples, 48) // what is heard until the next one, -0.9 to 0.9
+///
+/// Pitch. Dull is soft and bright is hard. The presets give most tissues the same stiffness k, for
+/// a hand feels their strength T_N, so that both count:
+///
+///   f = 500 Hz (k / 400 N/m)^(1/4) (T / 1 N)^(1/2),  T = min(T_N, 12 N),  60 Hz <= f <= 6000 Hz
+///
+/// Noise of friction. The power that friction takes, P = F v (F the friction force, v the speed of
+/// the proxy), passes two low-passes of 20 ms, because a mouse moves the tip in some sixty bursts a
+/// second. The effective value of the noise is
+///
+///   a = 0.15 sqrt(p / (p + 20 mW)),  p = max(0, P - 1 uW)
+///
+/// and its spectrum that of white noise behind two equal band-passes H = 1 / (1 + j (x - 1/x)),
+/// x = frequency / f.
+///
+/// Click of a first touch, after 50 ms without contact at least: a resonance
+///
+///   0.6 J / (J + 0.1 N) exp(-t / 15 ms) sin(2 pi f t)
+///
+/// with J, the impact, the largest normal force of the first 5 ms. Click of a puncture: if, while a
+/// surface is penetrated, the normal force falls below half of its peak (which is forgotten with a
+/// time constant of 50 ms), the same resonance with J the peak, and noise whose effective value
+/// begins at 0.25 J / (J + 0.1 N) and decays with 25 ms.
+///
+/// The sum x leaves as y = 0.9 tanh(x / 0.9). It is exactly 0 in the air and at rest. The noise
+/// changes its effective value by 1 in 5 ms at most, and resonances begin at zero, so that nothing
+/// cracks.
+///
+/// Feed and Render allocate nothing, and are called by one thread.
+class ContactSound
+{
+public:
+  static constexpr double LOUDEST = 0.9;
+
+  explicit ContactSound(double samplesPerSecond);
+
+  /// The pitch f of a material (Hz), of its stiffness (N/m) and strength (N).
+  static double FindPitch(double stiffness, double strength) noexcept;
+
+  void Feed(const SoundTick& tick) noexcept;
+  /// Call this instead of Feed while no ticks come, with the time since the last call (s).
+  void Rest(double seconds) noexcept;
+  void Render(float* samples, std::size_t count) noexcept;
+
+private:
+  void FollowPower(double watts, double seconds) noexcept;
+  void FollowTouch(const SoundTick& tick, double seconds) noexcept;
+  void FollowPuncture(const SoundTick& tick, double seconds) noexcept;
+  /// Strikes the resonance; returns J / (J + 0.1 N).
+  double Strike(double impact) noexcept;
+  void SetPitch(double pitch) noexcept;
+  double NextNoise() noexcept;
+
+  double SampleRate;
+  double LastTime = 0.0;
+  bool HasTime = false;
+
+  // Of ticks.
+  double Power[2] = { 0.0, 0.0 }; // W, behind the first and the second low-pass
+  double Burst = 0.0;             // effective value of the noise of a puncture
+  double FreeTime = 0.0;          // s without contact
+  double TouchTime = -1.0;        // s since the first touch, while its impact is measured
+  double Impact = 0.0;            // N
+  double Peak = 0.0;              // N, while a surface is penetrated
+  SurfaceContact Contact = SurfaceContact::Free;
+  double Pitch; // Hz, of the last surface
+
+  // Of samples.
+  double Level = 0.0;  // effective value of the noise
+  double Wanted = 0.0; // its target
+  double MostStep;     // of Level, a sample
+  std::uint32_t Seed = 0x9e3779b9u;
+  struct BandPass
+  {
+    double Low = 0.0;
+    double Band = 0.0;
+  };
+  BandPass Bands[2];
+  double Warp = 0.0; // tan(pi f / sample rate)
+  double Scale = 0.0;
+  std::complex<double> Ring;
+  std::complex<double> Turn; // of Ring, a sample
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_SoundOutput_h
+#define Explore_SoundOutput_h
+
+#include <memory>
+#include <string>
+
+namespace Explore
+{
+class SoundStream;
+
+/// Plays a stream on the computer's loudspeakers until it is deleted, on a thread of its own. A
+/// program that was built without a library for that has a stand-in, which plays nothing.
+///
+/// The library is PulseAudio's libpulse: PulseAudio and PipeWire both serve it, so that it reaches
+/// every desktop of Debian 12 and takes one small package. Its asynchronous functions never wait
+/// for a server, which may hang, and tell when it has gone. SDL2 and PortAudio would reach other
+/// systems, which the project is not built for; there, they call such a library in turn.
+class SoundOutput
+{
+public:
+  virtual ~SoundOutput() = default;
+  SoundOutput(const SoundOutput&) = delete;
+  SoundOutput& operator=(const SoundOutput&) = delete;
+
+  /// Whether the program was built with the library.
+  static bool IsAvailable();
+  /// Returns at once; the server is asked beside. The stream must outlive the output.
+  static std::unique_ptr<SoundOutput> Open(SoundStream& stream);
+
+  /// Why nothing is played, in one line, once for each trouble; empty if there is none.
+  virtual std::string TakeTrouble() = 0;
+
+protected:
+  SoundOutput() = default;
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_SoundStream_h
+#define Explore_SoundStream_h
+
+#include "Applications/Explorer/Sound/ContactSound.h"
+#include "Core/Servo/TraceRing.h"
+
+#include <atomic>
+#include <cstddef>
+
+namespace Explore
+{
+/// Ticks from one thread, sound for another, without waiting on either side.
+///
+/// The ticks come in bursts, as often as the window is drawn, and are played at the pace of their
+/// times. The sound is as late as the last burst was long, and no later than 0.3 s: what is older
+/// is skipped. If no ticks come for 50 ms, the noise fades.
+///
+/// Sound begins, is muted and comes back over 10 ms.
+class SoundStream
+{
+public:
+  explicit SoundStream(double samplesPerSecond);
+  SoundStream(const SoundStream&) = delete;
+  SoundStream& operator=(const SoundStream&) = delete;
+
+  /// For the thread with the ticks, in their order. A tick that finds 4096 others waiting is lost.
+  void Push(const SoundTick& tick) noexcept;
+
+  /// For any thread.
+  void SetMuted(bool muted) noexcept { this->Muted.store(muted, std::memory_order_relaxed); }
+  bool IsMuted() const noexcept { return this->Muted.load(std::memory_order_relaxed); }
+
+  /// For the thread that plays: the next samples, each in -0.9 ... 0.9.
+  void Render(float* samples, std::size_t count) noexcept;
+  double GetSampleRate() const noexcept { return this->SampleRate; }
+
+private:
+  void Advance(double seconds) noexcept;
+  /// Plays a little faster as long as more ticks wait than bursts need.
+  void FollowBacklog(double backlog, double seconds) noexcept;
+
+  const double SampleRate;
+  std::atomic<bool> Muted{ false };
+  std::atomic<double> Newest; // s, the time of the last tick that was pushed
+  VolumeHaptics::TraceRing<SoundTick> Ticks;
+
+  // Used by the thread that plays.
+  ContactSound Sound;
+  SoundTick Next;
+  bool HasNext = false;
+  bool HasBegun = false;
+  double Position = 0.0; // s, in the time of the ticks
+  double Starved = 0.0;  // s without a tick
+  double Pace = 1.0;
+  double WindowTime = 0.0;   // s since LeastBacklog is sought
+  double LeastBacklog = 0.0; // s
+  double Gain = 0.0;
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_WaveFile_h
+#define Explore_WaveFile_h
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// Writes samples in -1 ... 1 as 16-bit PCM, mono. Throws InputError if that fails.
+///
+/// The format is that of "Multimedia Programming Interface and Data Specifications 1.0" (IBM and
+/// Microsoft, 1991): a head of 44 bytes and the samples. A library for this would be one more
+/// package to build the program.
+void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const std::string& file);
+} // namespace Explore
+
+#endif

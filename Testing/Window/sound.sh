@@ -1,0 +1,215 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Listens to the explorer's window: a sound server of its own, without a loudspeaker, records what it is given while real
+# mouse and key events touch the volume. Then the server dies, hangs, and is not there.
+#
+# usage: sound.sh PROGRAM VOLUME
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+for program in xvfb-run xdotool pulseaudio pactl parec
+do
+  if ! command -v "$program" > /dev/null
+  then
+    echo "SKIPPED: listening takes $program, which is not installed. Testing/run.sh installs it, or:" \
+      "apt-get install --no-install-recommends xvfb xauth xdotool pulseaudio"
+    exit 77
+  fi
+done
+if [[ -z "${SOUND_SCREEN:-}" ]]
+then
+  SOUND_SCREEN=own exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "${BASH_SOURCE[0]}" "$@"
+fi
+
+folder=$(mktemp -d)
+export HOME=$folder XDG_CONFIG_HOME=$folder XDG_CACHE_HOME=$folder XDG_RUNTIME_DIR=$folder
+export PULSE_SERVER=unix:$folder/socket
+unset DBUS_SESSION_BUS_ADDRESS PULSE_RUNTIME_PATH PULSE_SINK
+child=""
+server=""
+clean_up()
+{
+  local process
+  for process in "$child" "$server"
+  do
+    [[ -z "$process" ]] || { kill -9 "$process" && wait "$process"; } 2> /dev/null || true
+  done
+  rm -rf "$folder"
+}
+trap clean_up EXIT
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  cat "$folder/program.log" "$folder/server.log" >&2 || true
+  exit 1
+}
+
+# Runs a command until it succeeds; a minute at most.
+wait_for()
+{
+  local what=$1 i
+  shift
+  for ((i = 0; i < 600; ++i))
+  do
+    if "$@" > /dev/null 2>&1
+    then
+      return 0
+    fi
+    sleep 0.1
+  done
+  fail "$what did not come about within a minute"
+}
+
+serves()
+{
+  pactl info
+}
+
+# Without a device and without the configuration of the computer.
+start_server()
+{
+  pulseaudio -n --daemonize=no --use-pid-file=no --exit-idle-time=-1 \
+    -L "module-null-sink sink_name=ear rate=48000 channels=1" \
+    -L "module-native-protocol-unix auth-anonymous=1 socket=$folder/socket" > "$folder/server.log" 2>&1 &
+  server=$!
+  wait_for "a sound server" serves
+}
+
+is_playing()
+{
+  [[ -n "$(pactl list short sink-inputs)" ]]
+}
+
+is_there()
+{
+  xdotool search --onlyvisible --name "^VTK Volume Haptics"
+}
+
+has_ended()
+{
+  ! kill -0 "$child" 2> /dev/null
+}
+
+explorer=("$1" "$2" --mapper cpu --size 200 --sound)
+start_program()
+{
+  "${explorer[@]}" > "$folder/program.log" 2>&1 &
+  child=$!
+  wait_for "a window" is_there
+  xdotool mousemove --window "$(is_there | head -n 1)" 100 80
+  sleep 1
+}
+
+# A key, which goes to the window under the pointer.
+press()
+{
+  xdotool key "$1"
+}
+
+# For three seconds, along the surface.
+slide()
+{
+  local i
+  for ((i = 0; i < 30; ++i))
+  do
+    xdotool mousemove_relative -- $((i % 2 == 0 ? 6 : -6)) 0
+    sleep 0.1
+  done
+}
+
+# What the server was given while a command ran, in bytes that are not zero: none if it was silent.
+count_heard()
+{
+  parec --device=ear.monitor --raw --rate=48000 --channels=1 --format=s16le > "$folder/heard" 2> /dev/null &
+  local recorder=$!
+  "$@"
+  kill "$recorder"
+  wait "$recorder" 2> /dev/null || true
+  [[ $(stat -c %s "$folder/heard") -gt 96000 ]] || fail "less than a second was recorded"
+  tr -d '\0' < "$folder/heard" | wc -c
+}
+
+end_program()
+{
+  local status=0
+  press q
+  wait_for "the program's end" has_ended
+  wait "$child" || status=$?
+  child=""
+  [[ $status -eq 0 ]] || fail "the program ended with status $status"
+}
+
+expect_lines()
+{
+  local lines
+  lines=$(grep -c "^--sound: there is no sound" "$folder/program.log" || true)
+  [[ $lines -eq $1 ]] || fail "$lines lines about sound, not $1"
+}
+
+start_server
+start_program
+wait_for "a stream" is_playing
+heard=$(count_heard sleep 2)
+[[ $heard -eq 0 ]] || fail "$heard bytes of sound in the air"
+press t
+for _ in 1 2 3 4 5 6
+do
+  xdotool click 4
+  sleep 0.1
+done
+heard=$(count_heard slide)
+[[ $heard -gt 10000 ]] || fail "$heard bytes of sound on the skin"
+echo "heard on the skin: $heard bytes of sound"
+press o
+sleep 1
+heard=$(count_heard slide)
+[[ $heard -eq 0 ]] || fail "$heard bytes of sound while it was off"
+press o
+sleep 1
+heard=$(count_heard slide)
+[[ $heard -gt 10000 ]] || fail "$heard bytes of sound after it was off"
+is_playing || fail "the stream ended too early"
+end_program
+if is_playing
+then
+  fail "the stream outlived the program"
+fi
+expect_lines 0
+echo "the sound ended with the program"
+
+start_program
+wait_for "a stream" is_playing
+press t
+slide
+kill -9 "$server"
+wait "$server" 2> /dev/null || true
+server=""
+slide
+! has_ended || fail "the program ended with the server"
+expect_lines 1
+end_program
+grep "^--sound: there is no sound" "$folder/program.log"
+
+start_server
+start_program
+wait_for "a stream" is_playing
+kill -STOP "$server"
+slide
+end_program
+kill -CONT "$server"
+expect_lines 0
+echo "a server that hangs does not keep the program"
+kill -9 "$server"
+wait "$server" 2> /dev/null || true
+server=""
+
+start_program
+slide
+expect_lines 1
+end_program
+expect_lines 1
+grep "^--sound: there is no sound" "$folder/program.log"
