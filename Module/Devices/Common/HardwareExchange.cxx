@@ -5,9 +5,12 @@
 #include "Core/Servo/ServoClock.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 #if defined(__linux__)
+#include <poll.h>
 #include <sys/eventfd.h>
 #include <time.h>
 #include <unistd.h>
@@ -56,6 +59,22 @@ void HardwareExchange::ClearWake() noexcept
   std::uint64_t count = 0;
   [[maybe_unused]] const auto size = read(this->Wake, &count, sizeof(count));
 #endif
+}
+
+void HardwareExchange::WaitForWake(int time) noexcept
+{
+#if defined(__linux__)
+  if (this->Wake >= 0)
+  {
+    pollfd wake{ this->Wake, POLLIN, 0 };
+    if (poll(&wake, 1, time) > 0)
+    {
+      this->ClearWake();
+    }
+    return;
+  }
+#endif
+  std::this_thread::sleep_for(std::chrono::milliseconds(time));
 }
 
 std::int64_t HardwareExchange::GetTimeAsleep() noexcept
@@ -158,6 +177,16 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   this->Conditions.Write(condition);
 }
 
+void HardwareExchange::SetCondition(DeviceStage stage, const char* name, const char* text) noexcept
+{
+  DeviceCondition condition;
+  if (*text != '\0')
+  {
+    std::snprintf(condition.Text.data(), condition.Text.size(), "%s %s", name, text);
+  }
+  this->SetCondition(stage, condition.Text.data());
+}
+
 bool HardwareExchange::HasSlept() noexcept
 {
   const std::int64_t slept = this->ReadAsleep();
@@ -244,9 +273,7 @@ DeviceCommand HardwareExchange::GetCommand() noexcept
 {
   this->Forces.Update();
   const TimedForce& latest = this->Forces.Read();
-  const double age =
-    static_cast<double>(ServoClock::Now() - latest.Time) * ServoClock::SecondsPerNanosecond -
-    WatchdogTime;
+  const double age = ServoClock::SecondsSince(latest.Time) - WatchdogTime;
   const double share = std::clamp(1.0 - age / FadeTime, 0.0, 1.0);
   const DeviceCommand command{ share * latest.Force, share * latest.Torque };
   const int rounds = this->ZeroRounds.load(std::memory_order_acquire);

@@ -103,6 +103,8 @@ public:
    */
   int GetWakeDescriptor() const noexcept { return this->Wake; }
   void ClearWake() noexcept;
+  /** Waits for one of these, or for a time (ms), and clears it. */
+  void WaitForWake(int time) noexcept;
   ///@}
 
   ///@{
@@ -123,6 +125,8 @@ public:
    * another stage is set, so that nothing resumes by itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;
+  /** The same with the device's name before a text that is not empty. */
+  void SetCondition(DeviceStage stage, const char* name, const char* text) noexcept;
   /**
    * Call it once in every round. True if the computer has slept since the last call: the hand may
    * have moved unseen, so the device is then Lost.

@@ -6,13 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <thread>
-
-#if defined(__linux__)
-#include <poll.h>
-#endif
 
 namespace VolumeHaptics
 {
@@ -42,11 +37,6 @@ constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
 constexpr const char* AskForReady = "is not ready: look at its light and its power.";
 constexpr const char* AfterLoss = " Home() and Arm() again.";
-
-double SecondsSince(std::int64_t time)
-{
-  return static_cast<double>(ServoClock::Now() - time) * ServoClock::SecondsPerNanosecond;
-}
 
 bool ReadPort(const std::string& text, std::uint16_t& port)
 {
@@ -101,7 +91,7 @@ bool AskHaply(
     const std::int64_t asked = ServoClock::Now();
     for (const char* const prefix : { "", "/3.1", "/3.0" })
     {
-      const double left = AskTime - SecondsSince(asked);
+      const double left = AskTime - ServoClock::SecondsSince(asked);
       std::string reason;
       if (left > 0.0 && FetchText(port, prefix + target, left, text, reason))
       {
@@ -318,7 +308,7 @@ void HaplyDriver::Work(HardwareExchange& exchange)
 {
   if (this->Awaited == 0)
   {
-    this->WaitForForce(exchange);
+    exchange.WaitForWake(IdleWait);
     this->IsRelieved = false;
     this->Send(exchange.GetForce());
   }
@@ -336,20 +326,6 @@ void HaplyDriver::Work(HardwareExchange& exchange)
   {
     this->CheckSilence(exchange);
   }
-}
-
-void HaplyDriver::WaitForForce(HardwareExchange& exchange)
-{
-#if defined(__linux__)
-  if (exchange.GetWakeDescriptor() >= 0)
-  {
-    pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
-    poll(&wake, 1, IdleWait);
-    exchange.ClearWake();
-    return;
-  }
-#endif
-  std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 void HaplyDriver::Send(const Vector3& force)
@@ -426,7 +402,7 @@ void HaplyDriver::TakeState(HardwareExchange& exchange, const HaplyArm& arm)
   const Vector3 origin = this->Address.Version.IsNew() ? Vector3{} : Centre;
   const Vector3 tip = ToDevice(*arm.Position - origin);
   const double farthest =
-    FarthestStep + this->GetLimits().MaximumSpeed * SecondsSince(this->ToldAt);
+    FarthestStep + this->GetLimits().MaximumSpeed * ServoClock::SecondsSince(this->ToldAt);
   const bool hasStepped = this->HasTip && Norm(tip - this->Tip) > farthest;
   const HaplyTransform transform = arm.Transform.value_or(this->Transform);
   const bool isMoved = !transform.IsNear(this->Transform);
@@ -536,7 +512,7 @@ void HaplyDriver::TakeEvents(HardwareExchange& exchange)
 
 void HaplyDriver::CheckSilence(HardwareExchange& exchange)
 {
-  if (this->EmptyWaits > SilentWaits && SecondsSince(this->ToldAt) > SilenceTime)
+  if (this->EmptyWaits > SilentWaits && ServoClock::SecondsSince(this->ToldAt) > SilenceTime)
   {
     this->Lose(exchange,
       this->Awaited > 0
@@ -581,7 +557,7 @@ void HaplyDriver::Lose(HardwareExchange& exchange, const std::string& text)
 
 void HaplyDriver::Tell(HardwareExchange& exchange, DeviceStage stage, const std::string& text) const
 {
-  exchange.SetCondition(stage, text.empty() ? "" : (this->Label + " " + text).c_str());
+  exchange.SetCondition(stage, this->Label.c_str(), text.c_str());
 }
 
 } // namespace VolumeHaptics

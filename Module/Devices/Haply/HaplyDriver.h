@@ -99,7 +99,6 @@ private:
   bool Greet(std::string& error);
   void Restart(HardwareExchange& exchange);
   void Work(HardwareExchange& exchange);
-  void WaitForForce(HardwareExchange& exchange);
   void Send(const Vector3& force);
   void TakeStates(HardwareExchange& exchange);
   void TakeState(HardwareExchange& exchange, const HaplyArm& arm);

@@ -5,12 +5,7 @@
 #include "Core/Servo/ServoClock.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <thread>
-
-#include <poll.h>
 
 namespace VolumeHaptics
 {
@@ -28,25 +23,6 @@ constexpr const char* AskForPose =
   "has to be told where its arm is: put the arm into its pose for calibration, hold it still, and "
   "press Home().";
 constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and Start() it.";
-
-double Since(std::int64_t time)
-{
-  return static_cast<double>(ServoClock::Now() - time) * ServoClock::SecondsPerNanosecond;
-}
-
-/** Until the servo gives a force, or for a time (ms). */
-void Wait(HardwareExchange& exchange, int time)
-{
-  pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
-  if (wake.fd < 0)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(time));
-  }
-  else if (poll(&wake, 1, time) > 0)
-  {
-    exchange.ClearWake();
-  }
-}
 
 } // namespace
 
@@ -107,7 +83,7 @@ bool HfabDriver::Shake(std::string& error)
   this->Reader.Reset();
   const std::int64_t begin = ServoClock::Now();
   Reply reply = Reply::None;
-  while (reply == Reply::None && Since(begin) < HandshakeTime)
+  while (reply == Reply::None && ServoClock::SecondsSince(begin) < HandshakeTime)
   {
     reply = this->Ask({});
   }
@@ -158,7 +134,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     return this->Port.Read(&byte, 1, 0) < 0 ? Reply::Gone : Reply::None;
   }
   const std::int64_t begin = ServoClock::Now();
-  while (Since(begin) < AnswerTime)
+  while (ServoClock::SecondsSince(begin) < AnswerTime)
   {
     const int size = this->Port.Read(bytes, sizeof(bytes), 5);
     if (size < 0)
@@ -229,13 +205,13 @@ void HfabDriver::Serve(HardwareExchange& exchange)
     {
       // Quench and Close wait for rounds of zero force.
       exchange.GetForce();
-      Wait(exchange, LostPause);
+      exchange.WaitForWake(LostPause);
       continue;
     }
     this->Round(exchange);
     if (!this->Lost)
     {
-      Wait(exchange, RoundPause);
+      exchange.WaitForWake(RoundPause);
     }
   }
 }
@@ -267,7 +243,7 @@ void HfabDriver::Round(HardwareExchange& exchange)
   }
   if (reply == Reply::None)
   {
-    if (Since(this->LastAnswer) > SilenceTime)
+    if (ServoClock::SecondsSince(this->LastAnswer) > SilenceTime)
     {
       this->Lose(exchange,
         "does not answer. Look after its cable and its power, then press Home() and put the arm "
@@ -275,7 +251,7 @@ void HfabDriver::Round(HardwareExchange& exchange)
     }
     return;
   }
-  this->Pause = Since(this->LastAnswer);
+  this->Pause = ServoClock::SecondsSince(this->LastAnswer);
   this->LastAnswer = ServoClock::Now();
   if (this->TakeAnswer(exchange))
   {
@@ -328,7 +304,7 @@ void HfabDriver::Calibrate(HardwareExchange& exchange)
     this->StillSince = ServoClock::Now();
     return;
   }
-  if (Since(this->StillSince) < StillTime)
+  if (ServoClock::SecondsSince(this->StillSince) < StillTime)
   {
     return;
   }
@@ -389,9 +365,7 @@ void HfabDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 void HfabDriver::Tell(
   HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
 {
-  DeviceCondition condition;
-  std::snprintf(condition.Text.data(), condition.Text.size(), "%s %s", this->Label.c_str(), text);
-  exchange.SetCondition(stage, *text ? condition.Text.data() : "");
+  exchange.SetCondition(stage, this->Label.c_str(), text);
 }
 
 } // namespace VolumeHaptics

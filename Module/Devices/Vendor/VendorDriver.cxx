@@ -5,12 +5,7 @@
 #include "Core/Servo/ServoClock.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <thread>
-
-#include <poll.h>
 
 namespace VolumeHaptics
 {
@@ -21,20 +16,6 @@ constexpr int RoundPause = 1;    // ms, the longest between two rounds
 constexpr int LostPause = 10;    // ms
 constexpr double Farthest = 10.; // m: a position beyond is none
 constexpr std::uint32_t AllAxes = 7;
-
-/** Until the servo gives a force, or for a time (ms). */
-void Wait(HardwareExchange& exchange, int time)
-{
-  pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
-  if (wake.fd < 0)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(time));
-  }
-  else if (poll(&wake, 1, time) > 0)
-  {
-    exchange.ClearWake();
-  }
-}
 
 bool IsLimit(double limit)
 {
@@ -164,11 +145,11 @@ void VendorDriver::Serve(HardwareExchange& exchange)
     {
       // Quench and Close wait for rounds of zero force.
       exchange.GetForce();
-      Wait(exchange, LostPause);
+      exchange.WaitForWake(LostPause);
       continue;
     }
     this->Round(exchange);
-    Wait(exchange, RoundPause);
+    exchange.WaitForWake(RoundPause);
   }
 }
 
@@ -213,8 +194,7 @@ void VendorDriver::Round(HardwareExchange& exchange)
     return;
   }
   exchange.NoteTaken();
-  const double time =
-    static_cast<double>(ServoClock::Now() - begin) * ServoClock::SecondsPerNanosecond;
+  const double time = ServoClock::SecondsSince(begin);
   if (time > LongestCall)
   {
     this->Lose(exchange,
@@ -269,10 +249,7 @@ void VendorDriver::Lose(HardwareExchange& exchange, const std::string& text)
 void VendorDriver::Tell(
   HardwareExchange& exchange, DeviceStage stage, const std::string& text) const
 {
-  DeviceCondition condition;
-  std::snprintf(
-    condition.Text.data(), condition.Text.size(), "%s %s", this->Label.c_str(), text.c_str());
-  exchange.SetCondition(stage, text.empty() ? "" : condition.Text.data());
+  exchange.SetCondition(stage, this->Label.c_str(), text.c_str());
 }
 
 } // namespace VolumeHaptics

@@ -96,11 +96,6 @@ bool HasPacketsOfMbed(const HidDeviceInfo& info)
       descriptor.GetReportSize(HidReportKind::Output, 0) == WoodenHaptics::PacketSize);
 }
 
-double Since(std::int64_t time)
-{
-  return static_cast<double>(ServoClock::Now() - time) * ServoClock::SecondsPerNanosecond;
-}
-
 } // namespace
 
 WoodenDriver::WoodenDriver(int number)
@@ -202,7 +197,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
     this->IsSilent(true);
     return;
   }
-  const bool isLate = Since(this->LastRound) > LateRound;
+  const bool isLate = ServoClock::SecondsSince(this->LastRound) > LateRound;
   this->LastRound = ServoClock::Now();
   this->HasTip = this->HasTip && !isLate;
   std::uint8_t bytes[LongestReport];
@@ -229,7 +224,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
   {
     return;
   }
-  if (this->Now == Phase::Presetting && Since(this->LastPreset) > PresetPeriod)
+  if (this->Now == Phase::Presetting && ServoClock::SecondsSince(this->LastPreset) > PresetPeriod)
   {
     this->LastPreset = ServoClock::Now();
     this->Send(exchange, this->Device.EncodeCalibration());
@@ -296,7 +291,8 @@ void WoodenDriver::FollowPhase(HardwareExchange& exchange)
     this->Now = Phase::Waiting;
     this->Tell(exchange, DeviceStage::Homing, AskForRest);
   }
-  else if (this->Now == Phase::Presetting && !isSet && Since(this->PresetBegin) > PresetTime)
+  else if (this->Now == Phase::Presetting && !isSet &&
+    ServoClock::SecondsSince(this->PresetBegin) > PresetTime)
   {
     this->Now = Phase::Waiting;
     this->Tell(exchange, DeviceStage::Homing,

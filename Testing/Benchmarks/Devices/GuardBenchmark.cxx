@@ -19,8 +19,6 @@
 #include <cstring>
 #include <filesystem>
 
-#include <poll.h>
-
 using namespace VolumeHaptics;
 
 namespace
@@ -40,11 +38,9 @@ public:
   {
     exchange.Tell({});
     exchange.SetCondition(DeviceStage::Ready, "");
-    pollfd wake = { exchange.GetWakeDescriptor(), POLLIN, 0 };
     while (!exchange.MustStop())
     {
-      poll(&wake, 1, 2);
-      exchange.ClearWake();
+      exchange.WaitForWake(2);
       DeviceSample sample;
       sample.Tip = exchange.GetForce();
       exchange.Tell(sample);

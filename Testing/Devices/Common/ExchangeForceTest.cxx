@@ -20,6 +20,8 @@ using ExchangeForce = ExchangeTest;
 
 namespace
 {
+constexpr int LongWait = 60000; // ms: no test waits it out
+
 bool IsAwake(const HardwareExchange& exchange)
 {
   pollfd wake{ exchange.GetWakeDescriptor(), POLLIN, 0 };
@@ -70,6 +72,9 @@ TEST_F(ExchangeForce, TheDeviceIsWokenByForcesStopsAndRequests)
   EXPECT_TRUE(wakes([this] { this->Exchange.Quench(); }));
   EXPECT_TRUE(wakes([this] { this->Exchange.RequestHome(); }));
   EXPECT_TRUE(wakes([this] { this->Exchange.RequestStop(); }));
+  this->Exchange.Give({});
+  this->Exchange.WaitForWake(LongWait);
+  EXPECT_FALSE(IsAwake(this->Exchange)) << "the wait clears it";
   EXPECT_TRUE(this->Exchange.MustStop());
 }
 

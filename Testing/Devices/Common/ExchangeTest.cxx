@@ -7,6 +7,8 @@
 
 #include "ExchangeRig.h"
 
+#include <string>
+
 using namespace hardwaretest;
 
 using DeviceExchange = ExchangeTest;
@@ -43,6 +45,19 @@ TEST_F(DeviceExchange, WhatIsLostStaysSoUntilItIsHomed)
   EXPECT_EQ(this->Take(), DeviceState::NotReady);
   EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Homing);
   EXPECT_FALSE(this->Exchange.TakeHomeRequest());
+}
+
+TEST_F(DeviceExchange, ATextBeginsWithTheDevicesNameUnlessItIsEmpty)
+{
+  const auto text = [this] { return std::string(this->Exchange.GetCondition().Text.data()); };
+  this->Exchange.SetCondition(DeviceStage::Homing, "Falcon 1", "waits for the hand.");
+  EXPECT_EQ(text(), "Falcon 1 waits for the hand.");
+  this->Exchange.SetCondition(DeviceStage::Ready, "Falcon 1", "");
+  EXPECT_EQ(text(), "");
+  EXPECT_EQ(this->Exchange.GetCondition().Stage, DeviceStage::Ready);
+  const std::size_t room = DeviceCondition().Text.size() - 1;
+  this->Exchange.SetCondition(DeviceStage::Lost, "Falcon", std::string(2 * room, 'x').c_str());
+  EXPECT_EQ(text(), "Falcon " + std::string(room - 7, 'x')) << "cut to the room for it";
 }
 
 TEST_F(DeviceExchange, ASleepOfTheComputerIsALoss)

@@ -13,7 +13,6 @@
 #include <chrono>
 #include <stdexcept>
 
-#include <poll.h>
 #include <unistd.h>
 
 using namespace VolumeHaptics;
@@ -48,11 +47,9 @@ public:
       this->ServeHeld(exchange);
       return;
     }
-    pollfd wake = { exchange.GetWakeDescriptor(), POLLIN, 0 };
     while (!exchange.MustStop())
     {
-      poll(&wake, 1, 2);
-      exchange.ClearWake();
+      exchange.WaitForWake(2);
       if (exchange.TakeHomeRequest())
       {
         exchange.SetCondition(DeviceStage::Ready, "homed");
@@ -79,11 +76,9 @@ private:
     hand.TremorSize = 0.0;
     signtest::HeldDevice held(hand, { 1.0, sign, 1.0 }, 1);
     auto moved = Clock::now();
-    pollfd wake = { exchange.GetWakeDescriptor(), POLLIN, 0 };
     while (!exchange.MustStop())
     {
-      poll(&wake, 1, 1);
-      exchange.ClearWake();
+      exchange.WaitForWake(1);
       const Vector3 force = exchange.GetForce();
       for (; Clock::now() - moved >= std::chrono::milliseconds(1);
            moved += std::chrono::milliseconds(1))

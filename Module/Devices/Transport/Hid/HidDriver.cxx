@@ -5,7 +5,6 @@
 #include "Core/Servo/ServoClock.h"
 
 #include <chrono>
-#include <cstdio>
 #include <thread>
 
 namespace VolumeHaptics
@@ -181,9 +180,7 @@ void HidDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 
 void HidDriver::Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
 {
-  DeviceCondition condition;
-  std::snprintf(condition.Text.data(), condition.Text.size(), "%s %s", this->Label.c_str(), text);
-  exchange.SetCondition(stage, *text ? condition.Text.data() : "");
+  exchange.SetCondition(stage, this->Label.c_str(), text);
 }
 
 } // namespace VolumeHaptics
