@@ -20,8 +20,8 @@
  * How long a force holds without another message, and what becomes of it when a client is gone, is
  * not documented. Here it holds for ever, which is the worst.
  */
-#ifndef HaplyService_h
-#define HaplyService_h
+#ifndef PlayedHaplyService_h
+#define PlayedHaplyService_h
 
 #include "Emulators/EmulatedHand.h"
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <thread>
 
 namespace VolumeHaptics
@@ -16,10 +15,10 @@ namespace
 
 ///@{
 /** s. The service is on this computer. */
-constexpr double AskTime = 0.5;
 constexpr double OpenTime = 1.0;
+constexpr double EventsTime = 0.5;
 constexpr double SendTime = 0.1;
-constexpr double LastTime = 0.2; ///< for the last state, and for taking leave
+constexpr double LastTime = 0.2; ///< for the last state, and for closing the session
 ///@}
 constexpr int IdleWait = 2; // ms, between messages if the servo gives no force
 constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
@@ -28,113 +27,19 @@ constexpr std::int64_t DropTime = 500 * ServoClock::Millisecond;
 constexpr int LostWait = 10;     // ms
 constexpr int MostStates = 1000; // that lie there at a time; some seconds of them
 
-constexpr const char* HowToStart =
-  "Start Haply's Hub, or the service itself (on Linux: systemctl start haply-inverse-service). If "
-  "it listens to other ports, name them in VOLUMEHAPTICS_HAPLY, such as 10001,10020: those of the "
-  "states and "
-  "of the events, and as a third one that of HTTP if it has its own.";
 constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
 constexpr const char* AskForReady = "is not ready: look at its light and its power.";
 constexpr const char* AfterLoss = " Home() and Arm() again.";
 
-bool ReadPort(const std::string& text, std::uint16_t& port)
-{
-  const bool isNumber = !text.empty() && text.size() < 6 &&
-    std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const int number = isNumber ? std::atoi(text.c_str()) : 0;
-  port = static_cast<std::uint16_t>(number);
-  return number > 0 && number < 65536;
-}
-
 } // namespace
-
-std::string NameOfHaply(const HaplyArm& arm)
-{
-  const std::string kind = arm.Type == "inverse3" ? "Inverse3"
-    : arm.Type == "inverse3x"                     ? "Inverse3x"
-    : arm.Type == "minverse"                      ? "Minverse"
-                                                  : arm.Type;
-  const std::string hand = arm.Handedness.empty() ? "" : ", " + arm.Handedness + "-handed";
-  return "Haply " + kind + " (" + arm.Id + hand + ")";
-}
-
-bool HaplyPorts::Read(HaplyPorts& ports, std::string& error)
-{
-  const char* const variable = std::getenv("VOLUMEHAPTICS_HAPLY");
-  const std::string text = variable == nullptr ? "" : variable;
-  std::size_t begin = text.empty() ? std::string::npos : 0;
-  bool areRight = true;
-  for (std::uint16_t* const port : { &ports.States, &ports.Events, &ports.Http })
-  {
-    if (begin != std::string::npos)
-    {
-      const std::size_t comma = text.find(',', begin);
-      areRight = ReadPort(text.substr(begin, comma - begin), *port) && areRight;
-      begin = comma == std::string::npos ? comma : comma + 1;
-    }
-  }
-  if (!areRight || begin != std::string::npos)
-  {
-    error = "The environment variable VOLUMEHAPTICS_HAPLY is \"" + text +
-      "\". Give the ports of the Inverse service, such as 10001,10020, or unset it.";
-    return false;
-  }
-  return true;
-}
-
-bool AskHaply(
-  const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error)
-{
-  for (const std::uint16_t port : { ports.States, ports.Http })
-  {
-    const std::int64_t asked = ServoClock::Now();
-    for (const char* const prefix : { "", "/3.1", "/3.0" })
-    {
-      const double left = AskTime - ServoClock::SecondsSince(asked);
-      std::string reason;
-      if (left > 0.0 && FetchText(port, prefix + target, left, text, reason))
-      {
-        return true;
-      }
-      error = error.empty() ? reason : error;
-    }
-  }
-  return false;
-}
-
-bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error)
-{
-  const std::string where =
-    " at port " + std::to_string(ports.States) + " or " + std::to_string(ports.Http);
-  std::string text;
-  std::string reason;
-  if (!AskHaply(ports, "/version", text, reason))
-  {
-    error = "Haply's Inverse service does not answer" + where + " (" + reason + "). " + HowToStart;
-    return false;
-  }
-  if (const char* const fault = ReadHaplyVersion(text, version))
-  {
-    error =
-      "The program" + where + " " + fault + ", so it is not Haply's Inverse service. " + HowToStart;
-    return false;
-  }
-  if (!version.IsKnown())
-  {
-    error = "Haply's Inverse service" + where + " is of version " + std::to_string(version.Major) +
-      "." + std::to_string(version.Minor) + ". Versions 3 are supported.";
-    return false;
-  }
-  return true;
-}
 
 DeviceLimits HaplyDriver::GetLimits() const
 {
   return { 2.0, 500.0, 0.0, 2.5, 0.0, this->Type == "minverse" ? 0.04 : 0.10 };
 }
 
-bool HaplyDriver::Reach(std::string& error)
+bool HaplyDriver::OpenConnection(std::string& error)
 {
   std::string reason;
   if (!HaplyPorts::Read(this->Ports, error) ||
@@ -144,7 +49,7 @@ bool HaplyDriver::Reach(std::string& error)
   }
   if (!this->States.Open(this->Ports.States, OpenTime, reason))
   {
-    error = "No WebSocket to Haply's Inverse service: " + reason + ". " + HowToStart;
+    error = "No WebSocket to Haply's Inverse service: " + reason + ". " + HowToStartHaply;
     return false;
   }
   const std::int64_t end =
@@ -189,7 +94,7 @@ bool HaplyDriver::IsTaken() const
     [this](const HaplyArm& arm) { return arm.Id == this->Id && arm.IsInUse.value_or(false); });
 }
 
-bool HaplyDriver::Greet(std::string& error)
+bool HaplyDriver::SendFirstMessage(std::string& error)
 {
   const auto arm = std::find_if(this->Message.Arms.begin(), this->Message.Arms.end(),
     [this](const HaplyArm& other) { return other.Id == this->Id; });
@@ -205,7 +110,7 @@ bool HaplyDriver::Greet(std::string& error)
   }
   this->Address.Family = arm->Family;
   this->Address.Id = arm->Id;
-  this->IsLost = this->IsReady = this->IsRelieved = this->HasTip = false;
+  this->IsLost = this->IsReady = this->HasSentRelief = this->HasTip = false;
   this->IsCalibrated = this->IsArmReady = false;
   this->TakeFlags(*arm);
   this->Settled = this->EmptyWaits = 0;
@@ -221,13 +126,13 @@ bool HaplyDriver::Greet(std::string& error)
   }
   // Services without this channel have no events.
   std::string ignored;
-  this->HasEvents = this->Events.Open(this->Ports.Events, AskTime, ignored);
+  this->HasEvents = this->Events.Open(this->Ports.Events, EventsTime, ignored);
   return true;
 }
 
 bool HaplyDriver::Connect(std::string& error)
 {
-  if (this->Reach(error) && this->Choose(error) && this->Greet(error))
+  if (this->OpenConnection(error) && this->Choose(error) && this->SendFirstMessage(error))
   {
     return true;
   }
@@ -285,7 +190,7 @@ void HaplyDriver::Restart(HardwareExchange& exchange)
   for (bool tries = true; tries;)
   {
     this->Message = {};
-    isOpen = this->Reach(error) && this->Greet(error);
+    isOpen = this->OpenConnection(error) && this->SendFirstMessage(error);
     if (!isOpen)
     {
       this->Disconnect();
@@ -309,12 +214,12 @@ void HaplyDriver::Work(HardwareExchange& exchange)
   if (this->Awaited == 0)
   {
     exchange.WaitForWake(IdleWait);
-    this->IsRelieved = false;
+    this->HasSentRelief = false;
     this->Send(exchange.GetForce());
   }
-  else if (!this->IsRelieved && ServoClock::Now() - this->SentAt > LateTime)
+  else if (!this->HasSentRelief && ServoClock::Now() - this->SentAt > LateTime)
   {
-    this->IsRelieved = true;
+    this->HasSentRelief = true;
     this->Send({});
   }
   this->TakeStates(exchange);
@@ -330,9 +235,7 @@ void HaplyDriver::Work(HardwareExchange& exchange)
 
 void HaplyDriver::Send(const Vector3& force)
 {
-  const double most = this->GetLimits().MaximumForce;
-  const double size = Norm(force);
-  const Vector3 limited = size > most ? most / size * force : force;
+  const Vector3 limited = ClampNorm(force, this->GetLimits().MaximumForce);
   ++this->Awaited;
   this->SentAt = ServoClock::Now();
   this->States.Send(WriteHaplyForce(this->Address, FromDevice(limited)), SendTime);
@@ -374,7 +277,7 @@ void HaplyDriver::TakeStates(HardwareExchange& exchange)
     return this->Lose(
       exchange, std::string("is gone: the Inverse service ") + fault + "." + AfterLoss);
   }
-  if (this->Awaited == 0 && !this->IsRelieved)
+  if (this->Awaited == 0 && !this->HasSentRelief)
   {
     exchange.NoteTaken();
   }

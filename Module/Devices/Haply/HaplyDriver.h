@@ -29,38 +29,11 @@
 
 #include "Devices/Common/HardwareDevice.h"
 #include "Devices/Haply/HaplyMessages.h"
+#include "Devices/Haply/HaplyService.h"
 #include "Devices/Transport/WebSocket/WebSocketClient.h"
 
 namespace VolumeHaptics
 {
-
-/**
- * Where the service listens: $VOLUMEHAPTICS_HAPLY, "PORT", "PORT,EVENTS" or "PORT,EVENTS,HTTP", or
- * its defaults. The documentation has HTTP at 10000 up to 3.1, and at the port of the states in the
- * latest 3.5.
- */
-struct HaplyPorts
-{
-  std::uint16_t States = 10001; ///< and HTTP, of later services
-  std::uint16_t Events = 10020;
-  std::uint16_t Http = 10000; ///< of earlier services
-
-  /** False, with the reason and the cure. */
-  static bool Read(HaplyPorts& ports, std::string& error);
-};
-
-/**
- * Asks the service by HTTP: "/version", or "/devices", at either port, and with the prefix of a
- * version. False, with the reason.
- */
-bool AskHaply(
-  const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
-
-/** Asks the service for its version. False, with the reason and the cure. */
-bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
-
-/** As people see it: maker, product, the service's name of it, and the hand it is built for. */
-std::string NameOfHaply(const HaplyArm& arm);
 
 class HaplyDriver final : public HardwareDriver
 {
@@ -91,12 +64,12 @@ public:
 
 private:
   /** Opens the connection and takes the inventory. */
-  bool Reach(std::string& error);
+  bool OpenConnection(std::string& error);
   bool Choose(std::string& error);
   /** Whether a session has the arm, by the last message. */
   bool IsTaken() const;
-  /** The first message. */
-  bool Greet(std::string& error);
+  /** Begins the session of the chosen arm, if that is free. */
+  bool SendFirstMessage(std::string& error);
   void Restart(HardwareExchange& exchange);
   void Work(HardwareExchange& exchange);
   void Send(const Vector3& force);
@@ -136,8 +109,8 @@ private:
   bool IsCalibrated = false;
   bool IsArmReady = false;
   ///@}
-  bool IsRelieved = false; ///< a message of zero force follows one that waits for its state
-  int Awaited = 0;         ///< messages without a state
+  bool HasSentRelief = false; ///< a message of zero force follows one that waits for its state
+  int Awaited = 0;            ///< messages without a state
   std::int64_t SentAt = 0;
   std::int64_t ToldAt = 0; ///< when the position was told last
   int EmptyWaits = 0;

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Finds Haply's Inverse service on this computer, and asks it by HTTP.
+ */
+#ifndef HaplyService_h
+#define HaplyService_h
+
+#include "Devices/Haply/HaplyMessages.h"
+
+#include <cstdint>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** For errors: the cure if the service does not answer. */
+extern const char* const HowToStartHaply;
+
+/**
+ * Where the service listens: $VOLUMEHAPTICS_HAPLY, "PORT", "PORT,EVENTS" or "PORT,EVENTS,HTTP", or
+ * its defaults. The documentation has HTTP at 10000 up to 3.1, and at the port of the states in the
+ * latest 3.5.
+ */
+struct HaplyPorts
+{
+  std::uint16_t States = 10001; ///< and HTTP, of later services
+  std::uint16_t Events = 10020;
+  std::uint16_t Http = 10000; ///< of earlier services
+
+  /** False, with the reason and the cure. */
+  static bool Read(HaplyPorts& ports, std::string& error);
+};
+
+/**
+ * Asks the service by HTTP: "/version", or "/devices", at either port, and with the prefix of a
+ * version. False, with the reason.
+ */
+bool AskHaply(
+  const HaplyPorts& ports, const std::string& target, std::string& text, std::string& error);
+
+/** Asks the service for its version. False, with the reason and the cure. */
+bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
+
+/** As people see it: maker, product, the service's name of it, and the hand it is built for. */
+std::string NameOfHaply(const HaplyArm& arm);
+
+} // namespace VolumeHaptics
+
+#endif
