@@ -314,39 +314,13 @@ FieldSample ShareOf(const LabelWeights& weights, const std::uint64_t* planes) no
   return share;
 }
 
-template <typename T>
-LabelFunctions LabelFunctionsFor()
-{
-  return { FindLabelsOf<T>, WeighLabels, ShareOf };
-}
-
 /** The functions of this translation unit's instruction set. */
 LabelFunctions SelectLabelFunctions(ScalarType type)
 {
-  switch (type)
-  {
-    case ScalarType::Int8:
-      return LabelFunctionsFor<std::int8_t>();
-    case ScalarType::UInt8:
-      return LabelFunctionsFor<std::uint8_t>();
-    case ScalarType::Int16:
-      return LabelFunctionsFor<std::int16_t>();
-    case ScalarType::UInt16:
-      return LabelFunctionsFor<std::uint16_t>();
-    case ScalarType::Int32:
-      return LabelFunctionsFor<std::int32_t>();
-    case ScalarType::UInt32:
-      return LabelFunctionsFor<std::uint32_t>();
-    case ScalarType::Int64:
-      return LabelFunctionsFor<std::int64_t>();
-    case ScalarType::UInt64:
-      return LabelFunctionsFor<std::uint64_t>();
-    case ScalarType::Float32:
-      return LabelFunctionsFor<float>();
-    case ScalarType::Float64:
-      break;
-  }
-  return LabelFunctionsFor<double>();
+  return WithSampleType(type,
+    [](auto sample) -> LabelFunctions {
+      return { FindLabelsOf<decltype(sample)>, WeighLabels, ShareOf };
+    });
 }
 
 } // namespace

@@ -4,19 +4,12 @@
 
 #include "Core/Math/PolylineMask.h"
 #include "Core/Model/HapticModel.h"
-
-#include <atomic>
+#include "Core/Model/UniqueNumber.h"
 
 namespace VolumeHaptics
 {
 namespace
 {
-
-std::uint64_t NextNumber()
-{
-  static std::atomic<std::uint64_t> last{ 0 };
-  return ++last;
-}
 
 /**
  * PRECISE holds its proxy on levels of the estimator's own value: the normals must be normal to
@@ -81,7 +74,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Mesh(d.Mesh)
   , Labels(MakeLabels(d))
   , Walls(MakeWalls(d, this->Labels.get()))
-  , Number(d.Number > 0 ? d.Number : NextNumber())
+  , Number(d.Number > 0 ? d.Number : MakeUniqueNumber())
 {
 }
 

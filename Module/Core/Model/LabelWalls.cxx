@@ -3,8 +3,8 @@
 #include "Core/Model/LabelWalls.h"
 
 #include "Core/Field/LabelSamples.h"
+#include "Core/Model/UniqueNumber.h"
 
-#include <atomic>
 #include <cmath>
 
 namespace VolumeHaptics
@@ -61,12 +61,6 @@ struct LabelWalls::Around
 
 namespace
 {
-
-std::uint64_t NextWallsNumber()
-{
-  static std::atomic<std::uint64_t> last{ 0 };
-  return ++last;
-}
 
 /** Weights at a position within the image; returns the first tap's index. */
 std::int64_t FindWeights(const GradientKernel& kernel, double position, double* weights) noexcept
@@ -130,7 +124,7 @@ LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radiu
       ScalePerCut * (radius + 1))
   , View(view.GetView())
   , Table(table)
-  , Number(NextWallsNumber())
+  , Number(MakeUniqueNumber())
   , Last{ static_cast<double>(this->View.Dimensions[0] - 1),
     static_cast<double>(this->View.Dimensions[1] - 1),
     static_cast<double>(this->View.Dimensions[2] - 1) }

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Numbers by which objects are told apart, even if one takes the memory of another.
+ */
+#ifndef UniqueNumber_h
+#define UniqueNumber_h
+
+#include <atomic>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** A number above 0 that no other call has returned. */
+inline std::uint64_t MakeUniqueNumber()
+{
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
+}
+
+} // namespace VolumeHaptics
+
+#endif
