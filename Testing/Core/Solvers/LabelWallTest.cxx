@@ -13,6 +13,8 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <random>
+#include <vector>
 
 using namespace coretest;
 
@@ -93,6 +95,50 @@ private:
   bool IsThere = false;
 };
 
+/// L6: a wall through the middle, oblique to all axes, between label 0 and label 1. Positions and
+/// lengths are in millimetres; random numbers are the same in every run.
+class ObliqueWall
+{
+public:
+  static constexpr double Stiffness = 500.0;
+  static constexpr double Strength = 2.0;
+  static constexpr double Bumps = 0.4; ///< the wall of voxels is bumpy by some tenths
+
+  explicit ObliqueWall(std::uint64_t seed)
+    : Scene(32, [this](const Vector3& x) { return this->DepthOf(x) > 0.0 ? 1 : 0; },
+        { Entry(1, Stiffness, Strength) })
+    , Model(this->Scene.Description)
+    , Engine(seed)
+  {
+  }
+
+  double DepthOf(const Vector3& x) const { return Dot(x - this->Middle, this->Normal); }
+  double Draw(double low, double high)
+  {
+    return low + (high - low) * static_cast<double>(this->Engine() >> 11) * 0x1p-53;
+  }
+  /// A step along the wall, by up to `reach` in each of two directions.
+  Vector3 DrawAlong(double reach)
+  {
+    const double u = this->Draw(-reach, reach);
+    const double v = this->Draw(-reach, reach);
+    return u * this->Across + v * Cross(this->Normal, this->Across);
+  }
+  void Move(const Vector3& tip) { Tick(this->Model, this->State, Millimetre * tip, this->Record); }
+  bool IsThrough() const { return this->DepthOf((1.0 / Millimetre) * this->Record.Proxy) > Bumps; }
+
+  const Vector3 Normal = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };
+  const Vector3 Across = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, -1.0, 0.0 };
+  const Vector3 Middle{ 16, 16, 16 };
+  const LabelledScene Scene;
+  const HapticModel Model;
+  ServoState State;
+  TickRecord Record;
+
+private:
+  std::mt19937_64 Engine;
+};
+
 class LabelWallOfSolver : public testing::TestWithParam<HapticSolver>
 {
 };
@@ -166,72 +212,46 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LabelWall, IsNeverFallenThrough)
 {
-  // L6: an oblique wall, and tips of up to 3 m/s that press with less than T_N.
-  const Vector3 normal = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };
-  const Vector3 middle{ 16, 16, 16 };
-  const auto labels = [&](const Vector3& x) { return Dot(x - middle, normal) > 0.0 ? 1 : 0; };
-  constexpr double stiffness = 500.0;
-  constexpr double strength = 2.0;
-  LabelledScene scene(32, labels, { Entry(1, stiffness, strength) });
-  const HapticModel model(scene.Description);
-  const Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, -1.0, 0.0 };
-  const Vector3 v = Cross(normal, u);
-  std::mt19937_64 engine(7);
-  const auto draw = [&](double low, double high)
-  { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; };
-  // The wall of voxels is bumpy by some tenths.
-  constexpr double bumps = 0.4;
-  constexpr double deepest = 0.9 * strength / stiffness / Millimetre - bumps;
+  // Tips of up to 3 m/s that press with less than T_N.
+  ObliqueWall wall(7);
+  constexpr double deepest =
+    0.9 * ObliqueWall::Strength / ObliqueWall::Stiffness / Millimetre - ObliqueWall::Bumps;
   constexpr int crossings = Crossings / 25; // they take longer ways
   constexpr double fastest = 3.0;           // mm in a tick of 1 ms
-  ServoState state;
-  TickRecord record;
-  Vector3 tip = middle - 2.0 * normal;
-  Tick(model, state, Millimetre * tip, record);
+  Vector3 tip = wall.Middle - 2.0 * wall.Normal;
+  wall.Move(tip);
   int through = 0;
-  double pressed = 0.0;
+  int unpressed = 0;
   for (int i = 0; i < crossings; ++i)
   {
-    const Vector3 in =
-      middle + draw(-5.0, 5.0) * u + draw(-5.0, 5.0) * v + draw(0.5, deepest) * normal;
-    const Vector3 out =
-      middle + draw(-5.0, 5.0) * u + draw(-5.0, 5.0) * v - draw(0.5, 3.0) * normal;
-    for (const Vector3& to : { in, out })
+    for (const bool goesIn : { true, false })
     {
+      const double depth = goesIn ? wall.Draw(0.5, deepest) : wall.Draw(-3.0, -0.5);
+      const Vector3 to = wall.Middle + wall.DrawAlong(5.0) + depth * wall.Normal;
       // The last tick of a way is as fast as the hand; those before are as fast as it may be.
       const Vector3 way = to - tip;
       const int ticks = static_cast<int>(std::ceil(Norm(way) / fastest));
       for (int tick = 1; tick <= ticks; ++tick)
       {
-        Tick(model, state, Millimetre * (tip + (double(tick) / ticks) * way), record);
-        const double depth = Dot((1.0 / Millimetre) * record.Proxy - middle, normal);
-        through += depth > bumps ? 1 : 0;
+        wall.Move(tip + (double(tick) / ticks) * way);
+        through += wall.IsThrough() ? 1 : 0;
       }
       tip = to;
-      pressed += &to == &in ? 0.0 : Norm(record.Force);
+      // k (h - w), of a wall that lies at w within the bumps.
+      const double pressed = -Dot(wall.Record.Force, wall.Normal) / ObliqueWall::Stiffness;
+      unpressed += goesIn && std::abs(pressed / Millimetre - depth) > ObliqueWall::Bumps ? 1 : 0;
     }
   }
   EXPECT_EQ(through, 0);
+  EXPECT_EQ(unpressed, 0);
 }
 
 TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
 {
-  // L6: 10^6 crossings of an oblique wall, each in one tick, wherever voxels make bumps and dents.
-  const Vector3 normal = (1.0 / std::sqrt(14.0)) * Vector3{ 1.0, 2.0, 3.0 };
-  const Vector3 middle{ 16, 16, 16 };
-  const auto labels = [&](const Vector3& x) { return Dot(x - middle, normal) > 0.0 ? 1 : 0; };
-  LabelledScene scene(32, labels, { Entry(1, 500.0, 2.0) });
-  const HapticModel model(scene.Description);
-  const Vector3 u = (1.0 / std::sqrt(5.0)) * Vector3{ 2.0, -1.0, 0.0 };
-  const Vector3 v = Cross(normal, u);
-  std::mt19937_64 engine(9);
-  const auto draw = [&](double low, double high)
-  { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; };
-  constexpr double bumps = 0.4;
-  ServoState state;
-  TickRecord record;
-  Vector3 foot = middle;
-  Tick(model, state, Millimetre * (foot - normal), record);
+  // 10^6 crossings, each in one tick, wherever voxels make bumps and dents.
+  ObliqueWall wall(9);
+  Vector3 foot = wall.Middle;
+  wall.Move(foot - wall.Normal);
   int through = 0;
   int unheld = 0;
   int caught = 0;
@@ -241,16 +261,16 @@ TEST(LabelWall, IsNotFallenThroughInAMillionCrossings)
     if (goesIn && i % 100 == 0)
     {
       // Elsewhere, in the open.
-      foot = middle + draw(-6.0, 6.0) * u + draw(-6.0, 6.0) * v;
-      state.Enabled = false;
-      Tick(model, state, Millimetre * (foot - normal), record);
+      foot = wall.Middle + wall.DrawAlong(6.0);
+      wall.State.Enabled = false;
+      wall.Move(foot - wall.Normal);
     }
-    foot += draw(-0.1, 0.1) * u + draw(-0.1, 0.1) * v;
-    const double depth = goesIn ? draw(0.5, 0.9) : draw(-0.9, -0.5);
-    Tick(model, state, Millimetre * (foot + depth * normal), record);
-    through += Dot((1.0 / Millimetre) * record.Proxy - middle, normal) > bumps ? 1 : 0;
-    unheld += goesIn && !(Norm(record.Force) > 0.0) ? 1 : 0;
-    caught += !goesIn && Norm(record.Force) > 1e-6 ? 1 : 0;
+    foot += wall.DrawAlong(0.1);
+    wall.Move(foot + (goesIn ? wall.Draw(0.5, 0.9) : wall.Draw(-0.9, -0.5)) * wall.Normal);
+    const double force = Norm(wall.Record.Force);
+    through += wall.IsThrough() ? 1 : 0;
+    unheld += goesIn && !(force > 0.0) ? 1 : 0;
+    caught += !goesIn && force > 1e-6 ? 1 : 0;
   }
   EXPECT_EQ(through, 0);
   EXPECT_EQ(unheld, 0);
