@@ -22,6 +22,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestCurrent = 6000.0; // mA, escon_max_milliamps
 constexpr auto Watchdog = std::chrono::milliseconds(100);
+/// A host sends no second message for longer than this unless the first is answered.
+constexpr auto Patience = std::chrono::milliseconds(15);
 
 /** A row of the host's tables, in its own order and words. */
 struct Row
@@ -311,14 +313,20 @@ void HfabEmulator::Run()
       continue;
     }
     const ssize_t size = read(master, bytes, sizeof(bytes));
+    // A controller is never held up, but this thread is, and so are bytes on their way to it: what
+    // comes together then was sent one message after the other.
+    const auto now = Clock::now();
+    const bool wasHeldUp = now - this->LastBytes > Patience && this->Fault != HfabFault::Late;
+    this->LastBytes = now;
     for (ssize_t i = 0; i < size; ++i)
     {
       // After a message, the firmware throws away what waits. If that is more than the end of the
       // line, it does not take the message.
-      const bool isTrailed = std::any_of(
-        bytes + i + 1, bytes + size, [](char c) { return c != '\n' && c != '\r' && c != '\0'; });
+      const bool isTrailed = !wasHeldUp &&
+        std::any_of(
+          bytes + i + 1, bytes + size, [](char c) { return c != '\n' && c != '\r' && c != '\0'; });
       this->Take(bytes[i], isTrailed);
-      i = bytes[i] == ']' ? size : i;
+      i = bytes[i] == ']' && !wasHeldUp ? size : i;
     }
   }
 }
