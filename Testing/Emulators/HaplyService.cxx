@@ -12,9 +12,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <list>
-#include <locale>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include <sys/socket.h>
@@ -30,99 +28,6 @@ namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 using Json = nlohmann::json;
-using Clock = std::chrono::steady_clock;
-
-/// The position in the documentation's example of an inventory: a tip in front of the arm's base.
-constexpr Triple BaseToMiddle{ 0.0, -0.12, 0.15 };
-constexpr double LongestStep = 5e-3; // s: a machine that stands still does not move the hand
-constexpr double ShortStep = 1e-4;   // s
-
-using Members = std::vector<std::pair<std::string, std::string>>;
-
-/// Objects as text, so that the order and the omissions are those of a service.
-class Writer
-{
-public:
-  explicit Writer(const HaplyShape& shape)
-    : Shape(shape)
-  {
-  }
-  std::string Object(Members members) const
-  {
-    if (this->Shape.IsReordered)
-    {
-      std::reverse(members.begin(), members.end());
-    }
-    std::string text = "{";
-    for (const auto& [name, value] : members)
-    {
-      text += (text.size() > 1 ? ",\"" : "\"") + name + "\":" + value;
-    }
-    return text + "}";
-  }
-  std::string Numbers(const std::vector<std::pair<std::string, double>>& numbers,
-    const std::vector<double>& defaults) const
-  {
-    Members members;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-    {
-      if (!this->Shape.OmitsDefaults || numbers[i].second != defaults[i])
-      {
-        std::ostringstream out;
-        out.imbue(std::locale::classic());
-        out.precision(9);
-        out << numbers[i].second;
-        members.emplace_back(numbers[i].first, out.str());
-      }
-    }
-    return this->Object(members);
-  }
-  std::string Vector(const Triple& v, double missing = 0.0) const
-  {
-    return this->Numbers(
-      { { "x", v[0] }, { "y", v[1] }, { "z", v[2] } }, { missing, missing, missing });
-  }
-  std::string Turn(const std::array<double, 4>& q) const
-  {
-    return this->Numbers(
-      { { "w", q[0] }, { "x", q[1] }, { "y", q[2] }, { "z", q[3] } }, { 1.0, 0.0, 0.0, 0.0 });
-  }
-  std::string Flags(const std::vector<std::pair<std::string, bool>>& flags) const
-  {
-    Members members;
-    for (const auto& [name, value] : flags)
-    {
-      if (!this->Shape.OmitsDefaults || value)
-      {
-        members.emplace_back(name, value ? "true" : "false");
-      }
-    }
-    return this->Object(members);
-  }
-  /// A list, or a map.
-  std::string Family(const std::vector<std::pair<std::string, Members>>& devices) const
-  {
-    if (this->Shape.HasMaps)
-    {
-      Members members;
-      for (const auto& [id, device] : devices)
-      {
-        members.emplace_back(id, this->Object(device));
-      }
-      return this->Object(members);
-    }
-    std::string text = "[";
-    for (auto [id, device] : devices)
-    {
-      device.insert(device.begin(), { "device_id", "\"" + id + "\"" });
-      text += (text.size() > 1 ? "," : "") + this->Object(device);
-    }
-    return text + "]";
-  }
-
-private:
-  const HaplyShape Shape;
-};
 } // namespace
 
 struct HaplyService::Server
@@ -131,12 +36,11 @@ struct HaplyService::Server
 
   explicit Server(const HaplyShape& shape)
     : Shape(shape)
-    , Write(shape)
+    , Arms(shape)
   {
   }
 
   const HaplyShape Shape;
-  const Writer Write;
   asio::io_context Io;
   tcp::acceptor States{ this->Io, { asio::ip::address_v4::loopback(), 0 } };
   tcp::acceptor Events{ this->Io, { asio::ip::address_v4::loopback(), 0 } };
@@ -151,21 +55,9 @@ struct HaplyService::Server
   std::vector<int> Sockets; // duplicates of open connections, by which they are ended
   std::list<Listener*> Listeners;
   std::vector<HaplySession> Sessions;
-  HaplyFault Fault = HaplyFault::None;
-  EmulatedHand Hand;
-  Triple Offset{};
-  Triple Force{};
-  Clock::time_point Stepped = Clock::now();
-  std::array<double, 4> Grip{ 1.0, 0.0, 0.0, 0.0 };
-  bool IsPressed = false;
-  bool IsCalibrated = true;
-  bool IsReady = true;
-  bool IsPlugged = true;
-  Triple Place{};
-  double Scale = 1.0;
+  HaplyState Arms;
 
-  bool IsNew() const { return this->Shape.Version >= "3.5"; }
-  std::string Prefix() const { return this->Shape.HasMaps ? "/3.0" : this->IsNew() ? "" : "/3.1"; }
+  std::string Prefix() const { return this->Shape.HasMaps ? "/3.0" : this->Arms.IsNew() ? "" : "/3.1"; }
 
   void Listen()
   {
@@ -248,103 +140,15 @@ struct HaplyService::Server
     this->Http.close(ignored);
   }
 
-  // All of these under the mutex.
-  void Step()
-  {
-    const Clock::time_point now = Clock::now();
-    double time = std::min(std::chrono::duration<double>(now - this->Stepped).count(), LongestStep);
-    this->Stepped = now;
-    for (; time > 0.0; time -= ShortStep)
-    {
-      this->Hand.Step(std::min(time, ShortStep), this->Force);
-    }
-  }
-  Members MakeArm(bool hasConfig, const Triple& tip, const Triple& force, bool isInUse) const
-  {
-    const Writer& write = this->Write;
-    Members state{ { "cursor_velocity", write.Vector(this->Hand.Velocity) },
-      { "body_orientation", write.Turn({ 1.0, 0.0, 0.0, 0.0 }) },
-      { "current_cursor_force", write.Vector(force) }, { "control_mode", "\"idle\"" } };
-    if (this->Fault != HaplyFault::Blind)
-    {
-      state.insert(state.begin(),
-        { "cursor_position",
-          this->Fault == HaplyFault::NoNumber ? R"({"x":0.0,"y":null,"z":0.0})"
-                                              : write.Vector(tip) });
-    }
-    if (this->IsNew())
-    {
-      state.emplace_back("transform",
-        write.Object({ { "position", write.Vector(this->Place) },
-          { "rotation", write.Turn({ 1.0, 0.0, 0.0, 0.0 }) },
-          { "scale",
-            this->Fault == HaplyFault::NoScale
-              ? R"({"x":null})"
-              : write.Vector({ this->Scale, this->Scale, this->Scale }, 1.0) } }));
-    }
-    Members arm;
-    if (hasConfig)
-    {
-      arm.emplace_back("config",
-        write.Object({ { "type", "\"" + this->Shape.Type + "\"" }, { "port", "\"COM12\"" },
-          { "device_info", "{\"major_version\":7,\"minor_version\":4,\"id\":\"049D\"}" },
-          { "handedness", "\"right\"" } }));
-    }
-    arm.emplace_back("state", write.Object(state));
-    // Told in full or not: a missing flag is not a default that the documentation states.
-    Members status;
-    for (const auto& [name, value] : { std::pair("calibrated", this->IsCalibrated),
-           std::pair("in_use", isInUse), std::pair("power_supply", true),
-           std::pair("ready", this->IsReady), std::pair("started", true) })
-    {
-      if (value || !this->Shape.OmitsFalseFlags)
-      {
-        status.emplace_back(name, value ? "true" : "false");
-      }
-    }
-    if (hasConfig || this->Shape.HasStatus)
-    {
-      arm.emplace_back("status", write.Object(status));
-    }
-    return arm;
-  }
   bool IsInUse(const std::string& arm) const
   {
     return std::any_of(this->Sessions.begin(), this->Sessions.end(),
       [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
   }
-  /// `number` is that of the message that it answers.
   std::string MakeMessage(bool hasConfig, bool isCentred, std::size_t number = 0)
   {
-    this->Step();
-    const Writer& write = this->Write;
-    Triple tip = this->Hand.Tip;
-    for (int a = 0; a < 3; ++a)
-    {
-      tip[a] += this->Offset[a] + (isCentred ? 0.0 : BaseToMiddle[a]);
-    }
-    tip[0] += static_cast<double>(number) * this->Shape.NumberScale;
-    std::vector<std::pair<std::string, Members>> arms{ { Other,
-      this->MakeArm(hasConfig, { 0.3, 0.3, 0.3 }, {}, this->IsInUse(Other)) } };
-    if (this->IsPlugged)
-    {
-      arms.insert(
-        arms.begin(), { Id, this->MakeArm(hasConfig, tip, this->Force, this->IsInUse(Id)) });
-    }
-    const Members grip{
-      { "state",
-        write.Object({ { "orientation", write.Turn(this->Grip) }, { "hall", "0" },
-          { "buttons",
-            write.Flags({ { "a", this->IsPressed }, { "b", false }, { "c", false } }) } }) },
-      { "status", "{\"awake\":true}" }
-    };
-    Members all{ { this->Shape.Family, write.Family(arms) },
-      { "wireless_verse_grip", write.Family({ { "61548", grip } }) } };
-    if (this->IsNew())
-    {
-      all.insert(all.begin(), { "session_id", "7" });
-    }
-    return write.Object(all);
+    return this->Arms.MakeMessage(
+      hasConfig, isCentred, [this](const std::string& arm) { return this->IsInUse(arm); }, number);
   }
 
   void Answer(tcp::socket& socket, bool hasHttp)
@@ -391,7 +195,7 @@ struct HaplyService::Server
       this->Take(text, session, isCentred);
       std::string state =
         this->MakeMessage(false, isCentred, this->Sessions[session].Forces.size());
-      const HaplyFault fault = this->Fault;
+      const HaplyFault fault = this->Arms.Fault;
       lock.unlock();
       if (fault == HaplyFault::Slow)
       {
@@ -416,7 +220,7 @@ struct HaplyService::Server
     const std::string arm = "/" + this->Shape.Family + "/0";
     const Json::json_pointer device(arm);
     const Json::json_pointer vector(
-      arm + "/commands/set_cursor_force/" + (this->IsNew() ? "vector" : "values"));
+      arm + "/commands/set_cursor_force/" + (this->Arms.IsNew() ? "vector" : "values"));
     if (message.is_discarded() || !message.contains(vector) ||
       (message[device].value("device_id", "") != Id &&
         message[device].value("device_id", "") != Other))
@@ -426,15 +230,15 @@ struct HaplyService::Server
     }
     const Json::json_pointer preset(arm + "/configure/preset");
     isCentred = isCentred ||
-      (this->IsNew() && message.contains(preset) && message[preset] == "arm_front_centered");
-    this->Step();
+      (this->Arms.IsNew() && message.contains(preset) && message[preset] == "arm_front_centered");
+    this->Arms.Step();
     const Json& force = message[vector];
     session.Arm = message[device].value("device_id", "");
     session.Forces.push_back(
       { force.value("x", 0.0), force.value("y", 0.0), force.value("z", 0.0) });
     if (session.Arm == Id)
     {
-      this->Force = session.Forces.back();
+      this->Arms.Force = session.Forces.back();
     }
   }
   void AnswerHttp(
@@ -457,7 +261,7 @@ struct HaplyService::Server
     {
       answer.result(http::status::ok);
       // The envelope of 3.5; the same without one is in its tutorial 00.
-      answer.body() = this->IsNew() ? "{\"ok\":true,\"data\":" + body + "}" : body;
+      answer.body() = this->Arms.IsNew() ? "{\"ok\":true,\"data\":" + body + "}" : body;
     }
     answer.prepare_payload();
     http::write(socket, answer);
@@ -515,7 +319,7 @@ void HaplyService::Die()
 void HaplyService::Break(HaplyFault fault)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->Fault = fault;
+  this->All->Arms.Fault = fault;
 }
 
 void HaplyService::PushEvent(const std::string& json)
@@ -546,57 +350,57 @@ void HaplyService::DropListeners()
 void HaplyService::SetGoal(const Triple& goal)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->Hand.Goal = goal;
+  this->All->Arms.Hand.Goal = goal;
 }
 
 Triple HaplyService::GetTip()
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  return this->All->Hand.Tip;
+  return this->All->Arms.Hand.Tip;
 }
 
 void HaplyService::Shift(const Triple& by)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->Offset = by;
+  this->All->Arms.Offset = by;
 }
 
 Triple HaplyService::GetForce()
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  return this->All->Force;
+  return this->All->Arms.Force;
 }
 
 void HaplyService::SetCalibrated(bool isCalibrated)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->IsCalibrated = isCalibrated;
+  this->All->Arms.IsCalibrated = isCalibrated;
 }
 
 void HaplyService::SetReady(bool isReady)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->IsReady = isReady;
+  this->All->Arms.IsReady = isReady;
 }
 
 void HaplyService::Unplug()
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->IsPlugged = false;
+  this->All->Arms.IsPlugged = false;
 }
 
 void HaplyService::SetTransform(const Triple& position, double scale)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->Place = position;
-  this->All->Scale = scale;
+  this->All->Arms.Place = position;
+  this->All->Arms.Scale = scale;
 }
 
 void HaplyService::SetGrip(const std::array<double, 4>& orientation, bool isPressed)
 {
   const std::lock_guard<std::mutex> lock(this->All->Mutex);
-  this->All->Grip = orientation;
-  this->All->IsPressed = isPressed;
+  this->All->Arms.Grip = orientation;
+  this->All->Arms.IsPressed = isPressed;
 }
 
 std::vector<HaplySession> HaplyService::GetSessions()

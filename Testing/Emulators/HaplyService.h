@@ -23,7 +23,7 @@
 #ifndef PlayedHaplyService_h
 #define PlayedHaplyService_h
 
-#include "Emulators/EmulatedHand.h"
+#include "Emulators/HaplyState.h"
 
 #include <memory>
 #include <string>
@@ -31,36 +31,6 @@
 
 namespace emulated
 {
-
-struct HaplyShape
-{
-  std::string Version = "3.5.0";
-  std::string Family = "inverse3"; ///< of both arms
-  std::string Type = "inverse3";
-  bool HasMaps = false;       ///< as in 3.0: maps from identifiers to devices
-  bool OmitsDefaults = false; ///< numbers that have their default, and buttons that are not pressed
-  bool IsReordered = false;   ///< members of objects in the other order
-  bool HasEvents = true;
-  bool HasOwnHttp = false;      ///< at another port than that of the states, as up to 3.1
-  bool HasDeviceList = true;    ///< by HTTP
-  bool OmitsFalseFlags = false; ///< of a status
-  bool HasStatus = true;        ///< in states, too; else in the inventory only
-  int DropTime = 0;             ///< ms, after which a session that was closed is in use no more
-  /** The x of a position (m) is this times the number of the session's message that it answers. */
-  double NumberScale = 0.0;
-};
-
-enum class HaplyFault
-{
-  None,
-  Silent,   ///< it takes messages and answers none
-  Slow,     ///< each state comes after 60 ms
-  Junk,     ///< its states are no JSON
-  Blind,    ///< its states have no position
-  NoNumber, ///< a coordinate is NaN, as nlohmann's library writes it: null
-  NoScale,  ///< so is one of the transform
-  Twice     ///< it answers each message twice
-};
 
 /** All that the service saw of a session. */
 struct HaplySession
@@ -75,8 +45,8 @@ struct HaplySession
 class HaplyService
 {
 public:
-  static constexpr const char* Id = "049D";
-  static constexpr const char* Other = "04BA"; ///< a second arm, which no force moves
+  static constexpr const char* Id = HaplyState::Id;
+  static constexpr const char* Other = HaplyState::Other;
 
   /** Listens, and names its ports in VOLUMEHAPTICS_HAPLY. */
   explicit HaplyService(const HaplyShape& shape = {});

@@ -22,7 +22,7 @@ protected:
   }
 };
 
-/// What the list of kinds that this computer can't have says of this one.
+/// The reason why this computer has none, as the list of kinds gives it.
 std::string MissingText()
 {
   std::string text;

@@ -42,7 +42,7 @@ template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {
   io.restart();
-  // What is there counts, even if this thread comes late.
+  // Data that have arrived already count, even if the time is over.
   io.poll();
   while (!holds() && std::chrono::steady_clock::now() < end)
   {
