@@ -57,7 +57,10 @@ struct HaplyService::Server
   std::vector<HaplySession> Sessions;
   HaplyState Arms;
 
-  std::string Prefix() const { return this->Shape.HasMaps ? "/3.0" : this->Arms.IsNew() ? "" : "/3.1"; }
+  std::string Prefix() const
+  {
+    return this->Shape.HasMaps ? "/3.0" : this->Arms.IsNew() ? "" : "/3.1";
+  }
 
   void Listen()
   {
@@ -145,10 +148,10 @@ struct HaplyService::Server
     return std::any_of(this->Sessions.begin(), this->Sessions.end(),
       [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
   }
-  std::string MakeMessage(bool hasConfig, bool isCentred, std::size_t number = 0)
+  std::string MakeMessage(bool hasConfig, const HaplyView& view, std::size_t number = 0)
   {
     return this->Arms.MakeMessage(
-      hasConfig, isCentred, [this](const std::string& arm) { return this->IsInUse(arm); }, number);
+      hasConfig, view, [this](const std::string& arm) { return this->IsInUse(arm); }, number);
   }
 
   void Answer(tcp::socket& socket, bool hasHttp)
@@ -170,7 +173,7 @@ struct HaplyService::Server
       const std::lock_guard<std::mutex> lock(this->Mutex);
       session = this->Sessions.size();
       this->Sessions.emplace_back();
-      inventory = this->MakeMessage(true, false);
+      inventory = this->MakeMessage(true, { false, this->Shape.Basis });
     }
     try
     {
@@ -186,15 +189,14 @@ struct HaplyService::Server
   }
   void Converse(websocket::stream<tcp::socket&>& stream, std::size_t session)
   {
-    bool isCentred = false;
+    HaplyView view{ false, this->Shape.Basis };
     for (beast::flat_buffer buffer;; buffer.clear())
     {
       stream.read(buffer);
       const std::string text = beast::buffers_to_string(buffer.data());
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Take(text, session, isCentred);
-      std::string state =
-        this->MakeMessage(false, isCentred, this->Sessions[session].Forces.size());
+      this->Take(text, session, view);
+      std::string state = this->MakeMessage(false, view, this->Sessions[session].Forces.size());
       const HaplyFault fault = this->Arms.Fault;
       lock.unlock();
       if (fault == HaplyFault::Slow)
@@ -212,7 +214,7 @@ struct HaplyService::Server
       }
     }
   }
-  void Take(const std::string& text, std::size_t number, bool& isCentred)
+  void Take(const std::string& text, std::size_t number, HaplyView& view)
   {
     HaplySession& session = this->Sessions[number];
     session.Greeting = session.Greeting.empty() ? text : session.Greeting;
@@ -229,13 +231,18 @@ struct HaplyService::Server
       return;
     }
     const Json::json_pointer preset(arm + "/configure/preset");
-    isCentred = isCentred ||
+    const Json::json_pointer basis("/session/configure/basis/permutation");
+    view.IsCentred = view.IsCentred ||
       (this->Arms.IsNew() && message.contains(preset) && message[preset] == "arm_front_centered");
+    if (this->Arms.IsNew() && message.contains(basis))
+    {
+      view.Basis = message[basis].get<std::string>();
+    }
     this->Arms.Step();
     const Json& force = message[vector];
     session.Arm = message[device].value("device_id", "");
     session.Forces.push_back(
-      { force.value("x", 0.0), force.value("y", 0.0), force.value("z", 0.0) });
+      view.FromSession({ force.value("x", 0.0), force.value("y", 0.0), force.value("z", 0.0) }));
     if (session.Arm == Id)
     {
       this->Arms.Force = session.Forces.back();
@@ -255,7 +262,7 @@ struct HaplyService::Server
     else if (target == this->Prefix() + "/devices" && this->Shape.HasDeviceList)
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      body = this->MakeMessage(true, false);
+      body = this->MakeMessage(true, {});
     }
     if (hasHttp && !body.empty())
     {

@@ -9,7 +9,8 @@
  * service/realtime/websocket-protocol (inventory, one state for each message),
  * service/api/simulation, service/realtime/control-commands ("vector"; forces of a tick),
  * service/commons/types (units), service/commons/basis (right, forward, up),
- * service/commons/mount-and-workspace (presets), service/session-configuration/sessions (profile),
+ * service/commons/mount-and-workspace (presets), service/session-configuration/sessions (profile;
+ * what the Hub changes in a session of a profile it applies again to the next one),
  * service/events and service/api/events, service/api/http (version, envelope), service/tutorials/00
  * to 06 (handshake, omitted defaults, a grip's buttons and axis). Of 3.0: 3.0.2/service (maps of
  * devices, /3.0/version; up to 3.1.1 HTTP "on http://localhost:10000", which is not the WebSocket's

@@ -16,7 +16,56 @@ using Clock = std::chrono::steady_clock;
 constexpr Triple BaseToMiddle{ 0.0, -0.12, 0.15 };
 constexpr double LongestStep = 5e-3; // s: a machine that stands still does not move the hand
 constexpr double ShortStep = 1e-4;   // s
+
+/// The axis of Haply's for each of a session's, and its sign.
+std::array<std::pair<int, double>, 3> ReadBasis(const std::string& basis)
+{
+  std::array<std::pair<int, double>, 3> axes{};
+  double sign = 1.0;
+  std::size_t count = 0;
+  for (const char c : basis)
+  {
+    if (c >= 'X' && c <= 'Z' && count < axes.size())
+    {
+      axes[count++] = { c - 'X', sign };
+    }
+    sign = c == '-' ? -1.0 : 1.0;
+  }
+  return axes;
+}
 } // namespace
+
+Triple HaplyView::ToSession(const Triple& haply) const
+{
+  const auto axes = ReadBasis(this->Basis);
+  Triple session{};
+  for (int a = 0; a < 3; ++a)
+  {
+    session[a] = axes[a].second * haply[axes[a].first];
+  }
+  return session;
+}
+
+Triple HaplyView::FromSession(const Triple& session) const
+{
+  const auto axes = ReadBasis(this->Basis);
+  Triple haply{};
+  for (int a = 0; a < 3; ++a)
+  {
+    haply[axes[a].first] = axes[a].second * session[a];
+  }
+  return haply;
+}
+
+std::array<double, 4> HaplyView::ToSession(const std::array<double, 4>& haply) const
+{
+  const auto axes = ReadBasis(this->Basis);
+  // Axes of the other hand turn the other way.
+  const bool isCyclic = (axes[0].first + 1) % 3 == axes[1].first;
+  const double hand = (isCyclic ? 1.0 : -1.0) * axes[0].second * axes[1].second * axes[2].second;
+  const Triple axis = this->ToSession(Triple{ haply[1], haply[2], haply[3] });
+  return { haply[0], hand * axis[0], hand * axis[1], hand * axis[2] };
+}
 
 /// Objects as text, so that the order and the omissions are those of a service.
 class HaplyState::Writer
@@ -115,18 +164,19 @@ void HaplyState::Step()
 }
 
 HaplyState::Members HaplyState::MakeArm(
-  bool hasConfig, const Triple& tip, const Triple& force, bool isInUse) const
+  bool hasConfig, const HaplyView& view, const Triple& tip, const Triple& force, bool isInUse) const
 {
   const Writer write(this->Shape);
-  Members state{ { "cursor_velocity", write.Vector(this->Hand.Velocity) },
+  Members state{ { "cursor_velocity", write.Vector(view.ToSession(this->Hand.Velocity)) },
     { "body_orientation", write.Turn({ 1.0, 0.0, 0.0, 0.0 }) },
-    { "current_cursor_force", write.Vector(force) }, { "control_mode", "\"idle\"" } };
+    { "current_cursor_force", write.Vector(view.ToSession(force)) },
+    { "control_mode", "\"idle\"" } };
   if (this->Fault != HaplyFault::Blind)
   {
     state.insert(state.begin(),
       { "cursor_position",
         this->Fault == HaplyFault::NoNumber ? R"({"x":0.0,"y":null,"z":0.0})"
-                                            : write.Vector(tip) });
+                                            : write.Vector(view.ToSession(tip)) });
   }
   if (this->IsNew())
   {
@@ -165,7 +215,7 @@ HaplyState::Members HaplyState::MakeArm(
   return arm;
 }
 
-std::string HaplyState::MakeMessage(bool hasConfig, bool isCentred,
+std::string HaplyState::MakeMessage(bool hasConfig, const HaplyView& view,
   const std::function<bool(const std::string&)>& isInUse, std::size_t number)
 {
   this->Step();
@@ -173,19 +223,19 @@ std::string HaplyState::MakeMessage(bool hasConfig, bool isCentred,
   Triple tip = this->Hand.Tip;
   for (int a = 0; a < 3; ++a)
   {
-    tip[a] += this->Offset[a] + (isCentred ? 0.0 : BaseToMiddle[a]);
+    tip[a] += this->Offset[a] + (view.IsCentred ? 0.0 : BaseToMiddle[a]);
   }
   tip[0] += static_cast<double>(number) * this->Shape.NumberScale;
   std::vector<std::pair<std::string, Members>> arms{ { Other,
-    this->MakeArm(hasConfig, { 0.3, 0.3, 0.3 }, {}, isInUse(Other)) } };
+    this->MakeArm(hasConfig, view, { 0.3, 0.3, 0.3 }, {}, isInUse(Other)) } };
   if (this->IsPlugged)
   {
     arms.insert(
-      arms.begin(), { Id, this->MakeArm(hasConfig, tip, this->Force, isInUse(Id)) });
+      arms.begin(), { Id, this->MakeArm(hasConfig, view, tip, this->Force, isInUse(Id)) });
   }
   const Members grip{
     { "state",
-      write.Object({ { "orientation", write.Turn(this->Grip) }, { "hall", "0" },
+      write.Object({ { "orientation", write.Turn(view.ToSession(this->Grip)) }, { "hall", "0" },
         { "buttons",
           write.Flags({ { "a", this->IsPressed }, { "b", false }, { "c", false } }) } }) },
     { "status", "{\"awake\":true}" }

@@ -34,6 +34,8 @@ struct HaplyShape
   bool OmitsFalseFlags = false; ///< of a status
   bool HasStatus = true;        ///< in states, too; else in the inventory only
   int DropTime = 0;             ///< ms, after which a session that was closed is in use no more
+  /** Of a session that names none: Haply's Hub applies those again that it has had before. */
+  std::string Basis = "XYZ";
   /** The x of a position (m) is this times the number of the session's message that it answers. */
   double NumberScale = 0.0;
 };
@@ -50,6 +52,20 @@ enum class HaplyFault
   Twice     ///< it answers each message twice
 };
 
+/// The axes in which a session has vectors.
+struct HaplyView
+{
+  bool IsCentred = false; ///< else from the arm's base
+  /// "YZX": the session's x is Haply's y, its y Haply's z, and its z Haply's x; a minus before a
+  /// letter turns that axis round.
+  std::string Basis = "XYZ";
+
+  Triple ToSession(const Triple& haply) const;
+  Triple FromSession(const Triple& session) const;
+  /// A quaternion, w first.
+  std::array<double, 4> ToSession(const std::array<double, 4>& haply) const;
+};
+
 class HaplyState
 {
 public:
@@ -62,7 +78,7 @@ public:
   }
   bool IsNew() const { return this->Shape.Version >= "3.5"; }
   /// The inventory, or a state; `number` is that of the message that it answers.
-  std::string MakeMessage(bool hasConfig, bool isCentred,
+  std::string MakeMessage(bool hasConfig, const HaplyView& view,
     const std::function<bool(const std::string&)>& isInUse, std::size_t number);
   /// Moves the hand until now.
   void Step();
@@ -84,7 +100,8 @@ private:
   using Members = std::vector<std::pair<std::string, std::string>>;
   class Writer;
 
-  Members MakeArm(bool hasConfig, const Triple& tip, const Triple& force, bool isInUse) const;
+  Members MakeArm(bool hasConfig, const HaplyView& view, const Triple& tip, const Triple& force,
+    bool isInUse) const;
 
   std::chrono::steady_clock::time_point Stepped = std::chrono::steady_clock::now();
 };

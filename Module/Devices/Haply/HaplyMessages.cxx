@@ -306,7 +306,8 @@ std::string WriteHaplyGreeting(const HaplyAddress& address)
   Json arm = MakeForce(address, {});
   arm["configure"] = { { "preset", Preset } };
   Json message = { { address.Family, Json::array({ arm }) } };
-  message["session"] = { { "configure", { { "profile", { { "name", Profile } } } } } };
+  message["session"] = { { "configure",
+    { { "profile", { { "name", Profile } } }, { "basis", { { "permutation", "XYZ" } } } } } };
   return Dump(message);
 }
 

@@ -132,7 +132,10 @@ struct HaplyAddress
 
 /** The message that asks for a force (N, in Haply's axes) and for a state. */
 std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force);
-/** The first message: no force, and from 3.5 on the session's profile and the arm's origin. */
+/**
+ * The first message: no force, and from 3.5 on the session's profile, Haply's own axes and the
+ * arm's origin. For a profile that the user has changed in Haply's Hub, they would be others.
+ */
 std::string WriteHaplyGreeting(const HaplyAddress& address);
 
 ///@{

@@ -260,9 +260,10 @@ TEST(HaplyMessages, ForcesAreWrittenAsEachVersionTakesThem)
   EXPECT_EQ(WriteHaplyForce({ { 3, 4 }, "minverse", "04BA" }, {}),
     R"({"minverse":[{"commands":{"set_cursor_force":{"values":{"x":0.0,"y":0.0,"z":0.0}}},"device_id":"04BA"}]})");
   const std::string greeting = WriteHaplyGreeting({ { 3, 5 }, "inverse3", "049D" });
+  EXPECT_NE(greeting.find(R"("profile":{"name":"org.vtk.volumehaptics:touch"})"), std::string::npos)
+    << greeting;
   EXPECT_NE(
-    greeting.find(R"("session":{"configure":{"profile":{"name":"org.vtk.volumehaptics:touch"}}})"),
-    std::string::npos)
+    greeting.find(R"("session":{"configure":{"basis":{"permutation":"XYZ"},)"), std::string::npos)
     << greeting;
   EXPECT_NE(greeting.find(R"("configure":{"preset":"arm_front_centered"})"), std::string::npos);
   EXPECT_NE(greeting.find(R"("vector":{"x":0.0,"y":0.0,"z":0.0})"), std::string::npos);

@@ -45,6 +45,16 @@ TEST_F(HaplySessions, AFloorIsFelt)
   EXPECT_TRUE(Eventually([&] { return !this->LastSession().IsOpen; }));
 }
 
+TEST_F(HaplySessions, InAxesThatTheHubRemembersOtherwise)
+{
+  for (const char* const basis : { "YZX", "X-YZ" })
+  {
+    HaplyShape shape;
+    shape.Basis = basis;
+    ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd(shape)) << basis;
+  }
+}
+
 TEST_F(HaplySessions, AtFourKilohertz)
 {
   ASSERT_NO_FATAL_FAILURE(this->FeelAndEnd({}, 4000.0));
