@@ -165,11 +165,12 @@ heard=$(count_heard slide)
 [[ $heard -gt 10000 ]] || fail "$heard bytes of sound on the skin"
 echo "heard on the skin: $heard bytes of sound"
 press o
+wait_for "the line 'Sound off'" grep -q "^Sound off" "$folder/program.log"
 sleep 1
 heard=$(count_heard slide)
 [[ $heard -eq 0 ]] || fail "$heard bytes of sound while it was off"
 press o
-sleep 1
+wait_for "the line 'Sound on'" grep -q "^Sound on" "$folder/program.log"
 heard=$(count_heard slide)
 [[ $heard -gt 10000 ]] || fail "$heard bytes of sound after it was off"
 is_playing || fail "the stream ended too early"

@@ -67,6 +67,11 @@ void SoundStream::Advance(double seconds) noexcept
   {
     this->HasBegun = true;
     this->Position = newest;
+    // The clicks of all that is skipped would come at once.
+    while (this->Ticks.Pop(this->Next))
+    {
+      this->HasNext = true;
+    }
   }
   // The times of a servo that was started anew begin anew, too.
   this->Position = std::min(this->Position + this->Pace * seconds, newest);

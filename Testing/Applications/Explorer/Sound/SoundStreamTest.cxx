@@ -100,9 +100,9 @@ TEST(SoundStream, PlaysBurstsAtThePaceOfTheirTicks)
     }
     player.Play(300);
     const std::vector<double> onsets = player.Onsets();
-    ASSERT_EQ(onsets.size(), 15u) << burst;
-    // The first burst is played at once.
-    for (std::size_t i = 2; i < onsets.size(); ++i)
+    // The sound begins with the newest tick of the first burst.
+    ASSERT_EQ(onsets.size(), burst > 100 ? 14u : 15u) << burst;
+    for (std::size_t i = 1; i < onsets.size(); ++i)
     {
       EXPECT_NEAR(onsets[i] - onsets[i - 1], 0.2, 0.0025) << burst;
     }
@@ -125,8 +125,8 @@ TEST(SoundStream, SkipsWhatIsTooOld)
     player.Play(1);
   }
   const std::vector<double> onsets = player.Onsets();
-  ASSERT_EQ(onsets.size(), 2u) << "the last of those that were skipped, and the one to come";
-  EXPECT_NEAR(onsets[1], 0.2 + 0.001 * (1300 - 1118) + 0.005, 0.003);
+  ASSERT_EQ(onsets.size(), 1u) << "none of those that were skipped";
+  EXPECT_NEAR(onsets[0], 0.2 + 0.001 * (1300 - 1118) + 0.005, 0.003);
 }
 
 TEST(SoundStream, CatchesUpWithoutSkipping)
