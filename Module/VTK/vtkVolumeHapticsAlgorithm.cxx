@@ -4,6 +4,7 @@
 
 #include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"
@@ -12,7 +13,10 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-vtkVolumeHapticsAlgorithm::vtkVolumeHapticsAlgorithm() = default;
+vtkVolumeHapticsAlgorithm::vtkVolumeHapticsAlgorithm()
+  : TraceArrays(VolumeHaptics::AllTraceArrays)
+{
+}
 
 //------------------------------------------------------------------------------
 vtkVolumeHapticsAlgorithm::~vtkVolumeHapticsAlgorithm() = default;
@@ -109,6 +113,98 @@ void vtkVolumeHapticsAlgorithm::NextMethod()
 }
 
 //------------------------------------------------------------------------------
+bool vtkVolumeHapticsAlgorithm::ChooseTraceArrays(const std::vector<std::string>& names)
+{
+  VolumeHaptics::TraceArrayChoice choice = 0;
+  const std::string error = VolumeHaptics::ReadTraceArrays(names, choice);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  if (this->TraceArrays != choice)
+  {
+    this->TraceArrays = choice;
+    this->Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsAlgorithm::SetTraceArrays(const char* names)
+{
+  return this->ChooseTraceArrays(VolumeHaptics::SplitTraceArrays(names ? names : "all"));
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsAlgorithm::SetTraceArrays(vtkStringArray* names)
+{
+  std::vector<std::string> words;
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    words.push_back(names->GetValue(i));
+  }
+  return this->ChooseTraceArrays(names ? words : std::vector<std::string>{ "all" });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsAlgorithm::GetTraceArrays()
+{
+  return VolumeHaptics::DescribeTraceArrays(this->TraceArrays);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsAlgorithm::CheckTraceArrays(const std::string& names)
+{
+  VolumeHaptics::TraceArrayChoice choice = 0;
+  return VolumeHaptics::ReadTraceArrays(VolumeHaptics::SplitTraceArrays(names), choice);
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsAlgorithm::GetNumberOfTraceArrays()
+{
+  return static_cast<int>(VolumeHaptics::GetNumberOfTraceArrays());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkVolumeHapticsAlgorithm::GetTraceArrayName(int array)
+{
+  return array >= 0 && array < this->GetNumberOfTraceArrays()
+    ? VolumeHaptics::GetTraceArrayName(static_cast<std::size_t>(array))
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsAlgorithm::GetTraceArrayStatus(const char* name)
+{
+  const std::size_t array = VolumeHaptics::FindTraceArray(name ? name : "");
+  return array < VolumeHaptics::GetNumberOfTraceArrays() &&
+    VolumeHaptics::IsChosen(this->TraceArrays, array);
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::SetTraceArrayStatus(const char* name, int status)
+{
+  const std::string changed = name ? name : "";
+  const std::size_t count = VolumeHaptics::GetNumberOfTraceArrays();
+  const bool isKnown = VolumeHaptics::FindTraceArray(changed) < count;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string other = VolumeHaptics::GetTraceArrayName(i);
+    if (other != changed && VolumeHaptics::IsChosen(this->TraceArrays, i))
+    {
+      names.push_back(other);
+    }
+  }
+  if (status != 0 || !isKnown) // then ChooseTraceArrays tells of the error
+  {
+    names.push_back(changed);
+  }
+  this->ChooseTraceArrays(names);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate)
 {
   for (const VolumeHaptics::FilterSetting& setting : VolumeHaptics::FilterSettings)
@@ -138,6 +234,7 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
     os << "(none)\n";
   }
   VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::FilterSettings);
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::FilterTexts);
 }
 
 //------------------------------------------------------------------------------

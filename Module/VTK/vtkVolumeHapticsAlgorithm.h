@@ -14,6 +14,7 @@
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 class vtkHapticProperty;
 class vtkStringArray;
@@ -333,6 +334,28 @@ public:
   vtkGetMacro(MaximumStiffness, double);
   ///@}
 
+  ///@{
+  /**
+   * The point arrays of the trace, by their names, with commas or spaces between them. Default
+   * "all". "none" leaves the points, the proxy, alone. What is not chosen takes neither time nor
+   * memory; forces do not depend on it. vtkVolumeHapticsFilter lists the arrays.
+   *
+   * nullptr stands for all. False, with an error that lists the arrays, if there is none of a name;
+   * the choice then stays as it was.
+   */
+  bool SetTraceArrays(const char* names);
+  bool SetTraceArrays(vtkStringArray* names);
+  std::string GetTraceArrays();
+  ///@}
+
+  ///@{
+  /** The same, one by one. An array that does not exist has the status 0. */
+  int GetNumberOfTraceArrays();
+  const char* GetTraceArrayName(int array);
+  int GetTraceArrayStatus(const char* name);
+  void SetTraceArrayStatus(const char* name, int status);
+  ///@}
+
   /**
    * Method and Solver as one choice, for menus and command lines, in the order of NextMethod():
    * "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy",
@@ -349,6 +372,11 @@ public:
 
   /** Goes on to the next of GetMethodNames(), and from the last to the first. */
   void NextMethod();
+
+#ifndef __VTK_WRAP__
+  /** The fault in names for SetTraceArrays, and the cure; empty if there is none. */
+  static std::string CheckTraceArrays(const std::string& names);
+#endif
 
   /** Includes the property and its functions. */
   vtkMTimeType GetMTime() override;
@@ -367,6 +395,8 @@ protected:
    */
   std::string CheckSettings(double rate);
 #endif
+
+  unsigned int TraceArrays; // a TraceArrayChoice
 
   vtkSmartPointer<vtkHapticProperty> Property;
   int Method = PROXY;
@@ -393,6 +423,7 @@ protected:
 
 private:
   void Choose(std::size_t choice);
+  bool ChooseTraceArrays(const std::vector<std::string>& names);
 
   vtkVolumeHapticsAlgorithm(const vtkVolumeHapticsAlgorithm&) = delete;
   void operator=(const vtkVolumeHapticsAlgorithm&) = delete;

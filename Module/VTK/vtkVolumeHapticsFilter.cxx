@@ -11,11 +11,11 @@
 #include "VTK/Baking/RegionSeries.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "VTK/Files/HapticFiles.h"
-#include "VTK/Trace/HapticTipPath.h"
 #include "VTK/Trace/HapticTrace.h"
 #include "VTK/Trace/RecordedLabels.h"
 #include "VTK/Trace/RecordingNames.h"
-#include "VTK/Trace/TipPathWalk.h"
+#include "VTK/Trace/TipPaths.h"
+#include "VTK/Trace/TipPathsWalk.h"
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -34,20 +34,11 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <sstream>
 
 namespace
 {
-bool IsFinite(const VolumeHaptics::TickRecord& record)
-{
-  using VolumeHaptics::IsFinite;
-  return IsFinite(record.Proxy) && IsFinite(record.Force) && IsFinite(record.Normal) &&
-    std::isfinite(record.NormalForce) && std::isfinite(record.FrictionForce) &&
-    std::isfinite(record.DragForce);
-}
-
 /** Whether another piece makes the trace. */
 bool IsLaterPiece(vtkInformationVector* outputs)
 {
@@ -461,11 +452,13 @@ int vtkVolumeHapticsFilter::TouchPath(
 
   std::string error;
   const double period = 1.0 / this->ServoRate;
-  TipPath tips;
-  const bool readable = !path || ReadTipPath(path, period, tips, error);
+  TipPaths paths;
+  const bool readable = !path || paths.Read(path, period, error);
+  const TipPath* const only = paths.GetOnly();
+  const bool isRecording = only && only->IsRecording;
   std::string imageError;
   std::shared_ptr<const HapticModel> model = this->BakeImage(
-    image, tips.IsRecording ? tips.TickPeriod : period, ForceCaps{}, nullptr, imageError);
+    image, isRecording ? only->TickPeriod : period, ForceCaps{}, nullptr, imageError);
   if (!model || !readable)
   {
     error = model ? error : imageError;
@@ -483,35 +476,28 @@ int vtkVolumeHapticsFilter::TouchPath(
     }
   }
 
-  ticks = static_cast<vtkIdType>(tips.Tips.size());
-  const vtkIdType progressStep = std::max<vtkIdType>(1000, ticks / 100);
-  HapticTrace trace;
-  trace.Reserve(ticks);
-  TipPathWalk walk(tips, period);
-  TickRecord record;
-  for (vtkIdType i = 0; i < ticks; ++i)
+  ticks = paths.GetNumberOfTicks();
+  HapticTrace trace(ticks, this->TraceArrays, model->Baked->Labels != nullptr);
+  TipPathsWalk walk(paths, period, model, trace);
+  while (!walk.IsDone())
   {
-    if (i % progressStep == 0)
+    this->UpdateProgress(walk.GetProgress());
+    if (MustAbort(this))
     {
-      this->UpdateProgress(static_cast<double>(i) / ticks);
-      if (MustAbort(this))
-      {
-        break;
-      }
+      break;
     }
-    model = walk.Tick(model, record);
-    if (tips.IsRecording && !::IsFinite(record))
+    walk.Advance();
+    if (walk.GetFlaw() >= 0)
     {
       vtkErrorMacro("The recording on port 1 gives numbers that are not finite in tick "
-        << i << ": it was changed, or made with another volume. Record again.");
+        << walk.GetFlaw() << ": it was changed, or made with another volume. Record again.");
       return 0;
     }
-    trace.Append(*model, walk.GetTime(), record);
   }
-  trace.WriteTo(output);
+  trace.WriteTo(output, walk.GetRows(), paths.AreSeveral());
   // Ticks of a recording are points of the path, one for one, unless the user ended this.
   vtkDataArray* const orientations =
-    tips.IsRecording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
+    isRecording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
   if (orientations && output->GetNumberOfPoints() == orientations->GetNumberOfTuples())
   {
     output->GetPointData()->AddArray(orientations);
@@ -532,5 +518,14 @@ void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   else
   {
     os << "(none)\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilterUpdate(vtkObjectBase* filter)
+{
+  if (auto* const haptics = vtkVolumeHapticsFilter::SafeDownCast(filter))
+  {
+    haptics->Update();
   }
 }

@@ -53,9 +53,16 @@
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
- * segments that continue one another, or points without cells. Several separate lines are an error,
- * and so are lines that join the points in another order than they are stored. A recording of
- * vtkHapticDevice is replayed tick by tick, to the bit.
+ * segments (lines of two points) that continue one another, or points without lines: then all
+ * points are one path, in the order in which they are stored. A line that joins them in another
+ * order is an error. A recording of vtkHapticDevice is replayed tick by tick, to the bit.
+ *
+ * Several polylines are several paths, as if each were felt alone, to the bit: each begins with the
+ * proxy on the tip, at its own first time, and goes through its points in the order of its cell.
+ * Paths may share points, and a line of one point is a path of one tick. If all lines are segments
+ * and one stroke can't draw them, those that continue the one before are one path with it. Points
+ * of no line are not felt, and neither are vertices. The paths are felt in parallel, by
+ * vtkSMPTools.
  *
  * Port 2, optional: vtkPolyData, the surface that SURFACE_PROXY touches, in world units, instead of
  * the isosurface at IsoValue. Polygons and strips count; with point normals the force is shaded.
@@ -71,8 +78,8 @@
  * LOCAL_SURFACE have one material, that of IsoValue, and FORCE_FIELD has none: labels don't change
  * them. The whole label image has to be in memory, also if port 0 has a region of a larger volume.
  *
- * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline, and the
- * point arrays
+ * Output: vtkPolyData, one point a tick at the proxy after the tick (world), one polyline for each
+ * path, in the order of the paths, and the point arrays, of which SetTraceArrays() chooses some,
  *
  *   Time               s; of the tick
  *   Tip (3)            world; the stylus
@@ -98,9 +105,10 @@
  *                      nearest voxel, 0 beyond the label image. Only with a label image on port 3
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
- * The same input gives the same output, to the bit. Without a path the output is empty. Input that
- * can't be touched gives one error that names the input and the cure, and an empty output. A long
- * path reports progress and can be aborted; the output then ends where it was aborted.
+ * The same input gives the same output, to the bit, on any number of threads. Without a path the
+ * output is empty. Input that can't be touched gives one error that names the input and the cure,
+ * and an empty output. Long paths report progress and can be aborted; each then ends where it was
+ * aborted.
  *
  * A path is felt as a whole: if the output is requested in pieces, for example on several ranks,
  * piece 0 requests the whole image and is the whole trace; the others request nothing and are
@@ -227,5 +235,13 @@ private:
   vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;
   void operator=(const vtkVolumeHapticsFilter&) = delete;
 };
+
+#ifndef __VTK_WRAP__
+/**
+ * Update() of a vtkVolumeHapticsFilter, for Python's ctypes: while it calls a function, other
+ * threads of Python run. VTK's own wrappers let them from VTK 9.4 on, and only in some builds.
+ */
+extern "C" VTKVOLUMEHAPTICS_EXPORT void vtkVolumeHapticsFilterUpdate(vtkObjectBase* filter);
+#endif
 
 #endif

@@ -8,10 +8,7 @@ using namespace VolumeHaptics;
 
 namespace benchmarks
 {
-namespace
-{
-
-/** Seven tissues as plateaus with ramps between them, spread over the values of the volume. */
+// Seven tissues as plateaus with ramps between them, spread over the values of the volume.
 HapticMaterial MakeMaterial(const BallVolume& volume)
 {
   // k, mu, R, T_N. Stiffness and strength are nowhere 0, so that every tick does its full work.
@@ -42,8 +39,6 @@ HapticMaterial MakeMaterial(const BallVolume& volume)
   material.Distinctness = { { 0.1, 0.0 }, { 1.0, 1.0 } };
   return material;
 }
-
-} // namespace
 
 BallVolume::BallVolume(const std::string& name, int nx, int ny, int nz)
   : Name(name)

@@ -62,6 +62,9 @@ struct ModelChoice
   VolumeHaptics::SurfaceGeometry Geometry = VolumeHaptics::SurfaceGeometry::Scalars;
 };
 
+/** Materials like those of a CT. */
+VolumeHaptics::HapticMaterial MakeMaterial(const BallVolume& volume);
+
 /** A model in life size with a material table like that of a CT. Borrows the volume. */
 std::unique_ptr<VolumeHaptics::HapticModel> MakeModel(
   const BallVolume& volume, const Estimator& estimator, const ModelChoice& choice = {});

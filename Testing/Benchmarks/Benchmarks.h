@@ -34,6 +34,12 @@ void RegisterLabelBenchmarks(const BallVolume& volume);
 /** Whole ticks of the methods that touch an isosurface: a mesh, and what a slow loop fits. */
 void RegisterSurfaceBenchmarks(const BallVolume& volume);
 
+/** The offline filter with its trace, beside its ticks alone; by the tick. */
+void RegisterFilterBenchmarks(const BallVolume& volume);
+
+/** Measures and prints what a second thread brings to the filter, in real time. */
+void PrintThroughput(const BallVolume& volume, bool isQuick);
+
 /** Gradients and values alone, with each instruction set, beside a bare gather of the taps. */
 void RegisterFieldBenchmarks(const BallVolume& volume);
 

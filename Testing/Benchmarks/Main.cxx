@@ -60,11 +60,13 @@ int main(int argc, char* argv[])
     RegisterFieldBenchmarks(volume);
     RegisterPeerBenchmarks(volume);
   }
+  RegisterFilterBenchmarks(volumes.front());
   RegisterLabelBenchmarks(volumes.front());
   RegisterSurfaceBenchmarks(volumes.front());
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
   PrintRatios(medians);
+  PrintThroughput(volumes.front(), isQuick);
   PrintMemory(volumes.front());
   benchmark::Shutdown();
   return 0;

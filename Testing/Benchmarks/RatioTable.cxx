@@ -28,6 +28,11 @@ constexpr double RadiusTarget = 1.5;
 constexpr double SurfaceTarget = 10.0;
 /** The time that a step may take beside its gradient, ns. */
 constexpr double RestTarget = 60.0;
+/** A tick of the offline filter with all that it writes, ns. */
+constexpr double PaperFilterTarget = 250.0;
+constexpr double PreciseFilterTarget = 600.0;
+/** The time of a tick that goes into its trace, ns. */
+constexpr double TraceTarget = 40.0;
 
 void PrintTitle(const char* title)
 {
@@ -130,6 +135,24 @@ void PrintRatios(const Medians& medians)
   {
     PrintRatio(medians, NameOf("precise_tick", estimator.Name, "slide", "256^3"),
       NameOf("tick", estimator.Name, "slide", "256^3"), PreciseTarget);
+  }
+  PrintTitle("Tick of the filter, with its trace, ns; and beside its ticks alone");
+  for (const char* const solver : { "PAPER", "PRECISE" })
+  {
+    const auto nameOf = [solver](const char* variant)
+    { return NameOf("filter", solver + std::string(variant), "slide", "256^3"); };
+    const IterationTime bare = medians[nameOf("_bare")];
+    for (const char* const arrays : { "_all", "_Force" })
+    {
+      const IterationTime whole = medians[nameOf(arrays)];
+      const bool isAll = arrays == std::string("_all");
+      const double target =
+        solver == std::string("PAPER") ? PaperFilterTarget : PreciseFilterTarget;
+      PrintLine(nameOf(arrays), whole.Median, whole.Least, isAll ? target : NoTarget);
+      PrintLine(nameOf(arrays) + " less its ticks", whole.Median - bare.Median,
+        whole.Least - bare.Least, isAll ? TraceTarget : NoTarget);
+      PrintRatio(medians, nameOf(arrays), nameOf("_bare"), NoTarget);
+    }
   }
   for (const char* const measure : { "", "/p50" })
   {

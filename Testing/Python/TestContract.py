@@ -37,6 +37,7 @@ FILTER = {
     "SetMetersPerWorldUnit": ("Metres", "0.001"),
     "SetForceFieldGain": ("(N per scalar unit per world unit)", "eq. 1", "Default"),
     "SetForceFieldDamping": ("(N s/m)", "eq. 1", "Default 0"),
+    "SetTraceArrays": ("Default", "all", "none", "nullptr", "lists the arrays"),
     "GetMethodNames": ("NextMethod",),
     "SetMethodByName": ("GetMethodNames", "false"),
     "NextMethod": ("GetMethodNames",),

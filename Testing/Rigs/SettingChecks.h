@@ -53,7 +53,7 @@ inline std::string HeaderComment(const std::string& header, const std::string& n
   std::size_t setter = std::string::npos;
   for (const std::string& start : { "vtkSetMacro(" + name + ",", "vtkSetClampMacro(" + name + ",",
          "vtkSetVector3Macro(" + name + ",", "vtkSetVector6Macro(" + name + ",",
-         "void Set" + name + "(" })
+         "void Set" + name + "(", "bool Set" + name + "(" })
   {
     setter = std::min(setter, text.find(start));
   }

@@ -2,16 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 from __future__ import annotations
 
+import ctypes
 import difflib
+import functools
 import numbers
 import re
 import sys
 import warnings
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, overload
 
 from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
+from . import vtkVolumeHaptics
 from ._labels import Labels, Materials, set_labels
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
@@ -93,6 +97,8 @@ def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) ->
     setter = getattr(haptics, f"Set{_in_camel_case(name)}", None)
     if setter is None or name != name.lower():
         raise TypeError(f"{caller}() has no setting {name!r}; {_unknown(name)}")
+    if name == "trace_arrays" and isinstance(value, (list, tuple)) and all(isinstance(one, str) for one in value):
+        value = ", ".join(value) or "none"
     try:
         known = setter(*value) if isinstance(value, tuple) else setter(value)
     except TypeError:
@@ -127,20 +133,108 @@ def configure(
         raise ValueError("; ".join(errors))
 
 
-def _warn_outside(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> None:
-    """A way that misses the volume is felt as nothing, which is right, and seldom what was meant."""
-    if not trace.GetNumberOfPoints() or trace.GetPointData().GetArray("Force").GetMaxNorm() > 0:
-        return
+def _misses(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> bool:
+    force = trace.GetPointData().GetArray("Force")
+    if not trace.GetNumberOfPoints() or (force is not None and force.GetMaxNorm() > 0):
+        return False
     box, way = volume.GetBounds(), tip.GetBounds()
-    if any(way[i + 1] < box[i] or way[i] > box[i + 1] for i in (0, 2, 4)):
-        show = ["{:g} to {:g}, {:g} to {:g}, {:g} to {:g}".format(*bounds) for bounds in (way, box)]
+    return any(way[i + 1] < box[i] or way[i] > box[i + 1] for i in (0, 2, 4))
+
+
+def _warn_outside(volume: vtkImageData, tips: list[vtkPolyData], traces: list[vtkPolyData]) -> None:
+    """A way that misses the volume is felt as nothing, which is right, and seldom what was meant."""
+    out = [i for i, (tip, trace) in enumerate(zip(tips, traces)) if _misses(volume, tip, trace)]
+    if out:
+        bounds = tips[out[0]].GetBounds(), volume.GetBounds()
+        show = ["{:g} to {:g}, {:g} to {:g}, {:g} to {:g}".format(*one) for one in bounds]
         level, frame = 1, sys._getframe()
         while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
             level, frame = level + 1, frame.f_back  # the line that is shown is the caller's
-        text = f"the way of the tip (x, y, z: {show[0]}) is outside of the volume ({show[1]}), and feels nothing"
+        which = f" in path {out[0]} (from 0), the first of {len(out)}," if len(tips) > 1 else ""
+        text = f"the way of the tip{which} (x, y, z: {show[0]}) is outside of the volume ({show[1]}), and feels nothing"
         warnings.warn(text, stacklevel=level)
 
 
+@functools.lru_cache(maxsize=1)
+def _library() -> ctypes.CDLL:
+    """Calls of its functions let other threads of Python run; calls of VTK's wrappers do not, before VTK 9.4."""
+    library = ctypes.CDLL(vtkVolumeHaptics.__file__)
+    library.vtkVolumeHapticsFilterUpdate.argtypes = [ctypes.c_void_p]
+    library.vtkVolumeHapticsFilterUpdate.restype = None
+    return library
+
+
+def _update(haptics: vtkVolumeHapticsFilter) -> None:
+    """Update() while other threads of Python run."""
+    _library().vtkVolumeHapticsFilterUpdate(int(haptics.__this__.split("_")[1], 16))
+
+
+def _are_several(tip: Any) -> bool:
+    """Whether these are paths, not the points of one."""
+    if not isinstance(tip, (list, tuple)) or not tip:
+        return False
+    first = tip[0]
+    if isinstance(first, (list, tuple)):
+        return bool(first) and hasattr(first[0], "__len__")
+    return isinstance(first, vtkPolyData) or getattr(first, "ndim", 1) > 1
+
+
+def _path(tip: vtkPolyData | np.ndarray | Sequence) -> vtkPolyData:
+    if isinstance(tip, vtkPolyData):
+        return tip
+    from . import arrays
+
+    return arrays.path(tip)
+
+
+class _Feeling:
+    """A filter that feels one path after another, and its errors as exceptions."""
+
+    def __init__(self, haptics: vtkVolumeHapticsFilter, errors: Errors, failures: Errors) -> None:
+        self._haptics, self._errors, self._failures = haptics, errors, failures
+
+    def feel(self, path: vtkPolyData | None) -> vtkPolyData:
+        """The trace, which the next one does not change."""
+        self._haptics.SetPathData(path)
+        _update(self._haptics)
+        # The executive only repeats that the filter failed.
+        if self._errors:
+            raise ValueError("; ".join(self._errors))
+        if self._failures:
+            raise RuntimeError("; ".join(self._failures))
+        trace = vtkPolyData()
+        trace.ShallowCopy(self._haptics.GetOutput())
+        return trace
+
+    def feel_all(self, paths: list[vtkPolyData]) -> list[vtkPolyData]:
+        """The trace of each, of as many at once as there are cores; errors tell the number of the path."""
+        from . import _paths
+
+        try:
+            traces = {}
+            for group in _paths.groups(paths):
+                if len(group) == 1:
+                    traces[group[0]] = self.feel(paths[group[0]])
+                else:
+                    together = self.feel(_paths.together([paths[i] for i in group]))
+                    traces.update(zip(group, _paths.apart(together)))
+            return [traces[i] for i in range(len(paths))]
+        except ValueError:
+            self._forget()
+        self.feel(None)  # what is wrong without a path is not the path's fault
+        for i, path in enumerate(paths):
+            try:
+                self.feel(path)
+            except ValueError as error:
+                raise ValueError(f"path {i} (from 0): {error}") from None
+        raise AssertionError("paths that can be felt alone can be felt together")
+
+    def _forget(self) -> None:
+        self._errors.clear()
+        self._failures.clear()
+
+
+@overload
 def touch(
     volume: vtkImageData | np.ndarray,
     tip: vtkPolyData | np.ndarray,
@@ -149,13 +243,38 @@ def touch(
     labels: Labels | None = None,
     materials: Materials | None = None,
     **settings: Any,
-) -> vtkPolyData:
+) -> vtkPolyData: ...
+
+
+@overload
+def touch(
+    volume: vtkImageData | np.ndarray,
+    tip: Sequence[vtkPolyData | np.ndarray],
+    preset: str | None = None,
+    *,
+    labels: Labels | None = None,
+    materials: Materials | None = None,
+    **settings: Any,
+) -> list[vtkPolyData]: ...
+
+
+def touch(
+    volume: vtkImageData | np.ndarray,
+    tip: vtkPolyData | np.ndarray | Sequence[vtkPolyData | np.ndarray],
+    preset: str | None = None,
+    *,
+    labels: Labels | None = None,
+    materials: Materials | None = None,
+    **settings: Any,
+) -> vtkPolyData | list[vtkPolyData]:
     """The forces on a hand whose stylus goes through a volume.
 
     volume: a vtkImageData (pyvista.ImageData is one), or a NumPy array [z, y, x], voxels of 1 world unit from
         (0, 0, 0) on: see image() for others. It is not copied.
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
-        "Time" (s) if ticks are something else, or an array of shape (N, 3).
+        "Time" (s) if ticks are something else, or an array of shape (N, 3). A list of these is several paths, which
+        are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
+        Several polylines in a vtkPolyData are several paths, too: their trace has a line for each.
     preset: the feel of the tissues, such as "CT contrast" or "MRI": see vtkHapticProperty. Default:
         500 N/m everywhere. "propose", for data of any unit: functions from the edges of the volume, with the kernel
         radius that suits them unless settings have one: see vtkHapticProperty.ProposeFromImage().
@@ -169,11 +288,14 @@ def touch(
         the preset.
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
-        vtkHapticProperty of one's own. A tuple is several arguments.
+        vtkHapticProperty of one's own. A tuple is several arguments. trace_arrays=["Force", "Contact"] are the only
+        arrays that the trace gets, which takes less time and memory.
 
     The trace has a point for each tick, at the proxy (world units), and point arrays such as "Force" (N, on the
     hand): see vtkVolumeHapticsFilter. arrays.arrays(trace) has them as NumPy arrays; so have trace.point_data["Force"]
     with VTK 9.4 or later, and, with older VTK but PyVista imported, pyvista.wrap(trace)["Force"].
+
+    Other threads of Python run meanwhile.
 
     TypeError: a setting that there is not, or data of another kind. ValueError: data, a preset or a value that
     can't be touched; the text says why, and what helps. RuntimeError: the pipeline failed. UserWarning: the way of
@@ -190,12 +312,8 @@ def touch(
         from . import arrays
 
         image = arrays.image(volume)
-    if isinstance(tip, vtkPolyData):
-        path = tip
-    else:
-        from . import arrays
-
-        path = arrays.path(tip)
+    several = _are_several(tip)
+    paths = [_path(one) for one in tip] if several else [_path(tip)]
     if preset is not None and "property" in settings:
         raise TypeError("touch() takes a preset or a property, not both: call the property's ApplyPreset()")
 
@@ -204,12 +322,7 @@ def touch(
         configure(haptics, image, preset, settings, errors, "touch")
         haptics.SetInputData(image)
         set_labels(haptics, image, labels, materials)
-        haptics.SetPathData(path)
-        haptics.Update()
-    # The executive only repeats that the filter failed.
-    if errors:
-        raise ValueError("; ".join(errors))
-    if failures:
-        raise RuntimeError("; ".join(failures))
-    _warn_outside(image, path, haptics.GetOutput())
-    return haptics.GetOutput()
+        feeling = _Feeling(haptics, errors, failures)
+        traces = feeling.feel_all(paths) if several else [feeling.feel(paths[0])]
+    _warn_outside(image, paths, traces)
+    return traces if several else traces[0]

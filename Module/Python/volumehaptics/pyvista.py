@@ -18,7 +18,8 @@ Needs PyVista 0.47 or later, which `import volumehaptics` alone does not: pip in
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, overload
 
 try:
     import pyvista as pv
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 __all__ = ["Haptics", "add_haptics", "touch"]
 
 
+@overload
 def touch(
     volume: vtkImageData | np.ndarray,
     tip: vtkPolyData | np.ndarray,
@@ -42,13 +44,35 @@ def touch(
     *,
     scalars: str | None = None,
     **settings: Any,
-) -> pv.PolyData:
+) -> pv.PolyData: ...
+
+
+@overload
+def touch(
+    volume: vtkImageData | np.ndarray,
+    tip: Sequence[vtkPolyData | np.ndarray],
+    preset: str | None = None,
+    *,
+    scalars: str | None = None,
+    **settings: Any,
+) -> list[pv.PolyData]: ...
+
+
+def touch(
+    volume: vtkImageData | np.ndarray,
+    tip: vtkPolyData | np.ndarray | Sequence[vtkPolyData | np.ndarray],
+    preset: str | None = None,
+    *,
+    scalars: str | None = None,
+    **settings: Any,
+) -> pv.PolyData | list[pv.PolyData]:
     """The forces on a hand whose stylus goes through a volume, as pyvista.PolyData: volumehaptics.touch().
 
     volume: a pyvista.ImageData with point data, or a NumPy array [z, y, x]. It is not copied.
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a pyvista.PolyData, such as of
         pyvista.Line or pyvista.Spline, or an array of shape (N, 3). With a point array "Time" (s), ticks are
-        made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s.
+        made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s. A list of these is several paths, which
+        are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
     preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere. "propose": what the
         volume's own edges suggest, as in volumehaptics.touch().
     scalars: the name of the point array that is felt. Default: the active scalars.
@@ -73,4 +97,5 @@ def touch(
             volume.GetCellData().GetNumberOfArrays():
         raise ValueError("the volume has cell data only. Cure: volume.cell_data_to_point_data(), or "
                          "volume.cells_to_points(), which copies nothing")
-    return pv.wrap(_touch(volume, tip, preset, **settings))
+    trace = _touch(volume, tip, preset, **settings)
+    return [pv.wrap(one) for one in trace] if isinstance(trace, list) else pv.wrap(trace)

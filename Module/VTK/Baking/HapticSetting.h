@@ -22,6 +22,7 @@
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <type_traits>
 
 namespace VolumeHaptics
@@ -92,6 +93,18 @@ struct HapticVectorSetting
   const char* Documentation;
   SettingVector (*Get)(Owner*);
   void (*Set)(Owner*, const SettingVector&);
+};
+
+/** A setting of the class Owner that is a text. */
+template <typename Owner>
+struct HapticTextSetting
+{
+  const char* Name; ///< as in Get... and Set...
+  const char* Default;
+  const char* Documentation;
+  std::string (*Get)(Owner*);
+  void (*Set)(Owner*, const std::string&);
+  std::string (*Check)(const std::string&); ///< the fault in a text; empty if there is none
 };
 
 /** A transfer function of the class Owner. Its values are 0 or more. */
@@ -253,6 +266,15 @@ void PrintSettings(std::ostream& os, vtkIndent indent, Owner* owner,
       os << ", " << values[static_cast<std::size_t>(i)];
     }
     os << ")" << (*setting.Unit ? " " : "") << setting.Unit << "\n";
+  }
+}
+template <typename Owner, std::size_t Size>
+void PrintSettings(std::ostream& os, vtkIndent indent, Owner* owner,
+  const HapticTextSetting<Owner> (&settings)[Size])
+{
+  for (const HapticTextSetting<Owner>& setting : settings)
+  {
+    os << indent << setting.Name << ": " << setting.Get(owner) << "\n";
   }
 }
 ///@}

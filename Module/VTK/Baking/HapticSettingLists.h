@@ -19,6 +19,7 @@ namespace VolumeHaptics
 {
 
 using FilterSetting = HapticSetting<vtkVolumeHapticsAlgorithm>;
+using FilterText = HapticTextSetting<vtkVolumeHapticsAlgorithm>;
 using PropertySetting = HapticSetting<vtkHapticProperty>;
 using PropertyFunction = HapticFunctionSetting<vtkHapticProperty, vtkPiecewiseFunction>;
 
@@ -121,6 +122,16 @@ inline constexpr FilterSetting All[] = {
     "Cap on the stiffness (N/m) whatever the material says: what a device and its sampling can "
     "hold stable. 0 (default) does not cap."),
 };
+
+inline constexpr FilterText Texts[] = {
+  { "TraceArrays", "all",
+    "The point arrays of the trace, by their names, with commas or spaces between them. Default "
+    "\"all\". \"none\" leaves the points, the proxy, alone. What is not chosen takes neither time "
+    "nor memory; forces do not depend on it.",
+    [](Owner* owner) { return owner->GetTraceArrays(); },
+    [](Owner* owner, const std::string& text) { owner->SetTraceArrays(text.c_str()); },
+    &Owner::CheckTraceArrays },
+};
 } // namespace FilterSettingRows
 
 namespace PropertySettingRows
@@ -160,6 +171,7 @@ inline constexpr PropertySetting All[] = {
 } // namespace PropertySettingRows
 
 inline constexpr const auto& FilterSettings = FilterSettingRows::All;
+inline constexpr const auto& FilterTexts = FilterSettingRows::Texts;
 inline constexpr const auto& PropertySettings = PropertySettingRows::All;
 inline constexpr const auto& PropertyFunctions = PropertySettingRows::Functions;
 

@@ -176,7 +176,8 @@ void SetupNode::Flag(
 }
 
 void SetupNode::Text(const char* key, const std::function<std::string()>& get,
-  const std::function<void(const std::string&)>& set)
+  const std::function<void(const std::string&)>& set,
+  const std::function<std::string(const std::string&)>& check)
 {
   if (this->Pass.Writing)
   {
@@ -186,6 +187,11 @@ void SetupNode::Text(const char* key, const std::function<std::string()>& get,
   {
     this->Require(key, value->isString(), "a text in quotes");
     const std::string text = value->isString() ? value->asString() : std::string();
+    const std::string fault = check ? check(text) : std::string();
+    if (!fault.empty() && this->Pass.Error.empty())
+    {
+      this->Pass.Error = this->PathOf(key) + " can't be set: " + fault;
+    }
     this->Then([set, text] { set(text); });
   }
 }

@@ -57,8 +57,10 @@ public:
     const std::function<void(int)>& set);
   void Flag(
     const char* key, const std::function<bool()>& get, const std::function<void(bool)>& set);
+  /** `check` returns the fault in a text, and the cure; empty if there is none. */
   void Text(const char* key, const std::function<std::string()>& get,
-    const std::function<void(const std::string&)>& set);
+    const std::function<void(const std::string&)>& set,
+    const std::function<std::string(const std::string&)>& check = {});
   /** A choice, by name; its value is the index of the name. */
   void Choice(const char* key, const std::vector<const char*>& names,
     const std::function<int()>& get, const std::function<void(int)>& set);

@@ -70,6 +70,17 @@ void PassSettings(SetupNode& node, Owner* owner, const HapticSetting<Owner> (&se
   }
 }
 
+template <typename Owner, std::size_t Size>
+void PassSettings(SetupNode& node, Owner* owner, const HapticTextSetting<Owner> (&settings)[Size])
+{
+  for (const HapticTextSetting<Owner>& setting : settings)
+  {
+    node.Text(
+      setting.Name, [=] { return setting.Get(owner); },
+      [=](const std::string& text) { setting.Set(owner, text); }, setting.Check);
+  }
+}
+
 void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   for (const PropertyFunction& f : PropertyFunctions)
@@ -129,6 +140,7 @@ NumberRow ToRow(const double x[3])
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterSettings);
+  PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterTexts);
   PassProperty(node, filter, visible);
   PassLabels(node, filter);
 }

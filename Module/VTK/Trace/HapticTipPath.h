@@ -9,10 +9,7 @@
 
 #include "Core/Servo/ServoTick.h"
 
-#include <string>
 #include <vector>
-
-class vtkPolyData;
 
 namespace VolumeHaptics
 {
@@ -31,19 +28,6 @@ struct TipPath
   double TickPeriod = 0.0;     ///< s, of the recorded servo
   std::vector<ForceCaps> Caps; ///< of the recorded device, per placement
 };
-
-/**
- * Reads the points of a path in order. Without a point array `Time` every point is a tick. With it,
- * the path is resampled linearly to one tick every `period` seconds, starting at its first time. If
- * points have the same time, the last counts; a point whose time is a tick's is taken unchanged, to
- * the bit. A recording of vtkHapticDevice is taken tick by tick, in device space. False, with an
- * error, for numbers that are not finite, time that runs backwards, incomplete recordings, several
- * lines, or more ticks than fit into memory.
- */
-bool ReadTipPath(vtkPolyData* path, double period, TipPath& result, std::string& error);
-
-/** The error for so many ticks that they and their trace do not fit into memory. */
-std::string DescribeLackOfMemory(double ticks);
 
 } // namespace VolumeHaptics
 

@@ -2,24 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTrace.h"
 
-#include "Core/Model/HapticModel.h"
-#include "Core/Solvers/TickRecord.h"
 #include "VTK/Trace/HapticTraceColumns.h"
+#include "VTK/Trace/TraceRow.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkLongLongArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cstring>
+#include <numeric>
+
 namespace VolumeHaptics
 {
 namespace
 {
 
-vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column)
+vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column, vtkIdType ticks)
 {
   vtkSmartPointer<vtkDataArray> array;
   if (column.Type == ColumnType::UInt8)
@@ -32,83 +35,109 @@ vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column)
   }
   array->SetName(column.Name);
   array->SetNumberOfComponents(column.Components);
+  array->SetNumberOfTuples(ticks);
   return array;
+}
+
+/** The polylines of paths that follow one another without gaps. */
+vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& paths, vtkIdType ticks)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(paths.size()) + 1);
+  vtkIdType end = 0;
+  offsets->SetValue(0, end);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    end += paths[i].Count;
+    offsets->SetValue(static_cast<vtkIdType>(i) + 1, end);
+  }
+  vtkNew<vtkIdTypeArray> points;
+  points->SetNumberOfValues(ticks);
+  std::iota(points->GetPointer(0), points->GetPointer(0) + ticks, vtkIdType(0));
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  lines->SetData(offsets, points);
+  return lines;
 }
 
 } // namespace
 
-HapticTrace::HapticTrace()
+HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, bool hasLabels)
 {
   this->Proxies->SetDataTypeToDouble();
-  for (const TraceColumn& column : GetTraceColumns())
+  this->Proxies->SetNumberOfPoints(ticks);
+  const auto remember = [this](vtkDataArray* array, std::size_t width, std::size_t offset)
   {
-    this->Arrays.push_back(NewArray(column));
+    this->Memory.push_back(
+      { static_cast<unsigned char*>(array->GetVoidPointer(0)), width, offset });
+  };
+  remember(this->Proxies->GetData(), sizeof(TraceRow::Proxy), offsetof(TraceRow, Proxy));
+  const std::vector<TraceColumn>& columns = GetTraceColumns();
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    if (IsChosen(choice, i))
+    {
+      this->Arrays.push_back(NewArray(columns[i], ticks));
+      remember(this->Arrays.back(), columns[i].GetWidth(), columns[i].Offset);
+      this->Values = this->Values || columns[i].Offset == offsetof(TraceRow, Value);
+    }
+  }
+  if (hasLabels && ticks > 0 && IsChosen(choice, columns.size()))
+  {
+    vtkNew<vtkLongLongArray> labels;
+    labels->SetName(LabelColumn);
+    labels->SetNumberOfValues(ticks);
+    this->LabelNumbers = labels->GetPointer(0);
+    this->Arrays.emplace_back(labels.Get());
   }
 }
 
 HapticTrace::~HapticTrace() = default;
 
-void HapticTrace::Reserve(vtkIdType ticks)
+void HapticTrace::CloseGaps(const std::vector<Rows>& paths)
 {
-  this->Proxies->Allocate(ticks);
-  for (vtkDataArray* const array : this->Arrays)
+  const auto move = [&paths](unsigned char* tuples, std::size_t width)
   {
-    array->Allocate(ticks * array->GetNumberOfComponents());
+    vtkIdType end = 0;
+    for (const Rows& rows : paths)
+    {
+      if (end != rows.First)
+      {
+        std::memmove(tuples + end * width, tuples + rows.First * width, rows.Count * width);
+      }
+      end += rows.Count;
+    }
+  };
+  for (const TraceMemory& column : this->Memory)
+  {
+    move(column.Tuples, column.Width);
+  }
+  if (this->LabelNumbers)
+  {
+    move(reinterpret_cast<unsigned char*>(this->LabelNumbers), sizeof(long long));
   }
 }
 
-void HapticTrace::Append(const HapticModel& model, double time, const TickRecord& record)
+void HapticTrace::WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral)
 {
-  const TraceRow row = MakeTraceRow(model, time, record, this->Work);
-  this->Proxies->InsertNextPoint(row.Proxy);
-  const auto* const bytes = reinterpret_cast<const unsigned char*>(&row);
-  const std::vector<TraceColumn>& columns = GetTraceColumns();
-  for (std::size_t i = 0; i < columns.size(); ++i)
+  const vtkIdType ticks = std::accumulate(paths.begin(), paths.end(), vtkIdType(0),
+    [](vtkIdType sum, const Rows& rows) { return sum + rows.Count; });
+  if (ticks < this->Proxies->GetNumberOfPoints())
   {
-    const unsigned char* const tuple = bytes + columns[i].Offset;
-    vtkDataArray* const array = this->Arrays[i];
-    if (columns[i].Type == ColumnType::UInt8)
+    this->CloseGaps(paths);
+    this->Proxies->GetData()->SetNumberOfTuples(ticks);
+    for (vtkDataArray* const array : this->Arrays)
     {
-      static_cast<vtkUnsignedCharArray*>(array)->InsertNextTypedTuple(tuple);
-    }
-    else
-    {
-      static_cast<vtkDoubleArray*>(array)->InsertNextTypedTuple(
-        reinterpret_cast<const double*>(tuple));
+      array->SetNumberOfTuples(ticks);
     }
   }
-  if (model.Baked->Labels)
-  {
-    if (!this->Labels)
-    {
-      this->Labels = vtkSmartPointer<vtkLongLongArray>::New();
-      this->Labels->SetName("Label");
-    }
-    this->Labels->InsertNextValue(GetTraceLabel(model, record));
-  }
-}
-
-void HapticTrace::WriteTo(vtkPolyData* output)
-{
-  const vtkIdType ticks = this->Proxies->GetNumberOfPoints();
   output->SetPoints(this->Proxies);
-  if (ticks > 1)
+  if (areSeveral || ticks > 1)
   {
-    vtkNew<vtkCellArray> lines;
-    lines->InsertNextCell(static_cast<int>(ticks));
-    for (vtkIdType i = 0; i < ticks; ++i)
-    {
-      lines->InsertCellPoint(i);
-    }
-    output->SetLines(lines);
+    output->SetLines(NewLines(paths, ticks));
   }
   for (vtkDataArray* const array : this->Arrays)
   {
     output->GetPointData()->AddArray(array);
-  }
-  if (this->Labels)
-  {
-    output->GetPointData()->AddArray(this->Labels);
   }
 }
 

@@ -2,47 +2,76 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The trace: the record of every tick, as a polyline of proxy positions with point arrays.
+ * The trace: the record of every tick, as polylines of proxy positions with point arrays.
  */
 #ifndef HapticTrace_h
 #define HapticTrace_h
 
-#include "VTK/Trace/TraceRow.h"
+#include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <vector>
 
 class vtkDataArray;
-class vtkLongLongArray;
 class vtkPoints;
 class vtkPolyData;
 
 namespace VolumeHaptics
 {
 
-/** Collects records in device space and transforms them into the world of the model's image. */
+/** A column of a trace in memory. */
+struct TraceMemory
+{
+  unsigned char* Tuples;
+  std::size_t Width;  ///< bytes of a tuple
+  std::size_t Offset; ///< of a tuple in a TraceRow
+};
+
+/**
+ * Memory for the ticks of all paths, which TracePart fills. It is allocated once, and its pages are
+ * first touched by the thread that writes them.
+ */
 class HapticTrace
 {
 public:
-  HapticTrace();
+  HapticTrace(vtkIdType ticks, TraceArrayChoice choice, bool hasLabels);
   ~HapticTrace();
   HapticTrace(const HapticTrace&) = delete;
   HapticTrace& operator=(const HapticTrace&) = delete;
 
-  void Reserve(vtkIdType ticks);
-  void Append(const HapticModel& model, double time, const TickRecord& record);
+  /** The proxy and the chosen arrays but the labels. */
+  const std::vector<TraceMemory>& GetMemory() const { return this->Memory; }
+  /** The labels; null if they are not chosen. */
+  long long* GetLabels() const { return this->LabelNumbers; }
+  /** Whether the values at the proxy are chosen. */
+  bool HasValues() const { return this->Values; }
 
-  /** Passes the points and arrays to a polydata, with one polyline through all points. */
-  void WriteTo(vtkPolyData* output);
+  /** Some rows of the trace: the ticks of one path. */
+  struct Rows
+  {
+    vtkIdType First;
+    vtkIdType Count;
+  };
+
+  /**
+   * Passes these rows of points and arrays to a polydata, with a polyline for each path. A single
+   * path has none if it has less than two ticks. The rows come in rising order; gaps between them
+   * are closed.
+   */
+  void WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral);
 
 private:
+  void CloseGaps(const std::vector<Rows>& paths);
+
   vtkNew<vtkPoints> Proxies;
-  std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // of GetTraceColumns
-  vtkSmartPointer<vtkLongLongArray> Labels;          // null without a label image
-  WorkMeter Work;
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+  std::vector<TraceMemory> Memory;
+  long long* LabelNumbers = nullptr;
+  bool Values = false;
 };
 
 } // namespace VolumeHaptics

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,32 +54,128 @@ double FindRounding(vtkPolyData* path)
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-/** Calls back with both ends of each edge of the line cells. */
+/** Calls back with each line cell: the number of its points, and their ids. */
 template <typename F>
-void ForEachEdge(vtkPolyData* path, F&& take)
+void ForEachLine(vtkPolyData* path, F&& take)
 {
-  const vtkIdType points = path->GetNumberOfPoints();
   const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(path->GetLines()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     cells->GetCurrentCell(size, ids);
-    for (vtkIdType i = 1; i < size; ++i)
-    {
-      if (std::min(ids[i - 1], ids[i]) >= 0 && std::max(ids[i - 1], ids[i]) < points)
-      {
-        take(ids[i - 1], ids[i]);
-      }
-    }
+    take(size, ids);
   }
+}
+
+/** Calls back with both ends of each edge of the line cells. */
+template <typename F>
+void ForEachEdge(vtkPolyData* path, F&& take)
+{
+  const vtkIdType points = path->GetNumberOfPoints();
+  ForEachLine(path,
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 1; i < size; ++i)
+      {
+        if (std::min(ids[i - 1], ids[i]) >= 0 && std::max(ids[i - 1], ids[i]) < points)
+        {
+          take(ids[i - 1], ids[i]);
+        }
+      }
+    });
+}
+
+bool AreNear(vtkPolyData* path, vtkIdType a, vtkIdType b, double near)
+{
+  double first[3];
+  double second[3];
+  path->GetPoint(a, first);
+  path->GetPoint(b, second);
+  return std::equal(
+    first, first + 3, second, [near](double x, double y) { return std::abs(x - y) <= near; });
+}
+
+/** Whether the only line cell goes through all points in the order in which they are stored. */
+bool IsInOrder(vtkPolyData* path)
+{
+  bool isInOrder = path->GetNumberOfLines() == 1;
+  ForEachLine(path,
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      isInOrder = isInOrder && size == path->GetNumberOfPoints();
+      for (vtkIdType i = 0; isInOrder && i < size; ++i)
+      {
+        isInOrder = ids[i] == i;
+      }
+    });
+  return isInOrder;
 }
 
 } // namespace
 
+bool TipPathLines::IsOfSegments() const
+{
+  vtkIdType longest = 0;
+  ForEachLine(
+    this->Path, [&](vtkIdType size, const vtkIdType*) { longest = std::max(longest, size); });
+  return longest == 2;
+}
+
+bool TipPathLines::IsOne() const
+{
+  return this->Path->GetNumberOfLines() <= 1 || (this->IsOfSegments() && this->CountStrokes() <= 1);
+}
+
+bool TipPathLines::Divide(DividedPoints& divided, std::string& error) const
+{
+  vtkPolyData* const path = this->Path;
+  const bool isOfSegments = this->IsOfSegments();
+  const double near = path->GetNumberOfPoints() > 0 ? FindRounding(path) : 0.0;
+  divided = {};
+  vtkIdType line = 0;
+  bool isAfterSegment = false;
+  ForEachLine(path,
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        if ((ids[i] < 0 || ids[i] >= path->GetNumberOfPoints()) && error.empty())
+        {
+          error = "Line " + std::to_string(line) + " of the tip path, on input port 1, has point " +
+            std::to_string(ids[i]) + ", and there are " +
+            std::to_string(path->GetNumberOfPoints()) +
+            " points. Make the line of points that exist.";
+        }
+      }
+      ++line;
+      if (!error.empty())
+      {
+        return;
+      }
+      const bool isSegment = isOfSegments && size == 2;
+      const bool goesOn =
+        isSegment && isAfterSegment && AreNear(path, divided.Points.back(), ids[0], near);
+      if (!goesOn)
+      {
+        divided.Begins.push_back(static_cast<vtkIdType>(divided.Points.size()));
+      }
+      // A point that both segments have is one tick.
+      const vtkIdType known = goesOn && divided.Points.back() == ids[0] ? 1 : 0;
+      divided.Points.insert(divided.Points.end(), ids + known, ids + size);
+      isAfterSegment = isSegment;
+    });
+  divided.Begins.push_back(static_cast<vtkIdType>(divided.Points.size()));
+  return error.empty();
+}
+
 std::pair<long long, long long> TipPathLines::FindLeap() const
 {
   vtkPolyData* const path = this->Path;
+  if (IsInOrder(path))
+  {
+    return { -1, -1 };
+  }
   // The points of cells are numbered from 1, in the order in which they are stored.
   std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
   ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
@@ -106,13 +203,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
     }
     if (last >= 0 && !isJoined[number[last]])
     {
-      double before[3];
-      double after[3];
-      path->GetPoint(last, before);
-      path->GetPoint(point, after);
-      const bool isOnePosition = std::equal(
-        before, before + 3, after, [near](double a, double b) { return std::abs(a - b) <= near; });
-      if (!isOnePosition)
+      if (!AreNear(path, last, point, near))
       {
         return { last, point };
       }
@@ -122,28 +213,22 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   return { -1, -1 };
 }
 
-std::size_t TipPathLines::Count() const
+std::size_t TipPathLines::CountStrokes() const
 {
   vtkPolyData* const path = this->Path;
   // Cell i begins at Ends[2 i] and ends at Ends[2 i + 1].
   std::vector<std::array<double, 3>> ends;
-  const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(path->GetLines()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    cells->GetCurrentCell(size, points);
-    const bool isLine = size > 1 && std::min(points[0], points[size - 1]) >= 0 &&
-      std::max(points[0], points[size - 1]) < path->GetNumberOfPoints();
-    if (isLine)
+  ForEachLine(path,
+    [&](vtkIdType size, const vtkIdType* points)
     {
-      for (const vtkIdType point : { points[0], points[size - 1] })
+      const bool isLine = size > 1 && std::min(points[0], points[size - 1]) >= 0 &&
+        std::max(points[0], points[size - 1]) < path->GetNumberOfPoints();
+      for (vtkIdType i = 0; isLine && i < 2; ++i)
       {
         ends.emplace_back();
-        path->GetPoint(point, ends.back().data());
+        path->GetPoint(points[i * (size - 1)], ends.back().data());
       }
-    }
-  }
+    });
   if (ends.size() <= 2)
   {
     return ends.size() / 2;

@@ -2,20 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells whether the line cells of a path form one line, in the order of its points.
+ * Tells which paths the line cells of a polydata are.
  */
 #ifndef TipPathLines_h
 #define TipPathLines_h
 
+#include "vtkType.h"
+
 #include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 class vtkPolyData;
 
 namespace VolumeHaptics
 {
 
-/** The path has to have finite points. */
+/** The points of several paths, one path after another. */
+struct DividedPoints
+{
+  std::vector<vtkIdType> Points;
+  std::vector<vtkIdType> Begins; ///< of each path in Points; then the end of the last one
+};
+
+/**
+ * A polydata with at most one line cell is one path, through all its points in the order in which
+ * they are stored. So are segments, cells of two points, that one stroke of a pen draws. Otherwise
+ * each line cell is a path through its own points; of segments, those that continue one another
+ * are one. The points have to be finite.
+ */
 class TipPathLines
 {
 public:
@@ -24,11 +40,8 @@ public:
   {
   }
 
-  /**
-   * The number of strokes of a pen that draw the line cells: 1 for a polyline and for segments that
-   * continue one another, in any order and direction; 0 without line cells.
-   */
-  std::size_t Count() const;
+  /** Whether the polydata is one path; without points, too. */
+  bool IsOne() const;
 
   /**
    * The first leap: consecutive points of the line cells, in the order in which they are stored,
@@ -37,7 +50,20 @@ public:
    */
   std::pair<long long, long long> FindLeap() const;
 
+  /**
+   * The paths, if they are several, in the order of the cells. An empty cell is a path without
+   * points. False, with an error, if a cell has a point that does not exist.
+   */
+  bool Divide(DividedPoints& divided, std::string& error) const;
+
 private:
+  bool IsOfSegments() const;
+  /**
+   * The number of strokes of a pen that draw the line cells: 1 for segments that continue one
+   * another, in any order and direction; 0 without line cells.
+   */
+  std::size_t CountStrokes() const;
+
   vtkPolyData* const Path;
 };
 

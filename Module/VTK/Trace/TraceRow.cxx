@@ -57,7 +57,7 @@ bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record)
 }
 
 TraceRow MakeTraceRow(
-  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work)
+  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, bool withValue)
 {
   // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
   const Affine3& toWorld = model.DeviceToWorld;
@@ -70,7 +70,7 @@ TraceRow MakeTraceRow(
   row.FrictionForce = record.FrictionForce;
   row.DragForce = record.DragForce;
   Copy(model.DeviceToWorldRotation * record.Normal, row.Normal);
-  row.Value = model.ValueAtDevice(record.Proxy);
+  row.Value = withValue ? model.ValueAtDevice(record.Proxy) : 0.0;
   row.GradientMagnitude = record.GradientMagnitude;
   row.SurfaceValue = record.SurfaceValue;
   row.MediumValue = record.MediumValue;

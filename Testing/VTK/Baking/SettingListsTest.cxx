@@ -189,6 +189,17 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   }
 }
 
+TEST(SettingLists, TextsHaveTheirDefaultsAndAreChecked)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  for (const FilterText& setting : FilterTexts)
+  {
+    EXPECT_EQ(setting.Get(filter), setting.Default) << setting.Name;
+    EXPECT_EQ(setting.Check(setting.Default), "") << setting.Name;
+    EXPECT_NE(setting.Check("no such text"), "") << setting.Name;
+  }
+}
+
 TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
 {
   ExpectRows("vtkVolumeHapticsAlgorithm", Names(FilterSettings));
@@ -208,6 +219,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
 TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
 {
   ExpectComments("vtkVolumeHapticsAlgorithm", FilterSettings);
+  ExpectComments("vtkVolumeHapticsAlgorithm", FilterTexts);
   ExpectComments("vtkHapticProperty", PropertySettings);
   ExpectComments("vtkHapticProperty", PropertyFunctions);
   ExpectComments("vtkHapticDevice", DeviceSettings);
@@ -230,6 +242,16 @@ TEST(SettingLists, ParaViewHasTheSameSettings)
     SCOPED_TRACE(setting.Name);
     vtkXMLDataElement* const property = paraview.Find(setting.Name);
     ExpectProperty(property, setting);
+    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
+    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
+  }
+  for (const FilterText& setting : FilterTexts)
+  {
+    SCOPED_TRACE(setting.Name);
+    vtkXMLDataElement* const property = paraview.Find(setting.Name);
+    ASSERT_NE(property, nullptr);
+    EXPECT_STREQ(property->GetName(), "StringVectorProperty");
+    EXPECT_STREQ(property->GetAttribute("default_values"), setting.Default);
     EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
     EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
   }

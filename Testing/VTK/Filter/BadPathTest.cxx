@@ -55,6 +55,17 @@ vtkSmartPointer<vtkPolyData> WithLines(const std::vector<std::vector<vtkIdType>>
   return path;
 }
 
+void AddTimes(vtkPolyData* path, const std::vector<double>& times)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Time");
+  for (const double time : times)
+  {
+    array->InsertNextValue(time);
+  }
+  path->GetPointData()->AddArray(array);
+}
+
 const BadPath BadPaths[] = {
   { "NaN",
     [] {
@@ -90,45 +101,48 @@ const BadPath BadPaths[] = {
       return MakePath(Three, { 0.0, 1e6, 1e9 });
     },
     { "tip path", "\"Time\"", "ticks", "seconds" } },
-  { "TwoLines",
+  { "PointThatIsNot",
     [] {
-      return WithLines({ { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
+      return WithLines({ { 0, 1, 2, 3 }, { 4, 5, 6, 8 } });
     },
-    { "tip path", "port 1", "2 lines", "one line at a time" } },
-  { "TwoChains",
-    [] {
-      return WithLines({ { 0, 1 }, { 1, 2 }, { 2, 3 }, { 4, 5 }, { 5, 6 }, { 6, 7 } });
-    },
-    { "tip path", "2 lines", "one line at a time" } },
-  { "FourSegments",
-    [] {
-      return WithLines({ { 0, 1 }, { 2, 3 }, { 4, 5 }, { 6, 7 } });
-    },
-    { "tip path", "4 lines" } },
-  { "Fork",
-    [] {
-      return WithLines({ { 0, 1, 2 }, { 2, 3 }, { 2, 4, 5 } });
-    },
-    { "2 lines" } },
-  { "Junction",
-    [] {
-      return WithLines({ { 0, 1, 2, 3 }, { 1, 4, 5 } });
-    },
-    { "2 lines" } },
-  // The second line ends where the first begins, but is felt after it.
-  { "SecondBeforeFirst",
-    [] {
-      return WithLines({ { 0, 1, 2, 3 }, { 4, 5, 6, 7, 0 } });
-    },
-    { "tip path", "port 1", "leap from point 3 to point 4", "vtkStripper" } },
-  { "SecondEndsInSpaceWhereTheFirstBegins",
+    { "Line 1 of the tip path", "port 1", "point 8", "there are 8 points" } },
+  { "SecondLineIsNaN",
     []
     {
-      const auto path = WithLines({ { 0, 1, 2 }, { 3, 4 } });
-      path->GetPoints()->SetPoint(4, path->GetPoint(0));
+      const auto path = WithLines({ { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
+      path->GetPoints()->SetPoint(6, 0.0, NaN, 0.0);
       return path;
     },
-    { "leap from point 2 to point 3" } },
+    { "tip path", "NaN", "point 6", "Replace or remove" } },
+  { "TimeOfTheSecondLineDecreases",
+    []
+    {
+      const auto path = WithLines({ { 0, 1, 2, 3 }, { 4, 5, 7, 6 } });
+      AddTimes(path, { 5, 6, 7, 8, 0, 1, 2, 3 });
+      return path;
+    },
+    { "tip path", "\"Time\"", "decreases from 3 s to 2 s at point 6", "Sort" } },
+  { "TicksOfAllLines",
+    []
+    {
+      const auto path = WithLines({ { 0, 1, 2 }, { 4, 5, 6 } });
+      AddTimes(path, { 0, 1, 6e4, 0, 0, 1, 6e4, 0 });
+      return path;
+    },
+    { "tip path", "1.2e+08 ticks", "seconds" } },
+  { "RecordingOfTwoLines",
+    []
+    {
+      const auto path = WithLines({ { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
+      vtkNew<vtkDoubleArray> tips;
+      tips->SetName("DeviceTip");
+      tips->SetNumberOfComponents(3);
+      tips->SetNumberOfTuples(8);
+      tips->Fill(0.0);
+      path->GetPointData()->AddArray(tips);
+      return path;
+    },
+    { "recording", "DeviceTip", "2 lines", "one recording at a time" } },
   // A chain as cutters make it: 0, 2, 1, 3.
   { "OutOfOrder",
     [] {
@@ -140,18 +154,6 @@ const BadPath BadPaths[] = {
       return WithLines({ { 0, 2, 1, 3 } });
     },
     { "leap from point 0 to point 1" } },
-  // Two loops of a figure of eight, with one point for the middle.
-  { "Eight",
-    [] {
-      return WithLines({ { 0, 1, 2, 0 }, { 0, 3, 4, 0 } });
-    },
-    { "leap from point 2 to point 3" } },
-  // A star of six rays: every stroke takes two.
-  { "Star",
-    [] {
-      return WithLines({ { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 4 }, { 0, 5 }, { 0, 6 } });
-    },
-    { "3 lines" } },
 };
 
 class BadPathTest

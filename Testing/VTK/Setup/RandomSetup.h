@@ -24,6 +24,7 @@ public:
     : Random(seed)
   {
     vtkVolumeHapticsFilter* const f = this->Filter;
+    f->SetTraceArrays("Force, Contact, Label");
     f->SetMethodToForceField();
     f->SetGradientEstimatorToCubicBSpline();
     f->SetKernelRadius(3);

@@ -32,6 +32,9 @@ TEST_F(SetupErrors, ValuesThatCannotBe)
     { "Haptics.Friction.Nodes[1]", "behind" });
   this->Refuse(this->Haptics(R"("Distinctness":{"Nodes":[[0,1.5,0.5,0]]})"), { "Distinctness" });
   this->Refuse(this->Haptics(R"("Viscosity":3)"), { "Haptics.Viscosity", "object" });
+  this->Refuse(this->Haptics(R"("TraceArrays":"Force, Furce")"),
+    { "Haptics.TraceArrays", "\"Furce\"", "\"Force\"", "remove this key" });
+  this->Refuse(this->Haptics(R"("TraceArrays":["Force"])"), { "Haptics.TraceArrays", "a text" });
   this->Refuse(this->With("ViewAngle", "200"), { "Camera.ViewAngle", "179.9" });
 }
 

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/TipPaths.h"
+
+#include "VTK/Trace/RecordedPathReader.h"
+#include "VTK/Trace/RecordingNames.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <new>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A day at 1 kHz: more means a wrong unit of time, and would not fit into memory. */
+constexpr double MostTicks = 1e8;
+/** If a point's time differs from a tick's by less than this share of a tick, it is the tick's. */
+constexpr double SnapShare = 1e-6;
+
+} // namespace
+
+std::string DescribeLackOfMemory(double ticks)
+{
+  // A Vector3 of the path; 25 numbers, 3 flags and an index of the trace: see HapticTrace.
+  constexpr double bytes = 24.0 + 25.0 * 8.0 + 3.0 + 8.0;
+  std::ostringstream message;
+  message << "There is not enough memory for the " << std::setprecision(10) << ticks
+          << " ticks of the tip path on input port 1: with the trace they take "
+          << std::setprecision(3) << 1e-9 * bytes * ticks << " GB (" << bytes
+          << " bytes a tick). Give the path in pieces, or lower ServoRate.";
+  return message.str();
+}
+
+TipPaths::Members::Members(const TipPaths& paths, std::size_t path)
+  : Size(paths.Points->GetNumberOfPoints())
+{
+  if (paths.AreSeveral())
+  {
+    const vtkIdType begin = paths.Divided.Begins[path];
+    this->Ids = paths.Divided.Points.data() + begin;
+    this->Size = paths.Divided.Begins[path + 1] - begin;
+  }
+}
+
+bool TipPaths::Read(vtkPolyData* path, double period, std::string& error)
+{
+  *this = {};
+  this->Period = period;
+  this->Points = path->GetPoints();
+  const vtkIdType n = path->GetNumberOfPoints();
+  if (n == 0)
+  {
+    return true;
+  }
+  vtkDataArray* const positions = this->Points->GetData();
+  if (auto* const doubles = vtkDoubleArray::FastDownCast(positions))
+  {
+    this->Doubles = doubles->GetPointer(0);
+  }
+  else if (auto* const floats = vtkFloatArray::FastDownCast(positions))
+  {
+    this->Floats = floats->GetPointer(0);
+  }
+  const bool isRecording = path->GetPointData()->HasArray(RecordingNames::DeviceTip) != 0;
+  if (!this->CheckPoints(error) || !this->DivideLines(path, error))
+  {
+    return false;
+  }
+  if (isRecording && this->AreSeveral())
+  {
+    error = "The tip path, on input port 1, is a recording, as it has the point array "
+            "\"DeviceTip\", but of " +
+      std::to_string(this->Divided.Begins.size() - 1) +
+      " lines. Replay one recording at a time, or remove DeviceTip to use the lines as paths.";
+    return false;
+  }
+  if (isRecording)
+  {
+    const std::string flaw = RecordedPathReader(path, this->Only).Read();
+    if (!flaw.empty())
+    {
+      error = "The tip path is a recording, as it has the point array \"DeviceTip\", but " + flaw +
+        ". Record again, or remove DeviceTip to use the points as a path.";
+      return false;
+    }
+    this->FirstTicks.push_back(static_cast<vtkIdType>(this->Only.Tips.size()));
+    return true;
+  }
+  if (!this->ReadTimes(path, error) || !this->CountTicks(error))
+  {
+    return false;
+  }
+  if (!this->AreSeveral())
+  {
+    try
+    {
+      this->Only = this->Get(0);
+    }
+    catch (const std::bad_alloc&)
+    {
+      error = DescribeLackOfMemory(static_cast<double>(this->GetNumberOfTicks()));
+      return false;
+    }
+  }
+  return true;
+}
+
+Vector3 TipPaths::GetPoint(vtkIdType point) const
+{
+  if (this->Doubles)
+  {
+    const double* const x = this->Doubles + 3 * point;
+    return { x[0], x[1], x[2] };
+  }
+  if (this->Floats)
+  {
+    const float* const x = this->Floats + 3 * point;
+    return { x[0], x[1], x[2] };
+  }
+  double x[3];
+  this->Points->GetPoint(point, x);
+  return { x[0], x[1], x[2] };
+}
+
+bool TipPaths::CheckPoints(std::string& error) const
+{
+  for (vtkIdType i = 0; i < this->Points->GetNumberOfPoints(); ++i)
+  {
+    if (!IsFinite(this->GetPoint(i)))
+    {
+      error = "The tip path has a coordinate that is NaN or infinite at point " +
+        std::to_string(i) + ". Replace or remove that point.";
+      return false;
+    }
+  }
+  return true;
+}
+
+bool TipPaths::DivideLines(vtkPolyData* path, std::string& error)
+{
+  const TipPathLines lines(path);
+  if (!lines.IsOne())
+  {
+    return lines.Divide(this->Divided, error);
+  }
+  if (const auto [from, to] = lines.FindLeap(); to >= 0)
+  {
+    error = "The points of the tip path, on input port 1, are stored in another order than its "
+            "lines join them: the stylus would leap from point " +
+      std::to_string(from) + " to point " + std::to_string(to) +
+      ", which no line joins. Store the points in the order of the line: for example, join the "
+      "lines with vtkStripper, with JoinContiguousSegmentsOn(), and use the Points of the one "
+      "cell that this gives. Or, if the leaps are wanted, remove the line cells: the points are "
+      "then felt one after the other.";
+    return false;
+  }
+  return true;
+}
+
+bool TipPaths::ReadTimes(vtkPolyData* path, std::string& error)
+{
+  vtkDataArray* const array = path->GetPointData()->GetArray("Time");
+  if (!array)
+  {
+    return true;
+  }
+  const vtkIdType n = path->GetNumberOfPoints();
+  if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
+  {
+    std::ostringstream message;
+    message << "The point array \"Time\" of the tip path has " << array->GetNumberOfTuples()
+            << " tuples of " << array->GetNumberOfComponents() << " component(s) for " << n
+            << " points. Give it one number of seconds a point, or remove the array.";
+    error = message.str();
+    return false;
+  }
+  this->Times.resize(static_cast<std::size_t>(n));
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    this->Times[i] = array->GetComponent(i, 0);
+  }
+  return true;
+}
+
+bool TipPaths::CheckTimes(std::size_t path, std::string& error) const
+{
+  const Members members(*this, path);
+  for (vtkIdType i = 0; i < members.GetSize(); ++i)
+  {
+    std::ostringstream message;
+    const vtkIdType point = members.At(i);
+    const double time = this->Times[point];
+    if (!std::isfinite(time))
+    {
+      message << "The point array \"Time\" of the tip path is not finite at point " << point
+              << ". Replace or remove that point.";
+      error = message.str();
+      return false;
+    }
+    if (i > 0 && time < this->Times[members.At(i - 1)])
+    {
+      message << "The point array \"Time\" of the tip path decreases from "
+              << this->Times[members.At(i - 1)] << " s to " << time << " s at point " << point
+              << ". Sort the points by time, or remove the array to take one point a tick.";
+      error = message.str();
+      return false;
+    }
+  }
+  return true;
+}
+
+bool TipPaths::CountTicks(std::string& error)
+{
+  const std::size_t paths = this->AreSeveral() ? this->Divided.Begins.size() - 1 : 1;
+  double longest = 0.0; // s
+  double most = 0.0;
+  for (std::size_t path = 0; path < paths; ++path)
+  {
+    const Members members(*this, path);
+    vtkIdType ticks = members.GetSize();
+    if (!this->Times.empty() && ticks > 0)
+    {
+      if (!this->CheckTimes(path, error))
+      {
+        return false;
+      }
+      const double span = this->Times[members.At(ticks - 1)] - this->Times[members.At(0)];
+      longest = std::max(longest, span);
+      most += span / this->Period;
+      if (!(most < MostTicks))
+      {
+        std::ostringstream message;
+        message << "The tip path would take " << most << " ticks: its point array \"Time\" spans "
+                << longest << " s. Time is in seconds; convert it if it is in other units.";
+        error = message.str();
+        return false;
+      }
+      ticks = static_cast<vtkIdType>(std::floor(span / this->Period + SnapShare)) + 1;
+    }
+    this->FirstTicks.push_back(this->FirstTicks.back() + ticks);
+  }
+  return true;
+}
+
+TipPath TipPaths::Get(std::size_t path) const
+{
+  TipPath result;
+  const Members members(*this, path);
+  if (!this->Times.empty() && members.GetSize() > 0)
+  {
+    result.Tips.reserve(static_cast<std::size_t>(this->GetNumberOfTicks(path)));
+    this->Resample(members, this->GetNumberOfTicks(path), result);
+    return result;
+  }
+  result.Tips.resize(static_cast<std::size_t>(members.GetSize()));
+  for (vtkIdType i = 0; i < members.GetSize(); ++i)
+  {
+    result.Tips[i] = this->GetPoint(members.At(i));
+  }
+  return result;
+}
+
+void TipPaths::Resample(const Members& members, vtkIdType ticks, TipPath& result) const
+{
+  const auto timeOf = [&](vtkIdType i) { return this->Times[members.At(i)]; };
+  const vtkIdType last = members.GetSize() - 1;
+  const double start = timeOf(0);
+  const double snap = SnapShare * this->Period;
+  result.StartTime = start;
+  vtkIdType before = 0;
+  for (vtkIdType tick = 0; tick < ticks; ++tick)
+  {
+    const double time = start + tick * this->Period;
+    while (before < last && timeOf(before + 1) <= time + snap)
+    {
+      ++before;
+    }
+    const Vector3 a = this->GetPoint(members.At(before));
+    if (before == last || std::abs(time - timeOf(before)) <= snap)
+    {
+      result.Tips.push_back(a);
+      continue;
+    }
+    const double share = (time - timeOf(before)) / (timeOf(before + 1) - timeOf(before));
+    result.Tips.push_back(a + share * (this->GetPoint(members.At(before + 1)) - a));
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/TipPathsWalk.h"
+
+#include "VTK/Trace/TipPathWalk.h"
+#include "VTK/Trace/TracePart.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Long enough that handing a stretch to a thread costs nothing beside it. */
+constexpr vtkIdType ShortestStretch = 1000;
+/** So many rounds at most, if the paths are long. */
+constexpr vtkIdType Rounds = 100;
+/** So many stretches for each thread are in a round: all wait for the last one. */
+constexpr std::size_t StretchesOfAThread = 16;
+
+bool IsFiniteRecord(const TickRecord& record)
+{
+  return IsFinite(record.Proxy) && IsFinite(record.Force) && IsFinite(record.Normal) &&
+    std::isfinite(record.NormalForce) && std::isfinite(record.FrictionForce) &&
+    std::isfinite(record.DragForce);
+}
+
+} // namespace
+
+/** A path on its way. */
+struct TipPathsWalk::Runner
+{
+  explicit Runner(std::size_t path)
+    : Path(path)
+  {
+  }
+
+  const std::size_t Path;
+  TipPath Own; ///< empty if it is the only path
+  std::optional<TipPathWalk> Walk;
+  std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
+  WorkMeter Work;
+};
+
+TipPathsWalk::TipPathsWalk(const TipPaths& paths, double period,
+  std::shared_ptr<const HapticModel> model, const HapticTrace& trace)
+  : Paths(paths)
+  , Period(period)
+  , Model(std::move(model))
+  , Trace(trace)
+{
+  const std::size_t count = paths.GetNumberOfPaths();
+  const auto threads = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+  const auto stretches = static_cast<vtkIdType>(
+    std::clamp<std::size_t>(count, 1, StretchesOfAThread * std::max<std::size_t>(1, threads)));
+  this->Stretch = std::max(ShortestStretch, paths.GetNumberOfTicks() / (Rounds * stretches));
+  this->RoundTicks = stretches * this->Stretch;
+  this->Rows.reserve(count);
+  for (std::size_t path = 0; path < count; ++path)
+  {
+    this->Rows.push_back({ paths.GetFirstTick(path), 0 });
+  }
+}
+
+TipPathsWalk::~TipPathsWalk() = default;
+
+double TipPathsWalk::GetProgress() const
+{
+  return static_cast<double>(this->TicksDone) /
+    static_cast<double>(std::max<vtkIdType>(1, this->Paths.GetNumberOfTicks()));
+}
+
+vtkIdType TipPathsWalk::GetNextStretch(std::size_t path) const
+{
+  return std::min(this->Stretch, this->Paths.GetNumberOfTicks(path) - this->Rows[path].Count);
+}
+
+void TipPathsWalk::Fill()
+{
+  vtkIdType ticks = 0;
+  for (const std::unique_ptr<Runner>& runner : this->Running)
+  {
+    ticks += this->GetNextStretch(runner->Path);
+  }
+  for (; ticks < this->RoundTicks && this->NextPath < this->Rows.size(); ++this->NextPath)
+  {
+    if (const vtkIdType stretch = this->GetNextStretch(this->NextPath); stretch > 0)
+    {
+      this->Running.push_back(std::make_unique<Runner>(this->NextPath));
+      ticks += stretch;
+    }
+  }
+}
+
+void TipPathsWalk::Advance()
+{
+  this->Fill();
+  this->LacksMemory = false;
+  const auto advance = [this](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end && !this->LacksMemory; ++i)
+    {
+      try
+      {
+        this->Advance(*this->Running[static_cast<std::size_t>(i)]);
+      }
+      catch (const std::bad_alloc&) // which no thread of VTK's may throw
+      {
+        this->LacksMemory = true;
+      }
+    }
+  };
+  if (this->Running.size() == 1)
+  {
+    advance(0, 1); // here: a single path needs no thread
+  }
+  else
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Running.size()), 1, advance);
+  }
+  if (this->LacksMemory)
+  {
+    throw std::bad_alloc();
+  }
+  const auto isThere = [this](const std::unique_ptr<Runner>& runner)
+  { return this->GetNextStretch(runner->Path) == 0; };
+  this->Running.erase(
+    std::remove_if(this->Running.begin(), this->Running.end(), isThere), this->Running.end());
+}
+
+void TipPathsWalk::Advance(Runner& runner)
+{
+  const TipPath* const only = this->Paths.GetOnly();
+  if (!runner.Walk)
+  {
+    if (!only)
+    {
+      runner.Own = this->Paths.Get(runner.Path);
+    }
+    runner.Model = this->Model;
+    runner.Walk.emplace(only ? *only : runner.Own, this->Period);
+  }
+  HapticTrace::Rows& rows = this->Rows[runner.Path];
+  const vtkIdType ticks = this->GetNextStretch(runner.Path);
+  TracePart part(this->Trace, rows.First + rows.Count, runner.Work);
+  TickRecord record;
+  for (vtkIdType i = 0; i < ticks; ++i)
+  {
+    runner.Model = runner.Walk->Tick(std::move(runner.Model), record);
+    if (only && only->IsRecording && !IsFiniteRecord(record))
+    {
+      this->Flaw = rows.Count + i;
+      return;
+    }
+    part.Append(*runner.Model, runner.Walk->GetTime(), record);
+  }
+  part.Flush();
+  rows.Count += ticks;
+  this->TicksDone += ticks;
+}
+
+} // namespace VolumeHaptics

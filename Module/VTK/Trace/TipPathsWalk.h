@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Walks the paths of a polydata, several at once.
+ */
+#ifndef TipPathsWalk_h
+#define TipPathsWalk_h
+
+#include "VTK/Trace/HapticTrace.h"
+#include "VTK/Trace/TipPaths.h"
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Each path has a state of its own, and begins as if it were the only one: on the same model it
+ * gives the same numbers, to the bit, whatever the number of threads. Models are immutable, and
+ * all that a tick changes is in the state, so that no method needs to be left out.
+ *
+ * The paths advance in rounds, between which the caller can report progress and stop. In a round,
+ * some paths go on by a stretch each.
+ */
+class TipPathsWalk
+{
+public:
+  TipPathsWalk(const TipPaths& paths, double period, std::shared_ptr<const HapticModel> model,
+    const HapticTrace& trace);
+  ~TipPathsWalk();
+
+  bool IsDone() const { return this->TicksDone == this->Paths.GetNumberOfTicks(); }
+  /** From 0 to 1. */
+  double GetProgress() const;
+  /** A round. Throws std::bad_alloc. */
+  void Advance();
+  /** A tick of a recording that gave numbers that are not finite; -1 if there is none. */
+  vtkIdType GetFlaw() const { return this->Flaw; }
+
+  /** The rows of the trace that are written, of each path. */
+  const std::vector<HapticTrace::Rows>& GetRows() const { return this->Rows; }
+
+private:
+  struct Runner;
+  /** The ticks by which a path goes on in a round. */
+  vtkIdType GetNextStretch(std::size_t path) const;
+  /** Lets paths begin until a round is full. */
+  void Fill();
+  void Advance(Runner& runner);
+
+  const TipPaths& Paths;
+  const double Period;
+  const std::shared_ptr<const HapticModel> Model;
+  const HapticTrace& Trace;
+  vtkIdType Stretch;    ///< ticks
+  vtkIdType RoundTicks; ///< of all stretches
+  std::size_t NextPath = 0;
+  std::vector<std::unique_ptr<Runner>> Running;
+  std::vector<HapticTrace::Rows> Rows;
+  std::atomic<vtkIdType> TicksDone{ 0 };
+  std::atomic<bool> LacksMemory{ false };
+  vtkIdType Flaw = -1;
+};
+
+} // namespace VolumeHaptics
+
+#endif

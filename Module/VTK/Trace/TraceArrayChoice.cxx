@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/TraceArrayChoice.h"
+
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Trace/HapticTraceColumns.h"
+
+#include <cctype>
+
+namespace VolumeHaptics
+{
+
+std::size_t GetNumberOfTraceArrays()
+{
+  return GetTraceColumns().size() + 1;
+}
+
+const char* GetTraceArrayName(std::size_t array)
+{
+  const std::vector<TraceColumn>& columns = GetTraceColumns();
+  return array < columns.size() ? columns[array].Name : LabelColumn;
+}
+
+std::size_t FindTraceArray(const std::string& name)
+{
+  std::size_t array = 0;
+  while (array < GetNumberOfTraceArrays() && name != GetTraceArrayName(array))
+  {
+    ++array;
+  }
+  return array;
+}
+
+std::vector<std::string> SplitTraceArrays(const std::string& text)
+{
+  std::vector<std::string> words;
+  bool isInWord = false;
+  for (const char c : text)
+  {
+    const bool isOfWord = c != ',' && !std::isspace(static_cast<unsigned char>(c));
+    if (isOfWord && !isInWord)
+    {
+      words.emplace_back();
+    }
+    if (isOfWord)
+    {
+      words.back() += c;
+    }
+    isInWord = isOfWord;
+  }
+  return words;
+}
+
+std::string ReadTraceArrays(const std::vector<std::string>& names, TraceArrayChoice& choice)
+{
+  const std::size_t count = GetNumberOfTraceArrays();
+  const TraceArrayChoice every = (TraceArrayChoice(1) << count) - 1;
+  TraceArrayChoice read = 0;
+  for (const std::string& name : names)
+  {
+    const std::size_t array = FindTraceArray(name);
+    if (array < count)
+    {
+      read |= TraceArrayChoice(1) << array;
+    }
+    else if (names.size() == 1 && name == "all")
+    {
+      read = every;
+    }
+    else if (names.size() > 1 || name != "none")
+    {
+      std::string error =
+        "There is no trace array \"" + Printable(name) + "\". Take \"all\", \"none\", or some of ";
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        error += (i > 0 ? ", \"" : "\"") + std::string(GetTraceArrayName(i)) + "\"";
+      }
+      return error + ".";
+    }
+  }
+  choice = read == every ? AllTraceArrays : read;
+  return {};
+}
+
+std::string DescribeTraceArrays(TraceArrayChoice choice)
+{
+  if (choice == AllTraceArrays)
+  {
+    return "all";
+  }
+  std::string names;
+  for (std::size_t i = 0; i < GetNumberOfTraceArrays(); ++i)
+  {
+    if (IsChosen(choice, i))
+    {
+      names += (names.empty() ? "" : ", ") + std::string(GetTraceArrayName(i));
+    }
+  }
+  return names.empty() ? "none" : names;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which arrays a trace of the filter has.
+ */
+#ifndef TraceArrayChoice_h
+#define TraceArrayChoice_h
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The name of the array of labels, which traces of volumes with labels have, too. */
+constexpr const char* LabelColumn = "Label";
+
+/** Bit i stands for column i of GetTraceColumns(), and the bit after the last for the labels. */
+using TraceArrayChoice = unsigned int;
+constexpr TraceArrayChoice AllTraceArrays = ~TraceArrayChoice(0);
+
+constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
+{
+  return (choice >> array & 1U) != 0;
+}
+
+///@{
+/** Number and names of the arrays, in the order of the bits. */
+std::size_t GetNumberOfTraceArrays();
+const char* GetTraceArrayName(std::size_t array);
+///@}
+
+/** The number of an array; GetNumberOfTraceArrays() if there is none of this name. */
+std::size_t FindTraceArray(const std::string& name);
+
+/** The words of a text that commas or spaces separate. */
+std::vector<std::string> SplitTraceArrays(const std::string& text);
+
+/**
+ * Reads "all", "none" or some names. Returns the fault and the cure, and leaves the choice as it
+ * is, if there is no array of a name.
+ */
+std::string ReadTraceArrays(const std::vector<std::string>& names, TraceArrayChoice& choice);
+
+/** The choice as a text that can be read again. */
+std::string DescribeTraceArrays(TraceArrayChoice choice);
+
+} // namespace VolumeHaptics
+
+#endif

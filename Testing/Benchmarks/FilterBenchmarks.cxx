@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks.h"
+#include "Core/Servo/ServoTick.h"
+#include "Motion.h"
+
+#include <vtkCellArray.h>
+#include <vtkHapticProperty.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkVolumeHapticsFilter.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+using namespace VolumeHaptics;
+
+namespace benchmarks
+{
+namespace
+{
+
+/** How deep the tip is held below the surface, mm. */
+constexpr double Depth = 2.0;
+/** Long enough that what an Update() takes beside its ticks does not count. */
+constexpr int Ticks = 200000;
+
+/** Into the ball, and then along its surface again and again. */
+std::vector<Vector3> SlideFor(const BallVolume& volume, int ticks)
+{
+  constexpr int approach = 100; // ticks
+  const Positions tips = SlideAt(volume, BallRadius - Depth);
+  const Positions above = SlideAt(volume, BallRadius + Depth);
+  Cycle cycle(tips);
+  std::vector<Vector3> all;
+  all.reserve(static_cast<std::size_t>(ticks));
+  for (int i = 0; i < ticks; ++i)
+  {
+    const double share = static_cast<double>(i) / approach;
+    all.push_back(i < approach ? above[1] + share * (tips[1] - above[1]) : Vector3(cycle.Next()));
+  }
+  return all;
+}
+
+vtkSmartPointer<vtkPolyData> MakePaths(const std::vector<Vector3>& tips, int paths)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (int path = 0; path < paths; ++path)
+  {
+    lines->InsertNextCell(static_cast<int>(tips.size()));
+    for (const Vector3& tip : tips)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(tip.X, tip.Y, tip.Z));
+    }
+  }
+  auto polyData = vtkSmartPointer<vtkPolyData>::New();
+  polyData->SetPoints(points);
+  polyData->SetLines(lines);
+  return polyData;
+}
+
+void SetFunction(vtkPiecewiseFunction* function, const Polyline& points)
+{
+  function->RemoveAllPoints();
+  for (const auto& point : points)
+  {
+    function->AddPoint(point.X, point.Y);
+  }
+}
+
+/** The filter on the model that MakeModel makes for the same estimator. */
+vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(
+  const BallVolume& volume, HapticSolver solver, vtkPolyData* paths)
+{
+  auto filter = vtkSmartPointer<vtkVolumeHapticsFilter>::New();
+  const HapticMaterial material = MakeMaterial(volume);
+  vtkHapticProperty* const property = filter->GetProperty();
+  property->DistinctnessFromNoiseOff();
+  SetFunction(property->GetStiffness(), material.Stiffness);
+  SetFunction(property->GetFriction(), material.Friction);
+  SetFunction(property->GetViscosity(), material.Viscosity);
+  SetFunction(property->GetSurfaceStrength(), material.SurfaceStrength);
+  SetFunction(property->GetDistinctness(), material.Distinctness);
+  filter->SetSolver(static_cast<int>(solver));
+  filter->SetContactAlignmentToDistinctness();
+  filter->SetMaterialPlacementToKernel();
+  filter->SetInputDataObject(0, volume.Image);
+  filter->SetPathData(paths);
+  return filter;
+}
+
+/** The ticks alone, as the filter does them. */
+void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver)
+{
+  const std::vector<Vector3> tips = SlideFor(volume, Ticks);
+  const auto found = std::find_if(GetEstimators().begin(), GetEstimators().end(),
+    [](const Estimator& estimator)
+    { return estimator.Kind == GradientEstimator::Gaussian && estimator.Radius == 2; });
+  const auto model = MakeModel(volume, *found, { HapticMethod::Proxy, solver });
+  TickRecord record;
+  while (bench.KeepRunningBatch(Ticks))
+  {
+    ServoState state;
+    for (const Vector3& tip : tips)
+    {
+      Tick(*model, state, 0.001 * tip, record);
+      benchmark::DoNotOptimize(record);
+    }
+  }
+}
+
+/** An Update() of the filter, by the tick. */
+void Whole(
+  benchmark::State& bench, const BallVolume& volume, HapticSolver solver, const char* arrays)
+{
+  const auto paths = MakePaths(SlideFor(volume, Ticks), 1);
+  const auto filter = MakeFilter(volume, solver, paths);
+  filter->SetTraceArrays(arrays);
+  while (bench.KeepRunningBatch(Ticks))
+  {
+    filter->Modified();
+    filter->Update();
+  }
+  if (filter->GetOutput()->GetNumberOfPoints() != Ticks)
+  {
+    bench.SkipWithError("the filter does not feel the path");
+  }
+}
+
+/** Seconds of an Update(). */
+double Time(vtkVolumeHapticsFilter* filter)
+{
+  filter->Modified();
+  const auto begin = std::chrono::steady_clock::now();
+  filter->Update();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+} // namespace
+
+void RegisterFilterBenchmarks(const BallVolume& volume)
+{
+  for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
+  {
+    const std::string name = solver == HapticSolver::Paper ? "PAPER" : "PRECISE";
+    benchmark::RegisterBenchmark(NameOf("filter", name + "_bare", "slide", volume.Name).c_str(),
+      [&volume, solver](benchmark::State& bench) { Bare(bench, volume, solver); });
+    for (const char* arrays : { "all", "Force" })
+    {
+      benchmark::RegisterBenchmark(
+        NameOf("filter", name + "_" + arrays, "slide", volume.Name).c_str(),
+        [&volume, solver, arrays](benchmark::State& bench)
+        { Whole(bench, volume, solver, arrays); });
+    }
+  }
+}
+
+void PrintThroughput(const BallVolume& volume, bool isQuick)
+{
+  const int paths = isQuick ? 8 : 64;
+  const int repetitions = isQuick ? 1 : 15;
+  constexpr double target = 1.9;
+  std::printf("\n%-70s %7s %7s %7s\n", "Ticks a second on two threads beside one", "median", "best",
+    "target");
+  for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
+  {
+    const auto lines = MakePaths(SlideFor(volume, 10000), paths);
+    const auto filter = MakeFilter(volume, solver, lines);
+    std::vector<double> times[2];
+    Time(filter);
+    for (int i = 0; i < repetitions; ++i)
+    {
+      for (const int threads : { 1, 2 })
+      {
+        vtkSMPTools::Initialize(threads);
+        times[threads - 1].push_back(Time(filter));
+      }
+    }
+    vtkSMPTools::Initialize();
+    for (auto& one : times)
+    {
+      std::sort(one.begin(), one.end());
+    }
+    const std::size_t middle = times[0].size() / 2;
+    const double median = times[0][middle] / times[1][middle];
+    std::printf("  %-68s %7.2f %7.2f %7.2f %s\n",
+      (std::to_string(paths) + " paths, " + (solver == HapticSolver::Paper ? "PAPER" : "PRECISE"))
+        .c_str(),
+      median, times[0].front() / times[1].front(), target,
+      median >= target ? "reached" : "NOT reached");
+  }
+}
+
+} // namespace benchmarks

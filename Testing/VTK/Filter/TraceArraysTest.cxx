@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The choice of a trace's arrays.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include <sstream>
+
+using namespace apitest;
+
+namespace
+{
+class TraceArrays : public ApiTest
+{
+protected:
+  std::vector<std::string> Names()
+  {
+    std::vector<std::string> names;
+    vtkPointData* const arrays = this->Run(51)->GetPointData();
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      names.emplace_back(arrays->GetArrayName(i));
+    }
+    return names;
+  }
+};
+
+using Texts = std::vector<std::string>;
+
+/// As the class documentation of vtkVolumeHapticsFilter lists them, without Label.
+const Texts All = { "Time", "Tip", "Force", "NormalForce", "FrictionForce", "DragForce", "Normal",
+  "Value", "GradientMagnitude", "SurfaceValue", "MediumValue", "Stiffness", "Friction", "Viscosity",
+  "SurfaceStrength", "Contact", "Unfinished", "Renewed", "Energy" };
+} // namespace
+
+TEST_F(TraceArrays, AreAllByDefault)
+{
+  EXPECT_EQ(this->Filter->GetTraceArrays(), "all");
+  EXPECT_EQ(this->Names(), All);
+  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 1);
+}
+
+TEST_F(TraceArrays, TheChosenOnesAreTheSameToTheBit)
+{
+  const auto full = (this->Run(51), Keep(this->Filter));
+  for (const std::string& name : All)
+  {
+    SCOPED_TRACE(name);
+    EXPECT_TRUE(this->Filter->SetTraceArrays(name.c_str()));
+    EXPECT_EQ(this->Filter->GetTraceArrays(), name);
+    ASSERT_EQ(this->Names(), Texts{ name });
+    vtkDataArray* const whole = full->GetPointData()->GetArray(name.c_str());
+    for (vtkIdType tick = 0; tick < 51; ++tick)
+    {
+      for (int c = 0; c < whole->GetNumberOfComponents(); ++c)
+      {
+        ASSERT_EQ(
+          Get(this->Filter->GetOutput(), name.c_str(), tick, c), whole->GetComponent(tick, c));
+      }
+      ASSERT_EQ(this->Filter->GetOutput()->GetPoint(tick)[2], full->GetPoint(tick)[2]);
+    }
+  }
+}
+
+TEST_F(TraceArrays, TakeTextsAndStringArrays)
+{
+  EXPECT_TRUE(this->Filter->SetTraceArrays(" Contact,Force ,\tTime, Force,"));
+  EXPECT_EQ(this->Filter->GetTraceArrays(), "Time, Force, Contact");
+  EXPECT_EQ(this->Names(), (Texts{ "Time", "Force", "Contact" }));
+  const vtkMTimeType time = this->Filter->GetMTime();
+  EXPECT_TRUE(this->Filter->SetTraceArrays("Time Force Contact"));
+  EXPECT_EQ(this->Filter->GetMTime(), time) << "the same choice is no change";
+
+  vtkNew<vtkStringArray> names;
+  names->InsertNextValue("Energy");
+  names->InsertNextValue("Tip");
+  EXPECT_TRUE(this->Filter->SetTraceArrays(names));
+  EXPECT_EQ(this->Names(), (Texts{ "Tip", "Energy" }));
+  names->Initialize();
+  EXPECT_TRUE(this->Filter->SetTraceArrays(names));
+  EXPECT_EQ(this->Filter->GetTraceArrays(), "none");
+  EXPECT_TRUE(this->Names().empty());
+  EXPECT_TRUE(this->Filter->SetTraceArrays("all"));
+  EXPECT_EQ(this->Names(), All);
+  EXPECT_TRUE(this->Filter->SetTraceArrays("none"));
+  EXPECT_TRUE(this->Names().empty());
+  EXPECT_TRUE(this->Filter->SetTraceArrays(static_cast<const char*>(nullptr)));
+  EXPECT_EQ(this->Filter->GetTraceArrays(), "all");
+  std::ostringstream text;
+  this->Filter->SetTraceArrays("Force");
+  this->Filter->PrintSelf(text, vtkIndent());
+  EXPECT_NE(text.str().find("TraceArrays: Force\n"), std::string::npos);
+}
+
+TEST_F(TraceArrays, AnUnknownOneIsAnErrorThatListsThem)
+{
+  ASSERT_TRUE(this->Filter->SetTraceArrays("Force"));
+  for (const char* names : { "Force, Furce", "furce", "all, Force", "Force none", "\"Force\"" })
+  {
+    SCOPED_TRACE(names);
+    EXPECT_FALSE(this->Filter->SetTraceArrays(names));
+    ASSERT_EQ(this->Log.Errors.size(), 1U);
+    EXPECT_NE(this->Log.Errors[0].find("There is no trace array"), std::string::npos);
+    for (const std::string& known : All)
+    {
+      EXPECT_NE(this->Log.Errors[0].find('"' + known + '"'), std::string::npos);
+    }
+    EXPECT_NE(this->Log.Errors[0].find("\"Label\""), std::string::npos);
+    this->Log.Errors.clear();
+    EXPECT_EQ(this->Filter->GetTraceArrays(), "Force");
+  }
+}
+
+TEST_F(TraceArrays, HaveAStatusEach)
+{
+  for (int i = 0; i < this->Filter->GetNumberOfTraceArrays(); ++i)
+  {
+    const char* const name = this->Filter->GetTraceArrayName(i);
+    ASSERT_NE(name, nullptr);
+    EXPECT_EQ(this->Filter->GetTraceArrayStatus(name), 1) << name;
+    this->Filter->SetTraceArrayStatus(name, 0);
+    EXPECT_EQ(this->Filter->GetTraceArrayStatus(name), 0) << name;
+  }
+  EXPECT_EQ(this->Filter->GetTraceArrays(), "none");
+  this->Filter->SetTraceArrayStatus("Contact", 1);
+  this->Filter->SetTraceArrayStatus("Force", 1);
+  EXPECT_EQ(this->Names(), (Texts{ "Force", "Contact" }));
+  EXPECT_EQ(this->Filter->GetTraceArrayName(-1), nullptr);
+  EXPECT_EQ(this->Filter->GetTraceArrayName(this->Filter->GetNumberOfTraceArrays()), nullptr);
+  EXPECT_EQ(this->Filter->GetTraceArrayStatus("Furce"), 0);
+  EXPECT_TRUE(this->Log.Errors.empty());
+  this->Filter->SetTraceArrayStatus("Furce", 0);
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("\"Furce\""), std::string::npos);
+  EXPECT_EQ(this->Filter->GetTraceArrays(), "Force, Contact");
+}
+
+TEST_F(TraceArrays, LabelsAreOneOfThem)
+{
+  this->Filter->SetLabelData(MakeImage(16, VTK_SHORT, [](const Point&) { return 4.0; }));
+  this->Filter->SetTraceArrays("Label");
+  EXPECT_EQ(this->Names(), Texts{ "Label" });
+  EXPECT_EQ(Get(this->Filter->GetOutput(), "Label", 50), 4.0);
+  this->Filter->SetTraceArrays("Force");
+  EXPECT_EQ(this->Names(), Texts{ "Force" });
+}
