@@ -21,6 +21,8 @@
  *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
+ *   vibration:pad[:N]  gamepads with rumble motors, on Linux. Vibration, not force: the sticks move
+ *                      the tip, and the motors tell how the force changes.
  *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a serial
  *                      port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by hand
  *                      each time it is opened.

@@ -141,6 +141,7 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
     return false;
   }
   const bool isStick = options.Id.compare(0, 3, "pid") == 0;
+  const bool vibrates = options.Id.compare(0, 9, "vibration") == 0;
   const int axis = options.Axis >= 0 ? options.Axis : isStick ? 0 : 2;
   MakeGentleWall(device.GetVolume(), axis);
   device->SetVolumeHaptics(device.GetVolume());
@@ -150,7 +151,9 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
     return false;
   }
   streams.Out << "There is a wall in the middle of the workspace, on the negative side of "
-              << "xyz"[axis] << ". It pushes with at most " << GentleForce << " N.\n";
+              << "xyz"[axis];
+  vibrates ? streams.Out << ". It can't push: its contact is vibration.\n"
+           : streams.Out << ". It pushes with at most " << GentleForce << " N.\n";
   if (isStick && !options.HasNewtons)
   {
     streams.Out << "That is if its force at full scale is " << options.Newtons[0]

@@ -43,6 +43,7 @@ struct DeviceLimits
   double LeastMotion = 0.0;
   unsigned ForceAxes = 7; ///< bit i: it can push along axis i
   bool MovesTip = true;   ///< its forces move the tip, so that PortObserver can judge them
+  bool Vibrates = false;  ///< it can't push: it vibrates when the force changes
 };
 
 /** The round trip (s) for which devices state the largest stiffness and damping that they hold. */

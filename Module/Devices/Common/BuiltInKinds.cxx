@@ -5,6 +5,7 @@
 #include "Devices/Falcon/FalconKind.h"
 #include "Devices/Haply/HaplyKind.h"
 #include "Devices/Hfab/HfabKind.h"
+#include "Devices/Pad/PadKind.h"
 #include "Devices/Pid/PidKind.h"
 #include "Devices/SpaceMouse/SpaceMouseKind.h"
 #include "Devices/Vendor/VendorKind.h"
@@ -57,6 +58,9 @@ std::vector<DeviceKind> GetBuiltInKinds()
 #else
   kinds.push_back(
     WithoutLibrary("haply", "Boost.Beast and nlohmann's JSON", "VolumeHaptics_USE_BEAST"));
+#endif
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+  kinds.push_back(GetPadKind());
 #endif
 #if defined(VOLUME_HAPTICS_HAS_TERMIOS)
   kinds.push_back(GetHfabKind());

@@ -11,8 +11,6 @@ namespace VolumeHaptics
 namespace
 {
 
-/** s; a limit, so that the tip does not leap if the thread was held up. */
-constexpr double LongestRound = 0.02;
 constexpr std::uint8_t LightReport = 4;
 constexpr std::uint8_t ButtonReport = 3;
 /**
@@ -84,10 +82,8 @@ void SpaceMouseDriver::Begin(HardwareExchange& exchange, bool)
 {
   this->Drain();
   this->State = {};
-  this->Tip = {};
-  this->Told = {};
-  this->LastRound = this->LastMotion = ServoClock::Now();
-  exchange.Tell({});
+  this->LastMotion = ServoClock::Now();
+  this->Tip.Begin(exchange);
   this->Tell(exchange, DeviceStage::Ready, "");
 }
 
@@ -131,34 +127,13 @@ void SpaceMouseDriver::Listen(HardwareExchange& exchange)
 
 void SpaceMouseDriver::Move(HardwareExchange& exchange)
 {
-  const std::int64_t now = ServoClock::Now();
-  const double elapsed = std::min(
-    static_cast<double>(now - this->LastRound) * ServoClock::SecondsPerNanosecond, LongestRound);
-  this->LastRound = now;
-  if (static_cast<double>(now - this->LastMotion) * ServoClock::SecondsPerNanosecond > HoldTime)
+  if (ServoClock::SecondsSince(this->LastMotion) > HoldTime)
   {
     this->State.Axes = {};
   }
   const std::array<double, 6>& axes = this->State.Axes;
-  this->Tip += (FullSpeed * elapsed) * TurnAxes(this->IsAxisUp, axes[0], axes[1], axes[2]);
-  this->Tip = ClampNorm(this->Tip, Radius);
-  DeviceSample sample;
-  sample.Tip = this->Tip;
-  sample.Buttons = this->State.Buttons;
-  sample.Turn = FullTurn * TurnAxes(this->IsAxisUp, axes[3], axes[4], axes[5]);
-  // A mouse that is let go says nothing. Where the tip stays is known all the same: nothing but
-  // this moves it.
-  const bool isNew = !IsIdentical(sample.Tip, this->Told.Tip) ||
-    sample.Buttons != this->Told.Buttons || !IsIdentical(sample.Turn, this->Told.Turn);
-  if (isNew)
-  {
-    this->Told = sample;
-    exchange.Tell(sample);
-  }
-  else
-  {
-    exchange.Confirm();
-  }
+  this->Tip.Move(exchange, TurnAxes(this->IsAxisUp, axes[0], axes[1], axes[2]),
+    TurnAxes(this->IsAxisUp, axes[3], axes[4], axes[5]), this->State.Buttons);
 }
 
 void SpaceMouseDriver::Light(bool on) noexcept

@@ -16,6 +16,7 @@
 #ifndef SpaceMouseDriver_h
 #define SpaceMouseDriver_h
 
+#include "Devices/Common/RateTip.h"
 #include "Devices/SpaceMouse/SpaceMouse.h"
 #include "Devices/Transport/Hid/HidDriver.h"
 
@@ -25,10 +26,7 @@ namespace VolumeHaptics
 class SpaceMouseDriver final : public HidDriver
 {
 public:
-  static constexpr double FullSpeed = 0.1; ///< m/s, of the tip at a full push
-  static constexpr double FullTurn = 1.0;  ///< rad/s, at a full turn
-  static constexpr double Radius = 0.1;    ///< m: the radius of the ball in which the tip stays
-  static constexpr double HoldTime = 0.5;  ///< s, how long a push counts that is not repeated
+  static constexpr double HoldTime = 0.5; ///< s, how long a push counts that is not repeated
 
   explicit SpaceMouseDriver(int number);
 
@@ -36,7 +34,7 @@ public:
   DeviceLimits GetLimits() const override
   {
     DeviceLimits limits;
-    limits.WorkspaceRadius = Radius;
+    limits.WorkspaceRadius = RateTip::Radius;
     limits.MovesTip = false;
     return limits;
   }
@@ -58,9 +56,7 @@ private:
   bool IsLit = false;
   bool IsAxisUp = false; ///< the device's y; else its z is down
   SpaceMouse::State State;
-  Vector3 Tip;
-  DeviceSample Told; ///< the last one
-  std::int64_t LastRound = 0;
+  RateTip Tip;
   std::int64_t LastMotion = 0;
 };
 

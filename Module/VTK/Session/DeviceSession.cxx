@@ -391,6 +391,7 @@ DeviceStatus DeviceSession::GetStatus() const
   if (this->Backend)
   {
     status.Condition = this->Backend->GetCondition();
+    status.Vibrates = this->Backend->GetLimits().Vibrates;
   }
   status.IsArmOrdered = this->IsArmOrdered();
   status.NeedsConfirmation = this->NeedsConfirmation();

@@ -199,7 +199,7 @@ std::string DeviceStatus::DescribeDevice() const
   }
   if (!this->State)
   {
-    return "Ready: " + this->Id + ". Start() the servo.";
+    return "Ready: " + this->NameDevice() + ". Start() the servo.";
   }
   if (this->FindFault() != GateReason::None)
   {
@@ -231,6 +231,11 @@ std::string DeviceStatus::DescribeCondition() const
   return begin + this->Id + ": " + this->Condition.Text.data();
 }
 
+std::string DeviceStatus::NameDevice() const
+{
+  return this->Id + (this->Vibrates ? " (vibration, not force)" : "");
+}
+
 std::string DeviceStatus::DescribeState() const
 {
   if (this->State->Device == DeviceState::Lost)
@@ -243,7 +248,7 @@ std::string DeviceStatus::DescribeState() const
   }
   if (!this->State->IsArmed())
   {
-    return "Running: " + this->Id +
+    return "Running: " + this->NameDevice() +
       (this->NeedsConfirmation
           ? ". Its signs were never confirmed: hold it loosely in the middle of its workspace, "
             "keep "
@@ -260,7 +265,7 @@ std::string DeviceStatus::DescribeState() const
     return "Force is off while " + this->LongWork + ", and comes back by itself.";
   }
   return this->State->Stale ? "Armed, but " + this->Id + " gives no fresh positions: no force."
-                            : "Active: " + this->Id + ".";
+                            : "Active: " + this->NameDevice() + ".";
 }
 
 } // namespace VolumeHaptics

@@ -21,6 +21,7 @@ struct DeviceStatus
 {
   bool IsOpen = false;
   std::string Id;            ///< the id that was opened
+  bool Vibrates = false;     ///< see DeviceLimits
   DeviceCondition Condition; ///< of the open device
 
   bool IsArmOrdered = false;      ///< see ServoLoop::IsArmOrdered
@@ -47,6 +48,8 @@ private:
   /** Of the state, unless Arm was ordered since. */
   GateReason FindFault() const;
   std::string DescribeDevice() const;
+  /** The id, with the reason if it is felt in another way than force. */
+  std::string NameDevice() const;
   std::string DescribeCondition() const;
   std::string DescribeState() const;
 };

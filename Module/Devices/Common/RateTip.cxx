@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Common/RateTip.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** s; a limit, so that the tip does not leap if the thread was held up. */
+constexpr double LongestRound = 0.02;
+
+} // namespace
+
+void RateTip::Begin(HardwareExchange& exchange) noexcept
+{
+  this->Told = {};
+  this->LastRound = ServoClock::Now();
+  exchange.Tell(this->Told);
+}
+
+void RateTip::Move(HardwareExchange& exchange, const Vector3& push, const Vector3& turn,
+  std::uint32_t buttons) noexcept
+{
+  const double elapsed = std::min(ServoClock::SecondsSince(this->LastRound), LongestRound);
+  this->LastRound = ServoClock::Now();
+  DeviceSample sample;
+  sample.Tip = ClampNorm(this->Told.Tip + (FullSpeed * elapsed) * push, Radius);
+  sample.Buttons = buttons;
+  sample.Turn = FullTurn * turn;
+  const bool isNew = !IsIdentical(sample.Tip, this->Told.Tip) ||
+    sample.Buttons != this->Told.Buttons || !IsIdentical(sample.Turn, this->Told.Turn);
+  if (isNew)
+  {
+    this->Told = sample;
+    exchange.Tell(sample);
+  }
+  else
+  {
+    exchange.Confirm();
+  }
+}
+
+} // namespace VolumeHaptics

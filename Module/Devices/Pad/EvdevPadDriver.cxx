@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Pad/EvdevPadDriver.h"
+
+#include "Core/Servo/ServoClock.h"
+
+#include <cerrno>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int PadRoundPause = 2; // ms, if neither the servo nor the pad has news
+constexpr int PadLostPause = 10; // ms
+constexpr int MostEvents = 64;
+constexpr const char* PadUnplugged =
+  "is gone: unplugged, switched off or out of reach. Bring it back, then Open() and Start() it.";
+
+bool IsBitSet(const unsigned char* bits, unsigned bit) noexcept
+{
+  return (bits[bit / 8] >> (bit % 8) & 1) != 0;
+}
+
+} // namespace
+
+EvdevPadDriver::EvdevPadDriver(int number)
+  : Number(number)
+{
+}
+
+bool EvdevPadDriver::Connect(std::string& error)
+{
+  const std::vector<EvdevPad> pads = FindEvdevPads();
+  if (pads.empty())
+  {
+    error = "No gamepad is plugged in. Plug one in, or pair it.";
+    return false;
+  }
+  if (this->Number >= static_cast<int>(pads.size()))
+  {
+    error = "There is no gamepad with this number. Count from 0, as EnumerateDevices() does.";
+    return false;
+  }
+  if (this->Number >= 0)
+  {
+    return this->Take(pads[static_cast<std::size_t>(this->Number)], error);
+  }
+  std::string first;
+  for (const EvdevPad& pad : pads)
+  {
+    if (this->Take(pad, error))
+    {
+      return true;
+    }
+    first = first.empty() ? error : first;
+  }
+  error = first;
+  return false;
+}
+
+bool EvdevPadDriver::Take(const EvdevPad& pad, std::string& error)
+{
+  if (!pad.Vibrates)
+  {
+    error = pad.GetLabel() + " " + NoRumbleText;
+    return false;
+  }
+  this->Node = open(pad.Path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  if (this->Node < 0 || ioctl(this->Node, EVIOCGRAB, 1) != 0)
+  {
+    error = pad.GetLabel() + ": " + EvdevPad::Explain(errno);
+    this->Disconnect();
+    return false;
+  }
+  if (!this->Rumble.Begin(this->Node))
+  {
+    error = pad.GetLabel() + " " + NoRumbleText;
+    this->Disconnect();
+    return false;
+  }
+  this->Label = pad.GetLabel() + ", vibration, not force";
+  this->Reader = {};
+  this->ReadAll();
+  return true;
+}
+
+void EvdevPadDriver::Disconnect() noexcept
+{
+  if (this->Node >= 0)
+  {
+    ioctl(this->Node, EVIOCGRAB, 0);
+    close(this->Node);
+    this->Node = -1;
+  }
+}
+
+void EvdevPadDriver::ReadAll() noexcept
+{
+  unsigned char axes[(ABS_CNT + 7) / 8] = {};
+  if (ioctl(this->Node, EVIOCGBIT(EV_ABS, sizeof(axes)), axes) >= 0)
+  {
+    for (unsigned code = 0; code < ABS_CNT; ++code)
+    {
+      input_absinfo axis{};
+      if (IsBitSet(axes, code) && ioctl(this->Node, EVIOCGABS(code), &axis) >= 0)
+      {
+        this->Reader.SetAxis(code, axis);
+      }
+    }
+  }
+  unsigned char buttons[(KEY_CNT + 7) / 8] = {};
+  if (ioctl(this->Node, EVIOCGKEY(sizeof(buttons)), buttons) >= 0)
+  {
+    for (unsigned code = BTN_GAMEPAD; code <= BTN_THUMBR; ++code)
+    {
+      this->Reader.SetButton(code, IsBitSet(buttons, code));
+    }
+  }
+}
+
+void EvdevPadDriver::Serve(HardwareExchange& exchange)
+{
+  /** Runs also if something throws. */
+  struct AtEnd
+  {
+    EvdevPadDriver* Driver;
+    ~AtEnd() { this->Driver->Rumble.End(); }
+  };
+  const AtEnd atEnd{ this };
+  this->Gone = false;
+  this->Begin(exchange);
+  while (!exchange.MustStop())
+  {
+    if (exchange.HasSlept())
+    {
+      this->Lost = true;
+      this->Rumble.Silence();
+    }
+    if (exchange.TakeHomeRequest())
+    {
+      if (this->Gone)
+      {
+        this->Tell(exchange, DeviceStage::Lost, PadUnplugged);
+      }
+      else
+      {
+        this->Begin(exchange);
+      }
+    }
+    if (this->Lost)
+    {
+      // Quench and Close wait for rounds of zero force.
+      exchange.GetForce();
+      exchange.WaitForWake(PadLostPause);
+      if (!this->Gone && !this->Listen(exchange))
+      {
+        this->Gone = true;
+        this->Tell(exchange, DeviceStage::Lost, PadUnplugged);
+      }
+      continue;
+    }
+    this->Round(exchange);
+  }
+}
+
+void EvdevPadDriver::Begin(HardwareExchange& exchange)
+{
+  this->Lost = false;
+  this->Levels.Silence();
+  this->Rumble.Silence();
+  this->ReadAll();
+  this->LastRound = ServoClock::Now();
+  this->Tip.Begin(exchange);
+  this->Tell(exchange, DeviceStage::Ready, "");
+}
+
+void EvdevPadDriver::Round(HardwareExchange& exchange)
+{
+  if (!this->Listen(exchange))
+  {
+    this->Gone = true;
+    this->Lose(exchange, PadUnplugged);
+    return;
+  }
+  const PadState state = this->Reader.Get();
+  const PadMotion motion = Steer(state);
+  this->Tip.Move(exchange, motion.Push, motion.Turn, state.Buttons);
+  exchange.ClearWake();
+  const Vector3 force = exchange.GetForce();
+  const double elapsed = ServoClock::SecondsSince(this->LastRound);
+  this->LastRound = ServoClock::Now();
+  if (!this->Rumble.Show(this->Levels.Advance(force, elapsed)))
+  {
+    this->Gone = errno == ENODEV;
+    this->Lose(exchange,
+      this->Gone ? PadUnplugged
+                 : "does not take what is sent to it. Look after its cable or battery, then Home() "
+                   "and Arm() again.");
+    return;
+  }
+  exchange.NoteTaken();
+}
+
+bool EvdevPadDriver::Listen(const HardwareExchange& exchange) noexcept
+{
+  pollfd watched[] = { { this->Node, POLLIN, 0 }, { exchange.GetWakeDescriptor(), POLLIN, 0 } };
+  poll(watched, watched[1].fd < 0 ? 1 : 2, PadRoundPause);
+  input_event events[MostEvents];
+  const ssize_t size = read(this->Node, events, sizeof(events));
+  if (size < 0)
+  {
+    return errno == EAGAIN || errno == EINTR;
+  }
+  const auto count = static_cast<std::size_t>(size) / sizeof(input_event);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (this->Reader.Take(events[i]) == EvdevReader::News::MustRead)
+    {
+      this->ReadAll();
+    }
+  }
+  return true;
+}
+
+void EvdevPadDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
+{
+  // Before sending anything, which may take long: the servo is told first.
+  this->Lost = true;
+  this->Tell(exchange, DeviceStage::Lost, text);
+  this->Rumble.Silence();
+}
+
+void EvdevPadDriver::Tell(
+  HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept
+{
+  exchange.SetCondition(stage, this->Label.c_str(), text);
+}
+
+} // namespace VolumeHaptics

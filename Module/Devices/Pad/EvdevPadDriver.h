@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A gamepad through Linux' evdev: its sticks lead a tip, its motors tell how the force changes.
+ *
+ * Vibration, not force: see Vibration.h and PadState.h. The node is grabbed, so that no other
+ * program takes the sticks for its own meanwhile. A stick that is held still sends nothing, so that
+ * silence is no fault; a pad that is gone ends its node. Not verified on hardware.
+ */
+#ifndef EvdevPadDriver_h
+#define EvdevPadDriver_h
+
+#include "Devices/Common/HardwareDevice.h"
+#include "Devices/Common/RateTip.h"
+#include "Devices/Pad/EvdevPads.h"
+#include "Devices/Pad/EvdevReader.h"
+#include "Devices/Pad/EvdevRumble.h"
+#include "Devices/Pad/PadLimits.h"
+
+namespace VolumeHaptics
+{
+
+class EvdevPadDriver final : public HardwareDriver
+{
+public:
+  /** The number in FindEvdevPads; below zero: the first one that is free and vibrates. */
+  explicit EvdevPadDriver(int number);
+  ~EvdevPadDriver() override { this->Disconnect(); }
+
+  std::string GetName() const override { return this->Label; }
+  DeviceLimits GetLimits() const override { return MakePadLimits(); }
+  bool Connect(std::string& error) override;
+  void Serve(HardwareExchange& exchange) override;
+  void Disconnect() noexcept override;
+
+private:
+  bool Take(const EvdevPad& pad, std::string& error);
+  /** Asks for all axes and buttons. */
+  void ReadAll() noexcept;
+  void Begin(HardwareExchange& exchange);
+  void Round(HardwareExchange& exchange);
+  /** Waits for a moment; false if the pad is gone. */
+  bool Listen(const HardwareExchange& exchange) noexcept;
+  void Lose(HardwareExchange& exchange, const char* text) noexcept;
+  void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
+
+  const int Number;
+  std::string Label = "A gamepad";
+  int Node = -1;
+  bool Lost = false;
+  bool Gone = false; ///< unplugged or switched off
+  EvdevReader Reader;
+  RateTip Tip;
+  Vibration Levels;
+  EvdevRumble Rumble;
+  std::int64_t LastRound = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What Linux tells of a gamepad: its capabilities as sysfs writes them, and its events.
+ *
+ * The codes are those of the kernel's gamepad specification (gamepad.rst of its documentation of
+ * input), with triggers at Z and RZ as the drivers of Xbox and PlayStation pads have them. Pads
+ * without RX and RY may have their right stick there: it counts as a stick if it was in its middle
+ * at first.
+ */
+#ifndef EvdevReader_h
+#define EvdevReader_h
+
+#include "Devices/Pad/PadState.h"
+
+#include <linux/input.h>
+
+#include <array>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Whether a bit is set in a text of sysfs, such as "107030000 0 0": words of the kernel's long, in
+ * hexadecimal, the highest first. False for other texts.
+ */
+bool HasEvdevBit(const std::string& words, unsigned bit);
+
+/** Follows the events of a pad. */
+class EvdevReader
+{
+public:
+  enum class News : std::uint8_t
+  {
+    None,
+    Report,  ///< a report is complete, and Get is new
+    MustRead ///< events were lost: ask the device for all of its axes and buttons
+  };
+
+  ///@{
+  /** The state of an axis or a button that the device has; others do not count. */
+  void SetAxis(unsigned code, const input_absinfo& axis) noexcept;
+  void SetButton(unsigned code, bool isHeld) noexcept;
+  ///@}
+  News Take(const input_event& event) noexcept;
+  PadState Get() const noexcept;
+
+private:
+  struct Axis
+  {
+    bool Exists = false;
+    bool IsCentred = false; ///< at first: a trigger begins at an end
+    int Value = 0;
+    int Least = 0;
+    int Most = 0;
+    int Flat = 0;
+  };
+  double Stick(unsigned code) const noexcept;
+  /** The furthest of those that there are. */
+  double Trigger(unsigned code, unsigned other, std::uint32_t button) const noexcept;
+
+  std::array<Axis, ABS_CNT> Axes{};
+  std::uint32_t Buttons = 0; ///< of PadButton, and two more bits for triggers that are buttons
+  bool IsDropping = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The motors of a gamepad through the kernel's force feedback (ff.rst of its documentation of
+ * input).
+ *
+ * An effect lasts for ReplayLength and is renewed after RenewTime, so that the motors stop if this
+ * process stands still. If its node is closed, by whatever end of the process, the kernel erases
+ * the effect, which stops them (evdev_release or, before Linux 5.7, evdev_flush, then
+ * flush_effects in ff-core.c).
+ *
+ * New levels change the effect and start it again at once. Only its start makes the kernel know
+ * that it plays: an effect that was changed and is stopped or erased before the kernel's next timer
+ * tick would leave the motors on (ml_ff_upload and ml_ff_playback in ff-memless.c).
+ */
+#ifndef EvdevRumble_h
+#define EvdevRumble_h
+
+#include "Devices/Pad/Vibration.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+class EvdevRumble
+{
+public:
+  static constexpr int ReplayLength = 150;   ///< ms
+  static constexpr double RenewTime = 0.05;  ///< s
+  static constexpr double SendPeriod = 0.01; ///< s, between changes; silence does not wait
+  static constexpr int Steps = 255;          ///< of a motor's level: as fine as pads take it
+
+  /** For a node that is open, with the full gain. False if it holds no effects. */
+  bool Begin(int node) noexcept;
+  ///@{
+  /** False if the device does not take it. */
+  bool Show(const VibrationLevels& levels) noexcept;
+  bool Silence() noexcept;
+  ///@}
+  /** Silence, and no effects any more; before the node is closed. */
+  void End() noexcept;
+
+private:
+  struct Pair
+  {
+    int Strong = 0;
+    int Weak = 0;
+  };
+  bool Send(const Pair& pair) noexcept;
+  bool Upload(const Pair& pair) noexcept;
+  bool Play(bool isOn) const noexcept;
+
+  int Node = -1;
+  int Id = -1; ///< the kernel's number of the effect; -1: none yet
+  Pair Sent;
+  std::int64_t SentAt = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

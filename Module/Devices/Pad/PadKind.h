@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Gamepads, "vibration:pad" and "vibration:pad:N". Vibration, not force.
+ */
+#ifndef PadKind_h
+#define PadKind_h
+
+#include "Devices/Common/DeviceKind.h"
+
+namespace VolumeHaptics
+{
+
+DeviceKind GetPadKind();
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The limits of gamepads, which all are alike to the servo.
+ */
+#ifndef PadLimits_h
+#define PadLimits_h
+
+#include "Devices/Common/RateTip.h"
+
+namespace VolumeHaptics
+{
+
+/** N: of the force whose changes are felt. No force leaves a pad. */
+constexpr double MostPadForce = 8.0;
+
+inline DeviceLimits MakePadLimits() noexcept
+{
+  DeviceLimits limits;
+  limits.MaximumForce = MostPadForce;
+  limits.WorkspaceRadius = RateTip::Radius;
+  limits.MovesTip = false;
+  limits.Vibrates = true;
+  return limits;
+}
+
+} // namespace VolumeHaptics
+
+#endif

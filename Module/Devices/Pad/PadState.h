@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The sticks and buttons of a gamepad, and the way in which they lead the tip.
+ */
+#ifndef PadState_h
+#define PadState_h
+
+#include "Core/Math/Vector3.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** Bits of PadState::Buttons, by their places on the pad. */
+enum PadButton : std::uint32_t
+{
+  PadSouth = 1U << 0, ///< A, or the cross
+  PadEast = 1U << 1,
+  PadWest = 1U << 2,
+  PadNorth = 1U << 3,
+  PadLeftShoulder = 1U << 4,  ///< above the left trigger
+  PadRightShoulder = 1U << 5, ///< above the right trigger
+  PadSelect = 1U << 6,
+  PadStart = 1U << 7,
+  PadLeftStick = 1U << 8,  ///< the stick is pressed
+  PadRightStick = 1U << 9, ///< the stick is pressed
+  PadMode = 1U << 10       ///< the maker's own button
+};
+
+struct PadState
+{
+  ///@{
+  /** -1 to 1; right and down are positive, as drivers tell them. */
+  double LeftX = 0.0;
+  double LeftY = 0.0;
+  double RightX = 0.0;
+  double RightY = 0.0;
+  ///@}
+  ///@{
+  /** 0 to 1. */
+  double LeftTrigger = 0.0;
+  double RightTrigger = 0.0;
+  ///@}
+  std::uint32_t Buttons = 0;
+};
+
+/** Speeds as shares of the largest, in the tip's frame: right, up, towards the hand. */
+struct PadMotion
+{
+  Vector3 Push;
+  Vector3 Turn;
+};
+
+/**
+ * The left stick moves the tip to the right and up, the right stick moves it forward and back, and
+ * so do the triggers: the right one presses forward, the left one pulls back. The right stick turns
+ * the volume to its sides. With the left shoulder held, the tip moves at a fifth of the speed. The
+ * right shoulder is the clutch: while it is held, the tip stays.
+ */
+PadMotion Steer(const PadState& state) noexcept;
+
+///@{
+/**
+ * -1 to 1 for a stick, 0 to 1 for a trigger, from what it reports between two ends. Within a dead
+ * zone about the rest it is 0, and nothing jumps at its border: 12 % of a stick's half and 5 % of a
+ * trigger, or `flat`, the driver's own dead zone, if that is larger. If the ends are no range: 0.
+ */
+double ScaleStick(int value, int least, int most, int flat = 0) noexcept;
+double ScaleTrigger(int value, int least, int most, int flat = 0) noexcept;
+///@}
+
+} // namespace VolumeHaptics
+
+#endif

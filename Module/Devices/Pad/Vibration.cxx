@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Devices/Pad/Vibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A level on its way to another one. */
+double Follow(double level, double wanted, double elapsed) noexcept
+{
+  return std::clamp(
+    wanted, level - Vibration::FallRate * elapsed, level + Vibration::RiseRate * elapsed);
+}
+
+} // namespace
+
+VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcept
+{
+  if (!IsFinite(force))
+  {
+    this->Silence();
+    return this->Levels;
+  }
+  // Exact for a force that is constant for this time, however long it is.
+  this->Fast += -std::expm1(-elapsed / FastTime) * (force - this->Fast);
+  this->Slow += -std::expm1(-elapsed / SlowTime) * (force - this->Slow);
+  const double weak = std::min(1.0, Norm(force - this->Fast) / FullChange);
+  const double strong = std::min(1.0, Norm(this->Fast - this->Slow) / FullChange);
+  this->Levels.Weak = Follow(this->Levels.Weak, weak, elapsed);
+  this->Levels.Strong = Follow(this->Levels.Strong, strong, elapsed);
+  return this->Levels;
+}
+
+void Vibration::Silence() noexcept
+{
+  *this = {};
+}
+
+int Vibration::Quantize(double level, int steps) noexcept
+{
+  return level < Least ? 0 : static_cast<int>(std::lround(std::min(1.0, level) * steps));
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A gamepad that is plugged into the kernel that umockdev plays: its node of evdev, and sysfs.
+ *
+ * Events come through a FIFO in packet mode in the place of the node, as with EmulatedHid. Requests
+ * and writes go to the model on umockdev's own thread. umockdev does not tell that a file is
+ * closed: PadModel::CloseFiles.
+ */
+#ifndef EmulatedEvdev_h
+#define EmulatedEvdev_h
+
+#include "PadModel.h"
+
+namespace emulated
+{
+
+class EmulatedEvdev
+{
+public:
+  /** Plugs it in, as a node of a new number. The model has to outlive this. */
+  explicit EmulatedEvdev(PadModel& model);
+  ~EmulatedEvdev();
+  EmulatedEvdev(const EmulatedEvdev&) = delete;
+  EmulatedEvdev& operator=(const EmulatedEvdev&) = delete;
+
+  /** Every open file gets ENODEV from then on. */
+  void Unplug();
+
+  /** Such as /dev/input/event9. */
+  const std::string& GetNode() const;
+  /** The mode of its node, such as 0000. */
+  void SetPermissions(unsigned mode);
+
+  struct Plug;
+
+private:
+  PadModel& Model;
+  std::mutex Guard; ///< of Current, which the model sends to from other threads
+  Plug* Current = nullptr;
+  Plug* const Only;
+};
+
+} // namespace emulated
+
+#endif

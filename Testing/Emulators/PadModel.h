@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A gamepad and the kernel's driver of it, as a program sees both through evdev.
+ *
+ * Written from the kernel, not from the driver of this library: linux/input.h (structures and
+ * requests), ff.rst and gamepad.rst of its documentation of input; drivers/input/ff-core.c (whose
+ * effects they are, and that a closed file takes its own along), drivers/input/ff-memless.c (when
+ * effects begin, end and add up; that an effect which is changed while it plays is not known as
+ * playing until the timer's next tick, and that one which is stopped before that leaves the motors
+ * on), drivers/input/evdev.c (grabs, lost events). Axes: drivers/input/joystick/xpad.c, and
+ * drivers/hid/hid-playstation.c. A jiffy is 4 ms, as of Debian's kernels.
+ */
+#ifndef PadModel_h
+#define PadModel_h
+
+#include <linux/input.h>
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace emulated
+{
+
+class PadModel
+{
+public:
+  enum class Kind : std::uint8_t
+  {
+    Xbox,        ///< sticks -32768 to 32767, triggers at Z and RZ
+    PlayStation, ///< sticks 0 to 255, triggers at Z and RZ
+    Older        ///< the right stick at Z and RZ; no rumble
+  };
+
+  /** The speeds of the motors from a moment on, 0 to 65535. */
+  struct Change
+  {
+    double Time = 0.0; ///< s, since the model began
+    int Strong = 0;
+    int Weak = 0;
+  };
+
+  explicit PadModel(Kind kind);
+
+  ///@{
+  /** What sysfs tells. */
+  std::string GetName() const;
+  int GetVendor() const;
+  int GetProduct() const;
+  bool Rumbles() const { return this->Model != Kind::Older; }
+  const std::map<unsigned, input_absinfo>& GetAxes() const { return this->Axes; }
+  static std::set<unsigned> GetButtons();
+  ///@}
+
+  ///@{
+  /** The hand: a stick or a trigger at a share of its range (-1 to 1, 0 to 1), a button. */
+  void Move(unsigned axis, double share);
+  void Press(unsigned button, bool isHeld);
+  /** Moves it, but the event is lost with others: the buffer was full. */
+  void MoveUnheard(unsigned axis, double share);
+  ///@}
+
+  ///@{
+  /** A program's file, by any number that names it. Results are 0 or more, or -errno. */
+  int Grab(const void* file, bool isOn);
+  int Upload(const void* file, ff_effect& effect);
+  int Erase(const void* file, int id);
+  int Write(const input_event& event);
+  /** The program has ended, in whatever way, and the kernel has closed its files. */
+  void CloseFiles();
+  input_absinfo GetAxis(unsigned code);
+  bool IsPressed(unsigned button);
+  int GetSlots() const { return this->Rumbles() ? 16 : 0; }
+  ///@}
+
+  /** The kernel's timer; call it every millisecond. */
+  void Step();
+
+  ///@{
+  Change GetMotors();
+  std::vector<Change> GetHistory();
+  void ForgetHistory();
+  double GetTime() const;
+  int CountEffects();
+  /** The longest effect that was ever asked for, in ms. 0: one had no end. */
+  int GetLongestReplay();
+  ///@}
+
+  /** Set by the carrier: hands events to the program that reads. */
+  std::function<void(const std::vector<input_event>&)> Input = [](const auto&) {};
+
+private:
+  struct Effect
+  {
+    const void* Owner = nullptr;
+    ff_effect What{};
+    bool Started = false;
+    bool Playing = false;
+    bool Aborting = false;
+    int Count = 0;
+    long PlayAt = 0;
+    long StopAt = 0;
+  };
+  long Jiffies() const;
+  long Ticks(int milliseconds) const;
+  void Playback(int id, int value);
+  void PlayEffects();
+  void Schedule();
+  int ValueAt(unsigned axis, double share) const;
+  void Send(unsigned type, unsigned code, int value);
+
+  const Kind Model;
+  const std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+  std::map<unsigned, input_absinfo> Axes;
+  std::recursive_mutex Guard;
+  std::set<unsigned> Pressed;
+  const void* Holder = nullptr;
+  std::array<Effect, 16> Effects{};
+  long TimerAt = -1;
+  int Gain = 0xFFFF;
+  int LongestReplay = 1;
+  Change Motors;
+  std::vector<Change> History;
+};
+
+} // namespace emulated
+
+#endif
