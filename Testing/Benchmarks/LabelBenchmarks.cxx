@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
-#include "Core/Servo/ServoTick.h"
+#include "Medians.h"
 #include "Motion.h"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <chrono>
 #include <vector>
 
@@ -16,9 +15,6 @@ namespace benchmarks
 {
 namespace
 {
-
-/** How deep the tip is held below the surface, mm. */
-constexpr double Depth = 2.0;
 
 /** Entries for the ball and its surroundings. */
 LabelTable MakeTable()
@@ -70,45 +66,17 @@ double ReadClock()
   return std::chrono::duration<double, std::nano>(now).count();
 }
 
-double FindMedian(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-void Slide(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
+void MeasureSlide(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
 {
   const auto model = MakeModel(volume, GetEstimators()[2], choice);
-  Positions tips = SlideAt(volume, BallRadius - Depth);
-  for (Vector3& tip : tips)
-  {
-    tip = 0.001 * tip;
-  }
-  ServoState start;
-  start.Proxy = 0.001 * SlideAt(volume, BallRadius).front();
-  start.PreviousTip = tips.front();
-  start.Precise.ReachedTip = start.Proxy;
-  start.Enabled = true;
-
-  ServoState state = start;
-  TickRecord record;
-  Cycle tip(tips);
-  for (auto _ : bench)
-  {
-    Tick(*model, state, tip.Next(), record);
-    benchmark::DoNotOptimize(record);
-    if (tip.IsAtStart())
-    {
-      state = start;
-    }
-  }
+  const Slide slide(volume);
+  TickRecord record = slide.Measure(bench, *model);
   // One more round, tick by tick; a proxy sticks to a wall of voxels now and then.
-  state = start;
-  std::ptrdiff_t sliding = 0;
+  ServoState state = slide.Start;
+  std::size_t sliding = 0;
   std::vector<double> times;
   std::vector<double> clocks;
-  for (const Vector3& at : tips)
+  for (const Vector3& at : slide.Tips)
   {
     const double begin = ReadClock();
     Tick(*model, state, at, record);
@@ -117,8 +85,8 @@ void Slide(benchmark::State& bench, const BallVolume& volume, const ModelChoice&
     clocks.push_back(ReadClock() - end);
     sliding += record.Contact == ContactState::Sliding ? 1 : 0;
   }
-  bench.counters["p50"] = FindMedian(times) - FindMedian(clocks);
-  if (10 * sliding < 9 * static_cast<std::ptrdiff_t>(tips.size()))
+  bench.counters["p50"] = Summarize(times).Median - Summarize(clocks).Median;
+  if (10 * sliding < 9 * slide.Tips.size())
   {
     bench.SkipWithError("the proxy does not slide");
   }
@@ -133,7 +101,7 @@ void Add(const BallVolume& volume, HapticSolver solver, const std::string& varia
   choice.Geometry = geometry;
   const char* const tick = solver == HapticSolver::Paper ? "label_tick" : "precise_label_tick";
   benchmark::RegisterBenchmark(
-    NameOf(tick, variant, "slide", volume.Name).c_str(), Slide, volume, choice);
+    NameOf(tick, variant, "slide", volume.Name).c_str(), MeasureSlide, volume, choice);
 }
 
 void Register(const BallVolume& volume, const BakedLabels& labels, const std::string& type)

@@ -9,18 +9,12 @@
 namespace benchmarks
 {
 
-namespace
-{
-
-/** Of times that are not sorted yet. */
 IterationTime Summarize(std::vector<double>& times)
 {
   std::sort(times.begin(), times.end());
   const std::size_t half = times.size() / 2;
   return { 0.5 * (times[half] + times[times.size() - 1 - half]), times.front() };
 }
-
-} // namespace
 
 bool Medians::ReportContext(const Context& context)
 {

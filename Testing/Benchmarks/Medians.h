@@ -23,6 +23,9 @@ struct IterationTime
   double Least;  ///< of the run in which the processor was least busy otherwise
 };
 
+/** Of times of at least one iteration (ns), which it sorts. */
+IterationTime Summarize(std::vector<double>& times);
+
 /** Prints a line for each benchmark, and keeps its times for the ratios that follow. */
 class Medians : public benchmark::BenchmarkReporter
 {

@@ -26,6 +26,36 @@ Positions SlideAt(const BallVolume& volume, double radius)
   return positions;
 }
 
+Slide::Slide(const BallVolume& volume)
+  : Tips(SlideAt(volume, BallRadius - Depth))
+{
+  for (Vector3& tip : this->Tips)
+  {
+    tip = 0.001 * tip;
+  }
+  this->Start.Proxy = 0.001 * SlideAt(volume, BallRadius).front();
+  this->Start.PreviousTip = this->Tips.front();
+  this->Start.Precise.ReachedTip = this->Start.Proxy;
+  this->Start.Enabled = true;
+}
+
+TickRecord Slide::Measure(benchmark::State& bench, const HapticModel& model) const
+{
+  ServoState state = this->Start;
+  TickRecord record;
+  Cycle tip(this->Tips);
+  for (auto _ : bench)
+  {
+    Tick(model, state, tip.Next(), record);
+    benchmark::DoNotOptimize(record);
+    if (tip.IsAtStart())
+    {
+      state = this->Start; // else the proxy drifts away from its level in thousands of turns
+    }
+  }
+  return record;
+}
+
 Positions Scattered(const BallVolume& volume)
 {
   constexpr double margin = 8.0;

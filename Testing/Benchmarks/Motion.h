@@ -8,13 +8,19 @@
 #define Motion_h
 
 #include "BallVolume.h"
+#include "Core/Servo/ServoTick.h"
+
+#include <benchmark/benchmark.h>
 
 #include <vector>
 
 namespace benchmarks
 {
 
-/** Continuous indices, which are also mm. */
+/** How deep the tip is held below the surface, mm. */
+constexpr double Depth = 2.0;
+
+/** Continuous indices, which are also mm, unless it is said that they are m. */
 using Positions = std::vector<VolumeHaptics::Vector3>;
 
 /**
@@ -22,6 +28,19 @@ using Positions = std::vector<VolumeHaptics::Vector3>;
  * 0.1 m/s at 1 kHz.
  */
 Positions SlideAt(const BallVolume& volume, double radius);
+
+/** A tip that slides along the ball's surface, below it by Depth. */
+struct Slide
+{
+  explicit Slide(const BallVolume& volume);
+
+  Positions Tips;                  ///< m, once around
+  VolumeHaptics::ServoState Start; ///< in contact, with the proxy on the surface
+
+  /** Measures ticks, round after round, and returns the last one. */
+  VolumeHaptics::TickRecord Measure(
+    benchmark::State& bench, const VolumeHaptics::HapticModel& model) const;
+};
 
 /** Anywhere, but clear of the border. Touches far more memory than a cache holds. */
 Positions Scattered(const BallVolume& volume);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
 #include "Core/Model/SurfaceMesh.h"
-#include "Core/Servo/ServoTick.h"
 #include "Motion.h"
 
 #include <vtkFlyingEdges3D.h>
@@ -19,9 +18,6 @@ namespace benchmarks
 {
 namespace
 {
-
-/** How deep the tip is held below the surface, mm. */
-constexpr double Depth = 2.0;
 
 /** The level that the slide runs along, as vtkFlyingEdges3D cuts it. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
@@ -55,14 +51,10 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(const BallVolume& volume)
 }
 
 /** Once round and round again, in contact all the way. */
-void Slide(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
+void MeasureRounds(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)
 {
   const auto model = MakeModel(volume, GetEstimators()[2], choice);
-  Positions tips = SlideAt(volume, BallRadius - Depth);
-  for (Vector3& tip : tips)
-  {
-    tip = 0.001 * tip;
-  }
+  const Positions tips = Slide(volume).Tips;
   ServoState state;
   TickRecord record;
   // From outside, where the slide begins.
@@ -105,8 +97,8 @@ void RegisterSurfaceBenchmarks(const BallVolume& volume)
   {
     choice.ForceShading = isShaded;
     benchmark::RegisterBenchmark(
-      NameOf("surface_tick", isShaded ? "shaded" : "flat", "slide", volume.Name).c_str(), Slide,
-      volume, choice);
+      NameOf("surface_tick", isShaded ? "shaded" : "flat", "slide", volume.Name).c_str(),
+      MeasureRounds, volume, choice);
   }
   choice.Method = HapticMethod::LocalSurface;
   choice.Mesh = nullptr;
@@ -115,7 +107,7 @@ void RegisterSurfaceBenchmarks(const BallVolume& volume)
     choice.LocalShape = isQuadric ? LocalSurfaceShape::Quadric : LocalSurfaceShape::Plane;
     benchmark::RegisterBenchmark(
       NameOf("local_surface_tick", isQuadric ? "quadric" : "plane", "slide", volume.Name).c_str(),
-      Slide, volume, choice);
+      MeasureRounds, volume, choice);
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks.h"
-#include "Core/Servo/ServoTick.h"
 #include "Motion.h"
 
 #include <benchmark/benchmark.h>
@@ -13,9 +12,6 @@ namespace benchmarks
 namespace
 {
 
-/** How deep the tip is held below the surface, mm. */
-constexpr double Depth = 2.0;
-
 /** The parts of a model, so that only the running benchmark takes memory and caches. */
 struct Scene
 {
@@ -25,33 +21,11 @@ struct Scene
   HapticSolver Solver = HapticSolver::Paper;
 };
 
-void Slide(benchmark::State& bench, const Scene& scene)
+void MeasureSlide(benchmark::State& bench, const Scene& scene)
 {
   const auto model = MakeModel(scene.Volume, scene.Gradient, { scene.Method, scene.Solver });
-  Positions tips = SlideAt(scene.Volume, BallRadius - Depth);
-  for (Vector3& tip : tips)
-  {
-    tip = 0.001 * tip;
-  }
+  const TickRecord record = Slide(scene.Volume).Measure(bench, *model);
   const bool isProxy = scene.Method == HapticMethod::Proxy;
-  ServoState start;
-  start.Proxy = 0.001 * SlideAt(scene.Volume, BallRadius).front();
-  start.PreviousTip = tips.front();
-  start.Precise.ReachedTip = start.Proxy;
-  start.Enabled = true;
-
-  ServoState state = start;
-  TickRecord record;
-  Cycle tip(tips);
-  for (auto _ : bench)
-  {
-    Tick(*model, state, tip.Next(), record);
-    benchmark::DoNotOptimize(record);
-    if (tip.IsAtStart())
-    {
-      state = start; // else the proxy drifts away from its level in thousands of turns
-    }
-  }
   if (isProxy && bench.iterations() > 1000 && record.Contact != ContactState::Sliding)
   {
     bench.SkipWithError("the proxy does not slide");
@@ -84,14 +58,14 @@ void RegisterTickBenchmarks(const BallVolume& volume)
   {
     const Scene scene{ volume, estimator, HapticMethod::Proxy };
     benchmark::RegisterBenchmark(
-      NameOf("tick", estimator.Name, "slide", volume.Name).c_str(), Slide, scene);
+      NameOf("tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide, scene);
     benchmark::RegisterBenchmark(
       NameOf("tick", estimator.Name, "random", volume.Name).c_str(), Jump, scene);
     benchmark::RegisterBenchmark(
-      NameOf("precise_tick", estimator.Name, "slide", volume.Name).c_str(), Slide,
+      NameOf("precise_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
       Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
     benchmark::RegisterBenchmark(
-      NameOf("force_field_tick", estimator.Name, "slide", volume.Name).c_str(), Slide,
+      NameOf("force_field_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
       Scene{ volume, estimator, HapticMethod::ForceField });
   }
 }
