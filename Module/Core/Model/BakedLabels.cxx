@@ -2,28 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Model/BakedLabels.h"
 
+#include <cmath>
+
 namespace VolumeHaptics
 {
 
-void BakedLabels::Mix(const Vector3& labelIndex, MaterialTable::Values& values) const noexcept
+void BakedLabels::Remember(std::int64_t label, const Vector3& labelIndex, std::uint64_t baked,
+  MixMemory& memory) const noexcept
 {
-  if (this->Table.IsEmpty())
-  {
-    return;
-  }
+  const LabelMaterial* const material = this->Table.Find(label);
+  // At the border, a cell may have labels beside a place that has none.
+  memory.Baked = label == NoLabel ? 0 : baked;
+  memory.Low = { std::floor(labelIndex.X), std::floor(labelIndex.Y), std::floor(labelIndex.Z) };
+  memory.HasMaterial = material != nullptr;
+  memory.Material = material ? *material : LabelMaterial{};
+}
+
+void BakedLabels::MixCell(const LabelCell& cell, MaterialTable::Values& values) const noexcept
+{
   constexpr int channels = LabelMaterial::Channels;
-  const LabelCell cell = this->View.Cell(labelIndex);
-  if (cell.IsUniform)
-  {
-    if (const LabelMaterial* const material = this->Table.Find(cell.Label[0]))
-    {
-      for (int c = 0; c < channels; ++c)
-      {
-        values[c] = material->IsSet[c] ? material->Value[c] : values[c];
-      }
-    }
-    return;
-  }
   std::array<double, channels> sum{};
   std::array<double, channels> share{};
   const auto add = [&](std::int64_t label, double whole)

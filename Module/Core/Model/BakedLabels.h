@@ -17,6 +17,25 @@
 namespace VolumeHaptics
 {
 
+/**
+ * The material of the last cell whose eight voxels have one label: the next position mostly lies in
+ * the same one. It saves time and changes no result.
+ */
+struct MixMemory
+{
+  std::uint64_t Baked = 0; ///< the number of the BakedVolume that looked; 0: none
+  Vector3 Low;             ///< of the cell: its smallest indices
+  bool HasMaterial = false;
+  LabelMaterial Material;
+
+  bool Knows(std::uint64_t baked, const Vector3& labelIndex) const noexcept
+  {
+    const Vector3 inside = labelIndex - this->Low;
+    return this->Baked == baked && inside.X >= 0.0 && inside.X < 1.0 && inside.Y >= 0.0 &&
+      inside.Y < 1.0 && inside.Z >= 0.0 && inside.Z < 1.0;
+  }
+};
+
 /** Immutable. The label image has a geometry of its own. */
 struct BakedLabels
 {
@@ -30,9 +49,35 @@ struct BakedLabels
    * Replaces what the functions of the scalar say at a position by the materials of the labels
    * there, mixed by the trilinear shares of the eight voxels around it. The share of labels without
    * a value keeps the functions' value; if no label has one, the values stay as they are, to the
-   * bit.
+   * bit. `baked` is the number of the volume with these labels.
    */
-  void Mix(const Vector3& labelIndex, MaterialTable::Values& values) const noexcept;
+  void Mix(const Vector3& labelIndex, std::uint64_t baked, MixMemory& memory,
+    MaterialTable::Values& values) const noexcept
+  {
+    if (this->Table.IsEmpty())
+    {
+      return;
+    }
+    if (!memory.Knows(baked, labelIndex))
+    {
+      const LabelCell cell = this->View.Cell(labelIndex);
+      if (!cell.IsUniform)
+      {
+        this->MixCell(cell, values);
+        return;
+      }
+      this->Remember(cell.Label[0], labelIndex, baked, memory);
+    }
+    for (int c = 0; c < LabelMaterial::Channels && memory.HasMaterial; ++c)
+    {
+      values[c] = memory.Material.IsSet[c] ? memory.Material.Value[c] : values[c];
+    }
+  }
+
+private:
+  void MixCell(const LabelCell& cell, MaterialTable::Values& values) const noexcept;
+  void Remember(std::int64_t label, const Vector3& labelIndex, std::uint64_t baked,
+    MixMemory& memory) const noexcept;
 };
 
 } // namespace VolumeHaptics

@@ -135,7 +135,7 @@ LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radiu
 {
 }
 
-LabelWall LabelWalls::Find(const Vector3& index, LabelMemory& memory) const noexcept
+LabelWall LabelWalls::Find(const Vector3& index, WallMemory& memory) const noexcept
 {
   // Also false for NaN.
   const bool isInside = index.X >= 0.0 && index.Y >= 0.0 && index.Z >= 0.0 &&
@@ -148,7 +148,7 @@ LabelWall LabelWalls::Find(const Vector3& index, LabelMemory& memory) const noex
                                                : this->FindInRuns(index);
 }
 
-bool LabelWalls::Remember(const LabelBlock& block, LabelMemory& memory) const noexcept
+bool LabelWalls::Remember(const LabelBlock& block, WallMemory& memory) const noexcept
 {
   memory.Walls = 0;
   if (block.Count > 2)
@@ -168,7 +168,7 @@ bool LabelWalls::Remember(const LabelBlock& block, LabelMemory& memory) const no
   return true;
 }
 
-LabelWall LabelWalls::FindInBlock(const Vector3& index, LabelMemory& memory) const noexcept
+LabelWall LabelWalls::FindInBlock(const Vector3& index, WallMemory& memory) const noexcept
 {
   const std::int64_t cell[3] = { static_cast<std::int64_t>(index.X),
     static_cast<std::int64_t>(index.Y), static_cast<std::int64_t>(index.Z) };

@@ -43,7 +43,7 @@ struct LabelWall
  * The voxels of the last look, in a cell of the label image: the next looks mostly need the same
  * ones. It saves time and changes no result.
  */
-struct LabelMemory
+struct WallMemory
 {
   std::uint64_t Walls = 0; ///< the number of the LabelWalls that looked; 0: none
   std::int64_t Cell[3] = {};
@@ -62,10 +62,10 @@ public:
 
   ///@{
   /** The wall at an index of the label image. There is none beyond the image. */
-  LabelWall Find(const Vector3& index, LabelMemory& memory) const noexcept;
+  LabelWall Find(const Vector3& index, WallMemory& memory) const noexcept;
   LabelWall Find(const Vector3& index) const noexcept
   {
-    LabelMemory memory;
+    WallMemory memory;
     return this->Find(index, memory);
   }
   ///@}
@@ -101,9 +101,9 @@ private:
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
-  LabelWall FindInBlock(const Vector3& index, LabelMemory& memory) const noexcept;
+  LabelWall FindInBlock(const Vector3& index, WallMemory& memory) const noexcept;
   /** False if there are more than two labels. */
-  bool Remember(const LabelBlock& block, LabelMemory& memory) const noexcept;
+  bool Remember(const LabelBlock& block, WallMemory& memory) const noexcept;
   LabelWall FindInRuns(const Vector3& index) const noexcept;
   /** The nearest wall; share(i) is the share of the label i and its gradient. */
   template <typename F>

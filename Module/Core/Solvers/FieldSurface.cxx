@@ -53,7 +53,7 @@ Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& 
   {
     return surface;
   }
-  const LabelWall wall = baked.Walls->Find(labelIndex, memory);
+  const LabelWall wall = baked.Walls->Find(labelIndex, memory.Wall);
   const Vector3 gradient = model.LabelGradientToDevice * wall.Gradient;
   const double square = Dot(gradient, gradient);
   // A wall far away leaves the scalars' surface alone.

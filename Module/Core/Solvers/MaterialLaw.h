@@ -19,6 +19,7 @@
 #define MaterialLaw_h
 
 #include "Core/Model/HapticModel.h"
+#include "Core/Model/LabelMemory.h"
 #include "Core/Solvers/MaterialPoint.h"
 
 namespace VolumeHaptics
@@ -178,14 +179,16 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
  * labels at x_s and x_v (eq. 13, section 3.3).
  */
 inline void SetMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
-  const DistinctnessTable::Values& distinct, const ValuePair& values, MaterialPoint& point) noexcept
+  const DistinctnessTable::Values& distinct, const ValuePair& values, LabelMemory& memory,
+  MaterialPoint& point) noexcept
 {
   MaterialTable::Values inside = model.Baked->Materials(values.Ahead);
   MaterialTable::Values outside = model.Baked->Materials(values.Behind);
   if (const BakedLabels* const labels = model.Baked->Labels.get())
   {
-    labels->Mix(model.IndexToLabel(index + surface.Reach), inside);
-    labels->Mix(model.IndexToLabel(index - surface.Reach), outside);
+    const std::uint64_t number = model.Baked->Number;
+    labels->Mix(model.IndexToLabel(index + surface.Reach), number, memory.Ahead, inside);
+    labels->Mix(model.IndexToLabel(index - surface.Reach), number, memory.Behind, outside);
   }
   point.Normal = surface.Normal;
   point.GradientMagnitude = surface.GradientMagnitude;
@@ -204,12 +207,12 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
 
 /** The material at an index: read at x_s and x_v (section 3.3), by value and by label. */
 inline void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
-  MaterialPoint& point) noexcept
+  LabelMemory& memory, MaterialPoint& point) noexcept
 {
   // Before the values: their sampling hides the lookup's latency.
   const DistinctnessTable::Values distinct = FindDistinctness(model, surface);
-  SetMaterials(
-    model, index, surface, distinct, model.Baked->Field.Values(index, surface.Reach), point);
+  SetMaterials(model, index, surface, distinct, model.Baked->Field.Values(index, surface.Reach),
+    memory, point);
 }
 
 /** The material at the isovalue, for methods that touch an isosurface. False if it is not felt. */

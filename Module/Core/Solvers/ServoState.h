@@ -9,7 +9,7 @@
 #ifndef ServoState_h
 #define ServoState_h
 
-#include "Core/Model/LabelWalls.h"
+#include "Core/Model/LabelMemory.h"
 #include "Core/Solvers/LocalState.h"
 #include "Core/Solvers/PreciseState.h"
 #include "Core/Solvers/TickRecord.h"

@@ -85,7 +85,8 @@ TEST(LabelTable, MixesBySharesAndLeavesTheRestToTheFunctions)
   const auto mixed = [&](double x)
   {
     MaterialTable::Values values = functions;
-    labels.Mix({ x, 0.5, 0.5 }, values);
+    MixMemory memory;
+    labels.Mix({ x, 0.5, 0.5 }, 1, memory, values);
     return values;
   };
   // Label 0 has no entry, 10 has k and T_N, 20 is not felt.
@@ -102,4 +103,52 @@ TEST(LabelTable, MixesBySharesAndLeavesTheRestToTheFunctions)
     EXPECT_NEAR(quarter[c], expectedQuarter[c], 1e-12) << c;
     EXPECT_NEAR(half[c], expectedHalf[c], 1e-12) << c;
   }
+}
+
+TEST(LabelTable, RemembersACellOnlyIfItIsStillTheSame)
+{
+  // Two label images with tables of their own; blocks of three voxels have one label.
+  constexpr std::int64_t side = 12;
+  std::vector<TestVolume> volumes;
+  std::vector<BakedLabels> labels(2);
+  for (int image = 0; image < 2; ++image)
+  {
+    volumes.emplace_back(ScalarType::Int16, std::array<std::int64_t, 3>{ side, side, side });
+    volumes.back().Fill<std::int16_t>([image](std::int64_t i, std::int64_t j, std::int64_t k)
+      { return static_cast<int>((i / 3 + 2 * (j / 3) + 3 * (k / 3) + image) % 4); });
+    labels[image].View = LabelView(volumes.back().View);
+    labels[image].Table = LabelTable({ Stiff(1, 100.0 + image), Stiff(3, 300.0 + image) });
+  }
+  const MaterialTable::Values functions{ 500.0, 0.3, 2.0, 0.7, 1.0 };
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> step(-0.4, 0.4);
+  std::uniform_int_distribution<int> dice(0, 99);
+  Vector3 at{ 1.2, 4.7, 8.1 };
+  int image = 0;
+  MixMemory memory;
+  int known = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    at += { step(engine), step(engine), step(engine) };
+    double* const axes[] = { &at.X, &at.Y, &at.Z };
+    for (double* const axis : axes)
+    {
+      // Back from two voxels beyond the image, and onto voxels now and then.
+      *axis = *axis < -2.0 ? -1.0 : *axis > side + 1.0 ? side - 1.0 : *axis;
+      *axis = dice(engine) == 0 ? std::round(*axis) : *axis;
+    }
+    image = dice(engine) == 0 ? 1 - image : image;
+    const auto number = static_cast<std::uint64_t>(image + 1);
+    known += memory.Knows(number, at) ? 1 : 0;
+    MaterialTable::Values values = functions;
+    labels[image].Mix(at, number, memory, values);
+    MixMemory none;
+    MaterialTable::Values anew = functions;
+    labels[image].Mix(at, number, none, anew);
+    ASSERT_EQ(values, anew) << at.X << ' ' << at.Y << ' ' << at.Z;
+  }
+  EXPECT_GT(known, 1000);
+
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(memory.Knows(memory.Baked, { nan, nan, nan }));
 }

@@ -368,7 +368,7 @@ TEST(LabelWallsReference, MemoryOfTheLastLookChangesNothing)
   const LabelWalls first(views[0], table, 3);
   const LabelWalls second(views[1], table, 3);
   Draw draw(29);
-  LabelMemory memory;
+  WallMemory memory;
   Vector3 x{ 15, 15, 15 };
   int there = 0;
   for (int i = 0; i < 20000; ++i)

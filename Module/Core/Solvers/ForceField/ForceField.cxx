@@ -21,11 +21,11 @@ Vector3 FindFieldDamping(
   return -damping * velocity;
 }
 
-void StepForceField(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
+void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
 {
   const Vector3 index = model.DeviceToIndex(record.Tip);
   const Surface surface = Law::FindFieldSurface(model, index);
-  Law::ReadMaterials(model, index, surface, record);
+  Law::ReadMaterials(model, index, surface, state.Labels, record);
   record.Proxy = record.Tip;
   if (!state.Enabled)
   {

@@ -16,7 +16,7 @@ struct ServoState;
 struct TickRecord;
 
 /** One tick from record.Tip; writes all of the record. */
-void StepForceField(const HapticModel& model, const ServoState& state, TickRecord& record) noexcept;
+void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
 /** The damping force (N) of a tick that began at previousTip. */
 Vector3 FindFieldDamping(

@@ -50,7 +50,7 @@ void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) 
   Law::Orient(model, lag, surface);
   // Before the materials, so that the processor has it by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
-  Law::ReadMaterials(model, index, surface, record);
+  Law::ReadMaterials(model, index, surface, state.Labels, record);
   record.Proxy = state.Enabled ? Advance(position, split, record) : tip;
 }
 

@@ -96,7 +96,7 @@ PrecisePoint PreciseSurroundings::Look(
   const DistinctnessTable::Values distinct = Law::FindDistinctness(this->Model, surface);
   const ValuePair values =
     this->FindValues(index, surface, isDescending, distinct[0], touched, voxels, point);
-  Law::SetMaterials(this->Model, index, surface, distinct, values, point);
+  Law::SetMaterials(this->Model, index, surface, distinct, values, this->Labels, point);
   point.Value = surface.Value;
   const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
   point.Slope = isDescending ? -slope : slope;

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LabelMemory_h
+#define LabelMemory_h
+
+#include "Core/Model/BakedLabels.h"
+#include "Core/Model/LabelWalls.h"
+
+namespace VolumeHaptics
+{
+
+/** The last look at a label image, from one tick to the next. It changes no result. */
+struct LabelMemory
+{
+  WallMemory Wall;  ///< around the proxy
+  MixMemory Ahead;  ///< at x_s
+  MixMemory Behind; ///< at x_v
+};
+
+} // namespace VolumeHaptics
+
+#endif
