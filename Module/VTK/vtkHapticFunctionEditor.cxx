@@ -4,9 +4,7 @@
 
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticFunctionChart.h"
-#include "VTK/Charts/HapticHistogram.h"
 #include "VTK/Charts/HapticLabelSheet.h"
-#include "VTK/Charts/HapticPresentLabels.h"
 #include "VTK/Proposal/EdgeHistogram.h"
 #include "VTK/Proposal/HapticProposal.h"
 
@@ -262,17 +260,21 @@ double vtkHapticFunctionEditor::EstimateUpdateTime()
   auto& d = *this->Internals;
   if (this->Function == LABELS && !d.IsProposing)
   {
-    const VolumeHaptics::HapticLabelList& list = d.Labels.List;
-    return list.IsCounted() ? 0.0 : VolumeHaptics::EstimatePresentLabelsTime(list.Image);
+    return 0.0;
   }
   constexpr double proposing = 1.0; // s, measured on a desktop computer of 2023
   vtkHapticProperty* const proposed = d.GetProposed();
   return (d.IsProposing ? proposing : 0.0) +
-    (d.Chart.ShowsData(d.Image, d.GetComponent()) ? 0.0
-                                                  : VolumeHaptics::EstimateHistogramTime(d.Image)) +
     (this->ShowsEdges() || !proposed
         ? 0.0
         : VolumeHaptics::EstimateEdgeTime(proposed->GetProposedKernelRadius()));
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticFunctionEditor::GetCountedShare()
+{
+  const auto& d = *this->Internals;
+  return this->Function == LABELS ? d.Labels.List.GetCountedShare() : d.Chart.GetCountedShare();
 }
 
 //------------------------------------------------------------------------------
@@ -384,6 +386,8 @@ void vtkHapticFunctionEditor::Update()
   {
     return;
   }
+  d.Chart.FollowCount();
+  d.Labels.List.FollowCount();
   if (this->Function == LABELS)
   {
     if (!d.Labels.List.IsCounted())

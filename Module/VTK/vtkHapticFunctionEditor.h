@@ -204,11 +204,17 @@ public:
    * Update computes the histogram, or for LABELS the list, again if the data have changed, and
    * invokes vtkCommand::StartEvent before and vtkCommand::EndEvent after that. Mouse events and
    * rendering also call it. EstimateUpdateTime returns how long (s) it will take on a desktop
-   * computer, approximately; 0 if the histogram or the list is up to date. If that is long,
+   * computer, approximately: only edges and proposals take time. If that is long,
    * vtkInteractorStyleHaptic fades the force out first.
+   *
+   * Histogram and list of a large image (more than 4 million points) are those of spread samples at
+   * first. All values are looked at in the background; the next Update() after that shows them.
+   * GetCountedShare returns the share of the values that is counted (0 to 1), and
+   * vtkInteractorStyleHaptic draws the editor as long as it grows.
    */
   void Update();
   double EstimateUpdateTime();
+  double GetCountedShare();
   ///@}
 
   /** True if the editor is visible and a position on the display (pixels) is within it. */

@@ -3,21 +3,31 @@
 /**
  * @file
  * volumehaptics-benchmark [--quick] [Google Benchmark's own options]
+ * volumehaptics-benchmark --scale [largest size]
  *
  * Measures what a servo tick costs, beside what else one could do, in repetitions that are shuffled
  * over the whole run, and prints medians and their ratios. Asserts nothing. --quick leaves out the
  * volume of 1 GiB and most repetitions: it shows that everything runs, its figures are rough.
+ * --scale measures the calls of an application with volumes of 256^3 up to 2048^3 samples instead.
  */
 #include "Benchmarks.h"
 #include "Medians.h"
 #include "RatioTable.h"
+#include "ScaleBenchmark.h"
 
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
 int main(int argc, char* argv[])
 {
   using namespace benchmarks;
+  if (argc > 1 && std::strcmp(argv[1], "--scale") == 0)
+  {
+    constexpr int largest = 2048;
+    MeasureScale(argc > 2 ? std::atoi(argv[2]) : largest);
+    return 0;
+  }
   bool isQuick = false;
   std::vector<char*> arguments = { argv[0] };
   // Defaults go first, so that options on the command line override them.

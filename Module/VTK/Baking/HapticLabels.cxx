@@ -199,7 +199,8 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(
   {
     made->Zone = last->Zone;
   }
-  else if (!BakeZone(std::get<double>(zoneKey), *made, error))
+  else if (!std::get<std::vector<int>>(zoneKey).empty() &&
+    !BakeZone(std::get<double>(zoneKey), *made, error))
   {
     return nullptr;
   }

@@ -83,8 +83,9 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
   {
-    const double noise =
-      whole.IsThere ? whole.Noise : FindNoise(image, scalars, d.View, property->GetComponent());
+    const double noise = whole.IsThere
+      ? whole.Noise
+      : FindNoise(image, scalars, d.View, property->GetComponent()).Noise;
     ramp = MakeNoiseRamp(noise, BakedVolume::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())

@@ -28,7 +28,7 @@ using NoiseKey =
 struct KnownNoise
 {
   NoiseKey Of{};
-  double Noise = 0.0;
+  FoundNoise Found;
 };
 
 /** As many arrays as a program may touch in turn. */
@@ -58,7 +58,8 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
   }
 }
 
-double FindNoise(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+FoundNoise FindNoise(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   thread_local std::array<KnownNoise, MostKnown> known;
   thread_local std::size_t next = 0;
@@ -67,14 +68,16 @@ double FindNoise(vtkImageData* image, vtkDataArray* scalars, const VolumeView& v
     known.begin(), known.end(), [&key](const KnownNoise& noise) { return noise.Of == key; });
   if (found != known.end())
   {
-    return found->Noise;
+    return found->Found;
   }
   const std::int64_t* const n = view.Dimensions;
   const int extent[6] = { 0, static_cast<int>(n[0] - 1), 0, static_cast<int>(n[1] - 1), 0,
     static_cast<int>(n[2] - 1) };
   NoiseSamples samples;
   CollectNoiseSamples(scalars, component, extent, extent, samples);
-  const double noise = EstimateNoise(samples);
+  FoundNoise noise;
+  noise.Noise = EstimateNoise(samples);
+  std::copy_n(samples.Range, 2, noise.Range);
   // VTK notes an array's range in the array, whose time of change this may move on.
   known[next] = { MakeNoiseKey(image, scalars, view, component), noise };
   next = (next + 1) % MostKnown;

@@ -23,11 +23,20 @@ namespace VolumeHaptics
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
   const int whole[6], NoiseSamples& samples);
 
+/** What the samples of a volume tell. */
+struct FoundNoise
+{
+  double Noise = 0.0; ///< its standard deviation (scalar units)
+  /** Of the values of a large volume: those of the samples. The first is larger without any. */
+  double Range[2] = { 1.0, 0.0 };
+};
+
 /**
- * The standard deviation of the noise (scalar units) of a component. Those of the latest arrays are
- * remembered, for all filters of a thread, until the image or the array is modified.
+ * The noise of a component. Those of the latest arrays are remembered, for all filters of a thread,
+ * until the image or the array is modified.
  */
-double FindNoise(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
+FoundNoise FindNoise(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
 } // namespace VolumeHaptics
 

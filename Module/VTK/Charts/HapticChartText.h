@@ -12,6 +12,8 @@
 #include "vtkPen.h"
 #include "vtkTextProperty.h"
 
+#include <string>
+
 namespace VolumeHaptics
 {
 
@@ -31,6 +33,13 @@ inline void MakePanel(vtkBlockItem* panel)
   panel->GetPen()->SetColor(150, 155, 165, 255);
   panel->GetMouseOverBrush()->SetColor(250, 250, 252, 225);
   panel->SetInteractive(false);
+}
+
+/** Such as ", 40 % counted"; empty if all is. */
+inline std::string DescribeCountedShare(double share)
+{
+  constexpr double percent = 100.0;
+  return share < 1.0 ? ", " + std::to_string(static_cast<int>(percent * share)) + " % counted" : "";
 }
 
 } // namespace VolumeHaptics

@@ -124,20 +124,75 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
   this->ShownImage = image;
   this->ShownComponent = component;
   this->DataTime.Modified();
-  this->HasData = FillHistogram(image, component, this->BarTable, this->DataRange);
+  this->Counting.Forget();
+  this->Counted = image ? image->GetPointData()->GetScalars() : nullptr;
+  ValueCounts counts;
+  if (this->Counted && this->Counted->GetNumberOfTuples() == 0)
+  {
+    this->Counted = nullptr;
+  }
+  const char* const name = this->Counted ? this->Counted->GetName() : nullptr;
+  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(name && *name ? name : "Value");
+  if (this->Counted && AreQuicklyCounted(this->Counted))
+  {
+    counts = *CountAllValues(this->Counted, component, [](double) { return true; });
+    this->Counted = nullptr;
+  }
+  else if (this->Counted)
+  {
+    counts = CountSpreadValues(this->Counted, component);
+  }
+  this->ShowCounts(counts);
+  this->FollowCount();
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::ShowCounts(const ValueCounts& counts)
+{
+  FillHistogram(counts, this->BarTable);
+  std::copy(counts.Range, counts.Range + 2, this->DataRange);
+  this->HasData = !counts.Counts.empty();
   this->Bars->SetVisible(this->HasData && !this->HasEdges);
-  const char* name = nullptr;
   if (this->HasData)
   {
     this->Bars->SetInputData(this->BarTable, 0, 1);
-    name = image->GetPointData()->GetScalars()->GetName();
   }
-  else
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::FollowCount()
+{
+  if (!this->Counted)
   {
-    this->DataRange[0] = 0.0;
-    this->DataRange[1] = 1.0;
+    return;
   }
-  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(name && *name ? name : "Value");
+  const vtkSmartPointer<vtkDataArray> scalars = this->Counted;
+  const int component = this->ShownComponent;
+  const ValueCounts* const counts = this->Counting.Follow(this->DataTime.GetMTime(),
+    [scalars, component](WorkMonitor& monitor)
+    {
+      return CountAllValues(scalars, component,
+        [&monitor](double share)
+        {
+          monitor.SetProgress(share);
+          return !monitor.IsCancelled();
+        });
+    });
+  if (counts)
+  {
+    this->ShowCounts(*counts);
+  }
+  if (!this->Counting.IsUnderWay())
+  {
+    this->Counted = nullptr;
+    this->Counting.Forget();
+  }
+}
+
+//------------------------------------------------------------------------------
+double HapticFunctionChart::GetCountedShare() const
+{
+  return this->Counted ? this->Counting.GetProgress() : 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +229,8 @@ void HapticFunctionChart::ShowFunction(
   this->Curve->SetVisible(function != nullptr);
   this->Points->SetVisible(function != nullptr);
   const std::string touched = function ? this->Points->DescribeCurrentPoint() : std::string();
-  const std::string note = this->ProposedFunction ? ", dashed: proposed" : "";
+  const std::string note = (this->ProposedFunction ? std::string(", dashed: proposed") : "") +
+    DescribeCountedShare(this->GetCountedShare());
   this->Chart->SetTitle(quantity.Title + (touched.empty() ? note : ": " + touched));
   if (function && !dragged)
   {

@@ -9,14 +9,18 @@
 
 #include "VTK/Charts/HapticControlPointsItem.h"
 #include "VTK/Charts/HapticEdgePlot.h"
+#include "VTK/Charts/HapticHistogram.h"
+#include "VTK/Work/BackgroundWork.h"
 
 #include "vtkBlockItem.h"
 #include "vtkChartXY.h"
 #include "vtkContextActor.h"
 #include "vtkContextScene.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPlotBar.h"
 #include "vtkPlotLine.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkTimeStamp.h"
 #include "vtkVector.h"
@@ -59,9 +63,16 @@ public:
   void Place(const int rectangle[4]);
 
   ///@{
-  /** Shows the histogram of a component and the name of its array; an image may be null. */
+  /**
+   * Shows the histogram of a component and the name of its array; an image may be null. The
+   * histogram of a large image is that of spread samples at first, until FollowCount() finds that
+   * all were counted in the background.
+   */
   void ShowData(vtkImageData* image, int component);
   bool ShowsData(vtkImageData* image, int component) const;
+  void FollowCount();
+  /** The share of the values that is counted, 0 to 1. */
+  double GetCountedShare() const;
   ///@}
 
   ///@{
@@ -96,6 +107,7 @@ public:
   void GetPosition(double x, double y, double position[2]);
 
 private:
+  void ShowCounts(const ValueCounts& counts);
   void FitAxes(vtkPiecewiseFunction* function, const EditedQuantity& quantity);
   void DrawCurve(vtkPiecewiseFunction* function, const EditedQuantity& quantity, vtkTable* table,
     vtkPlotLine* curve);
@@ -117,6 +129,8 @@ private:
   vtkImageData* ShownImage = nullptr; // only compared
   int ShownComponent = 0;
   vtkTimeStamp DataTime;
+  vtkSmartPointer<vtkDataArray> Counted; // while its values are counted
+  KeyedWork<vtkMTimeType, ValueCounts> Counting;
   bool HasData = false;
   bool HasEdges = false;
   vtkPiecewiseFunction* ProposedFunction = nullptr;

@@ -3,11 +3,20 @@
 /**
  * @file
  * The frequency of a volume's values, for the background of an editor.
+ *
+ * All values of a large volume take seconds to count: a worker does that in the background, while a
+ * count of spread samples is shown.
  */
 #ifndef HapticHistogram_h
 #define HapticHistogram_h
 
-class vtkImageData;
+#include "vtkType.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+class vtkDataArray;
 class vtkTable;
 
 namespace VolumeHaptics
@@ -16,15 +25,36 @@ namespace VolumeHaptics
 /** Charts are drawn in single precision: numbers beyond it are not shown. */
 constexpr double FarthestShown = 1e30;
 
-/**
- * Fills the columns "value" and "share" with at most 128 bins of a component of the scalars: the
- * middle of the bin, and log(1 + count) as a share of the largest. `range` is that of the scalars,
- * as far as it can be shown. If there are no finite scalars, returns false and an empty table.
- */
-bool FillHistogram(vtkImageData* image, int component, vtkTable* table, double range[2]);
+/** At most 128 bins of the values of a component. */
+struct ValueCounts
+{
+  double Range[2] = { 0.0, 1.0 }; ///< of the finite values, as far as it can be shown
+  double Origin = 0.0;            ///< the middle of the first bin
+  double Width = 1.0;
+  std::vector<vtkIdType> Counts; ///< empty if there are no finite values
+};
 
-/** How long that takes, approximately (s). */
-double EstimateHistogramTime(vtkImageData* image);
+/** Whether all values are counted within a few milliseconds. */
+bool AreQuicklyCounted(vtkDataArray* scalars);
+
+/** Counts some thousand values that are spread over the array. */
+ValueCounts CountSpreadValues(vtkDataArray* scalars, int component);
+
+/** Called between pieces of some milliseconds with the share that is done; false ends the work. */
+using CountProgress = std::function<bool(double)>;
+
+/**
+ * Counts all values, or nothing if it was ended. May be called by another thread than that of the
+ * array's owner.
+ */
+std::optional<ValueCounts> CountAllValues(
+  vtkDataArray* scalars, int component, const CountProgress& progress);
+
+/**
+ * Fills the columns "value" and "share": the middle of the bin, and log(1 + count) as a share of
+ * the largest.
+ */
+void FillHistogram(const ValueCounts& counts, vtkTable* table);
 
 } // namespace VolumeHaptics
 

@@ -155,8 +155,10 @@ bool HapticLabelItem::Paint(vtkContext2D* painter)
       font, Ink);
     return true;
   }
-  PaintText(
-    painter, layout.GetTitle(), "Labels (" + std::to_string(labels) + ")", Side::Left, font, Ink);
+  PaintText(painter, layout.GetTitle(),
+    "Labels (" + std::to_string(labels) + ")" +
+      VolumeHaptics::DescribeCountedShare(list.GetCountedShare()),
+    Side::Left, font, Ink);
   PaintText(painter, layout.GetHead(LabelPart::Felt), "felt", Side::Middle, font - 1, Ink);
   PaintText(painter, layout.GetHead(LabelPart::Forbidden), "forbid", Side::Middle, font - 1, Ink);
   const vtkIdType end = std::min(labels, list.GetFirstRow() + layout.GetRoom());

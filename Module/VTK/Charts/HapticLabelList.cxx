@@ -7,8 +7,10 @@
 
 #include "vtkHapticLabelTable.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -38,7 +40,56 @@ void HapticLabelList::Count()
 {
   this->CountedImage = this->Image;
   this->CountTime.Modified();
-  this->Present = FindPresentLabels(this->Image);
+  this->Counting.Forget();
+  this->Present.clear();
+  this->Counted = this->Image ? this->Image->GetPointData()->GetScalars() : nullptr;
+  if (this->Counted && AreQuicklyFound(this->Counted))
+  {
+    this->Present = FindPresentLabels(this->Counted, [](double) { return true; });
+    this->Counted = nullptr;
+  }
+  else if (this->Counted)
+  {
+    this->Present = FindSpreadLabels(this->Counted);
+    this->FollowCount();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticLabelList::FollowCount()
+{
+  if (!this->Counted)
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkDataArray> labels = this->Counted;
+  const std::vector<int>* const present = this->Counting.Follow(this->CountTime.GetMTime(),
+    [labels](WorkMonitor& monitor) -> std::optional<std::vector<int>>
+    {
+      std::vector<int> found = FindPresentLabels(labels,
+        [&monitor](double share)
+        {
+          monitor.SetProgress(share);
+          return !monitor.IsCancelled();
+        });
+      return monitor.IsCancelled() ? std::nullopt : std::optional(std::move(found));
+    });
+  if (present)
+  {
+    this->Present = *present;
+    this->ScrollTo(this->FirstRow);
+  }
+  if (!this->Counting.IsUnderWay())
+  {
+    this->Counted = nullptr;
+    this->Counting.Forget();
+  }
+}
+
+//------------------------------------------------------------------------------
+double HapticLabelList::GetCountedShare() const
+{
+  return this->Counted ? this->Counting.GetProgress() : 1.0;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,9 @@
 #ifndef HapticLabelList_h
 #define HapticLabelList_h
 
+#include "VTK/Work/BackgroundWork.h"
+
+#include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
@@ -46,9 +49,16 @@ public:
   vtkSmartPointer<vtkImageData> Image;
 
   ///@{
-  /** Looks for the labels of the image, which takes a while, and whether that is up to date. */
+  /**
+   * Looks for the labels of the image, and whether that is up to date. Of a large image these are
+   * the labels of spread samples at first, until FollowCount() finds that all were looked at in the
+   * background.
+   */
   void Count();
   bool IsCounted() const;
+  void FollowCount();
+  /** The share of the image that was looked at, 0 to 1. */
+  double GetCountedShare() const;
   ///@}
 
   vtkIdType GetNumberOfLabels() const;
@@ -91,6 +101,8 @@ private:
   std::vector<int> Present;
   const vtkImageData* CountedImage = nullptr; ///< only compared
   vtkTimeStamp CountTime;
+  vtkSmartPointer<vtkDataArray> Counted; // while it is looked at
+  KeyedWork<vtkMTimeType, std::vector<int>> Counting;
   vtkIdType FirstRow = 0;
   vtkIdType VisibleRows = 1;
   std::optional<int> Selected;

@@ -7,21 +7,29 @@
 #ifndef HapticPresentLabels_h
 #define HapticPresentLabels_h
 
+#include <functional>
 #include <vector>
 
-class vtkImageData;
+class vtkDataArray;
 
 namespace VolumeHaptics
 {
 
-/** How long FindPresentLabels takes (s) on a desktop computer, approximately. */
-double EstimatePresentLabelsTime(vtkImageData* image);
+/** Whether all labels are found within a few milliseconds. */
+bool AreQuicklyFound(vtkDataArray* labels);
+
+/** The labels of some thousand values that are spread over the array, in rising order. */
+std::vector<int> FindSpreadLabels(vtkDataArray* labels);
+
+/** Called between pieces of some milliseconds with the share that is done; false ends the work. */
+using SearchProgress = std::function<bool(double)>;
 
 /**
- * The labels in the point scalars of an image, in rising order, without those that no
- * vtkHapticLabelTable can have: beyond int, or no whole numbers. An image may be null.
+ * The labels in an array, in rising order, without those that no vtkHapticLabelTable can have:
+ * beyond int, or no whole numbers. None if the search was ended. May be called by another thread
+ * than that of the array's owner.
  */
-std::vector<int> FindPresentLabels(vtkImageData* image);
+std::vector<int> FindPresentLabels(vtkDataArray* labels, const SearchProgress& progress);
 
 } // namespace VolumeHaptics
 

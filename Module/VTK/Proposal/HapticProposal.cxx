@@ -118,7 +118,14 @@ bool ProposeFromVolume(
   const std::int64_t* const n = view.Dimensions;
   const std::int64_t fewest = std::min({ n[0], n[1], n[2] });
   double range[2];
-  scalars->GetFiniteRange(range, component);
+  if (IsLargeVolume(n))
+  {
+    std::copy_n(FindNoise(image, scalars, view, component).Range, 2, range);
+  }
+  else
+  {
+    scalars->GetFiniteRange(range, component);
+  }
   if (fewest < LeastPoints)
   {
     message << "The input image is " << n[0] << " x " << n[1] << " x " << n[2]
@@ -141,7 +148,7 @@ bool ProposeFromVolume(
     const GradientKernel kernel(
       GradientEstimator::Gaussian, SearchRadius, GaussianWeights::OwnDerivative);
     const double noise =
-      volume.Whole.IsThere ? volume.Whole.Noise : FindNoise(image, scalars, view, component);
+      volume.Whole.IsThere ? volume.Whole.Noise : FindNoise(image, scalars, view, component).Noise;
     const EdgeThresholds thresholds = MakeThresholds(noise, range, kernel);
     const FieldSampler field(view, kernel);
     ProposalFacts facts;

@@ -362,10 +362,7 @@ void HapticInteraction::ToggleLabels()
 //------------------------------------------------------------------------------
 const char* HapticInteraction::GetEditorWork() const
 {
-  return this->IsProposing ? "functions are proposed"
-    : this->Scene.Editor->GetFunction() == vtkHapticFunctionEditor::LABELS
-    ? "labels are looked for"
-    : "the histogram is counted";
+  return this->IsProposing ? "functions are proposed" : "edges are looked for";
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@ void SceneFrames::Draw(bool quickly)
     // Before the frame: its long work draws the head-up display, which is impossible within a
     // frame.
     editor->Update();
+    this->CountedShare = editor->GetCountedShare();
   }
   const double start = vtkTimerLog::GetUniversalTime();
   this->DrawScene(quickly);
@@ -48,9 +49,22 @@ void SceneFrames::Draw(bool quickly)
   }
 }
 
+void SceneFrames::FollowEditor()
+{
+  constexpr double step = 0.05;
+  vtkHapticFunctionEditor* const editor = this->Scene.Editor;
+  if (editor && editor->GetVisibility() && this->CountedShare < 1.0)
+  {
+    editor->Update();
+    const double share = editor->GetCountedShare();
+    this->HasHappened = this->HasHappened || share == 1.0 || share > this->CountedShare + step;
+  }
+}
+
 void SceneFrames::DrawIfDue(bool isNew)
 {
   using Frame = HapticRenderPace::Frame;
+  this->FollowEditor();
   const bool moves = this->Scene.Style->GetState() != VTKIS_NONE || this->HasMoved();
   const Frame frame = this->Pace.Next(vtkTimerLog::GetUniversalTime(), moves, isNew);
   if (frame != Frame::None)

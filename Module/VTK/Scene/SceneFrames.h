@@ -40,6 +40,8 @@ public:
 
 private:
   bool HasMoved() const;
+  /** Notes an event if the editor has counted more than the last frame shows. */
+  void FollowEditor();
 
   TouchedScene& Scene;
   const HapticWindowWatch& Window;
@@ -47,6 +49,7 @@ private:
   HapticRenderPace Pace;
   Vector3 DrawnTip; ///< world, of the last frame
   Vector3 DrawnProxy;
+  double CountedShare = 1.0; ///< of the editor, in the last frame
   bool HasHappened = false;
 };
 
