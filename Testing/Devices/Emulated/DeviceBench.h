@@ -97,8 +97,8 @@ public:
 
   /**
    * Leads a hand to the surface, and in until it feels the expected force. If a busy machine made
-   * the servo stand still meanwhile, the force has begun again from inside: then this tries once
-   * more.
+   * the servo stand still meanwhile, the force has begun again from inside, and would hold the hand
+   * there: then this tries once more, and leads the hand out without force.
    */
   template <typename Approach, typename Enter, typename IsFelt>
   bool Press(Approach&& approach, Enter&& enter, IsFelt&& isFelt)
@@ -106,7 +106,15 @@ public:
     bool felt = false;
     for (int attempt = 0; attempt < 20 && !felt; ++attempt)
     {
+      if (attempt > 0)
+      {
+        (*this)->Disarm();
+      }
       approach();
+      if (attempt > 0)
+      {
+        (*this)->Arm();
+      }
       enter();
       for (int i = 0; i < 2000 && !(felt = isFelt()); ++i)
       {
