@@ -159,6 +159,10 @@ gboolean OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer user)
                                              : plug->Model.Erase(client, static_cast<int>(value)));
   }
   UMockdevIoctlData* data = umockdev_ioctl_data_resolve(argument, 0, _IOC_SIZE(request), nullptr);
+  if (data == nullptr)
+  {
+    return Answer(client, -EIO); // its program has ended meanwhile
+  }
   const int result = Fill(plug->Model, client, request, data->data);
   g_object_unref(data);
   return Answer(client, result);

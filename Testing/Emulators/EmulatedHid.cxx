@@ -122,6 +122,10 @@ gboolean OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer user)
     _IOC_NR(request) == Descriptor ? sizeof(hidraw_report_descriptor) : _IOC_SIZE(request);
   UMockdevIoctlData* data =
     umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, size, nullptr);
+  if (data == nullptr)
+  {
+    return Answer(client, -EIO); // its program has ended meanwhile
+  }
   const int result = Fill(*plug, request, data->data);
   g_object_unref(data);
   return Answer(client, result);

@@ -15,13 +15,24 @@ namespace emulated
 namespace
 {
 
+/** The client has ended in the middle of its request, as a program that is killed does. */
+struct ClientHasEnded
+{
+};
+
+UMockdevIoctlData* Resolve(UMockdevIoctlData* argument, std::size_t offset, std::size_t size)
+{
+  UMockdevIoctlData* const target = umockdev_ioctl_data_resolve(argument, offset, size, nullptr);
+  return target != nullptr ? target : throw ClientHasEnded();
+}
+
 /** The target of an argument, as long as it is held. */
 template <typename T>
 class Argument
 {
 public:
   explicit Argument(UMockdevIoctlData* argument)
-    : Data(umockdev_ioctl_data_resolve(argument, 0, sizeof(T), nullptr))
+    : Data(Resolve(argument, 0, sizeof(T)))
   {
   }
   ~Argument() { g_object_unref(this->Data); }
@@ -47,8 +58,15 @@ gboolean EmulatedUsb::Plug::OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* cli
   int result = 0;
   {
     const std::lock_guard<std::mutex> lock(self.Mutex);
-    result = self.Answer(
-      client, umockdev_ioctl_client_get_request(client), umockdev_ioctl_client_get_arg(client));
+    try
+    {
+      result = self.Answer(
+        client, umockdev_ioctl_client_get_request(client), umockdev_ioctl_client_get_arg(client));
+    }
+    catch (const ClientHasEnded&)
+    {
+      result = -EIO; // OnVanished follows
+    }
   }
   umockdev_ioctl_client_complete(client, result < 0 ? -1 : result, result < 0 ? -result : 0);
   return TRUE;
@@ -172,13 +190,18 @@ int EmulatedUsb::Plug::DriverIoctl(UMockdevIoctlData* argument)
 
 int EmulatedUsb::Plug::Submit(UMockdevIoctlClient* client, UMockdevIoctlData* argument)
 {
-  UMockdevIoctlData* const data =
-    umockdev_ioctl_data_resolve(argument, 0, sizeof(usbdevfs_urb), nullptr);
-  UMockdevIoctlData* const buffer = umockdev_ioctl_data_resolve(data,
-    G_STRUCT_OFFSET(usbdevfs_urb, buffer), static_cast<gsize>(UrbOf(data).buffer_length), nullptr);
+  UMockdevIoctlData* const data = Resolve(argument, 0, sizeof(usbdevfs_urb));
+  const auto size = static_cast<gsize>(UrbOf(data).buffer_length);
+  UMockdevIoctlData* const buffer =
+    umockdev_ioctl_data_resolve(data, G_STRUCT_OFFSET(usbdevfs_urb, buffer), size, nullptr);
   if (buffer != nullptr)
   {
     g_object_unref(buffer); // the request holds it
+  }
+  else if (size > 0)
+  {
+    g_object_unref(data);
+    throw ClientHasEnded();
   }
   const Urb urb{ data, client };
   (this->Try(urb) ? this->Ended : this->Waiting).push_back(urb);
@@ -195,8 +218,7 @@ int EmulatedUsb::Plug::Reap(UMockdevIoctlClient* client, UMockdevIoctlData* argu
   {
     return this->Gone ? -ENODEV : -EAGAIN;
   }
-  UMockdevIoctlData* const place =
-    umockdev_ioctl_data_resolve(argument, 0, sizeof(gpointer), nullptr);
+  UMockdevIoctlData* const place = Resolve(argument, 0, sizeof(gpointer));
   umockdev_ioctl_data_set_ptr(place, 0, urb->Data);
   g_object_unref(place);
   g_object_unref(urb->Data);
