@@ -8,7 +8,7 @@
 namespace
 {
 
-/// A program that was held up must not make the spring leap (s).
+/// A program that was held up must not make the spring leap (s), nor take the handle for stuck.
 constexpr double LongestStep = 0.05;
 
 } // namespace
@@ -63,8 +63,9 @@ void HandleSweep::Step(const HeldSample& sample)
     }
     this->SumTime += sample.Elapsed;
   }
-  this->WayTime += sample.Elapsed;
-  this->Shift += this->Direction * Speed * std::min(sample.Elapsed, LongestStep);
+  const double moved = std::min(sample.Elapsed, LongestStep);
+  this->WayTime += moved;
+  this->Shift += this->Direction * Speed * moved;
   if (this->Direction * above >= Reach)
   {
     this->EndWay();

@@ -33,10 +33,10 @@ public:
   {
   }
   /// The device for a moment, with the spring's end shifted along an axis.
-  HeldSample Look(int axis, double shift)
+  HeldSample Look(int axis, double shift, int ticks = TicksPerLook)
   {
     Triple force{};
-    for (int i = 0; i < TicksPerLook; ++i)
+    for (int i = 0; i < ticks; ++i)
     {
       this->Time += Tick;
       const Triple tip = this->Handle.GetTip();
@@ -57,7 +57,7 @@ public:
     HeldSample sample;
     sample.Tip = this->Handle.GetTip();
     sample.Force = force;
-    sample.Elapsed = TicksPerLook * Tick;
+    sample.Elapsed = ticks * Tick;
     return sample;
   }
   double GetTime() const { return this->Time; }
@@ -93,7 +93,8 @@ struct User
   }
 };
 
-HungWeight Weigh(HungHandle& handle, const User& user, int axis = 1, double patience = 20.0)
+HungWeight Weigh(HungHandle& handle, const User& user, int axis = 1, double patience = 20.0,
+  int ticksPerLook = TicksPerLook)
 {
   HungWeight::Settings settings;
   settings.Weight = user.Weight * HungHandle::Gravity;
@@ -109,7 +110,7 @@ HungWeight Weigh(HungHandle& handle, const User& user, int axis = 1, double pati
     since = request == weight.GetRequest() ? since : loop.GetTime();
     request = weight.GetRequest();
     user.Follow(request, loop.GetTime() - since, handle);
-    weight.Step(loop.Look(axis, weight.GetShift()));
+    weight.Step(loop.Look(axis, weight.GetShift(), ticksPerLook));
   }
   EXPECT_TRUE(weight.IsOver());
   return weight;
@@ -166,6 +167,16 @@ TEST(Calibration, FindsItOfHandlesThatAreHeavyLightBalancedOrPulledUp)
       EXPECT_NEAR(weight.GetFactor() / 1.3, 1.0, 0.03) << balance << " " << mass;
     }
   }
+}
+
+TEST(Calibration, OfAProgramThatIsHeldUpTakesLonger)
+{
+  // It looks at the handle every 0.6 s, so that a way takes longer than a stuck handle may.
+  HungHandle handle;
+  handle.Strength = 0.7;
+  const HungWeight weight = Weigh(handle, {}, 1, 20.0, 600);
+  EXPECT_EQ(weight.GetFault(), "");
+  EXPECT_NEAR(weight.GetFactor() / handle.Strength, 1.0, 0.03);
 }
 
 TEST(Calibration, NeedsNoSignOfTheVerticalAxis)
