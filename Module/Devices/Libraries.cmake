@@ -27,6 +27,7 @@ set(VolumeHaptics_DEVICE_LIBRARIES)
 volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES LIBUSB LIBUSB_FOUND
   "Talk to the Novint Falcon, through libusb" "pkg-config libusb-1.0-0-dev")
 volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES HIDAPI HIDAPI_FOUND
-  "Talk to WoodenHaptics, force-feedback sticks and 3Dconnexion mice, through hidapi" "pkg-config libhidapi-dev")
+  "Talk to WoodenHaptics, force-feedback sticks, 3Dconnexion mice and DualSense pads, through hidapi"
+  "pkg-config libhidapi-dev")
 volume_haptics_use(VolumeHaptics_DEVICE_LIBRARIES BEAST BEAST_FOUND
   "Talk to Haply's Inverse3 and Minverse, through Boost.Beast" "libboost-dev nlohmann-json3-dev")

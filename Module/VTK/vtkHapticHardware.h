@@ -21,8 +21,9 @@
  *                      environment variable VOLUMEHAPTICS_HAPLY names other ports, "10001,10020".
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
- *   vibration:pad[:N]  gamepads with rumble motors, on Linux. Vibration, not force: the sticks move
- *                      the tip, and the motors tell how the force changes.
+ *   vibration:pad[:N]  gamepads with rumble motors, on Linux; a DualSense also through hidapi.
+ *                      Vibration, not force: the sticks move the tip, and the motors tell how the
+ *                      force changes.
  *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a serial
  *                      port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by hand
  *                      each time it is opened.
@@ -166,11 +167,11 @@ public:
 
   ///@{
   /**
-   * Whether a guard, a process of its own, talks to a device that has no watchdog (the Falcon).
-   * Default: on. Open fails if there is no guard, as on systems other than Linux. Without it, the
-   * Falcon may keep its last force if this program is killed or stopped: keep its power switch
-   * within reach. VOLUMEHAPTICS_GUARD=off in the environment also turns it off. Takes effect with
-   * Open.
+   * Whether a guard, a process of its own, talks to a device that has no watchdog: the Falcon, and
+   * a DualSense through hidapi. Default: on. Open fails if there is no guard, as on systems other
+   * than Linux. Without it, the Falcon may keep its last force, and a DualSense its vibration, if
+   * this program is killed or stopped: keep the power switch within reach. VOLUMEHAPTICS_GUARD=off
+   * in the environment also turns it off. Takes effect with Open.
    */
   vtkSetMacro(UseGuard, bool);
   vtkGetMacro(UseGuard, bool);

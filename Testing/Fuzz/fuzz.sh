@@ -17,7 +17,7 @@ case $step in
 esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
-targets=(TouchAnything TouchDescriptor TouchFalcon TouchHaply TouchHfab TouchLabels)
+targets=(TouchAnything TouchDescriptor TouchFalcon TouchHaply TouchHfab TouchLabels TouchPad)
 
 # All at once. What each found, and that one failed, is told at the end.
 if [ "$step" = search ]; then

@@ -5,11 +5,38 @@
  * volumehaptics-guard: the process that talks to devices without a watchdog. See GuardedDevice.h.
  */
 
-#include "Devices/Falcon/FalconDriver.h"
 #include "Devices/Guard/GuardMain.h"
+#if defined(VOLUME_HAPTICS_HAS_LIBUSB)
+#include "Devices/Falcon/FalconDriver.h"
+#endif
+#if defined(VOLUME_HAPTICS_HAS_HIDAPI)
+#include "Devices/Pad/DualSenseDriver.h"
+#endif
+
+namespace
+{
+
+/** A driver of the device that the words name. Null, with the reason. */
+std::unique_ptr<VolumeHaptics::HardwareDriver> MakeDriver(
+  const std::vector<std::string>& words, std::string& error)
+{
+#if defined(VOLUME_HAPTICS_HAS_HIDAPI)
+  if (auto driver = VolumeHaptics::DualSenseDriver::MakeFromWords(words))
+  {
+    return driver;
+  }
+#endif
+#if defined(VOLUME_HAPTICS_HAS_LIBUSB)
+  return VolumeHaptics::FalconDriver::MakeFromWords(words, error);
+#else
+  error = "The guard of the device does not know this one.";
+  return nullptr;
+#endif
+}
+
+} // namespace
 
 int main(int argc, char* argv[])
 {
-  return VolumeHaptics::RunGuard(
-    { argv, argv + argc }, &VolumeHaptics::FalconDriver::MakeFromWords);
+  return VolumeHaptics::RunGuard({ argv, argv + argc }, &MakeDriver);
 }

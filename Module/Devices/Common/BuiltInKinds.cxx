@@ -59,8 +59,10 @@ std::vector<DeviceKind> GetBuiltInKinds()
   kinds.push_back(
     WithoutLibrary("haply", "Boost.Beast and nlohmann's JSON", "VolumeHaptics_USE_BEAST"));
 #endif
-#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+#if defined(VOLUME_HAPTICS_HAS_EVDEV) || defined(VOLUME_HAPTICS_HAS_HIDAPI)
   kinds.push_back(GetPadKind());
+#else
+  kinds.push_back(WithoutLibrary("vibration", "hidapi", "VolumeHaptics_USE_HIDAPI"));
 #endif
 #if defined(VOLUME_HAPTICS_HAS_TERMIOS)
   kinds.push_back(GetHfabKind());

@@ -3,7 +3,17 @@
 #include "Devices/Pad/PadKind.h"
 
 #include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Guard/GuardWish.h"
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+#include "Devices/Guard/GuardedDevice.h"
 #include "Devices/Pad/EvdevPadDriver.h"
+#endif
+#if defined(VOLUME_HAPTICS_HAS_HIDAPI)
+#include "Devices/Pad/DualSenseDriver.h"
+#endif
+
+#include <algorithm>
+#include <functional>
 
 namespace VolumeHaptics
 {
@@ -12,32 +22,126 @@ namespace
 
 constexpr const char* PadIds = "vibration:pad";
 
+/** A pad by the road on which it is reached, and its number among those of that road. */
+struct ListedPad
+{
+  bool IsHid = false;
+  int Number = 0;
+  std::string Label;
+  bool Vibrates = true;
+  std::function<std::string()> GetState;
+};
+
+std::vector<ListedPad> FindPads()
+{
+  std::vector<ListedPad> pads;
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+  const std::vector<EvdevPad> known = FindEvdevPads();
+  for (const EvdevPad& pad : known)
+  {
+    pads.push_back({ false, static_cast<int>(pads.size()), pad.GetLabel(), pad.Vibrates,
+      [pad] { return pad.GetState(); } });
+  }
+#endif
+#if defined(VOLUME_HAPTICS_HAS_HIDAPI)
+  int number = 0;
+  for (const HidDeviceInfo& info : FindHidDevices(&DualSenseDriver::IsDualSense))
+  {
+    bool isKnown = false;
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+    // The kernel's own road is better: it ends the vibration with the program.
+    isKnown = std::any_of(known.begin(), known.end(),
+      [&info](const EvdevPad& pad)
+      { return pad.Vibrates && pad.Vendor == info.Vendor && pad.Product == info.ProductId; });
+#endif
+    if (!isKnown)
+    {
+      pads.push_back({ true, number, info.GetLabel(), true, [info] { return info.GetState(); } });
+    }
+    ++number;
+  }
+#endif
+  return pads;
+}
+
 std::vector<DeviceListing> ListPads()
 {
   std::vector<DeviceListing> all;
-  for (const EvdevPad& pad : FindEvdevPads())
+  for (const ListedPad& pad : FindPads())
   {
     all.push_back({ PadIds + (":" + std::to_string(all.size())),
-      pad.GetLabel() + ": vibration, not force", pad.GetState() });
+      pad.Label + ": vibration, not force", pad.GetState() });
   }
   return all;
 }
 
+constexpr const char* PadCure = "Plug one in, or pair it.";
+
 std::string WhyNoPads()
 {
-  return FindEvdevPads().empty()
-    ? "no gamepad is plugged in, or the system has no driver for it. Plug one in, or pair it."
+  return FindPads().empty()
+    ? std::string("no gamepad is plugged in, or the system has no driver for it. ") + PadCure
     : "";
 }
 
-std::unique_ptr<DeviceBackend> MakePad(
-  const std::string& id, const DeviceOptions&, std::string& error)
+std::unique_ptr<DeviceBackend> MakeListed(
+  const ListedPad& pad, const DeviceOptions& options, std::string& error)
 {
-  // Without a number any pad that is free and vibrates will do.
+#if defined(VOLUME_HAPTICS_HAS_HIDAPI)
+  if (pad.IsHid)
+  {
+    auto driver = std::make_unique<DualSenseDriver>(pad.Number);
+    if (!IsGuardWanted(options))
+    {
+      return std::make_unique<HardwareDevice>(std::move(driver));
+    }
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+    return GuardedDevice::Make(std::move(driver), DualSenseDriver::MakeWords(pad.Number), error);
+#else
+    error = MakeNoGuardText("DualSense");
+    return nullptr;
+#endif
+  }
+#endif
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+  return std::make_unique<HardwareDevice>(std::make_unique<EvdevPadDriver>(pad.Number));
+#else
+  return nullptr;
+#endif
+}
+
+std::unique_ptr<DeviceBackend> MakePad(
+  const std::string& id, const DeviceOptions& options, std::string& error)
+{
   const int number = ReadDeviceNumber(id, PadIds, error);
-  return number < 0 ? nullptr
-                    : std::make_unique<HardwareDevice>(
-                        std::make_unique<EvdevPadDriver>(id == PadIds ? -1 : number));
+  if (number < 0)
+  {
+    return nullptr;
+  }
+  const std::vector<ListedPad> pads = FindPads();
+  if (static_cast<std::size_t>(number) >= pads.size())
+  {
+    error = pads.empty()
+      ? std::string("No gamepad is plugged in. ") + PadCure
+      : "There is no gamepad with this number. Count from 0, as EnumerateDevices() does.";
+    return nullptr;
+  }
+  if (id != PadIds)
+  {
+    return MakeListed(pads[static_cast<std::size_t>(number)], options, error);
+  }
+  // Without a number any pad that is free and vibrates will do.
+#if defined(VOLUME_HAPTICS_HAS_EVDEV)
+  const bool hasEvdev = std::any_of(
+    pads.begin(), pads.end(), [](const ListedPad& pad) { return !pad.IsHid && pad.Vibrates; });
+  if (hasEvdev)
+  {
+    return std::make_unique<HardwareDevice>(std::make_unique<EvdevPadDriver>(-1));
+  }
+#endif
+  const auto hid =
+    std::find_if(pads.begin(), pads.end(), [](const ListedPad& pad) { return pad.IsHid; });
+  return MakeListed(hid != pads.end() ? *hid : pads.front(), options, error);
 }
 
 } // namespace

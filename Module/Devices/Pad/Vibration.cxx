@@ -10,6 +10,9 @@ namespace VolumeHaptics
 namespace
 {
 
+/** N: none that a device is asked for, and none with which the sums overflow. */
+constexpr double LargestForce = 1e6;
+
 /** A level on its way to another one. */
 double Follow(double level, double wanted, double elapsed) noexcept
 {
@@ -21,7 +24,7 @@ double Follow(double level, double wanted, double elapsed) noexcept
 
 VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcept
 {
-  if (!IsFinite(force))
+  if (!(Norm(force) <= LargestForce)) // also if it is no number
   {
     this->Silence();
     return this->Levels;

@@ -55,7 +55,10 @@ public:
   /** Below this share motors of pads do not turn: they get nothing. */
   static constexpr double Least = 0.04;
 
-  /** The force (N) has been the same for a time (s). A force that is not finite is silence. */
+  /**
+   * The force (N) has been the same for a time (s). One that is not finite, or beyond 1e6 N, is
+   * silence.
+   */
   VibrationLevels Advance(const Vector3& force, double elapsed) noexcept;
   /** As if there had never been a force. */
   void Silence() noexcept;

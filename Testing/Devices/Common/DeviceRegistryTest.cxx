@@ -132,6 +132,8 @@ TEST(DeviceRegistry, TheInstalledRulesHaveTheLineOfEveryDevice)
   EXPECT_TRUE(has("usb", 0x0403, 0xcb48));
   EXPECT_TRUE(has("hidraw", 0x1234, 0x0006));
   EXPECT_TRUE(has("hidraw", 0x16c0, 0x0486));
+  EXPECT_TRUE(has("hidraw", 0x054c, 0x0ce6));
+  EXPECT_TRUE(has("hidraw", 0x054c, 0x0df2));
   // JacKeTUs/universal-pidff, hid-ids.h, commit 9b7760c; the first three are boards.
   const std::pair<int, std::vector<int>> wheels[] = { { 0x2341, { 0x8036, 0x8037 } },
     { 0x1b4f, { 0x9206, 0x9204 } }, { 0x1209, { 0xffb0 } },

@@ -6,6 +6,7 @@
  * files and forks.
  */
 
+#include "GuardProcesses.h"
 #include "Rigs/FalconRig.h"
 
 #include <csignal>
@@ -23,23 +24,6 @@ class FalconGuardEnds : public FalconTest
 protected:
   ~FalconGuardEnds() override { unsetenv("VOLUMEHAPTICS_GUARD"); }
 
-  /** The process that this one has started for the device; 0 without one. */
-  static pid_t FindGuard()
-  {
-    for (const auto& process : std::filesystem::directory_iterator("/proc"))
-    {
-      // "PID (NAME) STATE PARENT", with the name cut to 15 characters.
-      std::string text;
-      std::getline(std::ifstream(process.path() / "stat"), text);
-      const std::size_t end = text.find(") ");
-      if (Has(text, "(volumehaptics-") && end != std::string::npos && text[end + 2] != 'Z' &&
-        std::stoi(text.substr(end + 4)) == getpid())
-      {
-        return std::stoi(text);
-      }
-    }
-    return 0;
-  }
   /** Of a process that was found: 0 and below would be many processes. */
   static void Signal(pid_t process, int number)
   {

@@ -7,18 +7,11 @@
  * which are 25 of the driver's idle rounds.
  */
 
+#include "GuardProcesses.h"
 #include "Rigs/FalconRig.h"
 
 #include <csignal>
-#include <fstream>
 #include <iostream>
-
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-extern char** environ;
 
 using namespace emulated;
 
@@ -26,71 +19,6 @@ namespace
 {
 /** Rounds with force after the end: those of 50 ms, and as many for a busy machine. */
 constexpr long MostRounds = 50;
-
-/** GuardedApplication.cxx as a process of its own. */
-class Application
-{
-public:
-  explicit Application(const std::string& way)
-  {
-    int input[2];
-    if (pipe2(input, O_CLOEXEC) != 0)
-    {
-      return;
-    }
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, input[0], STDIN_FILENO);
-    std::string words[] = { "application", way };
-    char* const arguments[] = { words[0].data(), words[1].data(), nullptr };
-    pid_t process = 0;
-    if (posix_spawn(
-          &process, VOLUME_HAPTICS_GUARDED_APPLICATION, &actions, nullptr, arguments, environ) == 0)
-    {
-      this->Process = process;
-    }
-    posix_spawn_file_actions_destroy(&actions);
-    close(input[0]);
-    this->Input = input[1];
-  }
-  ~Application()
-  {
-    this->Signal(SIGKILL);
-    this->Wait();
-    close(this->Input);
-  }
-  void Tell() const { EXPECT_EQ(write(this->Input, "x", 1), 1); }
-  void Signal(int number) const
-  {
-    if (this->Process > 0)
-    {
-      kill(this->Process, number);
-    }
-  }
-  /** How it ended: minus the signal, or its exit status. */
-  int Wait()
-  {
-    if (this->Process > 0)
-    {
-      int status = 0;
-      waitpid(this->Process, &status, 0);
-      this->How = WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
-      this->Process = -1;
-    }
-    return this->How;
-  }
-  std::string GetProgram() const
-  {
-    std::string name;
-    std::getline(std::ifstream("/proc/" + std::to_string(this->Process) + "/comm"), name);
-    return name;
-  }
-
-private:
-  pid_t Process = -1;
-  int Input = -1;
-  int How = 0;
-};
 
 class FalconGuard : public FalconTest
 {
@@ -143,7 +71,7 @@ class FalconGuardOutlives
 
 TEST_P(FalconGuardOutlives, AnApplicationThatEnds)
 {
-  Application application(this->GetParam());
+  GuardedProgram application(this->GetParam());
   ASSERT_NO_FATAL_FAILURE(this->BringToPress());
   application.Tell();
   EXPECT_NE(application.Wait(), 2);
@@ -157,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(, FalconGuardOutlives,
 
 TEST_F(FalconGuard, OutlivesAnApplicationThatIsKilled)
 {
-  Application application("");
+  GuardedProgram application("");
   ASSERT_NO_FATAL_FAILURE(this->BringToPress());
   application.Signal(SIGKILL);
   EXPECT_EQ(application.Wait(), -SIGKILL);
@@ -168,7 +96,7 @@ TEST_F(FalconGuard, OutlivesAnApplicationThatIsKilled)
 
 TEST_F(FalconGuard, OutlivesAnApplicationThatBecomesAnotherProgram)
 {
-  Application application("exec");
+  GuardedProgram application("exec");
   ASSERT_NO_FATAL_FAILURE(this->BringToPress());
   application.Tell();
   EXPECT_TRUE(Eventually([&] { return application.GetProgram() == "sleep"; }));
@@ -179,7 +107,7 @@ TEST_F(FalconGuard, OutlivesAnApplicationThatBecomesAnotherProgram)
 
 TEST_F(FalconGuard, WatchesAnApplicationThatIsStopped)
 {
-  Application application("");
+  GuardedProgram application("");
   ASSERT_NO_FATAL_FAILURE(this->BringToPress());
   for (int again = 0; again < 3; ++again)
   {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An application that presses with a Falcon, and comes to its end in the way that its argument says
- * once there is something to read: see FalconGuardTest.cxx. It never says zero.
+ * An application that presses with a device, and comes to its end in the way that its argument says
+ * once there is something to read: see FalconGuardTest.cxx. It never says zero. The second argument
+ * names the device. One that vibrates gets a force that changes.
  */
 
 #include "Devices/Common/DeviceRegistry.h"
@@ -66,18 +67,19 @@ int main(int argc, char** argv)
 {
   std::string error;
   DeviceOptions options;
-  const auto device = MakeDevice("falcon", options, error);
-  if (argc < 2 || !device || !device->Open(error))
+  const auto device = MakeDevice(argc < 3 ? "" : argv[2], options, error);
+  if (!device || !device->Open(error))
   {
     std::fprintf(stderr, "%s\n", error.c_str());
     return 1;
   }
+  const bool vibrates = device->GetLimits().Vibrates;
   pollfd input = { STDIN_FILENO, POLLIN, 0 };
-  while (poll(&input, 1, 0) == 0)
+  for (int tick = 0; poll(&input, 1, 0) == 0; ++tick)
   {
     DeviceSample sample;
     device->Read(0.001, sample);
-    device->Write({ 0.0, 0.0, 2.0 });
+    device->Write({ 0.0, 0.0, vibrates && tick / 40 % 2 != 0 ? -2.0 : 2.0 });
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   End(argv[1]);

@@ -10,4 +10,4 @@ set(hidapi_tests HidClaim HidTogether Pid PidFault PidFirmware SpaceMouse SpaceM
 # device that a program has closed it.
 set(umockdev_libusb_tests FalconGuard FalconGuardEnds FalconLate FalconPermission FalconTries)
 set(umockdev_evdev_tests Pad PadFault)
-set(umockdev_hidapi_tests PidStuck PidTime)
+set(umockdev_hidapi_tests DualSense PidStuck PidTime)

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A DualSense through hidapi, for systems whose own driver does not make it vibrate.
+ *
+ * Vibration, not force: see Vibration.h and PadState.h. By what link it is connected shows in its
+ * first report. No watchdog of it is documented: on Linux a guard (Devices/Guard) sends the last
+ * report if the program can't. Not verified on hardware.
+ */
+#ifndef DualSenseDriver_h
+#define DualSenseDriver_h
+
+#include "Devices/Common/RateTip.h"
+#include "Devices/Pad/DualSense.h"
+#include "Devices/Pad/PadLimits.h"
+#include "Devices/Pad/Vibration.h"
+#include "Devices/Transport/Hid/HidDriver.h"
+
+namespace VolumeHaptics
+{
+
+class DualSenseDriver final : public HidDriver
+{
+public:
+  static constexpr double SendPeriod = 0.01; ///< s, between changes; silence does not wait
+
+  /** The number in Find. */
+  explicit DualSenseDriver(int number);
+
+  ///@{
+  /** The same as words on a command line, there and back. Null for words of other drivers. */
+  static std::vector<std::string> MakeWords(int number);
+  static std::unique_ptr<HardwareDriver> MakeFromWords(const std::vector<std::string>& words);
+  ///@}
+
+  static bool IsDualSense(const HidDeviceInfo& info);
+  std::string GetName() const override { return HidDriver::GetName() + ", vibration, not force"; }
+  DeviceLimits GetLimits() const override { return MakePadLimits(); }
+
+private:
+  std::vector<HidDeviceInfo> Choose(std::string& error) const override;
+  /** Learns link and firmware, and sends zero. */
+  bool Prepare(const HidDeviceInfo& info, std::string& error) override;
+  void Begin(HardwareExchange& exchange, bool isAnew) override;
+  void Work(HardwareExchange& exchange) override;
+  void Rest() noexcept override { this->Send(0, 0); }
+
+  bool Send(int strong, int weak) noexcept;
+  bool Listen(HardwareExchange& exchange);
+  void Show(HardwareExchange& exchange);
+
+  const int Number;
+  DualSense::Link Link = DualSense::Link::Unknown;
+  bool IsNewer = false; ///< its firmware's way of vibration
+  unsigned Reports = 0; ///< sent
+  PadState State;
+  RateTip Tip;
+  Vibration Levels;
+  int Strong = 0; ///< as sent
+  int Weak = 0;   ///< as sent
+  int BadReports = 0;
+  std::int64_t SentAt = 0;
+  std::int64_t LastRound = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif
