@@ -110,6 +110,16 @@ press()
   xdotool key "$1"
 }
 
+touch_skin()
+{
+  press t
+  for _ in 1 2 3 4 5 6
+  do
+    xdotool click 4
+    sleep 0.1
+  done
+}
+
 # For three seconds, along the surface.
 slide()
 {
@@ -155,12 +165,7 @@ start_program
 wait_for "a stream" is_playing
 heard=$(count_heard sleep 2)
 [[ $heard -eq 0 ]] || fail "$heard bytes of sound in the air"
-press t
-for _ in 1 2 3 4 5 6
-do
-  xdotool click 4
-  sleep 0.1
-done
+touch_skin
 heard=$(count_heard slide)
 [[ $heard -gt 10000 ]] || fail "$heard bytes of sound on the skin"
 echo "heard on the skin: $heard bytes of sound"
@@ -184,7 +189,7 @@ echo "the sound ended with the program"
 
 start_program
 wait_for "a stream" is_playing
-press t
+touch_skin
 slide
 kill -9 "$server"
 wait "$server" 2> /dev/null || true
@@ -192,10 +197,15 @@ server=""
 slide
 ! has_ended || fail "the program ended with the server"
 expect_lines 1
+start_server
+press o
+wait_for "a new stream" is_playing
+heard=$(count_heard slide)
+[[ $heard -gt 10000 ]] || fail "$heard bytes of sound from the new server"
 end_program
+expect_lines 1
 grep "^--sound: there is no sound" "$folder/program.log"
 
-start_server
 start_program
 wait_for "a stream" is_playing
 kill -STOP "$server"

@@ -118,11 +118,12 @@ void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(touch.Scene.Window);
   interactor->SetInteractorStyle(touch.Style);
-  const auto heard = sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
+  auto heard = sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
   std::cout << touch.Scene.MapperName << "\n" << KEYS << std::endl;
   touch.Scene.Window->Render();
   interactor->Initialize();
   interactor->Start();
+  heard.reset();
   touch.Device->Close();
   if (!setup.empty() && !touch.Setup->Save(setup.c_str()))
   {

@@ -40,18 +40,26 @@ void WindowSound::TakeStates()
   const std::string trouble = this->Output ? this->Output->TakeTrouble() : std::string();
   if (!trouble.empty())
   {
+    this->HasFailed = true;
+    this->Stream.SetMuted(true);
     std::cerr << "--sound: there is no sound (" << trouble
-              << "). Cure: start the explorer anew with PulseAudio or PipeWire running."
-              << std::endl;
+              << "). Cure: start PulseAudio or PipeWire, then press o in the window." << std::endl;
   }
 }
 
 void WindowSound::PressKey()
 {
-  if (this->Interactor->GetKeyCode() == 'o')
+  if (this->Interactor->GetKeyCode() != 'o')
   {
-    this->Stream.SetMuted(!this->Stream.IsMuted());
-    std::cout << (this->Stream.IsMuted() ? "Sound off" : "Sound on") << std::endl;
+    return;
   }
+  if (this->HasFailed)
+  {
+    this->Output.reset();
+    this->Output = SoundOutput::Open(this->Stream);
+    this->HasFailed = false;
+  }
+  this->Stream.SetMuted(!this->Stream.IsMuted());
+  std::cout << (this->Stream.IsMuted() ? "Sound off" : "Sound on") << std::endl;
 }
 } // namespace Explore

@@ -18,7 +18,8 @@
 namespace Explore
 {
 /// The sound of what is touched in a scene, from now until it is deleted; key o turns it off and
-/// on. If nothing can be played, or no longer, it says so once, in one line, and the scene goes on.
+/// on. If nothing can be played, or no longer, it says so in one line, and the scene goes on; the
+/// key then tries again.
 ///
 /// It takes the states that the scene's style takes for the displays (StatesEvent): nothing is
 /// added to the servo's loop.
@@ -42,6 +43,7 @@ private:
   HeardTicks Ticks;
   SoundStream Stream;
   std::unique_ptr<SoundOutput> Output; // after the stream, which it plays
+  bool HasFailed = false;
   vtkNew<vtkCallbackCommand> StatesObserver;
   vtkNew<vtkCallbackCommand> KeyObserver;
 };
