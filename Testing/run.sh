@@ -32,7 +32,7 @@ source "$root/CMake/install-packages.sh"
 # shellcheck source=../Data/head-ct.sh
 source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
-  libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev \
+  libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev ccache libboost-dev nlohmann-json3-dev \
   libpulse-dev pulseaudio libumockdev-dev umockdev python3-pytest openbox xdotool wmctrl x11-utils \
   python3-venv python3-dev libgl-dev debian-archive-keyring clang libclang-rt-14-dev
 
@@ -97,6 +97,10 @@ build()
   cmake --build "$2" -j "$jobs" --target "${3:-all}"
 }
 
+# The plugin needs Core and Devices as the build of the tests has them.
+export CCACHE_DIR=${CCACHE_DIR:-$build_dir-cache}
+cache=-DVolumeHaptics_COMPILER_CACHE=$(command -v ccache)
+
 plugin_dir=$(dirname "$build_dir")/paraview
 
 # The plugin in ParaView, whose traces are compared with those of the build in $build_dir.
@@ -105,7 +109,7 @@ build_paraview()
   local paraview
   paraview=$(echo "$plugin_dir-prefix"/usr/lib/*/cmake/paraview-*)
   export PATH=$plugin_dir-prefix/usr/bin:$PATH PYTHONPATH=$plugin_dir-prefix/usr/lib/python3/dist-packages
-  build paraview "$plugin_dir" all -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir"
+  build paraview "$plugin_dir" all -DParaView_DIR="$paraview" -DVolumeHaptics_REFERENCE_BUILD="$build_dir" "$cache"
 }
 
 # Unnamed types of one file look like a header's if several are compiled at once.
@@ -129,7 +133,7 @@ fi
 "$root/Testing/lint.sh"
 
 echo "== Building in $build_dir"
-build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir"
+build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" "$cache"
 [ $paraview = no ] || start paraview build_paraview
 
 # Those with a device in real time wait more than they compute. What fails is told at the end, too.

@@ -93,15 +93,21 @@ void GuardedDevice::Watch()
     end = end == 0 && this->IsClosing.load() ? ServoClock::Now() + EndTime : end;
   }
   std::string how;
-  if (this->Guard.End(how) && this->IsClosing.load())
+  const bool hasEndedByItself = this->Guard.End(how);
+  if (hasEndedByItself && this->IsClosing.load())
   {
     return;
   }
-  this->EndedCondition.Stage = DeviceStage::Lost;
-  std::snprintf(this->EndedCondition.Text.data(), this->EndedCondition.Text.size(),
-    "The guard process, which talks to the device, %s. Zero force was sent in its place, if that "
-    "was possible: watch the device. Close(), Open(), Start() and Arm() it again.",
-    how.c_str());
+  this->EndedCondition = this->GetExchange().GetCondition();
+  if (!hasEndedByItself || this->EndedCondition.Stage != DeviceStage::Lost)
+  {
+    // It has not said why.
+    this->EndedCondition.Stage = DeviceStage::Lost;
+    std::snprintf(this->EndedCondition.Text.data(), this->EndedCondition.Text.size(),
+      "The guard process, which talks to the device, %s. Zero force was sent in its place, if that "
+      "was possible: watch the device. Close(), Open(), Start() and Arm() it again.",
+      how.c_str());
+  }
   this->HasDevice.store(Side::Rescue, std::memory_order_release);
   this->Rescue();
   this->HasDevice.store(Side::None, std::memory_order_release);

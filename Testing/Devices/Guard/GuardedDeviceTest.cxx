@@ -183,6 +183,9 @@ TEST_F(Guarded, SaysWhyItCantBeOpened)
   ASSERT_TRUE(this->Device->Open(this->Error));
   ASSERT_TRUE(this->IsAt(DeviceStage::Lost));
   EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
+  // Its end does not hide the reason.
+  ASSERT_TRUE(Eventually([this] { return this->Rescues > 0 && this->Device->IsAtRest(); }));
+  EXPECT_NE(this->GetText().find("out of order"), std::string::npos) << this->GetText();
 }
 
 TEST_F(Guarded, IsLostWithItsGuardAndGetsZeroFromHere)
