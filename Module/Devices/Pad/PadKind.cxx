@@ -84,8 +84,8 @@ std::string WhyNoPads()
     : "";
 }
 
-std::unique_ptr<DeviceBackend> MakeListed(
-  const ListedPad& pad, const DeviceOptions& options, std::string& error)
+std::unique_ptr<DeviceBackend> MakeListed(const ListedPad& pad,
+  [[maybe_unused]] const DeviceOptions& options, [[maybe_unused]] std::string& error)
 {
 #if defined(VOLUME_HAPTICS_HAS_HIDAPI)
   if (pad.IsHid)

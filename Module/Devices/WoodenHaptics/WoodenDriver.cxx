@@ -49,7 +49,7 @@ constexpr const char* AskAgain = ", then press Home() and put the arm into its r
  * Between the arm's axes (towards the hand, right, up) and the device's (right, up, towards the
  * hand).
  */
-Vector3 ToDevice(const Vector3& arm)
+Vector3 ArmToDevice(const Vector3& arm)
 {
   return { arm.Y, arm.Z, arm.X };
 }
@@ -302,7 +302,7 @@ void WoodenDriver::FollowPhase(HardwareExchange& exchange)
   if (isSet || this->Now == Phase::Ready)
   {
     DeviceSample sample;
-    sample.Tip = ToDevice(this->Tip);
+    sample.Tip = ArmToDevice(this->Tip);
     exchange.Tell(sample);
   }
   if (isSet)
