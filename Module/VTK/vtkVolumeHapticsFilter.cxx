@@ -454,11 +454,10 @@ int vtkVolumeHapticsFilter::TouchPath(
   const double period = 1.0 / this->ServoRate;
   TipPaths paths;
   const bool readable = !path || paths.Read(path, period, error);
-  const TipPath* const only = paths.GetOnly();
-  const bool isRecording = only && only->IsRecording;
+  const RecordedPath* const recording = paths.GetRecording();
   std::string imageError;
   std::shared_ptr<const HapticModel> model = this->BakeImage(
-    image, isRecording ? only->TickPeriod : period, ForceCaps{}, nullptr, imageError);
+    image, recording ? recording->TickPeriod : period, ForceCaps{}, nullptr, imageError);
   if (!model || !readable)
   {
     error = model ? error : imageError;
@@ -478,7 +477,7 @@ int vtkVolumeHapticsFilter::TouchPath(
 
   ticks = paths.GetNumberOfTicks();
   HapticTrace trace(ticks, this->TraceArrays, model->Baked->Labels != nullptr);
-  TipPathsWalk walk(paths, period, model, trace);
+  TipPathsWalk walk(paths, model, trace);
   while (!walk.IsDone())
   {
     this->UpdateProgress(walk.GetProgress());
@@ -497,7 +496,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   trace.WriteTo(output, walk.GetRows(), paths.AreSeveral());
   // Ticks of a recording are points of the path, one for one, unless the user ended this.
   vtkDataArray* const orientations =
-    isRecording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
+    recording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
   if (orientations && output->GetNumberOfPoints() == orientations->GetNumberOfTuples())
   {
     output->GetPointData()->AddArray(orientations);

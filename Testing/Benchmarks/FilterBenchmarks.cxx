@@ -29,7 +29,7 @@ namespace
 /** How deep the tip is held below the surface, mm. */
 constexpr double Depth = 2.0;
 /** Long enough that what an Update() takes beside its ticks does not count. */
-constexpr int Ticks = 200000;
+constexpr int Ticks = 100000;
 
 /** Into the ball, and then along its surface again and again. */
 std::vector<Vector3> SlideFor(const BallVolume& volume, int ticks)
@@ -97,8 +97,8 @@ vtkSmartPointer<vtkVolumeHapticsFilter> MakeFilter(
   return filter;
 }
 
-/** The ticks alone, as the filter does them. */
-void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver)
+/** The ticks alone, as the filter does them; with the value at the proxy or without. */
+void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver, bool withValue)
 {
   const std::vector<Vector3> tips = SlideFor(volume, Ticks);
   const auto found = std::find_if(GetEstimators().begin(), GetEstimators().end(),
@@ -113,6 +113,10 @@ void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver
     {
       Tick(*model, state, 0.001 * tip, record);
       benchmark::DoNotOptimize(record);
+      if (withValue)
+      {
+        benchmark::DoNotOptimize(model->ValueAtDevice(record.Proxy));
+      }
     }
   }
 }
@@ -151,8 +155,13 @@ void RegisterFilterBenchmarks(const BallVolume& volume)
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
     const std::string name = solver == HapticSolver::Paper ? "PAPER" : "PRECISE";
-    benchmark::RegisterBenchmark(NameOf("filter", name + "_bare", "slide", volume.Name).c_str(),
-      [&volume, solver](benchmark::State& bench) { Bare(bench, volume, solver); });
+    for (const bool withValue : { false, true })
+    {
+      const std::string variant = name + (withValue ? "_bare+value" : "_bare");
+      benchmark::RegisterBenchmark(NameOf("filter", variant, "slide", volume.Name).c_str(),
+        [&volume, solver, withValue](benchmark::State& bench)
+        { Bare(bench, volume, solver, withValue); });
+    }
     for (const char* arrays : { "all", "Force" })
     {
       benchmark::RegisterBenchmark(

@@ -3,6 +3,7 @@
 #include "VTK/Trace/HapticTrace.h"
 
 #include "VTK/Trace/HapticTraceColumns.h"
+#include "VTK/Trace/TraceBlocks.h"
 #include "VTK/Trace/TraceRow.h"
 
 #include "vtkCellArray.h"
@@ -35,7 +36,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column, vtkIdType tick
   }
   array->SetName(column.Name);
   array->SetNumberOfComponents(column.Components);
-  array->SetNumberOfTuples(ticks);
+  TraceBlocks::Allocate(array, ticks);
   return array;
 }
 
@@ -52,7 +53,7 @@ vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& pat
     offsets->SetValue(static_cast<vtkIdType>(i) + 1, end);
   }
   vtkNew<vtkIdTypeArray> points;
-  points->SetNumberOfValues(ticks);
+  TraceBlocks::Allocate(points, ticks);
   std::iota(points->GetPointer(0), points->GetPointer(0) + ticks, vtkIdType(0));
   auto lines = vtkSmartPointer<vtkCellArray>::New();
   lines->SetData(offsets, points);
@@ -64,7 +65,7 @@ vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& pat
 HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, bool hasLabels)
 {
   this->Proxies->SetDataTypeToDouble();
-  this->Proxies->SetNumberOfPoints(ticks);
+  TraceBlocks::Allocate(this->Proxies->GetData(), ticks);
   const auto remember = [this](vtkDataArray* array, std::size_t width, std::size_t offset)
   {
     this->Memory.push_back(
@@ -85,7 +86,7 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, bool hasLabel
   {
     vtkNew<vtkLongLongArray> labels;
     labels->SetName(LabelColumn);
-    labels->SetNumberOfValues(ticks);
+    TraceBlocks::Allocate(labels, ticks);
     this->LabelNumbers = labels->GetPointer(0);
     this->Arrays.emplace_back(labels.Get());
   }

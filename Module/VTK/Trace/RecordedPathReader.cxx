@@ -29,7 +29,7 @@ constexpr double FarthestRecordedTip = 1e15;
 
 } // namespace
 
-RecordedPathReader::RecordedPathReader(vtkPolyData* path, TipPath& result)
+RecordedPathReader::RecordedPathReader(vtkPolyData* path, RecordedPath& result)
   : Path(path)
   , Result(result)
   , Ticks(path->GetNumberOfPoints())
@@ -41,7 +41,6 @@ std::string RecordedPathReader::Read()
   this->ReadPlacements();
   this->ReadBegin();
   this->ReadTicks();
-  this->Result.IsRecording = this->Flaw.empty();
   return this->Flaw;
 }
 

@@ -7,7 +7,7 @@
 #ifndef RecordedPathReader_h
 #define RecordedPathReader_h
 
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/RecordedPath.h"
 
 #include "vtkType.h"
 
@@ -26,7 +26,7 @@ namespace VolumeHaptics
 class RecordedPathReader
 {
 public:
-  RecordedPathReader(vtkPolyData* path, TipPath& result);
+  RecordedPathReader(vtkPolyData* path, RecordedPath& result);
 
   /** The first fault, as the end of a sentence; empty if there is none. */
   std::string Read();
@@ -46,7 +46,7 @@ private:
   void ReadTicks();
 
   vtkPolyData* const Path;
-  TipPath& Result;
+  RecordedPath& Result;
   const vtkIdType Ticks;
   std::string Flaw;
 };

@@ -5,68 +5,74 @@
 namespace VolumeHaptics
 {
 
-TipPathWalk::TipPathWalk(const TipPath& path, double period)
-  : Path(path)
-  , Period(period)
-  , State(path.InitialState)
+TipPathWalk::TipPathWalk(const TipReader& tips)
+  : Tips(tips)
 {
 }
 
-std::shared_ptr<const HapticModel> TipPathWalk::Tick(
-  std::shared_ptr<const HapticModel> model, TickRecord& record)
+TipPathWalk::TipPathWalk(const RecordedPath& recording)
+  : Recording(&recording)
+  , State(recording.InitialState)
 {
-  const std::size_t i = this->Next++;
-  if (!this->Path.IsRecording)
+}
+
+std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const HapticModel> model)
+{
+  if (this->Tips)
   {
-    this->Step(
-      *model, model->WorldToDevice(this->Path.Tips[i]), record, LocalSurfaceResult::Simulated());
+    this->Step(*model, model->WorldToDevice(this->Tips->Next()), LocalSurfaceResult::Simulated());
     return model;
   }
+  const RecordedPath& recording = *this->Recording;
+  const std::size_t i = this->Next++;
   // In the order of the servo: the model, then enabling, then the tick.
-  const int placement = this->Path.PlacementOf[i];
-  if (i == 0 || placement != this->Path.PlacementOf[i - 1])
+  const int placement = recording.PlacementOf[i];
+  if (i == 0 || placement != recording.PlacementOf[i - 1])
   {
     auto moved = std::make_shared<const HapticModel>(
-      *model, this->Path.Placements[placement], this->Path.Caps[placement]);
+      *model, recording.Placements[placement], recording.Caps[placement]);
     if (i > 0)
     {
       CarryState(*model, *moved, this->State);
     }
     model = std::move(moved);
   }
-  if (this->Path.Enabled[i])
+  if (recording.Enabled[i])
   {
     this->State.Enabled = false;
   }
   // A surface counts from the tick in which the result of the slow loop came.
   LocalSurface surface;
   LocalSurfaceResult result;
-  if (this->Path.Renewed[i])
+  if (recording.Renewed[i])
   {
     surface = FitLocalSurface(*model, this->State.Local.Request);
     result.Surface = &surface;
   }
-  this->Step(*model, this->Path.Tips[i], record, result);
+  this->Step(*model, recording.Tips[i], result);
   return model;
 }
 
-void TipPathWalk::Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
-  const LocalSurfaceResult& result)
+void TipPathWalk::Step(
+  const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result)
 {
   this->Servo.Tick(
     model, this->State, tip, model.Baked->Settings.TickPeriod, this->Whole, result, this->Gate);
-  record = this->Whole;
   if (this->Gate.GetOpening() < 1.0)
   {
-    record.Force = this->Gate.GetOpening() * record.Force;
+    this->Scaled = this->Whole;
+    this->Scaled.Force = this->Gate.GetOpening() * this->Whole.Force;
   }
+}
+
+const TickRecord& TipPathWalk::GetRecord() const
+{
+  return this->Gate.GetOpening() < 1.0 ? this->Scaled : this->Whole;
 }
 
 double TipPathWalk::GetTime() const
 {
-  const std::size_t i = this->Next - 1;
-  return this->Path.Times.empty() ? this->Path.StartTime + static_cast<double>(i) * this->Period
-                                  : this->Path.Times[i];
+  return this->Tips ? this->Tips->GetTime() : this->Recording->Times[this->Next - 1];
 }
 
 } // namespace VolumeHaptics

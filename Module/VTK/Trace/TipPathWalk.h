@@ -9,10 +9,12 @@
 
 #include "Core/Servo/ForceGate.h"
 #include "Core/Servo/ResidentServo.h"
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/RecordedPath.h"
+#include "VTK/Trace/TipReader.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 namespace VolumeHaptics
 {
@@ -20,25 +22,27 @@ namespace VolumeHaptics
 class TipPathWalk
 {
 public:
-  TipPathWalk(const TipPath& path, double period);
+  explicit TipPathWalk(const TipReader& tips);
+  explicit TipPathWalk(const RecordedPath& recording);
 
   /** Computes the next tick. Returns its model: the given one, placed as the recording says. */
-  std::shared_ptr<const HapticModel> Tick(
-    std::shared_ptr<const HapticModel> model, TickRecord& record);
+  std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
+  /** What the last tick tells. */
+  const TickRecord& GetRecord() const;
   /** Time of the last tick (s). */
   double GetTime() const;
 
 private:
-  void Step(const HapticModel& model, const Vector3& tip, TickRecord& record,
-    const LocalSurfaceResult& result);
+  void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
 
-  const TipPath& Path;
-  const double Period;
-  std::size_t Next = 0;
+  std::optional<TipReader> Tips; ///< empty for a recording
+  const RecordedPath* const Recording = nullptr;
+  std::size_t Next = 0; ///< of a recording
   ServoState State;
   ResidentServo Servo;
-  ForceGate Gate;   ///< only its opening is used
-  TickRecord Whole; ///< of the last tick, with the force before the residency scales it
+  ForceGate Gate;    ///< only its opening is used
+  TickRecord Whole;  ///< of the last tick, with the force before the residency scales it
+  TickRecord Scaled; ///< the same with the force that is felt, while the gate is not open
 };
 
 } // namespace VolumeHaptics

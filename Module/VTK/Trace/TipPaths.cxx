@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <new>
 #include <sstream>
 
 namespace VolumeHaptics
@@ -25,8 +24,6 @@ namespace
 
 /** A day at 1 kHz: more means a wrong unit of time, and would not fit into memory. */
 constexpr double MostTicks = 1e8;
-/** If a point's time differs from a tick's by less than this share of a tick, it is the tick's. */
-constexpr double SnapShare = 1e-6;
 
 } // namespace
 
@@ -87,42 +84,22 @@ bool TipPaths::Read(vtkPolyData* path, double period, std::string& error)
   }
   if (isRecording)
   {
-    const std::string flaw = RecordedPathReader(path, this->Only).Read();
+    const std::string flaw = RecordedPathReader(path, this->Recording.emplace()).Read();
     if (!flaw.empty())
     {
+      this->Recording.reset();
       error = "The tip path is a recording, as it has the point array \"DeviceTip\", but " + flaw +
         ". Record again, or remove DeviceTip to use the points as a path.";
       return false;
     }
-    this->FirstTicks.push_back(static_cast<vtkIdType>(this->Only.Tips.size()));
+    this->FirstTicks.push_back(static_cast<vtkIdType>(this->Recording->Tips.size()));
     return true;
   }
-  if (!this->ReadTimes(path, error) || !this->CountTicks(error))
-  {
-    return false;
-  }
-  if (!this->AreSeveral())
-  {
-    try
-    {
-      this->Only = this->Get(0);
-    }
-    catch (const std::bad_alloc&)
-    {
-      error = DescribeLackOfMemory(static_cast<double>(this->GetNumberOfTicks()));
-      return false;
-    }
-  }
-  return true;
+  return this->ReadTimes(path, error) && this->CountTicks(error);
 }
 
-Vector3 TipPaths::GetPoint(vtkIdType point) const
+Vector3 TipPaths::ConvertPoint(vtkIdType point) const
 {
-  if (this->Doubles)
-  {
-    const double* const x = this->Doubles + 3 * point;
-    return { x[0], x[1], x[2] };
-  }
   if (this->Floats)
   {
     const float* const x = this->Floats + 3 * point;
@@ -251,50 +228,6 @@ bool TipPaths::CountTicks(std::string& error)
     this->FirstTicks.push_back(this->FirstTicks.back() + ticks);
   }
   return true;
-}
-
-TipPath TipPaths::Get(std::size_t path) const
-{
-  TipPath result;
-  const Members members(*this, path);
-  if (!this->Times.empty() && members.GetSize() > 0)
-  {
-    result.Tips.reserve(static_cast<std::size_t>(this->GetNumberOfTicks(path)));
-    this->Resample(members, this->GetNumberOfTicks(path), result);
-    return result;
-  }
-  result.Tips.resize(static_cast<std::size_t>(members.GetSize()));
-  for (vtkIdType i = 0; i < members.GetSize(); ++i)
-  {
-    result.Tips[i] = this->GetPoint(members.At(i));
-  }
-  return result;
-}
-
-void TipPaths::Resample(const Members& members, vtkIdType ticks, TipPath& result) const
-{
-  const auto timeOf = [&](vtkIdType i) { return this->Times[members.At(i)]; };
-  const vtkIdType last = members.GetSize() - 1;
-  const double start = timeOf(0);
-  const double snap = SnapShare * this->Period;
-  result.StartTime = start;
-  vtkIdType before = 0;
-  for (vtkIdType tick = 0; tick < ticks; ++tick)
-  {
-    const double time = start + tick * this->Period;
-    while (before < last && timeOf(before + 1) <= time + snap)
-    {
-      ++before;
-    }
-    const Vector3 a = this->GetPoint(members.At(before));
-    if (before == last || std::abs(time - timeOf(before)) <= snap)
-    {
-      result.Tips.push_back(a);
-      continue;
-    }
-    const double share = (time - timeOf(before)) / (timeOf(before + 1) - timeOf(before));
-    result.Tips.push_back(a + share * (this->GetPoint(members.At(before + 1)) - a));
-  }
 }
 
 } // namespace VolumeHaptics

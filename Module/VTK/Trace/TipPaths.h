@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The paths in a polydata. If they are several, each is resampled when it is felt.
+ * The paths in a polydata. TipReader reads each, tick by tick, when it is felt.
  */
 #ifndef TipPaths_h
 #define TipPaths_h
 
-#include "VTK/Trace/HapticTipPath.h"
+#include "VTK/Trace/RecordedPath.h"
 #include "VTK/Trace/TipPathLines.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,13 +52,9 @@ public:
   }
   /** Whether each path has a line of its own, whatever its length. */
   bool AreSeveral() const { return !this->Divided.Begins.empty(); }
-  /** The path if it is one, which may be a recording; null if they are several. */
-  const TipPath* GetOnly() const { return this->AreSeveral() ? nullptr : &this->Only; }
+  /** Null if the paths are no recording; otherwise it is the only path. */
+  const RecordedPath* GetRecording() const { return this->Recording ? &*this->Recording : nullptr; }
 
-  /** One of several paths; may be called by several threads at once. Throws std::bad_alloc. */
-  TipPath Get(std::size_t path) const;
-
-private:
   /** The points of a path are At(0) to At(GetSize() - 1) in the polydata. */
   class Members
   {
@@ -71,13 +68,31 @@ private:
     vtkIdType Size;
   };
 
+  Vector3 GetPoint(vtkIdType point) const
+  {
+    if (!this->Doubles)
+    {
+      return this->ConvertPoint(point);
+    }
+    const double* const x = this->Doubles + 3 * point;
+    return { x[0], x[1], x[2] };
+  }
+  /** Whether the points have times; otherwise each is a tick. */
+  bool HaveTimes() const { return !this->Times.empty(); }
+  /** The time of a point (s). */
+  double GetTime(vtkIdType point) const { return this->Times[point]; }
+  double GetPeriod() const { return this->Period; }
+
+  /** If the times of point and tick differ by less than this share of a tick, they are one. */
+  static constexpr double SnapShare = 1e-6;
+
+private:
   bool CheckPoints(std::string& error) const;
   bool DivideLines(vtkPolyData* path, std::string& error);
   bool ReadTimes(vtkPolyData* path, std::string& error);
   bool CheckTimes(std::size_t path, std::string& error) const;
   bool CountTicks(std::string& error);
-  Vector3 GetPoint(vtkIdType point) const;
-  void Resample(const Members& members, vtkIdType ticks, TipPath& result) const;
+  Vector3 ConvertPoint(vtkIdType point) const;
 
   vtkSmartPointer<vtkPoints> Points;
   const double* Doubles = nullptr;           ///< of the points, if they are such
@@ -86,7 +101,7 @@ private:
   double Period = 0.0;                       ///< s
   DividedPoints Divided;                     ///< empty if all points are one path, in order
   std::vector<vtkIdType> FirstTicks = { 0 }; ///< of each path; then the number of all
-  TipPath Only;
+  std::optional<RecordedPath> Recording;
 };
 
 /** The error for so many ticks that they and their trace do not fit into memory. */

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <optional>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -36,22 +36,23 @@ bool IsFiniteRecord(const TickRecord& record)
 /** A path on its way. */
 struct TipPathsWalk::Runner
 {
-  explicit Runner(std::size_t path)
+  Runner(const TipPaths& paths, std::size_t path, std::shared_ptr<const HapticModel> model)
     : Path(path)
+    , Walk(paths.GetRecording() ? TipPathWalk(*paths.GetRecording())
+                                : TipPathWalk(TipReader(paths, path)))
+    , Model(std::move(model))
   {
   }
 
   const std::size_t Path;
-  TipPath Own; ///< empty if it is the only path
-  std::optional<TipPathWalk> Walk;
+  TipPathWalk Walk;
   std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
   WorkMeter Work;
 };
 
-TipPathsWalk::TipPathsWalk(const TipPaths& paths, double period,
-  std::shared_ptr<const HapticModel> model, const HapticTrace& trace)
+TipPathsWalk::TipPathsWalk(
+  const TipPaths& paths, std::shared_ptr<const HapticModel> model, const HapticTrace& trace)
   : Paths(paths)
-  , Period(period)
   , Model(std::move(model))
   , Trace(trace)
 {
@@ -92,7 +93,7 @@ void TipPathsWalk::Fill()
   {
     if (const vtkIdType stretch = this->GetNextStretch(this->NextPath); stretch > 0)
     {
-      this->Running.push_back(std::make_unique<Runner>(this->NextPath));
+      this->Running.push_back(std::make_unique<Runner>(this->Paths, this->NextPath, this->Model));
       ticks += stretch;
     }
   }
@@ -136,29 +137,20 @@ void TipPathsWalk::Advance()
 
 void TipPathsWalk::Advance(Runner& runner)
 {
-  const TipPath* const only = this->Paths.GetOnly();
-  if (!runner.Walk)
-  {
-    if (!only)
-    {
-      runner.Own = this->Paths.Get(runner.Path);
-    }
-    runner.Model = this->Model;
-    runner.Walk.emplace(only ? *only : runner.Own, this->Period);
-  }
+  const bool isRecording = this->Paths.GetRecording() != nullptr;
   HapticTrace::Rows& rows = this->Rows[runner.Path];
   const vtkIdType ticks = this->GetNextStretch(runner.Path);
   TracePart part(this->Trace, rows.First + rows.Count, runner.Work);
-  TickRecord record;
   for (vtkIdType i = 0; i < ticks; ++i)
   {
-    runner.Model = runner.Walk->Tick(std::move(runner.Model), record);
-    if (only && only->IsRecording && !IsFiniteRecord(record))
+    runner.Model = runner.Walk.Tick(std::move(runner.Model));
+    const TickRecord& record = runner.Walk.GetRecord();
+    if (isRecording && !IsFiniteRecord(record))
     {
       this->Flaw = rows.Count + i;
       return;
     }
-    part.Append(*runner.Model, runner.Walk->GetTime(), record);
+    part.Append(*runner.Model, runner.Walk.GetTime(), record);
   }
   part.Flush();
   rows.Count += ticks;

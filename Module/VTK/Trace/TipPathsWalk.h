@@ -30,8 +30,8 @@ namespace VolumeHaptics
 class TipPathsWalk
 {
 public:
-  TipPathsWalk(const TipPaths& paths, double period, std::shared_ptr<const HapticModel> model,
-    const HapticTrace& trace);
+  TipPathsWalk(
+    const TipPaths& paths, std::shared_ptr<const HapticModel> model, const HapticTrace& trace);
   ~TipPathsWalk();
 
   bool IsDone() const { return this->TicksDone == this->Paths.GetNumberOfTicks(); }
@@ -54,7 +54,6 @@ private:
   void Advance(Runner& runner);
 
   const TipPaths& Paths;
-  const double Period;
   const std::shared_ptr<const HapticModel> Model;
   const HapticTrace& Trace;
   vtkIdType Stretch;    ///< ticks

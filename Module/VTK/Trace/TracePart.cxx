@@ -5,21 +5,28 @@
 #include "VTK/Trace/HapticTrace.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-/** Copies a member of this many bytes from rows to a column. */
-template <std::size_t Width>
+/**
+ * Copies a member of rows to a column of tuples. As numbers: compilers make of the same with bytes
+ * what stalls the processor at every second one.
+ */
+template <typename Number, int Components>
 void CopyColumn(const TraceRow* rows, std::size_t count, std::size_t offset, unsigned char* column)
 {
   const auto* from = reinterpret_cast<const unsigned char*>(rows) + offset;
-  for (std::size_t i = 0; i < count; ++i)
+  auto* to = reinterpret_cast<Number*>(column);
+  for (std::size_t i = 0; i < count; ++i, from += sizeof(TraceRow), to += Components)
   {
-    std::memcpy(column + i * Width, from + i * sizeof(TraceRow), Width);
+    const auto* const numbers = reinterpret_cast<const Number*>(from);
+    for (int c = 0; c < Components; ++c)
+    {
+      to[c] = numbers[c];
+    }
   }
 }
 
@@ -34,8 +41,15 @@ TracePart::TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& wo
 
 void TracePart::Append(const HapticModel& model, double time, const TickRecord& record)
 {
-  this->Block[this->Filled] =
-    MakeTraceRow(model, time, record, this->Work, this->Trace.HasValues());
+  TraceRow& row = this->Block[this->Filled];
+  if (this->Trace.HasValues())
+  {
+    FillTraceRow(model, time, record, this->Work, row);
+  }
+  else
+  {
+    FillTraceRowWithoutValue(model, time, record, this->Work, row);
+  }
   if (this->Trace.GetLabels())
   {
     this->Labels[this->Filled] = GetTraceLabel(model, record);
@@ -53,15 +67,15 @@ void TracePart::Flush()
     unsigned char* const tuples = column.Tuples + this->Next * column.Width;
     if (column.Width == sizeof(double))
     {
-      CopyColumn<sizeof(double)>(this->Block.data(), this->Filled, column.Offset, tuples);
+      CopyColumn<double, 1>(this->Block.data(), this->Filled, column.Offset, tuples);
     }
     else if (column.Width == 1)
     {
-      CopyColumn<1>(this->Block.data(), this->Filled, column.Offset, tuples);
+      CopyColumn<unsigned char, 1>(this->Block.data(), this->Filled, column.Offset, tuples);
     }
     else
     {
-      CopyColumn<3 * sizeof(double)>(this->Block.data(), this->Filled, column.Offset, tuples);
+      CopyColumn<double, 3>(this->Block.data(), this->Filled, column.Offset, tuples);
     }
   }
   if (long long* const labels = this->Trace.GetLabels())

@@ -56,12 +56,18 @@ bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record)
   return place.IsNear && place.Distance < zone->GetStandOff() + 2.0 * zone->GetTolerance();
 }
 
-TraceRow MakeTraceRow(
-  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, bool withValue)
+void FillTraceRow(
+  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row)
+{
+  FillTraceRowWithoutValue(model, time, record, work, row);
+  row.Value = model.ValueAtDevice(record.Proxy);
+}
+
+void FillTraceRowWithoutValue(
+  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row)
 {
   // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
   const Affine3& toWorld = model.DeviceToWorld;
-  TraceRow row;
   Copy(toWorld(record.Proxy), row.Proxy);
   row.Time = time;
   Copy(toWorld(record.Tip), row.Tip);
@@ -70,7 +76,7 @@ TraceRow MakeTraceRow(
   row.FrictionForce = record.FrictionForce;
   row.DragForce = record.DragForce;
   Copy(model.DeviceToWorldRotation * record.Normal, row.Normal);
-  row.Value = withValue ? model.ValueAtDevice(record.Proxy) : 0.0;
+  row.Value = 0.0;
   row.GradientMagnitude = record.GradientMagnitude;
   row.SurfaceValue = record.SurfaceValue;
   row.MediumValue = record.MediumValue;
@@ -82,14 +88,13 @@ TraceRow MakeTraceRow(
   row.Contact = static_cast<unsigned char>(record.Contact);
   row.Unfinished = record.IsUnfinished ? 1 : 0;
   row.Renewed = record.IsRenewed ? 1 : 0;
-  return row;
 }
 
 RecordingRow MakeRecordingRow(
   const HapticModel& model, const ServoSnapshot& snapshot, int placement, WorkMeter& work)
 {
   RecordingRow row;
-  row.Trace = MakeTraceRow(model, snapshot.Time, snapshot.Record, work);
+  FillTraceRow(model, snapshot.Time, snapshot.Record, work, row.Trace);
   Copy(snapshot.Record.Tip, row.DeviceTip);
   Copy(model.DeviceToWorldRotation * snapshot.Command, row.Command);
   Copy(model.DeviceToWorldRotation * snapshot.Torque, row.Torque);

@@ -82,12 +82,12 @@ std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 /** Whether the wall in front of a forbidden label holds the proxy of a record. */
 bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record);
 
-/**
- * Transforms a record from device space to the world of the model's image. The value at the proxy,
- * which takes a sample of the volume, can be left out; then it is 0.
- */
-TraceRow MakeTraceRow(const HapticModel& model, double time, const TickRecord& record,
-  WorkMeter& work, bool withValue = true);
+/** Transforms a record from device space to the world of the model's image. */
+void FillTraceRow(
+  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row);
+/** The same without the value at the proxy, which takes a sample of the volume. */
+void FillTraceRowWithoutValue(
+  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row);
 RecordingRow MakeRecordingRow(
   const HapticModel& model, const ServoSnapshot& snapshot, int placement, WorkMeter& work);
 

@@ -150,3 +150,57 @@ TEST_F(TraceArrays, LabelsAreOneOfThem)
   this->Filter->SetTraceArrays("Force");
   EXPECT_EQ(this->Names(), Texts{ "Force" });
 }
+
+TEST_F(TraceArrays, KeepTheirMemoryAsLongAsAnythingUsesIt)
+{
+  // Memory of a trace that is gone goes to later ones. What is kept must not be among it: here an
+  // output, an array, and memory that two arrays share.
+  std::vector<vtkSmartPointer<vtkPolyData>> outputs;
+  std::vector<vtkSmartPointer<vtkDataArray>> shared;
+  const auto zOf = [](int run) { return 5.0 + 0.25 * run; };
+  constexpr int runs = 12;
+  constexpr int ticks = 3001;
+  for (int run = 0; run < runs; ++run)
+  {
+    this->Filter->SetPathData(
+      MakePath(Line({ 7, 7, zOf(run) }, { 7, 7, 5 + zOf(run) }, ticks - 1)));
+    vtkPolyData* const output = this->Run(ticks);
+    vtkDataArray* const tips = output->GetPointData()->GetArray("Tip");
+    if (run % 3 == 0)
+    {
+      outputs.push_back(Keep(this->Filter));
+      vtkSmartPointer<vtkDataArray> other;
+      other.TakeReference(tips->NewInstance());
+      other->ShallowCopy(tips);
+      shared.push_back(other);
+    }
+    else if (run % 3 == 1)
+    {
+      vtkNew<vtkPolyData> copy;
+      copy->ShallowCopy(output);
+      outputs.emplace_back(copy.Get());
+      shared.emplace_back(tips);
+    }
+    else
+    {
+      // Arrays that grow or are emptied give their memory back by themselves.
+      tips->Resize(2 * ticks);
+      tips->InsertNextTuple3(1.0, 2.0, 3.0);
+      EXPECT_NEAR(tips->GetComponent(ticks - 1, 2), 5 + zOf(run), 1e-9);
+      output->GetPointData()->GetArray("Force")->Initialize();
+      output->GetPointData()->GetArray("Time")->Squeeze();
+      output->Initialize();
+    }
+  }
+  for (std::size_t i = 0; i < shared.size(); ++i)
+  {
+    const int run = static_cast<int>(i / 2 * 3 + i % 2);
+    for (vtkDataArray* const tips :
+      { shared[i].Get(), outputs[i]->GetPointData()->GetArray("Tip") })
+    {
+      EXPECT_NEAR(tips->GetComponent(0, 2), zOf(run), 1e-9);
+      EXPECT_NEAR(tips->GetComponent(ticks - 1, 2), 5 + zOf(run), 1e-9);
+    }
+    EXPECT_NEAR(outputs[i]->GetPoint(0)[2], zOf(run), 1e-9);
+  }
+}

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tip path of the offline filter: one position per tick.
+ * A recording as the offline filter replays it, tick by tick.
  */
-#ifndef HapticTipPath_h
-#define HapticTipPath_h
+#ifndef RecordedPath_h
+#define RecordedPath_h
 
 #include "Core/Servo/ServoTick.h"
 
@@ -14,12 +14,10 @@
 namespace VolumeHaptics
 {
 
-struct TipPath
+struct RecordedPath
 {
-  std::vector<Vector3> Tips; ///< world; in device space for a recording
-  double StartTime = 0.0;    ///< s, of the first tick
-  std::vector<double> Times; ///< s, of every tick; empty if they are evenly spaced
-  bool IsRecording = false;  ///< whether it is a recording and has the following
+  std::vector<Vector3> Tips; ///< in device space
+  std::vector<double> Times; ///< s, of every tick
   std::vector<Affine3> Placements;
   std::vector<int> PlacementOf; ///< per tick
   std::vector<bool> Enabled;    ///< per tick

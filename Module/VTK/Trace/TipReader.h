@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads a path tick by tick.
+ */
+#ifndef TipReader_h
+#define TipReader_h
+
+#include "VTK/Trace/TipPaths.h"
+
+#include "vtkType.h"
+
+namespace VolumeHaptics
+{
+
+/** Reads one of the paths, which have to live longer. A path may have one reader or several. */
+class TipReader
+{
+public:
+  TipReader(const TipPaths& paths, std::size_t path);
+
+  /** The tip at the next tick (world). There are as many as TipPaths says. */
+  Vector3 Next();
+  /** Time of the last tick (s). */
+  double GetTime() const;
+
+private:
+  double TimeAt(vtkIdType i) const;
+  Vector3 PointAt(vtkIdType i) const;
+
+  const TipPaths& Paths;
+  const TipPaths::Members Members;
+  double Start = 0.0;   ///< s
+  vtkIdType Tick = -1;  ///< the last one
+  vtkIdType Before = 0; ///< of points with times: the last one before the tick, or at it
+};
+
+} // namespace VolumeHaptics
+
+#endif
