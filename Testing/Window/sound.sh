@@ -110,8 +110,10 @@ press()
   xdotool key "$1"
 }
 
+# From outside, whatever was before.
 touch_skin()
 {
+  press Escape
   press t
   for _ in 1 2 3 4 5 6
   do
@@ -131,16 +133,38 @@ slide()
   done
 }
 
+is_recorded()
+{
+  [[ $(stat -c %s "$folder/heard") -gt 96000 ]]
+}
+
 # What the server was given while a command ran, in bytes that are not zero: none if it was silent.
 count_heard()
 {
   parec --device=ear.monitor --raw --rate=48000 --channels=1 --format=s16le > "$folder/heard" 2> /dev/null &
   local recorder=$!
   "$@"
+  wait_for "a second of a recording" is_recorded
   kill "$recorder"
   wait "$recorder" 2> /dev/null || true
-  [[ $(stat -c %s "$folder/heard") -gt 96000 ]] || fail "less than a second was recorded"
   tr -d '\0' < "$folder/heard" | wc -c
+}
+
+# On a busy machine the force fades while the window stands still, and stays off: then the hand begins anew.
+expect_sound()
+{
+  local round heard
+  for ((round = 0; round < 15; ++round))
+  do
+    touch_skin
+    heard=$(count_heard slide)
+    if [[ $heard -gt 10000 ]]
+    then
+      echo "heard on the skin $1: $heard bytes of sound"
+      return 0
+    fi
+  done
+  fail "only $heard bytes of sound on the skin $1"
 }
 
 end_program()
@@ -165,10 +189,7 @@ start_program
 wait_for "a stream" is_playing
 heard=$(count_heard sleep 2)
 [[ $heard -eq 0 ]] || fail "$heard bytes of sound in the air"
-touch_skin
-heard=$(count_heard slide)
-[[ $heard -gt 10000 ]] || fail "$heard bytes of sound on the skin"
-echo "heard on the skin: $heard bytes of sound"
+expect_sound "at first"
 press o
 wait_for "the line 'Sound off'" grep -q "^Sound off" "$folder/program.log"
 sleep 1
@@ -176,8 +197,7 @@ heard=$(count_heard slide)
 [[ $heard -eq 0 ]] || fail "$heard bytes of sound while it was off"
 press o
 wait_for "the line 'Sound on'" grep -q "^Sound on" "$folder/program.log"
-heard=$(count_heard slide)
-[[ $heard -gt 10000 ]] || fail "$heard bytes of sound after it was off"
+expect_sound "after it was off"
 is_playing || fail "the stream ended too early"
 end_program
 if is_playing
@@ -196,12 +216,12 @@ wait "$server" 2> /dev/null || true
 server=""
 slide
 ! has_ended || fail "the program ended with the server"
+wait_for "a line about sound" grep -q "^--sound: there is no sound" "$folder/program.log"
 expect_lines 1
 start_server
 press o
 wait_for "a new stream" is_playing
-heard=$(count_heard slide)
-[[ $heard -gt 10000 ]] || fail "$heard bytes of sound from the new server"
+expect_sound "by the new server"
 end_program
 expect_lines 1
 grep "^--sound: there is no sound" "$folder/program.log"
@@ -219,6 +239,7 @@ wait "$server" 2> /dev/null || true
 server=""
 
 start_program
+wait_for "a line about sound" grep -q "^--sound: there is no sound" "$folder/program.log"
 slide
 expect_lines 1
 end_program
