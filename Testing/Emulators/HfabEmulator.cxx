@@ -24,6 +24,8 @@ constexpr double LargestCurrent = 6000.0; // mA, escon_max_milliamps
 constexpr auto Watchdog = std::chrono::milliseconds(100);
 /// A host sends no second message for longer than this unless the first is answered.
 constexpr auto Patience = std::chrono::milliseconds(15);
+/// After such a pause, answers and messages cross on their way for a while.
+constexpr auto Confusion = std::chrono::milliseconds(200);
 
 /** A row of the host's tables, in its own order and words. */
 struct Row
@@ -316,7 +318,8 @@ void HfabEmulator::Run()
     // A controller is never held up, but this thread is, and so are bytes on their way to it: what
     // comes together then was sent one message after the other.
     const auto now = Clock::now();
-    const bool wasHeldUp = now - this->LastBytes > Patience && this->Fault != HfabFault::Late;
+    this->HeldUpUntil = now - this->LastBytes > Patience ? now + Confusion : this->HeldUpUntil;
+    const bool wasHeldUp = now < this->HeldUpUntil && this->Fault != HfabFault::Late;
     this->LastBytes = now;
     for (ssize_t i = 0; i < size; ++i)
     {

@@ -96,6 +96,7 @@ private:
   std::array<int, 3> Currents{};
   std::string Line;
   std::chrono::steady_clock::time_point LastBytes;
+  std::chrono::steady_clock::time_point HeldUpUntil;
   std::chrono::steady_clock::time_point LastMessage;
   std::chrono::steady_clock::time_point LastMove;
   std::atomic<int> Messages{ 0 };
