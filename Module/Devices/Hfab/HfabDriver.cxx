@@ -134,7 +134,8 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     return this->Port.Read(&byte, 1, 0) < 0 ? Reply::Gone : Reply::None;
   }
   const std::int64_t begin = ServoClock::Now();
-  while (ServoClock::SecondsSince(begin) < AnswerTime)
+  // Once in any case: if this computer was late, the controller was not.
+  do
   {
     const int size = this->Port.Read(bytes, sizeof(bytes), 5);
     if (size < 0)
@@ -150,7 +151,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     {
       return Reply::Answer;
     }
-  }
+  } while (ServoClock::SecondsSince(begin) < AnswerTime);
   return Reply::None;
 }
 
