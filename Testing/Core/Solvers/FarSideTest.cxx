@@ -93,6 +93,28 @@ TEST(FarSide, IsTheFirstPlateauNotTheSkullThroughTheScalp)
   }
 }
 
+// The skin is thinner than the kernel is wide, and the skull behind it is the steeper edge. Wherever
+// a walk begins between the edges, it finds the one on the near side of the dip, not both as one.
+TEST(FarSide, IsThatOfAThinLayerWhoseNextEdgeIsSteeper)
+{
+  for (const double blur : { 0.5, 0.6 })
+  {
+    for (const double thickness : { 2.6, 3.0 })
+    {
+      SCOPED_TRACE(testing::Message() << blur << ", " << thickness);
+      const Layers head([&](double z)
+        { return -1000.0 + 1000.0 * Phi(z / blur) + 1500.0 * Phi((z - thickness) / blur); });
+      for (double at = -1.0; at <= 0.5 * thickness - 0.5; at += 0.1)
+      {
+        EXPECT_NEAR(head.Find(at).Ahead, 0.0, 300.0) << "from " << at;
+        EXPECT_NEAR(head.Find(at).Behind, -1000.0, 40.0) << "from " << at;
+      }
+      EXPECT_NEAR(head.Find(thickness).Behind, 0.0, 300.0);
+      EXPECT_NEAR(head.Find(thickness).Ahead, 1500.0, 1500.0 * Tolerance);
+    }
+  }
+}
+
 TEST(FarSide, IsThreeRadiiAwayOnAnEvenRamp)
 {
   const Layers ramp([](double z) { return 100.0 * z; });

@@ -30,26 +30,38 @@ struct Walk
   double Weight = 1.0;
   double Change = 0.0; ///< of V in this step
   double Largest = 0.0;
-  double Smallest = 0.0; ///< since the largest one
+  double LargestBefore = 0.0; ///< without this step
+  double First = 0.0; ///< the rise of the first step
+  int Steps = 0;
+  double Smallest = std::numeric_limits<double>::infinity(); ///< since the largest one
 
-  /** @param sign 1 if V rises in the direction of this walk, else -1. */
+  /** @param sign 1 if V rises in the direction of this walk, else -1 */
   void Step(double value, double sign) noexcept
   {
     this->Change = value - this->Last;
     this->Rise = sign * this->Change;
     this->Last = value;
+    this->LargestBefore = this->Largest;
     this->Largest = std::max(this->Largest, this->Rise);
+    this->First = this->Steps++ == 0 ? this->Rise : this->First;
   }
 
-  void Add(double inverseOfMost) noexcept
+  /** @param opposite the walk to the other side, after the same step */
+  void Add(const Walk& opposite, double inverseOfMost) noexcept
   {
-    const bool isValley = this->Rise >= this->Largest || this->Rise <= this->Smallest;
-    this->Smallest = isValley ? this->Rise : this->Smallest;
+    const bool isLargest = this->Rise >= this->Largest;
+    const bool isValley = isLargest || this->Rise <= this->Smallest;
+    this->Smallest = std::min(this->Smallest, this->Rise);
+    // Between two edges the position has the one on whose flank it is, if it is not on a plateau.
+    const double flank = SmoothStep(FarSide::Flat, FarSide::Steep, this->First * inverseOfMost);
+    const double hill =
+      std::min(this->Rise, std::max(this->LargestBefore, flank * opposite.Largest));
     const double before = 1.0 -
-      SmoothStep(FarSide::Rise, FarSide::NextEdge, (this->Rise - this->Smallest) * inverseOfMost);
+      SmoothStep(FarSide::Rise, FarSide::NextEdge, (hill - this->Smallest) * inverseOfMost);
     this->Far = this->Valley + before * (this->Far - this->Valley);
     this->Weight *= before * SmoothStep(FarSide::Flat, FarSide::Steep, this->Rise * inverseOfMost);
     this->Far += this->Weight * this->Change;
+    this->Smallest = isLargest ? this->Rise : this->Smallest;
     this->Valley = isValley ? this->Far : this->Valley;
   }
 };
@@ -86,11 +98,11 @@ FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vec
     const double inverse = most > LeastRise ? 1.0 / most : 0.0;
     if (goesAhead)
     {
-      ahead.Add(inverse);
+      ahead.Add(behind, inverse);
     }
     if (goesBehind)
     {
-      behind.Add(inverse);
+      behind.Add(ahead, inverse);
     }
     evenness = std::min(ahead.Weight, behind.Weight) *
       std::max(0.0, std::min(ahead.Rise, behind.Rise) * inverse);

@@ -15,17 +15,19 @@
  * From the proxy x_p, the walk goes along the normal to both sides, in steps of a quarter of the
  * kernel radius (in voxels along the normal) and FarSide::MostSteps at most: three radii. Let a_j
  * be the rise of V in step j, m the largest rise of both sides so far or that of the estimator's
- * gradient, and l the smallest rise of this side since its largest one, in the step that ended at
- * F_l. The value F of a side goes on from F_0 = V(x_p) as
+ * gradient, l the smallest rise of this side since its largest one, in the step that ended at F_l,
+ * and h_j the smaller one of a_j and the largest rise before, of this side or, if x_p is on the
+ * flank of an edge, of the other side. The value F of a side goes on from F_0 = V(x_p) as
  *
  *   F_j = F_l + v_j (F_j-1 - F_l) + w_j (V_j - V_j-1),   w_j = w_j-1 v_j u_j,   w_0 = 1.
  *
  * u_j rises smoothly from 0, at a_j/m = FarSide::Flat, to 1 at FarSide::Steep: the walk ends where
- * the ramp is flat. v_j falls from 1, at (a_j - l)/m = FarSide::Rise, to 0 at FarSide::NextEdge: if
- * another edge begins, F is the value between the two, so that the skull is not read through the
- * scalp. On an edge that is blurred by a Gaussian of 0.5 to 2 voxels (with the default radius of 2)
- * F is the plateau's value within 2.5 % of the edge's height. At the border of the volume the walk
- * of a side stops, as if V went on beyond it as before: an even ramp is one up to the border.
+ * the ramp is flat. v_j falls from 1, at (h_j - l)/m = FarSide::Rise, to 0 at FarSide::NextEdge: if
+ * another edge begins, steeper or not, F is the value between the two, so that the skull is not
+ * read through the scalp, even if that is too thin for a plateau. On an edge that is blurred by a
+ * Gaussian of 0.5 to 2 voxels (with the default radius of 2) F is the plateau's value within 2.5 %
+ * of the edge's height. At the border of the volume the walk of a side stops, as if V went on
+ * beyond it as before: an even ramp is one up to the border.
  *
  * An even ramp leads nowhere: there the values are those of the kernel, a radius to either side of
  * each position, as if MaterialPlacement were Kernel; between an edge and an even ramp they are
