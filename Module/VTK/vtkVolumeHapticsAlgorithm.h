@@ -93,9 +93,9 @@ public:
 
   ///@{
   /**
-   * Where a surface begins to hold, with the solver PRECISE. DISTINCTNESS (default): as soon as
+   * Where a surface begins to hold, with the solver PRECISE. DISTINCTNESS: as soon as
    * distinctness and strength say so, which on a blurred edge is some voxels before its middle.
-   * EDGE: not before the middle of the edge, so that what is felt lies on what is seen.
+   * EDGE (default): not before the middle of the edge, so that what is felt lies on what is seen.
    *
    * At the middle, V(x_p) >= (V(x_s) + V(x_v)) / 2, within 0.1 % of their difference. On a linear
    * ramp both settings are alike.
@@ -114,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Which values the materials of a surface belong to, with the solver PRECISE. KERNEL (default):
-   * those a kernel radius to either side of the proxy, as in the paper. FAR_SIDE: those that a
+   * Which values the materials of a surface belong to, with the solver PRECISE. KERNEL: those
+   * a kernel radius to either side of the proxy, as in the paper. FAR_SIDE (default): those that a
    * blurred edge leads to, so that skin feels as what lies behind it, from the first touch on.
    *
    * FAR_SIDE follows the normal to the first plateau on either side, 3 KernelRadius voxels at most.
@@ -401,8 +401,8 @@ protected:
   vtkSmartPointer<vtkHapticProperty> Property;
   int Method = PROXY;
   int Solver = PRECISE;
-  int ContactAlignment = DISTINCTNESS;
-  int MaterialPlacement = KERNEL;
+  int ContactAlignment = EDGE;
+  int MaterialPlacement = FAR_SIDE;
   int Geometry = FROM_SCALARS;
   int GradientEstimator = GAUSSIAN;
   int KernelRadius = 2;

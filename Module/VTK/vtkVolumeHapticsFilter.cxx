@@ -220,7 +220,7 @@ bool vtkVolumeHapticsFilter::BakeLabels(
 //------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
   vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps,
-  vtkMatrix4x4* deviceToWorld, std::string& error)
+  vtkMatrix4x4* deviceToWorld, std::string& error, vtkPolyData* recording)
 {
   using namespace VolumeHaptics;
 
@@ -249,6 +249,14 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
     {
       setting.Bake(this, options.Description);
     }
+  }
+  if (recording && IsOlderThanMaterialPlacement(recording))
+  {
+    HapticSettings& settings = options.Description.Settings;
+    settings.Placement = MaterialPlacement::Kernel;
+    settings.Alignment = FindRecordedSetting(recording, "ContactAlignment: ") == "Edge"
+      ? ContactAlignment::Edge
+      : ContactAlignment::Distinctness;
   }
   options.Description.Settings.TickPeriod = tickPeriod;
   options.Description.Settings.Caps.Stiffness = this->MaximumStiffness;
@@ -456,8 +464,9 @@ int vtkVolumeHapticsFilter::TouchPath(
   const bool readable = !path || paths.Read(path, period, error);
   const RecordedPath* const recording = paths.GetRecording();
   std::string imageError;
-  std::shared_ptr<const HapticModel> model = this->BakeImage(
-    image, recording ? recording->TickPeriod : period, ForceCaps{}, nullptr, imageError);
+  std::shared_ptr<const HapticModel> model =
+    this->BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{}, nullptr,
+      imageError, recording ? path : nullptr);
   if (!model || !readable)
   {
     error = model ? error : imageError;

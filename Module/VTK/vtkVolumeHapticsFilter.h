@@ -55,7 +55,9 @@
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
  * segments (lines of two points) that continue one another, or points without lines: then all
  * points are one path, in the order in which they are stored. A line that joins them in another
- * order is an error. A recording of vtkHapticDevice is replayed tick by tick, to the bit.
+ * order is an error. A recording of vtkHapticDevice is replayed tick by tick, to the bit. One from
+ * before SetMaterialPlacement() has the materials of the kernel and the contact alignment that it
+ * was made with, whatever is set.
  *
  * Several polylines are several paths, as if each were felt alone, to the bit: each begins with the
  * proxy on the tip, at its own first time, and goes through its points in the order of its cell.
@@ -222,7 +224,7 @@ private:
   int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
-    std::string& error);
+    std::string& error, vtkPolyData* recording = nullptr);
 
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;

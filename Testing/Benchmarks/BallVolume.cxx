@@ -104,6 +104,11 @@ std::unique_ptr<HapticModel> MakeModel(
   description.Settings.ForceShading = choice.ForceShading;
   description.Settings.LocalShape = choice.LocalShape;
   description.Settings.Geometry = choice.Geometry;
+  if (choice.IsPlacedAsThePaper)
+  {
+    description.Settings.Alignment = ContactAlignment::Distinctness;
+    description.Settings.Placement = MaterialPlacement::Kernel;
+  }
   description.Mesh = choice.Mesh;
   description.Labels = choice.Labels;
   description.Settings.ForceFieldGain = 0.01;

@@ -60,6 +60,8 @@ struct ModelChoice
   VolumeHaptics::LocalSurfaceShape LocalShape = VolumeHaptics::LocalSurfaceShape::Plane;
   std::shared_ptr<const VolumeHaptics::BakedLabels> Labels;
   VolumeHaptics::SurfaceGeometry Geometry = VolumeHaptics::SurfaceGeometry::Scalars;
+  /** Surfaces of the paper with PRECISE: alignment Distinctness, materials of the kernel. */
+  bool IsPlacedAsThePaper = false;
 };
 
 /** Materials like those of a CT. */

@@ -19,6 +19,8 @@ constexpr double SameCost = 1.15;
 constexpr double PreciseTarget = 4.0;
 /** The median tick with labels beside one without. */
 constexpr double LabelTarget = 1.25;
+/** PRECISE with its default settings beside the paper's placement and alignment. */
+constexpr double PlacementTarget = 1.25;
 /** A gradient beside reading its taps, when they are in the cache and when they are not. */
 constexpr double WarmTarget = 2.0;
 constexpr double ColdTarget = 1.3;
@@ -172,6 +174,12 @@ void PrintRatios(const Medians& medians)
         }
       }
     }
+  }
+  PrintTitle("PRECISE with far side and Edge beside kernel and Distinctness");
+  for (const Estimator& estimator : GetEstimators())
+  {
+    PrintRatio(medians, NameOf("precise_tick", estimator.Name, "slide", "256^3"),
+      NameOf("placed_as_paper_tick", estimator.Name, "slide", "256^3"), PlacementTarget);
   }
   PrintTitle("Tick on the isosurface, sliding at 0.1 m/s, us");
   for (const char* variant : { "surface_tick/shaded", "surface_tick/flat",

@@ -19,11 +19,16 @@ struct Scene
   Estimator Gradient;
   HapticMethod Method;
   HapticSolver Solver = HapticSolver::Paper;
+  bool IsPlacedAsThePaper = false;
 };
 
 void MeasureSlide(benchmark::State& bench, const Scene& scene)
 {
-  const auto model = MakeModel(scene.Volume, scene.Gradient, { scene.Method, scene.Solver });
+  ModelChoice choice;
+  choice.Method = scene.Method;
+  choice.Solver = scene.Solver;
+  choice.IsPlacedAsThePaper = scene.IsPlacedAsThePaper;
+  const auto model = MakeModel(scene.Volume, scene.Gradient, choice);
   const TickRecord record = Slide(scene.Volume).Measure(bench, *model);
   const bool isProxy = scene.Method == HapticMethod::Proxy;
   if (isProxy && bench.iterations() > 1000 && record.Contact != ContactState::Sliding)
@@ -64,6 +69,9 @@ void RegisterTickBenchmarks(const BallVolume& volume)
     benchmark::RegisterBenchmark(
       NameOf("precise_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
       Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
+    benchmark::RegisterBenchmark(
+      NameOf("placed_as_paper_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
+      Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise, true });
     benchmark::RegisterBenchmark(
       NameOf("force_field_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
       Scene{ volume, estimator, HapticMethod::ForceField });

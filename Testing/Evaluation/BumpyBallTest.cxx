@@ -3,7 +3,7 @@
 
 /**
  * The true surface of the bumpy ball, as a search by brute force finds it; and a method whose
- * surface is known is found on it.
+ * surface is known is found on it. The default settings feel the ball where it is seen.
  */
 
 #include "BumpyBall.h"
@@ -65,5 +65,17 @@ TEST(BumpyBall, MeshOfTheLevelLiesOnIt)
   EXPECT_GT(felt.Ticks, 1000u);
   EXPECT_LT(felt.Distance, 0.1);
   EXPECT_LT(felt.Angle, 4.0);
+}
+
+TEST(BumpyBall, IsFeltWhereItIsSeenByDefault)
+{
+  for (const Figure& figure : MeasureBumpyBall({}))
+  {
+    EXPECT_TRUE(figure.IsReached()) << figure.Name << ": " << figure.Value << " " << figure.Unit;
+  }
+  vtkNew<vtkVolumeHapticsFilter> paper;
+  paper->SetContactAlignmentToDistinctness();
+  paper->SetMaterialPlacementToKernel();
+  EXPECT_GT(FeelBumpyBall(paper, {}).Distance, 1.0) << "the figure can tell";
 }
 } // namespace

@@ -21,6 +21,8 @@ struct Form
   Path Tips;
   std::vector<Vector3> Forces; ///< N, one a tick
   std::size_t FirstJudged = 0; ///< the first tick for which the form holds
+  /** It holds for alignment Distinctness with materials of the kernel: see PlacedAsThePaper. */
+  bool IsOfThePaper = false;
 };
 
 /** T1 to T13, all that are forces in a sampled field. */

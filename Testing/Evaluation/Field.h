@@ -36,8 +36,8 @@ struct Sampling
 struct Touching
 {
   VolumeHaptics::HapticSolver Solver = VolumeHaptics::HapticSolver::Precise;
-  VolumeHaptics::ContactAlignment Alignment = VolumeHaptics::ContactAlignment::Distinctness;
-  VolumeHaptics::MaterialPlacement Placement = VolumeHaptics::MaterialPlacement::Kernel;
+  VolumeHaptics::ContactAlignment Alignment = VolumeHaptics::ContactAlignment::Edge;
+  VolumeHaptics::MaterialPlacement Placement = VolumeHaptics::MaterialPlacement::FarSide;
   VolumeHaptics::SurfaceSide Side = VolumeHaptics::SurfaceSide::Higher;
   VolumeHaptics::GradientEstimator Estimator = VolumeHaptics::GradientEstimator::Gaussian;
   int KernelRadius = 2;

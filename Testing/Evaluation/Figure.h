@@ -62,14 +62,22 @@ struct Plot
   std::vector<std::pair<double, std::string>> XTicks = {};
 };
 
-/** Whom a figure is measured for. */
+/** Whom a figure is measured for; by default with the default settings. */
 struct Candidate
 {
   VolumeHaptics::HapticSolver Solver;
   VolumeHaptics::GradientEstimator Estimator;
-  VolumeHaptics::MaterialPlacement Placement = VolumeHaptics::MaterialPlacement::Kernel;
-  VolumeHaptics::ContactAlignment Alignment = VolumeHaptics::ContactAlignment::Distinctness;
+  VolumeHaptics::MaterialPlacement Placement = VolumeHaptics::MaterialPlacement::FarSide;
+  VolumeHaptics::ContactAlignment Alignment = VolumeHaptics::ContactAlignment::Edge;
 };
+
+/** The same with the surfaces of the paper: alignment Distinctness, materials of the kernel. */
+inline Candidate PlacedAsThePaper(Candidate candidate)
+{
+  candidate.Placement = VolumeHaptics::MaterialPlacement::Kernel;
+  candidate.Alignment = VolumeHaptics::ContactAlignment::Distinctness;
+  return candidate;
+}
 
 inline Touching TouchingOf(const Candidate& candidate, const VolumeHaptics::HapticMaterial& m)
 {

@@ -68,13 +68,15 @@ Figures MeasureTickRatios(const std::vector<FeltSurface>& surfaces, const Scans&
   {
     const std::string on = " over that without, " + surface.Scan + ", " + surface.Name;
     const auto without = [](vtkVolumeHapticsFilter* filter)
-    { filter->SetMaterialPlacementToKernel(); };
+    {
+      filter->SetMaterialPlacementToKernel();
+      filter->SetContactAlignmentToDistinctness();
+    };
     if (surface.Scan == "head CT")
     {
-      const auto far = [](vtkVolumeHapticsFilter* filter)
-      { filter->SetMaterialPlacementToFarSide(); };
-      figures.push_back({ "tick, median, with the far side" + on, "times",
-        MeasureTickRatio(surface, far, without), 1.25, true });
+      const auto byDefault = [](vtkVolumeHapticsFilter*) {};
+      figures.push_back({ "tick, median, with far side and Edge" + on, "times",
+        MeasureTickRatio(surface, byDefault, without), 1.25, true });
     }
     else if (surface.Scan == "chest CT")
     {
@@ -232,6 +234,7 @@ int main(int argc, char* argv[])
     report.Transfer = DrawTransferPicture(volume, effort, folder);
     report.Safety = MeasurePortSafety(effort.Pick(50, 1000), effort.Pick(2, 20));
   }
+  report.Sections.push_back({ "Felt where it is seen", {}, MeasureBumpyBall(effort) });
   if (!report.Scans.Required.empty())
   {
     report.Sections.push_back({ "The feel of real scans", {}, report.Scans.Required });

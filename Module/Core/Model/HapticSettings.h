@@ -73,9 +73,9 @@ struct HapticSettings
 {
   HapticMethod Method = HapticMethod::Proxy;
   HapticSolver Solver = HapticSolver::Precise;
-  ContactAlignment Alignment = ContactAlignment::Distinctness;
+  ContactAlignment Alignment = ContactAlignment::Edge;
   SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< Scalars without labels
-  MaterialPlacement Placement = MaterialPlacement::Kernel;
+  MaterialPlacement Placement = MaterialPlacement::FarSide;
   SurfaceSide Side = SurfaceSide::Higher;
   bool SameShape = false;           ///< one stiffness for all materials that have any
   double CouplingStiffness = 500.0; ///< N/m, with SameShape

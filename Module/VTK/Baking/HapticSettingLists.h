@@ -59,18 +59,20 @@ inline constexpr FilterSetting All[] = {
     "volume, at the proxy's position before the tick. Precise (default): the same law, in balance "
     "at the proxy's position after it; it neither drifts off curved walls nor leaks out of "
     "cavities."),
-  HapticChoiceMacro(ContactAlignment, Owner::DISTINCTNESS, &S::Alignment,
-    "Where a surface begins to hold, with the solver Precise. Distinctness (default): as soon as "
+  HapticChoiceMacro(ContactAlignment, Owner::EDGE, &S::Alignment,
+    "Where a surface begins to hold, with the solver Precise. Distinctness: as soon as "
     "distinctness and strength say so, which on a blurred edge is some voxels before its middle. "
-    "Edge: not before the middle of the edge, so that what is felt lies on what is seen."),
+    "Edge (default): not before the middle of the edge, so that what is felt lies on what is "
+    "seen."),
   HapticChoiceMacro(Geometry, Owner::FROM_SCALARS, &S::Geometry,
     "Which image makes the surfaces of the method Proxy. From scalars (default): the volume. From "
     "labels: the label image, with walls between its labels. From both: the volume, and walls "
     "between labels where it has no distinct surface."),
-  HapticChoiceMacro(MaterialPlacement, Owner::KERNEL, &S::Placement,
-    "Which values the materials of a surface belong to, with the solver Precise. Kernel (default): "
-    "those a kernel radius to either side of the proxy, as in the paper. Far side: those that a "
-    "blurred edge leads to, so that skin feels as what lies behind it, from the first touch on."),
+  HapticChoiceMacro(MaterialPlacement, Owner::FAR_SIDE, &S::Placement,
+    "Which values the materials of a surface belong to, with the solver Precise. Kernel: "
+    "those a kernel radius to either side of the proxy, as in the paper. Far side (default): those "
+    "that a blurred edge leads to, so that skin feels as what lies behind it, from the first touch "
+    "on."),
   HapticChoiceMacro(GradientEstimator, Owner::GAUSSIAN, &D::Estimator,
     "How gradients are estimated. Central difference: of six trilinear samples Kernel Radius "
     "voxels away. Gaussian (default): the derivative of a Gaussian of scale 0.53 Kernel Radius "

@@ -139,6 +139,11 @@ NumberRow ToRow(const double x[3])
 //------------------------------------------------------------------------------
 void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
+  if (!node.IsWriting() && node.Has("ContactAlignment") && !node.Has("MaterialPlacement"))
+  {
+    // A whole setup from before this setting.
+    node.Then([=] { filter->SetMaterialPlacementToKernel(); });
+  }
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterSettings);
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterTexts);
   PassProperty(node, filter, visible);

@@ -51,7 +51,7 @@ void SetRecordedSettings(vtkPolyData* path, const std::string& settings)
   path->GetFieldData()->AddArray(array);
 }
 
-std::string FindLabelHash(vtkPolyData* recording)
+std::string FindRecordedSetting(vtkPolyData* recording, const std::string& prefix)
 {
   auto* const settings = vtkStringArray::SafeDownCast(
     recording->GetFieldData()->GetAbstractArray(RecordingNames::Settings));
@@ -59,15 +59,25 @@ std::string FindLabelHash(vtkPolyData* recording)
   {
     return {};
   }
-  const std::string prefix = std::string("\n") + RecordingNames::LabelHash;
   const std::string text = "\n" + settings->GetValue(0);
-  const std::size_t found = text.find(prefix);
+  const std::size_t found = text.find("\n" + prefix);
   if (found == std::string::npos)
   {
     return {};
   }
-  const std::size_t begin = found + prefix.size();
+  const std::size_t begin = found + 1 + prefix.size();
   return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+bool IsOlderThanMaterialPlacement(vtkPolyData* recording)
+{
+  return !FindRecordedSetting(recording, "ContactAlignment: ").empty() &&
+    FindRecordedSetting(recording, "MaterialPlacement: ").empty();
+}
+
+std::string FindLabelHash(vtkPolyData* recording)
+{
+  return FindRecordedSetting(recording, RecordingNames::LabelHash);
 }
 
 std::string CompareLabels(vtkPolyData* path, const std::string& hash)

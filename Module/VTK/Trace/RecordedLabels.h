@@ -20,6 +20,18 @@ std::string ReadSettingsBeside(const std::string& csv);
 /** Gives a path the field array Settings, as a recording has it. */
 void SetRecordedSettings(vtkPolyData* path, const std::string& settings);
 
+/**
+ * The rest of the line of the settings of a recording that begins with `prefix`; empty if there is
+ * none, or no settings.
+ */
+std::string FindRecordedSetting(vtkPolyData* recording, const std::string& prefix);
+
+/**
+ * Whether a recording is older than the setting MaterialPlacement: its surfaces have the materials
+ * of the kernel.
+ */
+bool IsOlderThanMaterialPlacement(vtkPolyData* recording);
+
 /** The hash of the label image in the settings of a recording; empty if it was made without. */
 std::string FindLabelHash(vtkPolyData* recording);
 

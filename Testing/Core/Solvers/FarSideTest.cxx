@@ -93,8 +93,8 @@ TEST(FarSide, IsTheFirstPlateauNotTheSkullThroughTheScalp)
   }
 }
 
-// The skin is thinner than the kernel is wide, and the skull behind it is the steeper edge. Wherever
-// a walk begins between the edges, it finds the one on the near side of the dip, not both as one.
+// The skin is thinner than the kernel is wide, and the skull behind it is the steeper edge. A walk
+// finds the edge on its own side of the dip between them, not both as one.
 TEST(FarSide, IsThatOfAThinLayerWhoseNextEdgeIsSteeper)
 {
   for (const double blur : { 0.5, 0.6 })

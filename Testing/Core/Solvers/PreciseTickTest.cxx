@@ -41,7 +41,9 @@ HapticModelDescription DescribeWall(const TestVolume& volume)
 TEST(PreciseTick, ATeleportedTipIsFollowedInTicksAndNothingIsSkipped)
 {
   const TestVolume volume = MakeWall();
-  const HapticModel model(DescribeWall(volume));
+  HapticModelDescription description = DescribeWall(volume);
+  PlaceAsThePaper(description);
+  const HapticModel model(description);
   ServoState state;
   TickRecord record;
   Tick(model, state, { 0.012, 0.012, 0.001 }, record);
@@ -71,6 +73,7 @@ TEST(PreciseTick, AProxyOnItsWayBringsNoForceAlong)
   // Nothing is felt in the air, and a stiff wall of no strength to begin with drags at the proxy.
   const TestVolume volume = MakeWall();
   HapticModelDescription description = DescribeWall(volume);
+  PlaceAsThePaper(description);
   description.Material.Stiffness = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 2.0, 1000.0 } };
   const HapticModel model(description);
   ServoState state;

@@ -46,6 +46,7 @@ TestVolume MakeSlab(bool beginsStiff)
 HapticModelDescription DescribeSlab(const TestVolume& volume, HapticSolver solver)
 {
   HapticModelDescription d = Describe(volume);
+  PlaceAsThePaper(d);
   d.Estimator = GradientEstimator::CubicBSpline;
   d.KernelRadius = Radius;
   d.Settings.Solver = solver;

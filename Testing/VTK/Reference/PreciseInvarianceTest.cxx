@@ -112,6 +112,8 @@ TEST(PreciseInvariance, TheForceFollowsTheTipNoStifferThanTheSpring)
     // shortens.
     const Vec3 slope = random.UnitVector();
     const bool isPlane = seed % 2;
+    // An edge's strength would grow with the depth in the cavity, and limit 1e9 N to some.
+    scene.placesAsThePaper = !isPlane;
     const auto field = [&](const Vec3& x)
     {
       const Vec3 off = x - 20.0 * slope;

@@ -52,6 +52,11 @@ static void Configure(vtkVolumeHapticsFilter* filter, Scene& scene)
   }
   filter->SetSolver(scene.solver == Solver::Paper ? vtkVolumeHapticsFilter::PAPER
                                                   : vtkVolumeHapticsFilter::PRECISE);
+  if (scene.placesAsThePaper)
+  {
+    filter->SetContactAlignmentToDistinctness();
+    filter->SetMaterialPlacementToKernel();
+  }
   filter->SetProperty(scene.property);
   filter->SetKernelRadius(scene.kernelRadius);
   filter->SetServoRate(scene.servoRate);

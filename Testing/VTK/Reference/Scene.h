@@ -59,6 +59,7 @@ struct Scene
   Side side = Side::Higher;
   Method method = Method::Proxy;
   Solver solver = Solver::Paper;
+  bool placesAsThePaper = false; ///< alignment Distinctness, materials of the kernel
   Estimator estimator = Estimator::Gaussian;
   int kernelRadius = 2;
   double servoRate = 1000.0;

@@ -119,6 +119,9 @@ TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
   vtkNew<vtkVolumeHapticsFilter> touch; // 500 N/m and 2 N, a kernel of 2 voxels
   this->Planner->UseSettingsOf(touch);
   EXPECT_DOUBLE_EQ(this->Planner->GetSpringLength(), 4.0);
-  EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 5.0);
+  EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 9.0) << "as far as the walk to the far side goes";
   EXPECT_DOUBLE_EQ(this->Planner->GetBand(), 4.0);
+  touch->SetMaterialPlacementToKernel();
+  this->Planner->UseSettingsOf(touch);
+  EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 5.0);
 }

@@ -31,7 +31,7 @@ struct Walk
   double Change = 0.0; ///< of V in this step
   double Largest = 0.0;
   double LargestBefore = 0.0; ///< without this step
-  double First = 0.0; ///< the rise of the first step
+  double First = 0.0;         ///< the rise of the first step
   int Steps = 0;
   double Smallest = std::numeric_limits<double>::infinity(); ///< since the largest one
 
@@ -56,8 +56,8 @@ struct Walk
     const double flank = SmoothStep(FarSide::Flat, FarSide::Steep, this->First * inverseOfMost);
     const double hill =
       std::min(this->Rise, std::max(this->LargestBefore, flank * opposite.Largest));
-    const double before = 1.0 -
-      SmoothStep(FarSide::Rise, FarSide::NextEdge, (hill - this->Smallest) * inverseOfMost);
+    const double before =
+      1.0 - SmoothStep(FarSide::Rise, FarSide::NextEdge, (hill - this->Smallest) * inverseOfMost);
     this->Far = this->Valley + before * (this->Far - this->Valley);
     this->Weight *= before * SmoothStep(FarSide::Flat, FarSide::Steep, this->Rise * inverseOfMost);
     this->Far += this->Weight * this->Change;
