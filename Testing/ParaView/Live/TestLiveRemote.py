@@ -38,6 +38,19 @@ def offline(touch, tips):
     return numpy.array(output.PointData["Force"])
 
 
+def lead(device):
+    """A recording of the way to the head, armed, from a tip that the data surround."""
+    device.VirtualTip = [-60, -100, 60]
+    live.check(live.poll(device, lambda: live.distance(device.TipPosition, [-60, -100, 60]) < 1e-9), "the tip is at its start")
+    live.check(live.poll(device, lambda: device.Residency == 1.0), "the region is here", device.StatusText)
+    device.Recording = 1
+    device.Armed = 1
+    for way in numpy.linspace([-60, -100, 60], [30, -80, 20], 300):
+        device.VirtualTip = list(way)
+        live.poll_for(device, 0.01)
+    device.Recording = 0
+
+
 with live.Server(RANKS):
     live.load_plugin(remote=True)
     touch = touch_head()
@@ -46,15 +59,11 @@ with live.Server(RANKS):
     device.VirtualTip = [-60, -100, 60]
     device.Running = 1
     live.check(live.poll(device, lambda: device.TickRate > 0), "the servo ticks", device.StatusText)
-    live.check(live.poll(device, lambda: device.Residency == 1.0), "the region is here", device.StatusText)
-    device.Recording = 1
-    device.Armed = 1
-    regions = set()
-    for way in numpy.linspace([-60, -100, 60], [30, -80, 20], 300):
-        device.VirtualTip = list(way)
-        live.poll_for(device, 0.01)
+    lead(device)
+    for _ in range(3):
+        if device.Armed == 0 and "AttentionTime" in device.StatusText:
+            lead(device)  # a busy machine kept this client from looking after the hand
     live.check(device.Armed == 1, "the hand is still held", device.StatusText)
-    device.Recording = 0
     print("latency %.1f ms, missed ticks %d" % (1e3 * device.Latency, device.MissedTicks))
     points = servermanager.Fetch(device).GetNumberOfPoints()
     live.check(points == 12, "the server shows the hand once", points)
