@@ -138,7 +138,6 @@ void TouchReports(Dealer& dealer)
       report[0] = isWireless ? 0x31 : 0x01;
     }
     const bool isWhole = isWireless && report.size() == 78;
-    bool isRight = !isWireless;
     if (isWhole && dealer.Choose(2) == 0)
     {
       const std::uint32_t crc = DualSense::ComputeCrc(0xA1, report.data(), 74);
@@ -146,13 +145,12 @@ void TouchReports(Dealer& dealer)
       {
         report[74 + i] = static_cast<std::uint8_t>(crc >> 8 * i);
       }
-      isRight = true;
-      if (dealer.Choose(2) == 0)
+      const bool isRight = dealer.Choose(2) != 0;
+      if (!isRight)
       {
         // One bit: a checksum always notices that.
         report[1 + static_cast<std::size_t>(dealer.Choose(77))] ^=
           static_cast<std::uint8_t>(1U << dealer.Choose(8));
-        isRight = false;
       }
       Check((DualSense::Decode(report.data(), report.size(), link, state) == nullptr) == isRight,
         "checksums count");

@@ -128,7 +128,7 @@ std::string EvdevPad::GetState() const
   }
   // For a moment, as the only way to learn whether another program has grabbed it.
   const bool isFree = ioctl(node, EVIOCGRAB, 1) == 0;
-  const std::string state = isFree ? "available" : Explain(errno);
+  std::string state = isFree ? "available" : Explain(errno);
   ioctl(node, EVIOCGRAB, 0);
   close(node);
   return state;

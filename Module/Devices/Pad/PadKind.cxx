@@ -37,6 +37,7 @@ std::vector<ListedPad> FindPads()
   std::vector<ListedPad> pads;
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
   const std::vector<EvdevPad> known = FindEvdevPads();
+  pads.reserve(known.size());
   for (const EvdevPad& pad : known)
   {
     pads.push_back({ false, static_cast<int>(pads.size()), pad.GetLabel(), pad.Vibrates,

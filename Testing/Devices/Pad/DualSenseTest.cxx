@@ -82,9 +82,9 @@ TEST(DualSense, ByRadioTheChecksumCounts)
   std::fill_n(report.begin() + 2, 4, std::uint8_t{ 128 });
   report[2] = 255;
   const std::uint32_t crc = DualSense::ComputeCrc(0xA1, report.data(), 74);
-  for (int i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    report[static_cast<std::size_t>(74 + i)] = static_cast<std::uint8_t>(crc >> 8 * i);
+    report[74 + i] = static_cast<std::uint8_t>(crc >> 8 * i);
   }
   Link link = Link::Unknown;
   PadState state;
