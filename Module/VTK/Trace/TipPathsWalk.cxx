@@ -102,18 +102,20 @@ void TipPathsWalk::Fill()
 void TipPathsWalk::Advance()
 {
   this->Fill();
-  this->LacksMemory = false;
+  // Threads take the stretches one by one; these two numbers also hand over what a stretch changes.
+  this->Taken = 0;
+  this->Finished = 0;
   const auto advance = [this](vtkIdType begin, vtkIdType end)
   {
-    for (vtkIdType i = begin; i < end && !this->LacksMemory; ++i)
+    for (vtkIdType i = begin; i < end; ++i)
     {
       try
       {
-        this->Advance(*this->Running[static_cast<std::size_t>(i)]);
+        this->Advance(*this->Running[this->Taken++]);
+        ++this->Finished;
       }
       catch (const std::bad_alloc&) // which no thread of VTK's may throw
       {
-        this->LacksMemory = true;
       }
     }
   };
@@ -125,7 +127,7 @@ void TipPathsWalk::Advance()
   {
     vtkSMPTools::For(0, static_cast<vtkIdType>(this->Running.size()), 1, advance);
   }
-  if (this->LacksMemory)
+  if (this->Finished < this->Running.size())
   {
     throw std::bad_alloc();
   }

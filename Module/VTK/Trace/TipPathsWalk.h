@@ -62,7 +62,11 @@ private:
   std::vector<std::unique_ptr<Runner>> Running;
   std::vector<HapticTrace::Rows> Rows;
   std::atomic<vtkIdType> TicksDone{ 0 };
-  std::atomic<bool> LacksMemory{ false };
+  ///@{
+  /** Stretches of the round. */
+  std::atomic<std::size_t> Taken{ 0 };
+  std::atomic<std::size_t> Finished{ 0 };
+  ///@}
   vtkIdType Flaw = -1;
 };
 
