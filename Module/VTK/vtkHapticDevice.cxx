@@ -148,6 +148,7 @@ void vtkHapticDevice::Halt()
   {
     d.Recorder.Stop(false); // the force is gone, and perhaps the owner as well
   }
+  d.Models.EndPreparing();
   d.Session.Stop();
 }
 
@@ -155,6 +156,7 @@ void vtkHapticDevice::Halt()
 bool vtkHapticDevice::UpdateState()
 {
   this->Internals->Recorder.Follow();
+  this->Internals->Orders.Follow();
   const bool wasForbidden = this->IsAtForbiddenLabel();
   const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
   this->Internals->Orders.TellMemoryTrouble();

@@ -102,6 +102,9 @@ public:
    * materials, settings, DeviceToWorld. Used from the next tick on; if that makes the force larger,
    * it grows at MaximumForceRate. If the servo does not run, Publish only checks. False, with an
    * error, if the input can't be touched; the servo then keeps the last snapshot.
+   *
+   * If labels of a large label image become forbidden, the distances to them are measured in the
+   * background first. Publish returns true at once, and UpdateState publishes when they are there.
    */
   bool Publish();
   /**

@@ -68,6 +68,13 @@ struct vtkHapticFunctionEditor::vtkInternals
   vtkSmartPointer<vtkTable> Boundaries;        // that the chart shows
   vtkTimeStamp EdgeTime;
 
+  /** No work goes on with an image that was taken away. */
+  void EndOtherCounts()
+  {
+    this->Chart.EndCountUnless(this->Image);
+    this->Labels.List.EndOtherCount();
+  }
+
   int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
 
   /** The property whose edges are to be shown: the proposal, or one that was proposed before. */
@@ -128,6 +135,7 @@ vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
     if (this->Internals->member != object)              \
     {                                                   \
       this->Internals->member = object;                 \
+      this->Internals->EndOtherCounts();                \
       this->Modified();                                 \
     }                                                   \
   }                                                     \

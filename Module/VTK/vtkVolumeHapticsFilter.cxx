@@ -268,6 +268,27 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 }
 
 //------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::PrepareBake()
+{
+  if (!this->LabelTable || !this->GetInputDataObject(3, 0))
+  {
+    this->Labels->EndPreparing();
+    return true;
+  }
+  try
+  {
+    UpdateSources(this);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return true; // Bake() reports it
+  }
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
+  vtkDataArray* const labels = image ? this->GetInputArrayToProcess(1, image) : nullptr;
+  return !labels || this->Labels->Prepare(image, labels, this->LabelTable);
+}
+
+//------------------------------------------------------------------------------
 double vtkVolumeHapticsFilter::EstimateBakeTime()
 {
   if (this->Method != SURFACE_PROXY)

@@ -211,6 +211,7 @@ private:
   /** See HapticBaker. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
     double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
+  bool PrepareBake();
   double EstimateBakeTime();
   std::array<VolumeHaptics::TouchedArray, 2> GetTouched();
   ///@}

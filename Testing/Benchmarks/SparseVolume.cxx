@@ -3,7 +3,6 @@
 #include "SparseVolume.h"
 
 #include <vtkPointData.h>
-#include <vtkShortArray.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +15,7 @@
 namespace benchmarks
 {
 
-SparseVolume::SparseVolume(int size)
+SparseVolume::SparseVolume(int size, vtkShortArray* array)
   : Size(size)
   , Bytes(sizeof(short) * static_cast<std::size_t>(size) * size * size)
 {
@@ -49,7 +48,8 @@ SparseVolume::SparseVolume(int size)
   }
   // Without reading ahead: what is in memory is what was read.
   (void)madvise(this->Begin, this->Bytes, MADV_RANDOM);
-  vtkNew<vtkShortArray> samples;
+  const vtkNew<vtkShortArray> own;
+  vtkShortArray* const samples = array ? array : own.Get();
   samples->SetArray(
     static_cast<short*>(this->Begin), static_cast<vtkIdType>(this->Bytes / sizeof(short)), 1);
   this->Image->SetDimensions(size, size, size);

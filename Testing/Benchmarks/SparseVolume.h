@@ -10,6 +10,7 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkShortArray.h>
 
 #include <cstddef>
 
@@ -20,8 +21,11 @@ namespace benchmarks
 class SparseVolume
 {
 public:
-  /** Throws std::runtime_error if there is no room for the file, which has no name. */
-  explicit SparseVolume(int size);
+  /**
+   * Throws std::runtime_error if there is no room for the file, which has no name. The array gets
+   * the samples; null: an array of its own does.
+   */
+  explicit SparseVolume(int size, vtkShortArray* array = nullptr);
   ~SparseVolume();
   SparseVolume(const SparseVolume&) = delete;
   SparseVolume& operator=(const SparseVolume&) = delete;

@@ -79,7 +79,7 @@ allow(Devices/Vendor ${device_basis} Devices/Common)
 allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 
-allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers)
+allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers VTK/Work)
 allow(VTK/Proposal Core/Math Core/Field Core/Proposal VTK/Baking)
 allow(VTK/Files)
 allow(VTK/Labels VTK/Files)

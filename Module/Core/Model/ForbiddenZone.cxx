@@ -50,9 +50,23 @@ struct Mask
   }
 };
 
+/** The work was ended; never leaves this file. */
+struct Ended
+{
+};
+
+void Check(const ForbiddenZone::Progress& goesOn)
+{
+  if (goesOn && !goesOn())
+  {
+    throw Ended();
+  }
+}
+
 /** Calls visit(i, j, k) for every forbidden voxel. */
 template <typename Visit>
-void VisitForbidden(const VolumeView& view, const LabelTable& table, Visit&& visit)
+void VisitForbidden(const VolumeView& view, const LabelTable& table,
+  const ForbiddenZone::Progress& goesOn, Visit&& visit)
 {
   WithSampleType(view.Type,
     [&](auto sample)
@@ -63,6 +77,7 @@ void VisitForbidden(const VolumeView& view, const LabelTable& table, Visit&& vis
       bool isForbidden = false;
       for (std::int64_t k = 0; k < view.Dimensions[2]; ++k)
       {
+        Check(goesOn);
         for (std::int64_t j = 0; j < view.Dimensions[1]; ++j)
         {
           const T* const row =
@@ -89,13 +104,13 @@ void VisitForbidden(const VolumeView& view, const LabelTable& table, Visit&& vis
 
 /** The box of forbidden voxels with all that the stand-off reaches; false if there are none. */
 bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& indexToWorld,
-  double standOff, Mask& mask)
+  double standOff, const ForbiddenZone::Progress& goesOn, Mask& mask)
 {
   std::int64_t low[3];
   std::int64_t high[3];
   std::fill_n(low, 3, std::numeric_limits<std::int64_t>::max());
   std::fill_n(high, 3, -1);
-  VisitForbidden(view, table,
+  VisitForbidden(view, table, goesOn,
     [&](std::int64_t i, std::int64_t j, std::int64_t k)
     {
       const std::int64_t at[3] = { i, j, k };
@@ -125,7 +140,7 @@ bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& in
     mask.Size[a] = static_cast<std::int64_t>(size);
   }
   mask.Is.assign(static_cast<std::size_t>(mask.Size[0] * mask.Size[1] * mask.Size[2]), 0);
-  VisitForbidden(view, table,
+  VisitForbidden(view, table, goesOn,
     [&](std::int64_t i, std::int64_t j, std::int64_t k)
     {
       mask.Is[static_cast<std::size_t>(
@@ -206,9 +221,10 @@ bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& 
 class NearestPoints
 {
 public:
-  NearestPoints(const Mask& mask, const Matrix3& toWorld)
+  NearestPoints(const Mask& mask, const Matrix3& toWorld, const ForbiddenZone::Progress& goesOn)
     : Box(mask)
     , ToWorld(toWorld)
+    , GoesOn(goesOn)
     , Nearest(mask.Is.size(), -1)
     , Square(mask.Is.size(), std::numeric_limits<float>::max())
   {
@@ -300,6 +316,7 @@ private:
     const std::int64_t* const n = this->Box.Size;
     for (std::int64_t z = 0; z < n[2]; ++z)
     {
+      Check(this->GoesOn);
       for (std::int64_t y = 0; y < n[1]; ++y)
       {
         for (std::int64_t x = 0; x < n[0]; ++x)
@@ -342,6 +359,7 @@ private:
 
   const Mask& Box;
   const Matrix3 ToWorld;
+  const ForbiddenZone::Progress& GoesOn;
   std::vector<BoundaryPoint> Points;
   std::vector<std::int32_t> Nearest;
   std::vector<float> Square;
@@ -349,15 +367,28 @@ private:
 
 } // namespace
 
-std::shared_ptr<const ForbiddenZone> ForbiddenZone::Make(
-  const LabelView& view, const LabelTable& table, const Affine3& indexToWorld, double standOff)
+std::shared_ptr<const ForbiddenZone> ForbiddenZone::Make(const LabelView& view,
+  const LabelTable& table, const Affine3& indexToWorld, double standOff, const Progress& goesOn)
 {
-  Mask mask;
-  if (!MakeMask(view.GetView(), table, indexToWorld, standOff, mask))
+  try
+  {
+    return MakeWhole(view, table, indexToWorld, standOff, goesOn);
+  }
+  catch (const Ended&)
   {
     return nullptr;
   }
-  const NearestPoints points(mask, indexToWorld.Linear);
+}
+
+std::shared_ptr<const ForbiddenZone> ForbiddenZone::MakeWhole(const LabelView& view,
+  const LabelTable& table, const Affine3& indexToWorld, double standOff, const Progress& goesOn)
+{
+  Mask mask;
+  if (!MakeMask(view.GetView(), table, indexToWorld, standOff, goesOn, mask))
+  {
+    return nullptr;
+  }
+  const NearestPoints points(mask, indexToWorld.Linear, goesOn);
   if (points.IsEmpty())
   {
     return nullptr;
@@ -372,6 +403,7 @@ std::shared_ptr<const ForbiddenZone> ForbiddenZone::Make(
   zone->Distances.reserve(mask.Is.size());
   for (std::int64_t k = 0; k < mask.Size[2]; ++k)
   {
+    Check(goesOn);
     for (std::int64_t j = 0; j < mask.Size[1]; ++j)
     {
       for (std::int64_t i = 0; i < mask.Size[0]; ++i)

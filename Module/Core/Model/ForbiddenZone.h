@@ -16,6 +16,7 @@
 #include "Core/Field/LabelView.h"
 #include "Core/Model/LabelTable.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,12 +37,15 @@ public:
   /** The most voxels of a zone: 0.5 GiB while it is baked. */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 25;
 
+  /** Called for every slice of voxels; false ends the work. */
+  using Progress = std::function<bool()>;
+
   /**
-   * Null if there is no forbidden label in the image. Throws std::bad_alloc if the zone, with a
-   * stand-off in world units, has more than MostVoxels.
+   * Null if there is no forbidden label in the image, or if the work was ended. Throws
+   * std::bad_alloc if the zone, with a stand-off in world units, has more than MostVoxels.
    */
-  static std::shared_ptr<const ForbiddenZone> Make(
-    const LabelView& view, const LabelTable& table, const Affine3& indexToWorld, double standOff);
+  static std::shared_ptr<const ForbiddenZone> Make(const LabelView& view, const LabelTable& table,
+    const Affine3& indexToWorld, double standOff, const Progress& goesOn = nullptr);
 
   ForbiddenZone(const ForbiddenZone&) = delete;
   ForbiddenZone& operator=(const ForbiddenZone&) = delete;
@@ -58,6 +62,8 @@ public:
 
 private:
   ForbiddenZone() = default;
+  static std::shared_ptr<const ForbiddenZone> MakeWhole(const LabelView& view,
+    const LabelTable& table, const Affine3& indexToWorld, double standOff, const Progress& goesOn);
 
   double StandOff = 0.0;
   double Tolerance = 0.0;

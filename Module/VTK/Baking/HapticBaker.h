@@ -3,6 +3,7 @@
 #ifndef HapticBaker_h
 #define HapticBaker_h
 
+#include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -35,6 +36,14 @@ public:
   {
     return this->Filter->Bake(rate, deviceCaps, deviceToWorld);
   }
+
+  /**
+   * Whether Bake() has all that takes long and can be made in the background: the distances to
+   * forbidden labels. If not, their making is under way.
+   */
+  bool Prepare() const { return this->Filter->PrepareBake(); }
+  /** Ends what Prepare() began. */
+  void EndPreparing() const { this->Filter->Labels->EndPreparing(); }
 
   /**
    * How long (s) Bake() would take now on a desktop computer, approximately and without the

@@ -147,6 +147,9 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
   return LabelTable(entries);
 }
 
+/** Voxels: their distances are measured within some ten milliseconds. */
+constexpr vtkIdType MostMeasuredAtOnce = 1 << 20;
+
 /** False, with an error, if the stand-off reaches too many voxels. */
 bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
 {
@@ -169,6 +172,48 @@ bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
 }
 
 } // namespace
+
+bool HapticLabels::Prepare(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table)
+{
+  const ImageKey imageKey{ image, labels, image->GetMTime(), labels->GetMTime() };
+  ZoneKey zoneKey;
+  std::get<double>(zoneKey) = table ? table->GetStandOff() : 0.0;
+  const auto baked = std::make_shared<BakedLabels>();
+  baked->Table = BakeTable(table, std::get<std::vector<int>>(zoneKey));
+  const std::tuple<ImageKey, ZoneKey> key{ imageKey, zoneKey };
+  if (this->Measuring.IsOf(key))
+  {
+    return !this->Measuring.IsUnderWay();
+  }
+  const std::shared_ptr<const BakedLabels> last = this->Baked.lock();
+  const bool isImage = last && imageKey == this->BakedImage;
+  if (std::get<std::vector<int>>(zoneKey).empty() ||
+    labels->GetNumberOfTuples() <= MostMeasuredAtOnce || (isImage && zoneKey == this->BakedZone))
+  {
+    this->Measuring.Forget();
+    return true;
+  }
+  std::string error;
+  if (isImage)
+  {
+    baked->View = last->View;
+    baked->IndexToWorld = last->IndexToWorld;
+    baked->Samples = last->Samples;
+  }
+  else if (!ReadLabels(image, labels, *baked, error))
+  {
+    return true; // Get() reports the error
+  }
+  const double standOff = std::get<double>(zoneKey);
+  this->Measuring.Follow(key,
+    [baked, standOff](WorkMonitor& monitor) -> std::optional<Zone>
+    {
+      auto zone = ForbiddenZone::Make(baked->View, baked->Table, baked->IndexToWorld, standOff,
+        [&monitor] { return !monitor.IsCancelled(); });
+      return monitor.IsCancelled() ? std::nullopt : std::optional<Zone>(std::move(zone));
+    });
+  return false;
+}
 
 std::shared_ptr<const BakedLabels> HapticLabels::Get(
   vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error)
@@ -198,6 +243,10 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(
   if (isImage && zoneKey == this->BakedZone)
   {
     made->Zone = last->Zone;
+  }
+  else if (const Zone* const measured = this->Measuring.Find({ imageKey, zoneKey }))
+  {
+    made->Zone = *measured;
   }
   else if (!std::get<std::vector<int>>(zoneKey).empty() &&
     !BakeZone(std::get<double>(zoneKey), *made, error))

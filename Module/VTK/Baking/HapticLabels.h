@@ -8,6 +8,7 @@
 #define HapticLabels_h
 
 #include "Core/Model/BakedLabels.h"
+#include "VTK/Work/BackgroundWork.h"
 
 #include "vtkType.h"
 
@@ -37,6 +38,14 @@ public:
   std::shared_ptr<const BakedLabels> Get(
     vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error);
 
+  /**
+   * Whether Get() would be quick now. If not, because other labels are forbidden, or farther away,
+   * the distances to them are measured in the background.
+   */
+  bool Prepare(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table);
+  /** Ends what Prepare() began. */
+  void EndPreparing() { this->Measuring.Forget(); }
+
 private:
   ///@{
   /** Image and array, or the table, and the last change of each. */
@@ -45,11 +54,14 @@ private:
   ///@}
   /** The forbidden labels, in rising order, and the stand-off. */
   using ZoneKey = std::tuple<std::vector<int>, double>;
+  /** Null if no voxel is forbidden. */
+  using Zone = std::shared_ptr<const ForbiddenZone>;
 
   ImageKey BakedImage{};
   TableKey BakedTable{};
   ZoneKey BakedZone{};
   std::weak_ptr<const BakedLabels> Baked; ///< valid while a model uses it
+  KeyedWork<std::tuple<ImageKey, ZoneKey>, Zone> Measuring;
 };
 
 } // namespace VolumeHaptics

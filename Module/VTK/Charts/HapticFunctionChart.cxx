@@ -190,6 +190,16 @@ void HapticFunctionChart::FollowCount()
 }
 
 //------------------------------------------------------------------------------
+void HapticFunctionChart::EndCountUnless(vtkImageData* image)
+{
+  if (image != this->ShownImage)
+  {
+    this->Counting.Forget();
+    this->Counted = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
 double HapticFunctionChart::GetCountedShare() const
 {
   return this->Counted ? this->Counting.GetProgress() : 1.0;

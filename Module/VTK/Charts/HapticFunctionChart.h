@@ -71,6 +71,8 @@ public:
   void ShowData(vtkImageData* image, int component);
   bool ShowsData(vtkImageData* image, int component) const;
   void FollowCount();
+  /** Ends the count of another image, which the program may remove. */
+  void EndCountUnless(vtkImageData* image);
   /** The share of the values that is counted, 0 to 1. */
   double GetCountedShare() const;
   ///@}

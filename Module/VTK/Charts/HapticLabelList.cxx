@@ -87,6 +87,16 @@ void HapticLabelList::FollowCount()
 }
 
 //------------------------------------------------------------------------------
+void HapticLabelList::EndOtherCount()
+{
+  if (this->Image != this->CountedImage)
+  {
+    this->Counting.Forget();
+    this->Counted = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
 double HapticLabelList::GetCountedShare() const
 {
   return this->Counted ? this->Counting.GetProgress() : 1.0;

@@ -57,6 +57,8 @@ public:
   void Count();
   bool IsCounted() const;
   void FollowCount();
+  /** Ends the search in an image that is no longer the image, and that the program may remove. */
+  void EndOtherCount();
   /** The share of the image that was looked at, 0 to 1. */
   double GetCountedShare() const;
   ///@}

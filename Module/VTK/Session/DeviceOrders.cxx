@@ -159,6 +159,14 @@ bool DeviceOrders::Publish()
 {
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   this->Session.Attend();
+  const TickCollector* const felt = this->Session.GetTicks();
+  const bool isReady = !felt || !felt->GetLatestModel() || this->Models.Prepare();
+  constexpr const char* work = "the distances to forbidden labels are measured";
+  this->Session.NoteBackgroundWork(work, isReady ? WorkEnded : ShareUnknown);
+  if (!isReady)
+  {
+    return true; // Follow() publishes it
+  }
   std::shared_ptr<const HapticModel> model;
   const double rate = this->Session.IsRunning() ? this->Session.GetRate() : device->GetServoRate();
   if (!this->Models.Make(rate, model))
@@ -177,6 +185,14 @@ bool DeviceOrders::Publish()
     ticks->Publish(std::move(model));
   }
   return true;
+}
+
+void DeviceOrders::Follow()
+{
+  if (this->Models.IsAwaited() && this->Session.IsRunning())
+  {
+    this->Publish();
+  }
 }
 
 bool DeviceOrders::LetForceThrough(const std::function<void()>& order)

@@ -41,6 +41,8 @@ public:
 
   bool Start();
   bool Publish();
+  /** To be called often: publishes what Publish() left to the background, once it is made. */
+  void Follow();
   /** Sends the device's limits to the running servo. */
   void SendLimits();
 

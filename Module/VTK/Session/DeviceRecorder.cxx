@@ -40,9 +40,11 @@ constexpr double BytesPerTick = 80;
  * starts, up to the second. So the journal of a small volume has the hash from its beginning.
  */
 constexpr double ShortHashing = 5e-3;
-constexpr double ShortWait = 20e-3;
+constexpr double ShortHashWait = 20e-3;
 /** At the end of a recording without force, the hashes are waited for no longer than this (s). */
-constexpr double LongestWait = 10.0;
+constexpr double LongestHashWait = 10.0;
+
+constexpr const char* HashingWork = "the recorded volume is hashed";
 
 using TouchedArrays = std::array<TouchedArray, 2>;
 
@@ -201,7 +203,7 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
     about.Settings = settings.str();
     if (!this->FindHashes(felt) && EstimateHashing(touched) <= ShortHashing)
     {
-      this->Hashing.WaitFor(ShortWait);
+      this->Hashing.WaitFor(ShortHashWait);
     }
   }
   auto recording = std::make_unique<HapticRecording>();
@@ -244,13 +246,13 @@ void DeviceRecorder::Follow()
     this->Felt = nullptr;
   }
   this->Session.NoteBackgroundWork(
-    this->Felt ? "the recorded volume is hashed" : "", this->Hashing.GetProgress());
+    HashingWork, this->Felt ? this->Hashing.GetProgress() : WorkEnded);
   this->TellTrouble();
 }
 
 void DeviceRecorder::AwaitHashes(HapticRecording& recording)
 {
-  this->Session.NoteBackgroundWork("", 0.0);
+  this->Session.NoteBackgroundWork(HashingWork, WorkEnded);
   const vtkSmartPointer<vtkVolumeHapticsFilter> felt = std::exchange(this->Felt, nullptr);
   if (!felt)
   {
@@ -259,7 +261,7 @@ void DeviceRecorder::AwaitHashes(HapticRecording& recording)
   const RecordingHashes* hashes = this->FindHashes(felt);
   if (!hashes && !this->Session.HasArmOrder())
   {
-    this->Hashing.WaitFor(LongestWait);
+    this->Hashing.WaitFor(LongestHashWait);
     hashes = this->FindHashes(felt);
   }
   if (hashes)
@@ -268,6 +270,7 @@ void DeviceRecorder::AwaitHashes(HapticRecording& recording)
   }
   else
   {
+    this->Hashing.Forget(); // no work goes on that nothing wants
     vtkWarningWithObjectMacro(this->Device,
       << "The recording " << Printable(recording.GetFile())
       << " has no hash of its volume, as it ended before that was known: nothing tells later which "

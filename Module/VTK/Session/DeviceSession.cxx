@@ -377,10 +377,14 @@ void DeviceSession::RemoveReader(int reader)
 
 void DeviceSession::NoteBackgroundWork(const std::string& what, double share)
 {
-  constexpr double percent = 100.0;
-  this->BackgroundWork = what.empty()
-    ? what
-    : " Meanwhile " + what + " (" + std::to_string(static_cast<int>(percent * share)) + " %).";
+  if (share == WorkEnded)
+  {
+    this->BackgroundWorks.erase(what);
+  }
+  else
+  {
+    this->BackgroundWorks[what] = share;
+  }
 }
 
 DeviceStatus DeviceSession::GetStatus() const
@@ -399,7 +403,13 @@ DeviceStatus DeviceSession::GetStatus() const
   {
     status.LongWork = work->What;
   }
-  status.BackgroundWork = this->BackgroundWork;
+  for (const auto& [what, share] : this->BackgroundWorks)
+  {
+    constexpr double percent = 100.0;
+    status.BackgroundWork += " Meanwhile " + what +
+      (share == ShareUnknown ? "."
+                             : " (" + std::to_string(static_cast<int>(percent * share)) + " %).");
+  }
   if (this->Servo)
   {
     status.State = &this->State;

@@ -16,6 +16,7 @@
 #include "VTK/Trace/HapticTraceFiles.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -26,6 +27,10 @@ class vtkTable;
 
 namespace VolumeHaptics
 {
+
+/** Shares of work in the background: see DeviceSession::NoteBackgroundWork. */
+constexpr double WorkEnded = -1.0;
+constexpr double ShareUnknown = -2.0;
 
 class DeviceSession
 {
@@ -125,7 +130,10 @@ public:
   bool EndWork();
   bool HasWork() const { return !this->Works.empty(); }
   ///@}
-  /** Work that nothing waits for, such as "the volume is hashed", and its share that is done. */
+  /**
+   * Work that nothing waits for, such as "the volume is hashed", for the status: its share that is
+   * done, or that this is not known, or that it has ended.
+   */
   void NoteBackgroundWork(const std::string& what, double share);
   /** Whether the device is open and, as far as is known now, can be felt. */
   bool IsReady() const
@@ -202,7 +210,7 @@ private:
   bool Clutched = false;    ///< as ordered
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
-  std::string BackgroundWork; // a text for the status; empty without
+  std::map<std::string, double> BackgroundWorks; // with the share that is done
   std::vector<Work> Works;
   std::set<int> Readers; ///< numbers of AddReader
 };

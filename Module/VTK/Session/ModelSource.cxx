@@ -70,6 +70,22 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
   return !filter || model;
 }
 
+bool ModelSource::Prepare()
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  this->Awaited = filter && !HapticBaker(filter).Prepare();
+  return !this->Awaited;
+}
+
+void ModelSource::EndPreparing()
+{
+  if (this->Awaited && this->Filter)
+  {
+    HapticBaker(this->Filter).EndPreparing();
+  }
+  this->Awaited = false;
+}
+
 bool ModelSource::IsUpToDate() const
 {
   return this->MadeTime == FindChangeTime(this->Filter);

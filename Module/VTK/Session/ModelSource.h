@@ -41,6 +41,15 @@ public:
    * the filter, if it can't be touched. If the servo runs, meshing a surface is long work.
    */
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
+  /**
+   * Whether Make can be called without waiting long. If not, what takes long is being made in the
+   * background: the servo goes on with its model, and Make has to be called later.
+   */
+  bool Prepare();
+  /** Ends what Prepare() began. */
+  void EndPreparing();
+  /** Whether the last Prepare() was false. */
+  bool IsAwaited() const { return this->Awaited; }
 
   /** Whether Make was called, successfully or not, since the filter or its input last changed. */
   bool IsUpToDate() const;
@@ -56,6 +65,7 @@ private:
   const DeviceSession& Session;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
+  bool Awaited = false;
   vtkMTimeType MadeTime = 0; ///< change time of the filter and its input when Make was called
 };
 

@@ -120,19 +120,28 @@ public:
    */
   const Result* Follow(const Key& key, const Maker& make)
   {
-    if (!this->Of || !(*this->Of == key))
+    if (!this->IsOf(key))
     {
       this->Forget();
       this->Of = key;
       const auto made = this->Made = std::make_shared<std::optional<Result>>();
       this->Work.Begin([made, make](WorkMonitor& monitor) { *made = make(monitor); });
     }
+    return this->Find(key);
+  }
+
+  /** The same, but begins nothing. */
+  const Result* Find(const Key& key)
+  {
     if (this->Work.IsBegun() && this->Work.HasReturned())
     {
       this->Work.End();
     }
-    return !this->Work.IsBegun() && *this->Made ? &**this->Made : nullptr;
+    return this->IsOf(key) && !this->Work.IsBegun() && *this->Made ? &**this->Made : nullptr;
   }
+
+  /** Whether the result that is made, or was made last, is of a key. */
+  bool IsOf(const Key& key) const { return this->Of && *this->Of == key; }
 
   /** Cancels the work and forgets its result. */
   void Forget()
@@ -144,7 +153,11 @@ public:
 
   /** Whether a result is being made. */
   bool IsUnderWay() const { return this->Work.IsBegun() && !this->Work.HasReturned(); }
-  bool WaitFor(double seconds) const { return this->Work.WaitFor(seconds); }
+  /** Waits until no result is being made, or for some seconds; returns whether none is. */
+  bool WaitFor(double seconds) const
+  {
+    return !this->Work.IsBegun() || this->Work.WaitFor(seconds);
+  }
   double GetProgress() const { return this->Work.GetProgress(); }
 
 private:

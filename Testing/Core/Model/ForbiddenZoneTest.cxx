@@ -181,3 +181,27 @@ TEST(ForbiddenZone, IsNotThereWithoutForbiddenLabels)
   EXPECT_FALSE(zone->Find({ 6.0, 6.0, -1000.0 }).IsNear);
   EXPECT_FALSE(zone->Find({ std::nan(""), 6.0, 6.0 }).IsNear);
 }
+
+TEST(ForbiddenZone, EndsWhenItIsTold)
+{
+  const TestVolume labels = MakeLabels(30,
+    [](const Vector3& x) {
+      return Norm(x - Vector3{ 14, 14, 14 }) < 6.0 ? 7 : 0;
+    });
+  const auto make = [&](int most)
+  {
+    int asked = 0;
+    const auto zone = ForbiddenZone::Make(
+      LabelView(labels.View), Forbid(7), Affine3{}, 2.0, [&] { return ++asked <= most; });
+    EXPECT_TRUE(zone || asked == most + 1) << "it is not asked again";
+    return std::make_pair(zone != nullptr, asked);
+  };
+  const auto [isMade, asked] = make(1000000);
+  EXPECT_TRUE(isMade);
+  EXPECT_GT(asked, 4 * 30) << "for every slice of every pass";
+  for (const int most : { 0, 1, 29, 30, 59, 60, asked / 2, asked - 1 })
+  {
+    EXPECT_FALSE(make(most).first) << most;
+  }
+  EXPECT_TRUE(make(asked).first);
+}

@@ -7,46 +7,18 @@
  * says what it has to be.
  */
 
+#include "Rigs/GatedArray.h"
 #include "Rigs/RecordingRig.h"
 
-#include <vtkObjectFactory.h>
 #include <vtkShortArray.h>
 #include <vtkStringArray.h>
 
-#include <atomic>
 #include <thread>
 
 using namespace devicetest;
 
 namespace
 {
-/// Values that another thread than the one that made the array gets only while it is open.
-class GatedArray : public vtkShortArray
-{
-public:
-  static GatedArray* New();
-  vtkTypeMacro(GatedArray, vtkShortArray);
-  void* GetVoidPointer(vtkIdType value) override
-  {
-    if (std::this_thread::get_id() != this->Owner)
-    {
-      ++this->Asked;
-      while (!this->IsOpen)
-      {
-        std::this_thread::yield();
-      }
-    }
-    return this->Superclass::GetVoidPointer(value);
-  }
-
-  std::atomic<bool> IsOpen{ false };
-  std::atomic<int> Asked{ 0 };
-
-private:
-  const std::thread::id Owner = std::this_thread::get_id();
-};
-vtkStandardNewMacro(GatedArray);
-
 class HashTime : public Recording
 {
 protected:
@@ -86,12 +58,12 @@ protected:
     return this->Wait([this, times] { return this->Gated->Asked >= times; });
   }
   /// From another thread, while the owner waits.
-  std::thread OpenSoon()
+  std::thread OpenSoon(int milliseconds = 50)
   {
     return std::thread(
-      [this]
+      [this, milliseconds]
       {
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         this->Gated->IsOpen = true;
       });
   }
@@ -127,7 +99,10 @@ TEST_F(HashTime, IsNotWaitedForWhileArmed)
   ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
   this->StartRecording();
   ASSERT_TRUE(this->WaitTicks(20));
+  // Only so that the worker, which is told to end, can.
+  std::thread opener = this->OpenSoon(3000);
   ASSERT_TRUE(this->Device->StopRecording());
+  opener.join();
   EXPECT_EQ(this->ReadHash(), "");
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
   EXPECT_NE(this->Log.Warnings[0].find("no hash of its volume"), std::string::npos);

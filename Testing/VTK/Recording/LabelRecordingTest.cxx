@@ -185,3 +185,42 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
   EXPECT_FALSE(this->Device->IsAtForbiddenLabel());
   EXPECT_EQ(events, 1);
 }
+
+TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
+{
+  // As above, on voxels of 0.15: the label begins halfway between the slices 76 and 77.
+  constexpr int n = 104;
+  const auto labels =
+    MakeImage(n, VTK_SHORT, [](const Point& p) { return p[2] < 76.5 ? 0.0 : 9.0; });
+  labels->SetSpacing(0.15, 0.15, 0.15);
+  this->Filter->SetLabelData(labels);
+  this->Table->SetStandOff(1.5);
+  SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 0.0);
+  SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
+  const auto isMeasuring = [this]
+  {
+    return this->Device->GetStatusText().find("distances to forbidden labels are measured") !=
+      std::string::npos;
+  };
+  this->Begin();
+  ASSERT_TRUE(this->ArmFully());
+  this->Table->SetForbidden(9, true);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_FALSE(this->Device->IsPublished());
+  EXPECT_TRUE(isMeasuring()) << this->Device->GetStatusText();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  EXPECT_FALSE(isMeasuring());
+  ASSERT_TRUE(this->LeadInto(12.0));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsAtForbiddenLabel(); }));
+  EXPECT_NEAR(this->Device->GetProxyPosition()[2], 76.5 * 0.15 - 1.5, 0.1);
+  // A change of mind ends the work.
+  this->Table->SetStandOff(2.0);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(isMeasuring());
+  this->Table->SetForbidden(9, false);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->Device->IsPublished());
+  EXPECT_FALSE(isMeasuring());
+  ASSERT_TRUE(this->Wait([this] { return !this->Device->IsAtForbiddenLabel(); }));
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * No call on the owner's thread reads more of a large volume than of another one. Judged by the
+ * pages of a file, almost all of which is a hole, that the kernel says are in memory (mincore(2)).
+ * What works in the background is held up meanwhile.
+ */
+
+#include "Benchmarks/SparseVolume.h"
+#include "Rigs/DeviceRig.h"
+#include "Rigs/GatedArray.h"
+
+using namespace devicetest;
+
+namespace
+{
+class Scale : public DeviceTest
+{
+protected:
+  /// Of the file, in pages of 4 KiB.
+  std::size_t CountPages(const benchmarks::SparseVolume& volume)
+  {
+    return volume.GetResident() / 4096;
+  }
+};
+
+/// The noise is estimated from 512 blocks of 5 x 5 rows, each row in one page or two; around the
+/// tip some hundred rows are read. All of the smallest volume, of two bytes a sample, is 65536.
+constexpr std::size_t MostPages = 512 * 25 + 2000;
+} // namespace
+
+TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
+{
+  for (const int size : { 512, 1024, 1536 })
+  {
+    vtkNew<GatedArray> samples;
+    const benchmarks::SparseVolume volume(size, samples);
+    const double middle = volume.GetMiddle();
+    this->Filter->SetInputData(0, volume.GetImage());
+    this->Filter->SetPathData(
+      MakePath({ { middle, middle, middle }, { middle, middle, middle + 1.0 } }));
+    this->Filter->Update();
+    EXPECT_LT(this->CountPages(volume), MostPages) << "Update() of " << size << "^3";
+    const std::size_t once = this->CountPages(volume);
+    EXPECT_GT(once, 1000U) << "the noise was estimated";
+    this->Filter->Modified();
+    this->Filter->Update();
+
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    this->Device->SetVirtualTip(middle, middle, middle);
+    ASSERT_TRUE(this->Device->Start());
+    this->Device->Arm();
+    ASSERT_TRUE(this->WaitTicks(20));
+    SetConstant(this->Filter->GetProperty()->GetStiffness(), 300.0 + size);
+    ASSERT_TRUE(this->Device->Publish());
+    const std::string file = this->File("Scale.vtp");
+    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+    ASSERT_TRUE(this->WaitTicks(20));
+    EXPECT_LT(this->CountPages(volume), MostPages) << size << "^3";
+    EXPECT_LT(this->CountPages(volume), once + 500) << "after the first touch, " << size << "^3";
+    // The worker is told to end after a piece, and can once the array is open.
+    std::thread opener(
+      [&samples]
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        samples->IsOpen = true;
+      });
+    ASSERT_TRUE(this->Device->StopRecording());
+    opener.join();
+    EXPECT_LT(this->CountPages(volume), once + 1000) << "at the end of a recording, " << size;
+    this->Device->Close();
+    // The image goes before its memory.
+    this->Filter->SetInputData(0, this->Image);
+    this->Filter->Update();
+  }
+}
