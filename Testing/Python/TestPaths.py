@@ -21,7 +21,7 @@ def head():
 
 def strokes(count):
     """Through the skin of the phantom, beside one another, of different lengths."""
-    return [np.linspace((x, -120, 60), (x, -85, 60), 30 + 7 * i) for i, x in enumerate(np.linspace(-15, 15, count))]
+    return [np.linspace((x, -120, 60), (x, -75, 60), 30 + 7 * i) for i, x in enumerate(np.linspace(-15, 15, count))]
 
 
 def test_each_as_alone(head):
