@@ -74,8 +74,9 @@ def touch(scene, volume, path, settings):
 
 
 def setters(cls, ancestor):
-    """The settings of a class beyond its ancestor; of choices that have a name each, only the whole."""
+    """The settings of a class beyond its ancestor; of choices that have a name each or a status, only the whole."""
     names = [name[3:] for name in dir(cls) if name.startswith("Set") and not hasattr(ancestor, name)]
+    names = [name for name in names if not name.endswith("Status")]
     return sorted(name for name in names if not any(name.startswith(other + "To") for other in names))
 
 
