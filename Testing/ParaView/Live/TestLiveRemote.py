@@ -45,7 +45,7 @@ def lead(device):
     live.check(live.poll(device, lambda: device.Residency == 1.0), "the region is here", device.StatusText)
     device.Recording = 1
     device.Armed = 1
-    for way in numpy.linspace([-60, -100, 60], [30, -80, 20], 300):
+    for way in numpy.linspace([-60, -100, 60], [30, -78, 20], 300):
         device.VirtualTip = list(way)
         live.poll_for(device, 0.01)
     device.Recording = 0

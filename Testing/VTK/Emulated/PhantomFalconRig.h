@@ -43,6 +43,11 @@ protected:
     ASSERT_TRUE(this->LeadTo(0.0, 0.0, 0.172));
     ASSERT_TRUE(this->Hand.WaitFor(vtkHapticDevice::READY)) << this->Device->GetStatusText();
   }
+  /** The height of the skin beside the line, where the face recedes. */
+  double HeightOfSkin(double x, double y) const
+  {
+    return SkinHeight - 1e-3 * this->Phantom.SkinBehind(-1e3 * y, 1e3 * x);
+  }
   /**
    * From the front of the skin the hand goes on until it is so far (m) beyond, and feels it, in
    * balance with its own spring. If a busy machine left the device unwatched meanwhile, the force
@@ -51,7 +56,8 @@ protected:
   void Press(double x, double y, double beyond)
   {
     this->Device->Arm();
-    const double end = SkinHeight - beyond;
+    const double skin = this->HeightOfSkin(x, y);
+    const double end = skin - beyond;
     const auto isFelt = [&]
     {
       this->Device->UpdateState();
@@ -63,7 +69,7 @@ protected:
     bool felt = false;
     for (int attempt = 0; attempt < 20 && !felt; ++attempt)
     {
-      ASSERT_TRUE(this->LeadTo(x, y, SkinHeight + 0.01));
+      ASSERT_TRUE(this->LeadTo(x, y, skin + 0.01));
       ASSERT_TRUE(this->LeadTo(x, y, end));
       for (int i = 0; i < 2000 && !(felt = isFelt()); ++i)
       {

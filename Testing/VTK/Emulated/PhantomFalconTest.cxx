@@ -35,7 +35,7 @@ TEST_F(PhantomFalcon, IsFeltLostAndFeltAgain)
   for (const double x : { 0.0, 0.01, -0.01, 0.0 })
   {
     ASSERT_NO_FATAL_FAILURE(this->Press(x, x, 0.006));
-    EXPECT_TRUE(this->LeadTo(0.5 * x, x, SkinHeight - 0.004)) << "sliding back";
+    EXPECT_TRUE(this->LeadTo(0.5 * x, x, this->HeightOfSkin(0.5 * x, x) - 0.004)) << "sliding back";
     EXPECT_TRUE(this->Hand.WaitTicks(1500));
   }
   EXPECT_TRUE(this->Hand.Wait([&] { return this->Device->GetTick() >= from + 5000; }));

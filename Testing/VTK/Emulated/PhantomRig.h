@@ -27,9 +27,10 @@ public:
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(HEAD_PHANTOM);
     reader->Update();
-    this->Filter->SetInputData(0, reader->GetOutput());
+    this->Image = reader->GetOutput();
+    this->Filter->SetInputData(0, this->Image);
     this->Filter->GetProperty()->ApplyPreset("CT contrast");
-    this->Skin = FindSkin(reader->GetOutput());
+    this->Skin = this->FindSkin(0.0, Height);
   }
 
   /**
@@ -55,33 +56,49 @@ public:
   }
   /** How far (mm) a point of the world is inside the skin, near the line. */
   double DepthOf(const double point[3]) const { return point[1] - this->Skin; }
+  /** How much deeper (mm) the skin is at another place, which is that far (mm) from the line. */
+  double SkinBehind(double x, double z) const
+  {
+    return this->FindSkin(x, Height + z) - this->Skin;
+  }
 
   vtkNew<vtkVolumeHapticsFilter> Filter;
 
 private:
   static constexpr double Height = 60.0; // mm, of the line
 
-  static double FindSkin(vtkImageData* image)
+  double FindSkin(double x, double z) const
   {
-    double point[3] = { 0.0, -115.0, Height };
-    double before = 0.0;
-    for (; point[1] < 0.0; point[1] += 0.1)
+    double point[3] = { x, -115.0, z };
+    while (point[1] < 0.0 && this->ValueAt(point) <= SkinValue)
     {
-      int index[3];
-      double part[3];
-      image->ComputeStructuredCoordinates(point, index, part);
-      const auto at = [&](int step)
-      { return image->GetScalarComponentAsDouble(index[0], index[1] + step, index[2], 0); };
-      const double value = (1.0 - part[1]) * at(0) + part[1] * at(1);
-      if (value > SkinValue && before <= SkinValue)
-      {
-        break;
-      }
-      before = value;
+      point[1] += 0.1;
     }
     return point[1];
   }
+  /** Between the eight voxels around a point. */
+  double ValueAt(const double point[3]) const
+  {
+    int index[3];
+    double part[3];
+    this->Image->ComputeStructuredCoordinates(point, index, part);
+    double value = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      int at[3];
+      double share = 1.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int step = (corner >> axis) & 1;
+        at[axis] = index[axis] + step;
+        share *= step == 1 ? part[axis] : 1.0 - part[axis];
+      }
+      value += share * this->Image->GetScalarComponentAsDouble(at[0], at[1], at[2], 0);
+    }
+    return value;
+  }
 
+  vtkSmartPointer<vtkImageData> Image;
   double Skin = 0.0;
 };
 
