@@ -57,10 +57,7 @@ public:
   /** How far (mm) a point of the world is inside the skin, near the line. */
   double DepthOf(const double point[3]) const { return point[1] - this->Skin; }
   /** How much deeper (mm) the skin is at another place, which is that far (mm) from the line. */
-  double SkinBehind(double x, double z) const
-  {
-    return this->FindSkin(x, Height + z) - this->Skin;
-  }
+  double SkinBehind(double x, double z) const { return this->FindSkin(x, Height + z) - this->Skin; }
 
   vtkNew<vtkVolumeHapticsFilter> Filter;
 
