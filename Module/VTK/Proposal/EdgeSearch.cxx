@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Proposal/EdgeSearch.h"
 
+#include "Core/Field/NoiseEstimate.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -13,6 +15,9 @@ namespace
 {
 constexpr double MostVoxels = 1e6;
 constexpr std::size_t MostLines = 50000;
+/** Of a large volume: 36 rows of samples are read around each block to estimate its gradients. */
+constexpr std::int64_t MostRows = 512;
+constexpr std::int64_t MostVoxelsInARow = 2048;
 
 /** Mixes the bits of a number, as the finalizer of MurmurHash3 (public domain) does. */
 std::uint64_t Scramble(std::uint64_t number)
@@ -22,11 +27,56 @@ std::uint64_t Scramble(std::uint64_t number)
   return number ^ (number >> 33);
 }
 
+/** Returns a number below `room`, and takes it out of `random`. */
+std::int64_t Draw(std::uint64_t& random, std::int64_t room)
+{
+  const auto count = static_cast<std::uint64_t>(room);
+  const auto drawn = static_cast<std::int64_t>(random % count);
+  random /= count;
+  return drawn;
+}
+
+/** The voxels of one row in each of at most MostRows equal columns along the first axis. */
+std::vector<Vector3> ScatterRows(const VolumeView& view)
+{
+  const std::int64_t* const n = view.Dimensions;
+  const double ratio = static_cast<double>(n[1]) / static_cast<double>(n[2]);
+  const std::int64_t most = std::min(MostRows, n[1]);
+  const std::int64_t along =
+    std::clamp<std::int64_t>(std::llround(std::sqrt(MostRows * ratio)), 1, most);
+  const std::int64_t across = std::min(MostRows / along, n[2]);
+  const std::int64_t length = std::min(MostVoxelsInARow, n[0]);
+  std::vector<Vector3> voxels;
+  voxels.reserve(static_cast<std::size_t>(along * across * length));
+  for (std::int64_t column = 0; column < along * across; ++column)
+  {
+    const std::int64_t j = column % along;
+    const std::int64_t k = column / along;
+    // The first of the column's rows, and the first of the next column's.
+    const std::int64_t firstRow[2] = { n[1] * j / along, n[1] * (j + 1) / along };
+    const std::int64_t firstSlice[2] = { n[2] * k / across, n[2] * (k + 1) / across };
+    std::uint64_t random = Scramble(static_cast<std::uint64_t>(column) + 1);
+    const std::int64_t row = firstRow[0] + Draw(random, firstRow[1] - firstRow[0]);
+    const std::int64_t slice = firstSlice[0] + Draw(random, firstSlice[1] - firstSlice[0]);
+    const std::int64_t first = Draw(random, n[0] - length + 1);
+    for (std::int64_t i = first; i < first + length; ++i)
+    {
+      voxels.push_back({ static_cast<double>(view.First[0] + i),
+        static_cast<double>(view.First[1] + row), static_cast<double>(view.First[2] + slice) });
+    }
+  }
+  return voxels;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 std::vector<Vector3> ScatterVoxels(const VolumeView& view)
 {
+  if (IsLargeVolume(view.Dimensions))
+  {
+    return ScatterRows(view);
+  }
   const std::int64_t* const n = view.Dimensions;
   const double all =
     static_cast<double>(n[0]) * static_cast<double>(n[1]) * static_cast<double>(n[2]);

@@ -17,6 +17,11 @@ namespace VolumeHaptics
 /**
  * One voxel in each of at most about a million equal blocks, at a place in it that looks random but
  * is always the same.
+ *
+ * Of a large volume (IsLargeVolume), which may be mapped from a file: the voxels of up to 512 rows
+ * along the first axis, of up to 2048 voxels each, at such places. All voxels are still as likely
+ * as each other, but a row's samples lie side by side, so that few pages of the file are read, and
+ * no more of a larger volume.
  */
 std::vector<Vector3> ScatterVoxels(const VolumeView& view);
 

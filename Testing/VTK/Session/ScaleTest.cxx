@@ -28,6 +28,9 @@ protected:
 /// The noise is estimated from 512 blocks of 5 x 5 rows, each row in one page or two; around the
 /// tip some hundred rows are read. All of the smallest volume, of two bytes a sample, is 65536.
 constexpr std::size_t MostPages = 512 * 25 + 2000;
+/// ProposeFromImage looks at 512 rows, with 5 rows beside each of them in 6 slices, and follows the
+/// edges that it finds.
+constexpr std::size_t MostPagesOfAProposal = 512 * 36 + 6000;
 } // namespace
 
 TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
@@ -70,6 +73,12 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     opener.join();
     EXPECT_LT(this->CountPages(volume), once + 1000) << "at the end of a recording, " << size;
     this->Device->Close();
+    const std::size_t felt = this->CountPages(volume);
+    vtkNew<vtkHapticProperty> proposed;
+    const MessageLog refusal(proposed); // if no row meets the cube
+    proposed->ProposeFromImage(volume.GetImage());
+    EXPECT_GT(this->CountPages(volume), felt + 3000) << "rows were looked at, " << size;
+    EXPECT_LT(this->CountPages(volume), felt + MostPagesOfAProposal) << "a proposal, " << size;
     // The image goes before its memory.
     this->Filter->SetInputData(0, this->Image);
     this->Filter->Update();
