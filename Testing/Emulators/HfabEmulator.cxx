@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -285,6 +286,12 @@ Triple HfabEmulator::GetForce() const
     Determinant(x, y, torques) / whole };
 }
 
+double HfabEmulator::TakeLongestPause()
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return std::chrono::duration<double>(std::exchange(this->LongestPause, {})).count();
+}
+
 bool HfabEmulator::IsRaw() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
@@ -392,6 +399,7 @@ void HfabEmulator::TakeCurrents(const std::array<int, 3>& milliamperes)
   const Triple force = this->GetForce();
   const std::lock_guard<std::mutex> lock(this->Guard);
   const auto now = Clock::now();
+  this->LongestPause = std::max(this->LongestPause, now - this->LastMessage);
   this->LastMessage = now;
   for (int j = 0; j < 3; ++j)
   {

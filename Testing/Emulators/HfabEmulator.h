@@ -64,6 +64,8 @@ public:
   /** How often the watchdog took currents away, and the mistakes in messages so far (bits). */
   int GetWatchdogs() const { return this->Watchdogs; }
   int GetErrors() const { return this->Errors; }
+  /** The longest time (s) between two messages since the last call. */
+  double TakeLongestPause();
   /** Whether the port was opened for raw bytes. */
   bool IsRaw() const;
 
@@ -98,6 +100,7 @@ private:
   std::chrono::steady_clock::time_point LastBytes;
   std::chrono::steady_clock::time_point HeldUpUntil;
   std::chrono::steady_clock::time_point LastMessage;
+  std::chrono::steady_clock::duration LongestPause{};
   std::chrono::steady_clock::time_point LastMove;
   std::atomic<int> Messages{ 0 };
   std::atomic<int> Watchdogs{ 0 };

@@ -213,11 +213,36 @@ TEST_F(Hfab, AControllerThatRefusesMessagesCutsTheForce)
 
 TEST_F(Hfab, ItsButtonElsewhereCutsTheForce)
 {
-  ASSERT_TRUE(this->Rig.Bench.Open(this->Rig.GetId())) << this->Rig.Bench.Error;
-  ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
-  this->Rig.Arm.PressButton();
-  this->Rig.Bench.ExpectLost("its button was pressed");
-  EXPECT_TRUE(this->Rig.IsQuiet());
+  const char* const text = "its button was pressed";
+  constexpr int answers = 5;
+  bool isSeen = false;
+  for (int attempt = 0; attempt < HfabRig::MostAttempts && !isSeen; ++attempt)
+  {
+    HfabRig rig(3);
+    const Triple atPower = rig.Arm.GetTip();
+    ASSERT_TRUE(rig.Bench.Open(rig.GetId())) << rig.Bench.Error;
+    ASSERT_NO_FATAL_FAILURE(rig.Feel());
+    const Triple tip = rig.Arm.GetTip();
+    // The counts are those of power-up again: so the arm seems to be where it was then.
+    const double jump = Size({ tip[0] - atPower[0], tip[1] - atPower[1], tip[2] - atPower[2] });
+    rig.Arm.TakeLongestPause();
+    const int messages = rig.Arm.GetMessages();
+    rig.Arm.PressButton();
+    EXPECT_TRUE(Eventually(
+      [&] { return rig.IsAt(DeviceStage::Lost) || rig.Arm.GetMessages() >= messages + answers; }));
+    isSeen = Has(rig.Bench.Text(), text);
+    if (isSeen)
+    {
+      rig.Bench.ExpectLost(text);
+      EXPECT_TRUE(rig.IsQuiet());
+    }
+    else
+    {
+      // Only in a pause of a busy machine may a hand have gone as far.
+      EXPECT_GT(rig.Arm.TakeLongestPause(), 0.5 * jump / HfabDriver::FastestHand);
+    }
+  }
+  EXPECT_TRUE(isSeen);
 }
 
 TEST_F(Hfab, UnpluggingIsSaidAndNothingComesBackByItself)
