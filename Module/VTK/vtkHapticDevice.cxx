@@ -191,6 +191,7 @@ vtkHapticDevicePartMacro(bool, HasTipOrientation, (), Session.GetState().HasOrie
 vtkHapticDevicePartMacro(bool, GetClutch, (), Session.IsClutched());
 vtkHapticDevicePartMacro(bool, ArmsAfterClutch, (), Session.ReturnsAfterClutch());
 vtkHapticDevicePartMacro(bool, GetSignsConfirmed, (), Session.AreSignsConfirmed());
+vtkHapticDevicePartMacro(bool, IsRemembered, (), Session.IsRemembered());
 vtkHapticDevicePartMacro(double, GetForceScale, (), Session.GetFacts().Scale);
 vtkHapticDevicePartMacro(std::string, GetCalibrationText, (), Session.DescribeCalibration());
 vtkHapticDevicePartMacro(void, SetLights, (int lights), Session.SetLights(lights));

@@ -216,10 +216,17 @@ public:
   void ForgetConfirmation();
   ///@}
 
+  /**
+   * Whether that file remembers the open device. False for a device that tells neither a serial
+   * number nor its port, as it can't be told from another one: then its confirmation and its
+   * calibration hold until Close. Also false for a device that gives no force.
+   */
+  bool IsRemembered();
+
   ///@{
   /**
    * The newtons that the open device really gives for each one that it is asked for, as
-   * CalibrateForce has stored them in the same file: 1 if it was never calibrated. Forces and
+   * CalibrateForce has stored them (see IsRemembered): 1 if it was never calibrated. Forces and
    * limits of a calibrated device are true newtons; MaximumForce never exceeds what its driver
    * allows. CalibrateForce takes 0.1 to 10, while the servo does not run; false, with an error, for
    * anything else. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or empty if the

@@ -56,6 +56,7 @@ public:
    * none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
+  bool TellsSerial = true; ///< when it is plugged in
 };
 
 } // namespace emulated

@@ -150,6 +150,7 @@ std::string Describe(const HidModel& model, int number, std::vector<std::string>
     descriptor += digits;
   }
   const std::string name = model.GetName();
+  const std::string serial = model.TellsSerial ? "SN" + std::to_string(number) : std::string();
   char text[2000];
   std::snprintf(text, sizeof(text),
     "P: %s/hidraw/hidraw%d\nN: hidraw%d\nE: DEVNAME=/dev/hidraw%d\nE: SUBSYSTEM=hidraw\n"
@@ -158,8 +159,8 @@ std::string Describe(const HidModel& model, int number, std::vector<std::string>
   std::string all = text;
   std::snprintf(text, sizeof(text),
     "P: %s\nE: SUBSYSTEM=hid\nE: DRIVER=hid-generic\nE: HID_ID=0003:%08X:%08X\nE: HID_NAME=%s\n"
-    "E: HID_PHYS=usb/input0\nE: HID_UNIQ=SN%d\nH: report_descriptor=",
-    hid, model.GetVendor(), model.GetProduct(), name.c_str(), number);
+    "E: HID_PHYS=usb/input0\nE: HID_UNIQ=%s\nH: report_descriptor=",
+    hid, model.GetVendor(), model.GetProduct(), name.c_str(), serial.c_str());
   all += text + descriptor;
   std::snprintf(text, sizeof(text),
     "\n\nP: %s/1-%d:1.0\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nE: DRIVER=usbhid\n"

@@ -339,10 +339,10 @@ bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams strea
   {
     return false;
   }
-  char text[200];
+  char text[300];
   std::snprintf(text, sizeof(text),
-    "%s gives %.3f N (+- %.1f %%) for each newton that it is asked for. This is remembered.\n",
-    options.Id.c_str(), scale, 100.0 * doubt / factor);
+    "%s gives %.3f N (+- %.1f %%) for each newton that it is asked for. %s\n", options.Id.c_str(),
+    scale, 100.0 * doubt / factor, DescribeMemory(device));
   streams.Out << text;
   return true;
 }

@@ -74,6 +74,13 @@ bool ConfirmSigns(ToolDevice& device, const char* id, ToolStreams streams)
   }
   line.End();
   device->Stop();
-  streams.Out << id << " moves with the force along every axis. This is remembered.\n";
+  streams.Out << id << " moves with the force along every axis. " << DescribeMemory(device) << "\n";
   return true;
+}
+
+const char* DescribeMemory(ToolDevice& device)
+{
+  return device->IsRemembered()
+    ? "This is remembered."
+    : "This is not remembered: it has no serial number that tells it from other devices.";
 }

@@ -43,5 +43,7 @@ private:
 
 /// Pushes gently along each axis, until it is known whether the device moves with the force.
 bool ConfirmSigns(ToolDevice& device, const char* id, ToolStreams streams);
+/** Whether what was found out of an open device is remembered, for people. */
+const char* DescribeMemory(ToolDevice& device);
 
 #endif

@@ -148,9 +148,16 @@ public:
   /**
    * A name that this very device keeps, such as its kind and serial number, or its kind and port if
    * it has none, once it is open. The user's confirmations and calibrations are remembered under
-   * it. Empty for a back end whose signs and newtons are right by themselves.
+   * it, unless KeepsIdentity is false. Empty for a back end whose signs and newtons are right by
+   * themselves.
    */
   virtual std::string GetIdentity() const { return {}; }
+  /**
+   * Whether GetIdentity names this very device. False if another device may have that name, since
+   * this one tells neither a serial number nor its port: then the user's confirmation and
+   * calibration hold until Close.
+   */
+  virtual bool KeepsIdentity() const { return true; }
   /**
    * The newtons that the device really gives for each newton that it is asked for, as the user has
    * measured it. From then on forces and limits are true newtons.

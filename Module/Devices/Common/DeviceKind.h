@@ -40,7 +40,8 @@ struct DeviceListing
   std::string Id;    ///< opens the device
   std::string Name;  ///< as the user sees it: maker, product, and its port
   std::string State; ///< "available", "in use", or the obstacle and its cure
-  /// DeviceBackend::GetIdentity of the open device, if that is known before; else empty
+  /// DeviceBackend::GetIdentity of the open device, if that is known before and KeepsIdentity is
+  /// true; else empty
   std::string Identity = {};
 };
 

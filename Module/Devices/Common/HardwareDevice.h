@@ -32,6 +32,8 @@ public:
    * force.
    */
   virtual std::string GetIdentity() const { return {}; }
+  /** DeviceBackend::KeepsIdentity, likewise. */
+  virtual bool KeepsIdentity() const { return true; }
 
   /** Finds the device and claims it for this process alone. False, with the reason and the cure. */
   virtual bool Connect(std::string& error) = 0;
@@ -59,6 +61,7 @@ public:
     return this->Newtons.LimitsOf(this->Driver->GetLimits());
   }
   std::string GetIdentity() const override { return this->Driver->GetIdentity(); }
+  bool KeepsIdentity() const override { return this->Driver->KeepsIdentity(); }
   void SetForceScale(double scale) noexcept override
   {
     this->Newtons.Set(scale, this->Driver->GetLimits().MaximumForce);

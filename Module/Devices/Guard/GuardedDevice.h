@@ -48,6 +48,7 @@ public:
     return this->Newtons.LimitsOf(this->Driver->GetLimits());
   }
   std::string GetIdentity() const override { return this->Driver->GetIdentity(); }
+  bool KeepsIdentity() const override { return this->Driver->KeepsIdentity(); }
   void SetForceScale(double scale) noexcept override
   {
     this->Newtons.Set(scale, this->Driver->GetLimits().MaximumForce);

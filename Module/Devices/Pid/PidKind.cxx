@@ -22,8 +22,9 @@ std::vector<DeviceListing> ListPid()
     {
       char id[16];
       std::snprintf(id, sizeof(id), "pid:%04x:%04x", info.Vendor, info.ProductId);
-      all.push_back({ id, info.GetLabel(),
-        objection.empty() ? info.GetState() : "refused: " + objection, info.MakeIdentity("pid") });
+      all.push_back(
+        { id, info.GetLabel(), objection.empty() ? info.GetState() : "refused: " + objection,
+          info.KeepsIdentity() ? info.MakeIdentity("pid") : std::string() });
     }
   }
   return all;

@@ -66,6 +66,7 @@ bool VendorDriver::Connect(std::string& error)
   this->Label = devices[static_cast<std::size_t>(this->Number)].Name + " (vendor:" + this->Plugin +
     ":" + std::to_string(this->Number) + ")";
   this->Identity = VendorLibrary::MakeIdentity(this->Plugin, this->Number, serial);
+  this->HasSerial = serial[0] != '\0';
   return true;
 }
 

@@ -31,6 +31,7 @@ public:
   std::string GetName() const override { return this->Label; }
   DeviceLimits GetLimits() const override { return this->Limits; }
   std::string GetIdentity() const override { return this->Identity; }
+  bool KeepsIdentity() const override { return this->HasSerial; }
   bool Connect(std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override;
@@ -49,6 +50,7 @@ private:
   const std::string Path;
   std::string Label;
   std::string Identity;
+  bool HasSerial = false; ///< without one, devices of a plug-in may change their numbers
   DeviceLimits Limits;
   double MaximumTorque = 0.0; ///< N m
   std::shared_ptr<VendorLibrary> Library;

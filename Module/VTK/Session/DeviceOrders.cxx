@@ -65,7 +65,7 @@ void DeviceOrders::ForgetConfirmation()
 
 bool DeviceOrders::CalibrateForce(double scale)
 {
-  if (!this->Session.IsRemembered() || this->Session.IsRunning())
+  if (!this->Session.HasFacts() || this->Session.IsRunning())
   {
     this->TellError("CalibrateForce() is for an open real device that gives force and whose servo "
                     "does not run: Open() it and Stop() it first.");

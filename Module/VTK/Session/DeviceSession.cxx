@@ -59,7 +59,7 @@ bool DeviceSession::Open(const std::string& id, const DeviceOptions& options, st
   }
   this->Id = id;
   this->Identity = this->Backend->GetIdentity();
-  if (!this->Identity.empty())
+  if (this->IsRemembered())
   {
     this->Facts = DeviceMemory::Read(this->Identity, this->MemoryTrouble);
     this->Backend->SetForceScale(this->Facts.Scale);
@@ -69,13 +69,13 @@ bool DeviceSession::Open(const std::string& id, const DeviceOptions& options, st
 
 bool DeviceSession::NeedsConfirmation() const
 {
-  return !this->Identity.empty() && this->Facts.Confirmed.empty();
+  return this->HasFacts() && this->Facts.Confirmed.empty();
 }
 
 void DeviceSession::Remember()
 {
   std::string error;
-  if (!DeviceMemory::Write(this->Identity, this->Facts, error))
+  if (this->IsRemembered() && !DeviceMemory::Write(this->Identity, this->Facts, error))
   {
     this->MemoryTrouble = error;
   }
@@ -89,7 +89,7 @@ void DeviceSession::RequireConfirmation()
 
 void DeviceSession::ForgetConfirmation()
 {
-  if (!this->Identity.empty() && !this->Facts.Confirmed.empty())
+  if (this->HasFacts() && !this->Facts.Confirmed.empty())
   {
     this->Facts.Confirmed.clear();
     this->Remember();
@@ -98,7 +98,7 @@ void DeviceSession::ForgetConfirmation()
 
 void DeviceSession::SetForceScale(double scale)
 {
-  if (!this->Identity.empty())
+  if (this->HasFacts())
   {
     this->Backend->SetForceScale(scale);
     this->Facts.Scale = scale;

@@ -52,17 +52,20 @@ public:
 
   ///@{
   /**
-   * The facts that the user's file remembers of the device (DeviceMemory.h), and the error of that
-   * file since the last call; empty if there is none.
+   * The facts of the device: those that the user's file remembers (DeviceMemory.h), or if it is not
+   * remembered, those since Open. And the error of that file since the last call; empty if there is
+   * none.
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
   std::string TakeMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
-  /** Whether it is a device that is remembered: one with force and an identity. */
-  bool IsRemembered() const { return !this->Identity.empty(); }
-  /** Its calibration as text; empty if it is not remembered. */
+  /** Whether it is a device with facts: one with force and an identity. */
+  bool HasFacts() const { return !this->Identity.empty(); }
+  /** Whether the user's file remembers them: no other device has its identity. */
+  bool IsRemembered() const { return this->HasFacts() && this->Backend->KeepsIdentity(); }
+  /** Its calibration as text; empty if it has no facts. */
   std::string DescribeCalibration() const
   {
-    return this->IsRemembered() ? this->Facts.DescribeScale() : std::string();
+    return this->HasFacts() ? this->Facts.DescribeScale() : std::string();
   }
   /** Whether its signs have to be confirmed before anything is felt. */
   bool NeedsConfirmation() const;
@@ -192,12 +195,13 @@ private:
   const Work* FindLongWork() const;
   /** Publishes the last model with other caps if the measured round trip asks for it. */
   void FollowRoundTrip();
+  /** Writes the facts to the user's file if the device is remembered. */
   void Remember();
   void RequireConfirmation();
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;
-  std::string Identity; ///< of the back end; empty: nothing is remembered of it
+  std::string Identity; ///< of the back end; empty: it has no facts
   DeviceFacts Facts;
   std::string MemoryTrouble;
   int Opening = 0;

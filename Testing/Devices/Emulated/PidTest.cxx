@@ -58,3 +58,19 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
   EXPECT_EQ(this->Model.GetLast(5)[2] | this->Model.GetLast(5)[3], 0);
   EXPECT_EQ(this->Model.GetLast(12), (Bytes{ 12, 8 }));
 }
+
+TEST_F(Pid, KeepsItsIdentityByASerialNumber)
+{
+  EXPECT_EQ(ListDevices()[0].Identity.rfind("pid:1209:ffb0:SN", 0), 0U);
+  ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
+  EXPECT_TRUE(this->Bench.Device->KeepsIdentity());
+  this->Bench.Device->Close();
+
+  this->Hid.Unplug();
+  this->Model.TellsSerial = false;
+  this->Hid.PlugIn();
+  EXPECT_EQ(ListDevices()[0].Identity, "");
+  ASSERT_TRUE(this->Bench.Open("pid", this->Options)) << this->Bench.Error;
+  EXPECT_EQ(this->Bench.Device->GetIdentity(), "pid:1209:ffb0") << "it has signs, however";
+  EXPECT_FALSE(this->Bench.Device->KeepsIdentity());
+}

@@ -41,6 +41,7 @@ public:
     return limits;
   }
   std::string GetIdentity() const override { return "played:SN1"; }
+  bool KeepsIdentity() const override { return false; }
   bool Connect(std::string&) override
   {
     // As if the system took its time.
@@ -106,6 +107,7 @@ TEST_F(Guarded, IsRememberedAndGivesTrueNewtons)
 {
   this->OpenIt();
   EXPECT_EQ(this->Device->GetIdentity(), "played:SN1");
+  EXPECT_FALSE(this->Device->KeepsIdentity()) << "as its driver says";
   EXPECT_TRUE(this->Feels({ 1.0, 0.0, 0.0 }));
   const auto gets = [this](const Vector3& force, const Vector3& asked)
   {

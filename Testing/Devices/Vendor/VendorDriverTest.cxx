@@ -112,6 +112,7 @@ TEST_F(VendorDevice, HasItsLimitsNameAndIdentityAndIsInUse)
   EXPECT_EQ(limits.WorkspaceRadius, 0.05);
   EXPECT_EQ(this->Bench.Device->GetName(), "Played stylus 0 (vendor:played:0)");
   EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:played:SN_1_2");
+  EXPECT_TRUE(this->Bench.Device->KeepsIdentity());
   const int asked = this->Ask([](const PlayedVendor& played) { return played.Asked; });
   const std::vector<DeviceListing> all = ListVendors();
   ASSERT_EQ(all.size(), 2U);
@@ -120,6 +121,17 @@ TEST_F(VendorDevice, HasItsLimitsNameAndIdentityAndIsInUse)
   EXPECT_EQ(this->Ask([](const PlayedVendor& played) { return played.Asked; }), asked)
     << "the plug-in is not asked while its device runs";
   EXPECT_TRUE(Has(ErrorOf("vendor:played:0"), "in use by this program"));
+}
+
+TEST_F(VendorDevice, KeepsNoIdentityWithoutASerialNumber)
+{
+  this->Play([](PlayedVendor& played) { played.Serial.clear(); });
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:played:number:0") << "it has signs, however";
+  EXPECT_FALSE(this->Bench.Device->KeepsIdentity());
+  const std::vector<DeviceListing> all = ListVendors();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].Identity, "");
 }
 
 TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)

@@ -30,6 +30,8 @@ struct HidDeviceInfo
   std::string GetLabel() const;
   /** DeviceBackend::GetIdentity for a device of a kind: kind, vendor, product and serial number. */
   std::string MakeIdentity(const char* kind) const;
+  /** DeviceBackend::KeepsIdentity: without a serial number, others of its model have that name. */
+  bool KeepsIdentity() const { return !this->Serial.empty(); }
   /** "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
   /** Reads and parses the report descriptor. False, with the reason, if that is not possible. */

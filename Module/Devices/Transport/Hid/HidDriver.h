@@ -29,6 +29,7 @@ public:
   bool Connect(std::string& error) final;
   void Serve(HardwareExchange& exchange) final;
   void Disconnect() noexcept final { this->Port.Close(); }
+  bool KeepsIdentity() const final { return this->Info.KeepsIdentity(); }
 
 protected:
   static constexpr int LongestReport = 256;

@@ -23,7 +23,7 @@ inline std::vector<DeviceListing> ListNumbered(
   for (const HidDeviceInfo& info : FindHidDevices(isSome))
   {
     all.push_back({ kind + (":" + std::to_string(all.size())), info.GetLabel(), info.GetState(),
-      givesForce ? info.MakeIdentity(kind) : std::string() });
+      givesForce && info.KeepsIdentity() ? info.MakeIdentity(kind) : std::string() });
   }
   return all;
 }
