@@ -11,7 +11,8 @@
  * default estimator or the B-spline, and of false alarms about honest devices. --quick takes
  * seconds instead of minutes. --volume is a CT of a head, --chest a folder with cxr.nii.gz,
  * mask.nii.gz and structures.csv, --mri a T1-weighted MRI of a head: scans to be felt. --feel
- * measures only how these feel.
+ * measures only how these feel. Tables are printed as soon as they are measured; without a display
+ * there are no plots.
  */
 #include "BumpyBall.h"
 #include "Feel.h"
@@ -23,6 +24,8 @@
 #include "TickRatio.h"
 #include "TransferPicture.h"
 
+#include "Applications/Explorer/View/Display.h"
+
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -31,6 +34,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
 using namespace evaluation;
 using namespace VolumeHaptics;
@@ -93,9 +97,26 @@ Figures MeasureTickRatios(const std::vector<FeltSurface>& surfaces, const Scans&
   return figures;
 }
 
-/** Surfaces of all scans, the ideal hand, and the bumpy ball. */
+/** Adds a table to what is found, and prints it. */
+void Tell(const Table& table, Comparison& found)
+{
+  PrintTable(table);
+  found.Tables.push_back(table);
+}
+
+/** Adds a section to the report, and prints it. Returns how many figures are not reached. */
+int Tell(const Section& section, Report& report)
+{
+  report.Sections.push_back(section);
+  return PrintSection(section);
+}
+
+/**
+ * Surfaces of all scans, the ideal hand, and the bumpy ball. Prints each table when it is measured.
+ */
 Feel MeasureScans(const Scans& scans, const Effort& effort)
 {
+  PrintFeelTitle();
   std::vector<FeltSurface> surfaces;
   const auto add = [&](const std::vector<FeltSurface>& more)
   { surfaces.insert(surfaces.end(), more.begin(), more.end()); };
@@ -114,14 +135,20 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
     add(FindMriSurfaces(scans.Mri, effort));
   }
   Feel feel = MeasureFeel(surfaces);
+  std::for_each(feel.Found.Tables.begin(), feel.Found.Tables.end(), PrintTable);
   for (const Figure& figure : MeasureTickRatios(surfaces, scans))
   {
     feel.Required.push_back(figure);
   }
   if (scans.Chest)
   {
-    RunNeedleProtocol(
-      scans.Chest, scans.ChestLabels, scans.Names, effort.Pick(20, 2000), feel.Found);
+    Comparison needles;
+    RunNeedleProtocol(scans.Chest, scans.ChestLabels, scans.Names, effort.Pick(20, 2000), needles);
+    for (const Table& table : needles.Tables)
+    {
+      Tell(table, feel.Found);
+    }
+    std::copy(needles.Plots.begin(), needles.Plots.end(), std::back_inserter(feel.Found.Plots));
   }
   Table proposals = MakeProposalTable();
   for (const auto& [name, image] : { std::pair<const char*, vtkImageData*>{ "head CT", scans.Head },
@@ -134,18 +161,18 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
   }
   if (!proposals.Rows.empty())
   {
-    feel.Found.Tables.push_back(proposals);
+    Tell(proposals, feel.Found);
   }
   if (scans.Head)
   {
     feel.Required.push_back(CountMissingBoundaries(scans.Head));
   }
-  feel.Found.Tables.push_back(CompareOnBumpyBall(effort));
-  feel.Found.Tables.push_back(IdentifyOnSlabs("CT contrast").Confusions);
+  Tell(CompareOnBumpyBall(effort), feel.Found);
+  Tell(IdentifyOnSlabs("CT contrast").Confusions, feel.Found);
   if (scans.Head)
   {
     const Identification found = IdentifyOnHead(surfaces, "CT contrast", effort);
-    feel.Found.Tables.push_back(found.Confusions);
+    Tell(found.Confusions, feel.Found);
     for (std::size_t i = 0; effort.IsFull && i < found.Correct.size(); ++i)
     {
       feel.Required.push_back({ std::string("tissues that the ideal hand mistakes, of 4, ") +
@@ -155,6 +182,18 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
     }
   }
   return feel;
+}
+
+void DrawAll(const Report& report, const std::string& folder)
+{
+  for (const std::vector<Plot>* plots :
+    { &report.Plots, &report.Scans.Found.Plots, &report.Methods.Plots })
+  {
+    for (const Plot& plot : *plots)
+    {
+      DrawPlot(plot, folder);
+    }
+  }
 }
 } // namespace
 
@@ -216,41 +255,48 @@ int main(int argc, char* argv[])
   }
   Report report;
   report.Scans = MeasureScans(scans, effort);
+  int missed = Tell({ "Felt where it is seen", {}, MeasureBumpyBall(effort) }, report);
+  if (!report.Scans.Required.empty())
+  {
+    missed += Tell({ "The feel of real scans", {}, report.Scans.Required }, report);
+  }
   if (!isFeelAlone)
   {
     for (const auto& [name, estimator] : Estimators)
     {
-      report.Sections.push_back({ name, MeasureAll({ HapticSolver::Paper, estimator }, effort),
-        MeasureAll({ HapticSolver::Precise, estimator }, effort) });
+      missed += Tell({ name, MeasureAll({ HapticSolver::Paper, estimator }, effort),
+                       MeasureAll({ HapticSolver::Precise, estimator }, effort) },
+        report);
     }
     if (scans.Head)
     {
-      report.Sections.push_back(
-        { "A real CT", MeasureRealVolume(scans.Head, HapticSolver::Paper, effort),
-          MeasureRealVolume(scans.Head, HapticSolver::Precise, effort) });
+      missed += Tell({ "A real CT", MeasureRealVolume(scans.Head, HapticSolver::Paper, effort),
+                       MeasureRealVolume(scans.Head, HapticSolver::Precise, effort) },
+        report);
     }
     report.Plots = MakePlots(effort);
     report.Methods = CompareMethods(scans.Head, effort);
-    report.Transfer = DrawTransferPicture(volume, effort, folder);
+    PrintComparison(report.Methods);
     report.Safety = MeasurePortSafety(effort.Pick(50, 1000), effort.Pick(2, 20));
+    PrintSafety(report.Safety);
+    missed += report.Safety.Alarms;
   }
-  report.Sections.push_back({ "Felt where it is seen", {}, MeasureBumpyBall(effort) });
-  if (!report.Scans.Required.empty())
+  if (Explore::HasDisplay())
   {
-    report.Sections.push_back({ "The feel of real scans", {}, report.Scans.Required });
-  }
-  int missed = PrintSections(report.Sections);
-  PrintFeel(report.Scans);
-  PrintComparison(report.Methods);
-  PrintSafety(report.Safety);
-  missed += report.Safety.Alarms;
-  for (const std::vector<Plot>& plots :
-    { report.Plots, report.Scans.Found.Plots, report.Methods.Plots })
-  {
-    for (const Plot& plot : plots)
+    DrawAll(report, folder);
+    if (!isFeelAlone)
     {
-      DrawPlot(plot, folder);
+      report.Transfer = DrawTransferPicture(volume, effort, folder);
     }
+  }
+  else
+  {
+    std::fprintf(stderr,
+      "There is no X display for the plots: the report has its tables alone. Cure: run the program "
+      "as 'xvfb-run -a volumehaptics-evaluation ...'.\n");
+    report.Plots.clear();
+    report.Scans.Found.Plots.clear();
+    report.Methods.Plots.clear();
   }
   if (!WriteReport(report, folder))
   {

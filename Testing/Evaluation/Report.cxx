@@ -82,28 +82,25 @@ bool WriteReport(const Report& report, const std::string& folder)
   return out.good();
 }
 
-int PrintSections(const std::vector<Section>& sections)
+int PrintSection(const Section& section)
 {
   int missed = 0;
-  for (const Section& section : sections)
+  std::printf("\n%-66s %16s %12s %12s\n", section.Title.c_str(), "required", "PRECISE", "PAPER");
+  for (std::size_t i = 0; i < section.Precise.size(); ++i)
   {
-    std::printf("\n%-66s %16s %12s %12s\n", section.Title.c_str(), "required", "PRECISE", "PAPER");
-    for (std::size_t i = 0; i < section.Precise.size(); ++i)
-    {
-      const Figure& figure = section.Precise[i];
-      const std::string paper = i < section.Paper.size() ? Number(section.Paper[i].Value) : "";
-      std::printf("  %-64s %16s %12s %12s  %s\n", figure.Name.c_str(), Bound(figure).c_str(),
-        Number(figure.Value).c_str(), paper.c_str(), Verdict(figure));
-      missed += figure.IsReached() || figure.IsTime ? 0 : 1;
-    }
+    const Figure& figure = section.Precise[i];
+    const std::string paper = i < section.Paper.size() ? Number(section.Paper[i].Value) : "";
+    std::printf("  %-64s %16s %12s %12s  %s\n", figure.Name.c_str(), Bound(figure).c_str(),
+      Number(figure.Value).c_str(), paper.c_str(), Verdict(figure));
+    missed += figure.IsReached() || figure.IsTime ? 0 : 1;
   }
+  std::fflush(stdout);
   return missed;
 }
 
-void PrintFeel(const Feel& feel)
+void PrintFeelTitle()
 {
   std::printf("\n%s\n", FeelTitle);
-  std::for_each(feel.Found.Tables.begin(), feel.Found.Tables.end(), PrintTable);
 }
 
 void PrintComparison(const Comparison& comparison)

@@ -40,13 +40,15 @@ struct Report
 bool WriteReport(const Report& report, const std::string& folder);
 
 /**
- * The same tables, for a terminal. Returns how many of PRECISE's figures, times aside, are not
- * reached.
+ * The same tables, for a terminal, which has them at once. Returns how many of PRECISE's figures,
+ * times aside, are not reached.
  */
-int PrintSections(const std::vector<Section>& sections);
-void PrintFeel(const Feel& feel);
+int PrintSection(const Section& section);
 void PrintComparison(const Comparison& comparison);
 void PrintSafety(const PortSafety& safety);
+
+/** The heading of the tables of MeasureFeel() and those that follow. */
+void PrintFeelTitle();
 
 } // namespace evaluation
 

@@ -62,6 +62,7 @@ void PrintTable(const Table& table)
   };
   print(table.Columns);
   std::for_each(table.Rows.begin(), table.Rows.end(), print);
+  std::fflush(stdout);
 }
 
 void WriteTable(const Table& table, std::ostream& out)

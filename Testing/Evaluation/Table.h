@@ -25,6 +25,7 @@ struct Table
 /** Three significant digits; of thousands, all. */
 std::string Number(double value);
 
+/** On the terminal, at once. */
 void PrintTable(const Table& table);
 /** As Markdown. */
 void WriteTable(const Table& table, std::ostream& out);

@@ -53,6 +53,7 @@ set(Explore_SOURCES
   Sound/ContactSound.cxx
   Sound/SoundStream.cxx
   Sound/WaveFile.cxx
+  View/Display.cxx
   View/SceneCamera.cxx
   View/StereoModes.cxx
   View/ViewFrame.cxx

@@ -10,6 +10,7 @@
 #include "Applications/Explorer/Report/TraceSound.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Scene/ExplorerScene.h"
+#include "Applications/Explorer/View/Display.h"
 #include "Applications/Explorer/Volume/LabelLoader.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -28,21 +29,12 @@ enum ExitCode
   NO_DISPLAY = 3
 };
 
-/// VTK's X11 windows crash without a display; this asks first.
-bool HasDisplay()
-{
-  vtkNew<vtkRenderWindow> window;
-  const bool needsX = std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow";
-  std::string display;
-  return !needsX || (vtksys::SystemTools::GetEnv("DISPLAY", display) && !display.empty());
-}
-
 /// Whether a window opens and draws. VTK crashes if not, for example on an X server without GLX.
 int CheckDisplay()
 {
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  if (!HasDisplay())
+  if (!Explore::HasDisplay())
   {
     return NO_DISPLAY;
   }
@@ -121,7 +113,7 @@ int Run(const Explore::Options& options)
   const std::string summary = Explore::Summarise(exploration);
   std::cout << "\n" << summary << std::endl;
 
-  if (!options.Pictures && !options.Live && HasDisplay())
+  if (!options.Pictures && !options.Live && Explore::HasDisplay())
   {
     WriteSound(exploration, options);
     OpenWindow(exploration, options);
@@ -148,7 +140,7 @@ int Run(const Explore::Options& options)
   Explore::WriteTable(exploration.Trace, options.Folder + "/trace.csv");
   std::cout << "Written to " << vtksys::SystemTools::CollapseFullPath(options.Folder)
             << ":\nsummary.txt\ntrace.vtp\ntrace.csv" << std::endl;
-  if (!HasDisplay())
+  if (!Explore::HasDisplay())
   {
     std::cerr << "There is no X display for the pictures.\n"
                  "  Cure: run the program as 'xvfb-run -a volumehaptics-explore ...'.\n";
