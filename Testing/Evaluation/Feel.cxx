@@ -27,7 +27,6 @@ using Filter = vtkVolumeHapticsFilter;
 constexpr std::size_t Settled = 200; // ticks of a stroke that are not judged
 constexpr std::size_t Window = 5;    // ticks in which a drop falls
 constexpr double LongMove = 0.3;     // mm in a tick
-constexpr double HalfTurn = 0.5 * TwoPi;
 
 constexpr const char* ByDefault = "PRECISE";
 constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";
@@ -211,54 +210,6 @@ void AddRequired(
   required.push_back({ name + ", drops (> 30 % within 5 ms)", "/s", felt.Drops / seconds, 0.0 });
   required.push_back({ name + ", largest step of |F| in a tick", "N", felt.LargestStep, 0.1 });
 }
-
-/** The position of a sample in the world. */
-Vector3 WorldPosition(vtkImageData* image, int i, int j, int k)
-{
-  double position[3];
-  image->TransformIndexToPhysicalPoint(i, j, k, position);
-  return { position[0], position[1], position[2] };
-}
-
-/** The middle of all samples of a label, and their box, which is empty if there are none. */
-struct LabelPlace
-{
-  Vector3 Middle;
-  double Box[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-};
-
-LabelPlace FindLabel(vtkImageData* labels, int label)
-{
-  LabelPlace place;
-  double count = 0.0;
-  int n[3];
-  labels->GetDimensions(n);
-  for (int k = 0; k < n[2]; ++k)
-  {
-    for (int j = 0; j < n[1]; ++j)
-    {
-      for (int i = 0; i < n[0]; ++i)
-      {
-        if (labels->GetScalarComponentAsDouble(i, j, k, 0) != label)
-        {
-          continue;
-        }
-        const Vector3 at = WorldPosition(labels, i, j, k);
-        place.Middle = place.Middle + at;
-        const double x[3] = { at.X, at.Y, at.Z };
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          double* const range = place.Box + 2 * axis;
-          range[0] = count > 0.0 ? std::min(range[0], x[axis]) : x[axis];
-          range[1] = count > 0.0 ? std::max(range[1], x[axis]) : x[axis];
-        }
-        count += 1.0;
-      }
-    }
-  }
-  place.Middle = (1.0 / std::max(count, 1.0)) * place.Middle;
-  return place;
-}
 } // namespace
 
 void Widen(vtkPiecewiseFunction* function, double width)
@@ -310,70 +261,6 @@ void AddDropCauses(const Trace& trace, std::size_t first, DropCauses& causes)
     causes.Snap += snap ? 1 : 0;
     causes.Unexplained += strength || stiffness || snap ? 0 : 1;
   }
-}
-
-std::vector<FeltSurface> FindHeadSurfaces(vtkImageData* volume, const Effort& effort)
-{
-  FeltSurface scalp{ "head CT", "scalp", "CT contrast", volume, -300.0, {} };
-  FeltSurface skull{ "head CT", "skull", "CT contrast", volume, 300.0, {} };
-  scalp.Arcs = FindArcs(volume, AroundHead(volume, scalp.Level, 0.0, effort));
-  skull.Arcs = FindArcs(volume, AroundHead(volume, skull.Level, 10.0, effort));
-  scalp.IsRequired = skull.IsRequired = true;
-  scalp.RoughestShare = 0.6;
-  return { scalp, skull };
-}
-
-std::vector<FeltSurface> FindChestSurfaces(
-  vtkImageData* volume, vtkImageData* labels, int liver, const Effort& effort)
-{
-  double box[6];
-  volume->GetBounds(box);
-  FeltSurface skin{ "chest CT", "skin", "CT contrast", volume, -300.0, {} };
-  Course front;
-  front.Level = skin.Level;
-  front.Up = { 0.0, -1.0, 0.0 }; // the face looks along -y
-  front.FirstAngle = 0.15 * HalfTurn;
-  front.LastAngle = 0.85 * HalfTurn;
-  front.Radius = 130.0;
-  const int heights = effort.Pick(1, 4);
-  for (int height = 0; height < heights; ++height)
-  {
-    front.Middles.push_back({ 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]),
-      box[4] + (0.3 + 0.4 * (height + 0.5) / heights) * (box[5] - box[4]) });
-  }
-  skin.Arcs = FindArcs(volume, front);
-  std::vector<FeltSurface> surfaces = { skin };
-  const LabelPlace place = labels ? FindLabel(labels, liver) : LabelPlace{};
-  if (place.Box[0] <= place.Box[1])
-  {
-    FeltSurface dome{ "chest CT", "liver", "CT contrast", volume, -400.0, {} };
-    Course up;
-    up.Level = dome.Level;
-    up.Up = { 0.0, 0.0, 1.0 };
-    up.FirstAngle = 0.2 * HalfTurn;
-    up.LastAngle = 0.8 * HalfTurn;
-    up.IsSeenFromInside = true;
-    for (int plane = 0; plane < effort.Pick(1, 6); ++plane)
-    {
-      const double share = 0.3 + 0.4 * (plane + 0.5) / effort.Pick(1, 6);
-      up.Middles.push_back(
-        { place.Middle.X, place.Box[2] + share * (place.Box[3] - place.Box[2]), place.Middle.Z });
-    }
-    dome.Arcs = FindArcs(volume, up);
-    surfaces.push_back(dome);
-  }
-  return surfaces;
-}
-
-std::vector<FeltSurface> FindMriSurfaces(vtkImageData* volume, const Effort& effort)
-{
-  FeltSurface scalp{ "head MRI", "scalp", "MRI", volume, 50.0, {}, 30.0 };
-  FeltSurface cortex{ "head MRI", "cortex", "MRI", volume, 70.0, {}, 30.0 };
-  scalp.Arcs = FindArcs(volume, AroundHead(volume, scalp.Level, 0.0, effort));
-  Course inside = AroundHead(volume, cortex.Level, 10.0, effort);
-  inside.IsSeenFromInside = true;
-  cortex.Arcs = FindArcs(volume, inside);
-  return { scalp, cortex };
 }
 
 Feel MeasureFeel(const std::vector<FeltSurface>& surfaces)
@@ -441,6 +328,30 @@ Feel MeasureFeel(const std::vector<FeltSurface>& surfaces)
   }
   feel.Found.Tables = { std::move(roughness), std::move(drops) };
   return feel;
+}
+
+Table ComparePresets(const std::vector<FeltSurface>& surfaces)
+{
+  Table table{ "Presets on the surfaces that they are for", "The same strokes, default settings.",
+    { "preset", "surface", "mean (N)", "30-500 Hz (%)", "drops / s", "largest step (N)" }, {} };
+  const Variant byDefault{ ByDefault, [](Filter*, const FeltSurface&) {} };
+  for (FeltSurface surface : surfaces)
+  {
+    std::vector<std::string> presets = { surface.Preset };
+    if (surface.Scan == "chest CT")
+    {
+      presets.insert(presets.end(), { "CT chest", "CT angiography" });
+    }
+    for (const std::string& preset : presets)
+    {
+      surface.Preset = preset;
+      const Roughness felt = FeelArcs(surface, byDefault, nullptr, nullptr).All;
+      const double perSecond = felt.Duration > 0.0 ? 1.0 / felt.Duration : 0.0;
+      table.Rows.push_back({ preset, surface.Scan + ", " + surface.Name, Number(felt.Mean),
+        Number(felt.Both), Number(perSecond * felt.Drops), Number(felt.LargestStep) });
+    }
+  }
+  return table;
 }
 
 } // namespace evaluation

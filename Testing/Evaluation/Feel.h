@@ -7,42 +7,11 @@
 #ifndef Evaluation_Feel_h
 #define Evaluation_Feel_h
 
-#include "Arcs.h"
 #include "Comparison.h"
-
-#include "vtkSmartPointer.h"
+#include "Surfaces.h"
 
 namespace evaluation
 {
-
-/** A surface of a scan and the strokes over it. */
-struct FeltSurface
-{
-  std::string Scan;
-  std::string Name;
-  std::string Preset;
-  vtkSmartPointer<vtkImageData> Image;
-  double Level = 0.0; ///< value of the surface
-  std::vector<Arc> Arcs;
-  /// scalar units, to which ramps between materials are widened to see what steep ones do
-  double WideRamp = 60.0;
-  bool IsRequired = false; ///< to be smooth
-  /// % of the mean between 30 and 500 Hz; 0 stands for what a mesh of smoothed data has
-  double RoughestShare = 0.0;
-};
-
-/** Scalp (-300 HU) and skull (300 HU) of a head CT. */
-std::vector<FeltSurface> FindHeadSurfaces(vtkImageData* volume, const Effort& effort);
-
-/**
- * The skin of the front (-300 HU) and, from the lung, the dome of the liver (-400 HU) of a chest
- * CT in DICOM's axes. The liver has a value in the label image; without labels it is left out.
- */
-std::vector<FeltSurface> FindChestSurfaces(
-  vtkImageData* volume, vtkImageData* labels, int liver, const Effort& effort);
-
-/** Scalp and cortex of a T1-weighted MRI of a head, of 0 to 255 grey levels. */
-std::vector<FeltSurface> FindMriSurfaces(vtkImageData* volume, const Effort& effort);
 
 struct Feel
 {
@@ -56,6 +25,12 @@ struct Feel
  * plot for each surface.
  */
 Feel MeasureFeel(const std::vector<FeltSurface>& surfaces);
+
+/**
+ * Each surface with its preset and the default settings, those of a chest CT also with the other
+ * presets that are for it.
+ */
+Table ComparePresets(const std::vector<FeltSurface>& surfaces);
 
 /** The function, averaged over a width of its argument: no ramp is steeper. */
 void Widen(vtkPiecewiseFunction* function, double width);

@@ -17,6 +17,7 @@
 #include "BumpyBall.h"
 #include "Feel.h"
 #include "Palpation.h"
+#include "Parts.h"
 #include "Proposals.h"
 #include "RealVolume.h"
 #include "Report.h"
@@ -129,13 +130,18 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
     const NeedleLabels sorted = SortLabels(scans.Names);
     const int liver = sorted.Liver.empty() ? 0 : *sorted.Liver.begin();
     add(FindChestSurfaces(scans.Chest, scans.ChestLabels, liver, effort));
+    add(FindLabelSurfaces(scans.ChestLabels, liver, effort));
   }
   if (scans.Mri)
   {
     add(FindMriSurfaces(scans.Mri, effort));
   }
+  const std::vector<FeltSurface> parts = MakePartSurfaces(effort);
+  add(parts);
   Feel feel = MeasureFeel(surfaces);
   std::for_each(feel.Found.Tables.begin(), feel.Found.Tables.end(), PrintTable);
+  Tell(ComparePresets(surfaces), feel.Found);
+  Tell(ComparePartsWithFormulas(parts), feel.Found);
   for (const Figure& figure : MeasureTickRatios(surfaces, scans))
   {
     feel.Required.push_back(figure);
