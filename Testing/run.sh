@@ -7,9 +7,9 @@
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
 # Without --full, there is a short form of the sanitizer runs and of the fuzzer; with it, all C++ tests and the calls
-# in any order run under the address and undefined-behaviour sanitizers, those of the device, the scene and the servo
-# also under the thread sanitizer, the fuzzer searches for five minutes, the benchmarks print their ratios, and the
-# evaluation its whole table.
+# in any order run under the address and undefined-behaviour sanitizers, those of the device, the scene, the servo
+# and several paths also under the thread sanitizer, the fuzzer searches for five minutes, the benchmarks print their
+# ratios, and the evaluation its whole table.
 #
 # Tests of devices, screens and packages wait more than they compute: while they run, the next ones are built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -172,7 +172,7 @@ echo "== Tests with the thread sanitizer in $build_dir-thread"
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then
   # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
-  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Recording|Scene|Session|Setup|Work)[.])'
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Recording|Scene|Session|Setup|Work)[.])'
 else
   run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo'
 fi
