@@ -96,6 +96,16 @@ inline SafetyLimits QuickLimits()
   return limits;
 }
 
+/// How many loops in a row a test makes: a sanitizer, which is slow to make one, sees a race in few.
+constexpr int Lives(int count)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return count / 5;
+#else
+  return count;
+#endif
+}
+
 /// Runs until it is destroyed.
 class RunningLoop
 {

@@ -73,7 +73,7 @@ protected:
 TEST(FadeOutOrder, NeverUndoesADisarmOfAnotherThread)
 {
   PlayedDevice device;
-  for (int i = 0; i < 300; ++i)
+  for (int i = 0; i < Lives(300); ++i)
   {
     ServoLoop loop(device, Rate);
     loop.Arm();

@@ -14,7 +14,7 @@ TEST(ServoLife, StartsAndStopsManyTimes)
   TestVolume volume = MakeRamp();
   const auto model = std::make_shared<const HapticModel>(Describe(volume));
   PlayedDevice device;
-  for (int i = 0; i < 200; ++i)
+  for (int i = 0; i < Lives(200); ++i)
   {
     RunningLoop loop(device, 10000.0);
     loop->Publish(model);
