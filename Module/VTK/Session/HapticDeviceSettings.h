@@ -53,8 +53,8 @@ inline constexpr HardwareSetting All[] = {
   HapticNumberMacro(HomingTime, 1.0, 3600.0, 120.0, "s", NotBaked,
     "How long (s) each step of homing by hand may take, 1 to 3600. Default 120."),
   HapticFlagMacro(UseGuard, true, NotBaked,
-    "Whether a guard, a process of its own, talks to a device that has no watchdog: the Falcon, and "
-    "a DualSense through hidapi. Default: on."),
+    "Whether a guard, a process of its own, talks to a device that has no watchdog: the Falcon, "
+    "and a DualSense through hidapi. Default: on."),
 };
 
 inline constexpr HardwareVector NewtonsPerFullScale =
