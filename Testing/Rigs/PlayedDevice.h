@@ -96,7 +96,7 @@ inline SafetyLimits QuickLimits()
   return limits;
 }
 
-/// How many loops in a row a test makes: a sanitizer, which is slow to make one, sees a race in few.
+/// How many loops in a row a test makes: a sanitizer is slow to make one, and sees a race in few.
 constexpr int Lives(int count)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
