@@ -29,7 +29,7 @@ def test_each_as_alone(head):
     traces = touch(head, tips, "CT contrast")
     assert isinstance(traces, list) and len(traces) == len(tips)
     for tip, trace in zip(tips, traces):
-        assert type(trace) is vtkPolyData
+        assert isinstance(trace, vtkPolyData)
         assert not compare_traces.compare(trace, touch(head, tip, "CT contrast"))
     assert any(arrays(trace)["Force"].any() for trace in traces)
 
