@@ -15,7 +15,8 @@ tip = gallery.over_skin(head, np.column_stack([np.sin(turn), -np.cos(turn), 0.6 
 crop = vtkHapticRegionFilter()
 crop.SetInputData(head)
 size = head.dimensions
-crop.SetRegion(3 * size[0] // 8, size[0] - 1, 0, 5 * size[1] // 8, size[2] // 2, 7 * size[2] // 8)
+# With room for the samples behind the skin, from which its materials are read.
+crop.SetRegion(3 * size[0] // 8, size[0] - 1, 0, 5 * size[1] // 8, 7 * size[2] // 16, 15 * size[2] // 16)
 crop.Update()
 region = pv.wrap(crop.GetOutput())
 
