@@ -23,7 +23,7 @@ namespace VolumeHaptics
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
   const int whole[6], NoiseSamples& samples);
 
-/** What the samples of a volume tell. */
+/** Noise and range of a volume, estimated from its samples. */
 struct FoundNoise
 {
   double Noise = 0.0; ///< its standard deviation (scalar units)

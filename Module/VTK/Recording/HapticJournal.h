@@ -31,7 +31,7 @@ struct RecordingAbout
   std::string VolumeHash; ///< of the touched scalars; empty while it is not known
 };
 
-/** What is known only some time after a recording began; empty if there is none. */
+/** Hashes that are known only some time after a recording began; empty if there are none. */
 struct RecordingHashes
 {
   std::string Volume;

@@ -27,7 +27,7 @@ public:
 
   /** Computes the next tick. Returns its model: the given one, placed as the recording says. */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
-  /** What the last tick tells. */
+  /** The record of the last tick. */
   const TickRecord& GetRecord() const;
   /** Time of the last tick (s). */
   double GetTime() const;

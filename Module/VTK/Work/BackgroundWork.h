@@ -13,8 +13,8 @@
  *   const std::string* known = hash.Follow({ array, array->GetMTime() }, // on each GUI tick
  *     [array](WorkMonitor& monitor) { return HashArray(array, dimensions, monitor); });
  *
- * What the task holds, such as a reference to an array, is released by the owner, never by the
- * worker: the last reference of a VTK object must not be dropped by another thread. The task reads
+ * The owner releases the objects that the task holds, such as a reference to an array; the worker
+ * never does: the last reference of a VTK object must not be dropped by another thread. The task reads
  * values while the program may write them: the program announces that with Modified(), and gets
  * another result. The memory of the values must stay where it is for as long as the array exists,
  * as for the servo: see vtkHapticDevice.
@@ -37,7 +37,7 @@
 namespace VolumeHaptics
 {
 
-/** What a task and its owner tell each other. */
+/** Passes progress from a task to its owner, and cancellation from the owner to the task. */
 class WorkMonitor
 {
 public:

@@ -10,7 +10,7 @@
 
 namespace Explore
 {
-/// What would be heard along the trace of an exploration, and what fades after it: see
+/// The sound along the trace of an exploration, and its fading after the end: see
 /// ContactSound.
 std::vector<float> MakeSound(const Exploration& exploration);
 
