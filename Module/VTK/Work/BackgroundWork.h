@@ -14,10 +14,10 @@
  *     [array](WorkMonitor& monitor) { return HashArray(array, dimensions, monitor); });
  *
  * The owner releases the objects that the task holds, such as a reference to an array; the worker
- * never does: the last reference of a VTK object must not be dropped by another thread. The task reads
- * values while the program may write them: the program announces that with Modified(), and gets
- * another result. The memory of the values must stay where it is for as long as the array exists,
- * as for the servo: see vtkHapticDevice.
+ * never does: the last reference of a VTK object must not be dropped by another thread. The task
+ * reads values while the program may write them: the program announces that with Modified(), and
+ * gets another result. The memory of the values must stay where it is for as long as the array
+ * exists, as for the servo: see vtkHapticDevice.
  *
  * The worker has a low priority, so that it delays neither the servo nor the picture. A forked
  * child has no worker; there, work that was under way never ends.
