@@ -133,7 +133,7 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
   }
   const char* const name = this->Counted ? this->Counted->GetName() : nullptr;
   this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(name && *name ? name : "Value");
-  if (this->Counted && AreQuicklyCounted(this->Counted))
+  if (this->Counted && IsQuicklySwept(this->Counted))
   {
     counts = *CountAllValues(this->Counted, component, [](double) { return true; });
     this->Counted = nullptr;
@@ -171,12 +171,8 @@ void HapticFunctionChart::FollowCount()
   const ValueCounts* const counts = this->Counting.Follow(this->DataTime.GetMTime(),
     [scalars, component](WorkMonitor& monitor)
     {
-      return CountAllValues(scalars, component,
-        [&monitor](double share)
-        {
-          monitor.SetProgress(share);
-          return !monitor.IsCancelled();
-        });
+      return CountAllValues(
+        scalars, component, [&monitor](double share) { return monitor.GoesOn(share); });
     });
   if (counts)
   {

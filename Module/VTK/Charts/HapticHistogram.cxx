@@ -3,7 +3,6 @@
 #include "VTK/Charts/HapticHistogram.h"
 
 #include "vtkArrayDispatch.h"
-#include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
@@ -21,9 +20,6 @@ namespace
 {
 
 constexpr int MostBins = 128;
-constexpr vtkIdType MostQuick = 1 << 22;    // values: 25 ms on a desktop computer of 2023
-constexpr vtkIdType MostSpread = 1 << 11;   // values: 8 MiB of a file that is mapped into memory
-constexpr vtkIdType ValuesAPiece = 1 << 20; // 6 ms
 
 bool AreWholeNumbers(vtkDataArray* scalars)
 {
@@ -118,36 +114,19 @@ int ClampComponent(vtkDataArray* scalars, int component)
 
 } // namespace
 
-bool AreQuicklyCounted(vtkDataArray* scalars)
-{
-  return scalars->GetNumberOfTuples() <= MostQuick;
-}
-
 ValueCounts CountSpreadValues(vtkDataArray* scalars, int component)
 {
-  const int used = ClampComponent(scalars, component);
-  const vtkIdType all = scalars->GetNumberOfTuples();
-  const vtkIdType looks = std::min(all, MostSpread);
   std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(looks));
   RangeFinder finder;
-  // One in each of as many stretches, at a place that moves by the golden section: even steps could
-  // fall into the same column of every row.
-  constexpr double section = 0.6180339887498949;
-  double place = 0.0;
-  for (vtkIdType look = 0; look < looks; ++look)
-  {
-    place += section;
-    place -= std::floor(place);
-    const double at = (static_cast<double>(look) + place) / static_cast<double>(looks);
-    const auto tuple = static_cast<vtkIdType>(at * static_cast<double>(all));
-    const double value = scalars->GetComponent(std::min(tuple, all - 1), used);
-    if (std::isfinite(value))
+  VisitSpreadValues(scalars, ClampComponent(scalars, component),
+    [&](double value)
     {
-      finder(value);
-      values.push_back(value);
-    }
-  }
+      if (std::isfinite(value))
+      {
+        finder(value);
+        values.push_back(value);
+      }
+    });
   ValueCounts bins = MakeBins(finder.Range, AreWholeNumbers(scalars));
   for (const double value : values)
   {
@@ -157,28 +136,26 @@ ValueCounts CountSpreadValues(vtkDataArray* scalars, int component)
 }
 
 std::optional<ValueCounts> CountAllValues(
-  vtkDataArray* scalars, int component, const CountProgress& progress)
+  vtkDataArray* scalars, int component, const SweepProgress& progress)
 {
   const int used = ClampComponent(scalars, component);
-  const vtkIdType all = scalars->GetNumberOfTuples();
-  bool isEnded = false;
   const auto visitAll = [&](double from, auto&& visit)
   {
-    for (vtkIdType begin = 0; begin < all && !isEnded; begin += ValuesAPiece)
-    {
-      isEnded = !progress(from + 0.5 * static_cast<double>(begin) / static_cast<double>(all));
-      VisitValues(
-        scalars, used, begin, isEnded ? begin : std::min(begin + ValuesAPiece, all), visit);
-    }
+    return VisitPieces(scalars, from, progress,
+      [&](vtkIdType begin, vtkIdType end) { VisitValues(scalars, used, begin, end, visit); });
   };
   RangeFinder finder;
-  visitAll(0.0, finder);
-  ValueCounts bins = MakeBins(finder.Range, AreWholeNumbers(scalars));
-  if (!bins.Counts.empty())
+  if (!visitAll(0.0, finder))
   {
-    visitAll(0.5, [&bins](double value) { CountInto(value, bins); });
+    return std::nullopt;
   }
-  return isEnded ? std::nullopt : std::optional<ValueCounts>(std::move(bins));
+  ValueCounts bins = MakeBins(finder.Range, AreWholeNumbers(scalars));
+  const auto count = [&bins](double value) { CountInto(value, bins); };
+  if (!bins.Counts.empty() && !visitAll(0.5, count))
+  {
+    return std::nullopt;
+  }
+  return bins;
 }
 
 void FillHistogram(const ValueCounts& counts, vtkTable* table)

@@ -10,13 +10,11 @@
 #ifndef HapticHistogram_h
 #define HapticHistogram_h
 
-#include "vtkType.h"
+#include "VTK/Charts/ArraySweep.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
-class vtkDataArray;
 class vtkTable;
 
 namespace VolumeHaptics
@@ -34,21 +32,15 @@ struct ValueCounts
   std::vector<vtkIdType> Counts; ///< empty if there are no finite values
 };
 
-/** Whether all values are counted within a few milliseconds. */
-bool AreQuicklyCounted(vtkDataArray* scalars);
-
 /** Counts some thousand values that are spread over the array. */
 ValueCounts CountSpreadValues(vtkDataArray* scalars, int component);
-
-/** Called between pieces of some milliseconds with the share that is done; false ends the work. */
-using CountProgress = std::function<bool(double)>;
 
 /**
  * Counts all values, or nothing if it was ended. May be called by another thread than that of the
  * array's owner.
  */
 std::optional<ValueCounts> CountAllValues(
-  vtkDataArray* scalars, int component, const CountProgress& progress);
+  vtkDataArray* scalars, int component, const SweepProgress& progress);
 
 /**
  * Fills the columns "value" and "share": the middle of the bin, and log(1 + count) as a share of

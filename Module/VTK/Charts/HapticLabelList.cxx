@@ -43,7 +43,7 @@ void HapticLabelList::Count()
   this->Counting.Forget();
   this->Present.clear();
   this->Counted = this->Image ? this->Image->GetPointData()->GetScalars() : nullptr;
-  if (this->Counted && AreQuicklyFound(this->Counted))
+  if (this->Counted && IsQuicklySwept(this->Counted))
   {
     this->Present = FindPresentLabels(this->Counted, [](double) { return true; });
     this->Counted = nullptr;
@@ -66,12 +66,8 @@ void HapticLabelList::FollowCount()
   const std::vector<int>* const present = this->Counting.Follow(this->CountTime.GetMTime(),
     [labels](WorkMonitor& monitor) -> std::optional<std::vector<int>>
     {
-      std::vector<int> found = FindPresentLabels(labels,
-        [&monitor](double share)
-        {
-          monitor.SetProgress(share);
-          return !monitor.IsCancelled();
-        });
+      std::vector<int> found =
+        FindPresentLabels(labels, [&monitor](double share) { return monitor.GoesOn(share); });
       return monitor.IsCancelled() ? std::nullopt : std::optional(std::move(found));
     });
   if (present)

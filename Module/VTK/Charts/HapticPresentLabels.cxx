@@ -3,7 +3,6 @@
 #include "VTK/Charts/HapticPresentLabels.h"
 
 #include "vtkArrayDispatch.h"
-#include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 
 #include <algorithm>
@@ -61,10 +60,6 @@ private:
   std::unordered_set<int> Hashed;
 };
 
-constexpr vtkIdType MostQuickLabels = 1 << 22;  // values: 20 ms on a desktop computer of 2023
-constexpr vtkIdType MostSpreadLabels = 1 << 11; // values: 8 MiB of a file that is mapped
-constexpr vtkIdType LabelsAPiece = 1 << 20;     // 4 ms
-
 bool IsTableLabel(double value)
 {
   constexpr double least = std::numeric_limits<int>::min();
@@ -115,47 +110,28 @@ void VisitLabels(vtkDataArray* scalars, vtkIdType begin, vtkIdType end, Function
 
 } // namespace
 
-bool AreQuicklyFound(vtkDataArray* labels)
-{
-  return labels->GetNumberOfTuples() <= MostQuickLabels;
-}
-
 std::vector<int> FindSpreadLabels(vtkDataArray* labels)
 {
-  const vtkIdType all = labels->GetNumberOfTuples();
-  const vtkIdType looks = std::min(all, MostSpreadLabels);
   std::vector<int> found;
-  // As CountSpreadValues does.
-  constexpr double section = 0.6180339887498949;
-  double place = 0.0;
-  for (vtkIdType look = 0; look < looks; ++look)
-  {
-    place += section;
-    place -= std::floor(place);
-    const double at = (static_cast<double>(look) + place) / static_cast<double>(looks);
-    const auto tuple = static_cast<vtkIdType>(at * static_cast<double>(all));
-    const double value = labels->GetComponent(std::min(tuple, all - 1), 0);
-    if (IsTableLabel(value))
+  VisitSpreadValues(labels, 0,
+    [&found](double value)
     {
-      found.push_back(static_cast<int>(value));
-    }
-  }
+      if (IsTableLabel(value))
+      {
+        found.push_back(static_cast<int>(value));
+      }
+    });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
-std::vector<int> FindPresentLabels(vtkDataArray* labels, const SearchProgress& progress)
+std::vector<int> FindPresentLabels(vtkDataArray* labels, const SweepProgress& progress)
 {
-  const vtkIdType all = labels->GetNumberOfTuples();
-  bool isEnded = false;
   const auto visitAll = [&](double before, auto& visit)
   {
-    for (vtkIdType begin = 0; begin < all && !isEnded; begin += LabelsAPiece)
-    {
-      isEnded = !progress(before + 0.5 * static_cast<double>(begin) / static_cast<double>(all));
-      VisitLabels(labels, begin, isEnded ? begin : std::min(begin + LabelsAPiece, all), visit);
-    }
+    return VisitPieces(labels, before, progress,
+      [&](vtkIdType begin, vtkIdType end) { VisitLabels(labels, begin, end, visit); });
   };
   // Not from VTK, which keeps the range of an array until that is modified, which its image may be
   // without.
@@ -166,15 +142,13 @@ std::vector<int> FindPresentLabels(vtkDataArray* labels, const SearchProgress& p
     from = std::min(from, label);
     to = std::max(to, label);
   };
-  visitAll(0.0, widen);
-  if (from > to || isEnded)
+  if (!visitAll(0.0, widen) || from > to)
   {
     return {};
   }
   LabelSet found(from, to);
   const auto insert = [&found](int label) { found.Insert(label); };
-  visitAll(0.5, insert);
-  return isEnded ? std::vector<int>() : found.List();
+  return visitAll(0.5, insert) ? found.List() : std::vector<int>();
 }
 
 } // namespace VolumeHaptics

@@ -7,29 +7,22 @@
 #ifndef HapticPresentLabels_h
 #define HapticPresentLabels_h
 
-#include <functional>
-#include <vector>
+#include "VTK/Charts/ArraySweep.h"
 
-class vtkDataArray;
+#include <vector>
 
 namespace VolumeHaptics
 {
 
-/** Whether all labels are found within a few milliseconds. */
-bool AreQuicklyFound(vtkDataArray* labels);
-
 /** The labels of some thousand values that are spread over the array, in rising order. */
 std::vector<int> FindSpreadLabels(vtkDataArray* labels);
-
-/** Called between pieces of some milliseconds with the share that is done; false ends the work. */
-using SearchProgress = std::function<bool(double)>;
 
 /**
  * The labels in an array, in rising order, without those that no vtkHapticLabelTable can have:
  * beyond int, or no whole numbers. None if the search was ended. May be called by another thread
  * than that of the array's owner.
  */
-std::vector<int> FindPresentLabels(vtkDataArray* labels, const SearchProgress& progress);
+std::vector<int> FindPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
 
 } // namespace VolumeHaptics
 

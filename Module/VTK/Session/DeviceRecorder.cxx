@@ -73,11 +73,7 @@ std::optional<RecordingHashes> HashAll(const TouchedArrays& touched, WorkMonitor
     }
     const double share = EstimateHashTime(array) / std::max(all, 1e-12);
     hashes[i] = HashArray(array, touched[i].Dimensions.data(),
-      [&](double done)
-      {
-        monitor.SetProgress(before + share * done);
-        return !monitor.IsCancelled();
-      });
+      [&](double done) { return monitor.GoesOn(before + share * done); });
     if (hashes[i].empty())
     {
       return std::nullopt;

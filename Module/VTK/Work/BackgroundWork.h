@@ -45,6 +45,12 @@ public:
   /** Called by the task. */
   bool IsCancelled() const noexcept { return this->Cancelled.load(std::memory_order_relaxed); }
   void SetProgress(double share) noexcept { this->Share.store(share, std::memory_order_relaxed); }
+  /** Tells the progress; false if the task is cancelled. */
+  bool GoesOn(double share) noexcept
+  {
+    this->SetProgress(share);
+    return !this->IsCancelled();
+  }
   ///@}
   ///@{
   /** Called by the owner; the progress is 0 to 1. */
