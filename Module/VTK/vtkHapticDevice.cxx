@@ -148,7 +148,7 @@ void vtkHapticDevice::Halt()
   {
     d.Recorder.Stop(false); // the force is gone, and perhaps the owner as well
   }
-  d.Models.EndPreparing();
+  d.Orders.EndPreparing();
   d.Session.Stop();
 }
 

@@ -104,7 +104,8 @@ public:
    * error, if the input can't be touched; the servo then keeps the last snapshot.
    *
    * If labels of a large label image become forbidden, the distances to them are measured in the
-   * background first. Publish returns true at once, and UpdateState publishes when they are there.
+   * background first, and a large isosurface of SURFACE_PROXY is meshed there. Publish returns true
+   * at once, and UpdateState publishes when that is done; see IsPublished.
    */
   bool Publish();
   /**

@@ -8,6 +8,7 @@
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/RegionSeries.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "VTK/Files/HapticFiles.h"
@@ -268,24 +269,57 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 }
 
 //------------------------------------------------------------------------------
-bool vtkVolumeHapticsFilter::PrepareBake()
+const char* vtkVolumeHapticsFilter::PrepareBake()
 {
-  if (!this->LabelTable || !this->GetInputDataObject(3, 0))
+  const bool hasLabels = this->LabelTable && this->GetInputDataObject(3, 0);
+  const bool hasMesh = this->Method == SURFACE_PROXY && !this->GetInputDataObject(2, 0);
+  if (!hasLabels)
   {
     this->Labels->EndPreparing();
-    return true;
   }
-  try
+  if (!hasMesh)
   {
-    UpdateSources(this);
+    this->Surfaces->EndPreparing();
   }
-  catch (const std::bad_alloc&)
+  if (hasLabels || hasMesh)
   {
-    return true; // Bake() reports it
+    try
+    {
+      UpdateSources(this);
+    }
+    catch (const std::bad_alloc&)
+    {
+      return nullptr; // Bake() reports it
+    }
   }
+  const bool areLabelsReady = !hasLabels || this->PrepareLabels();
+  const bool isMeshReady = !hasMesh || this->PrepareSurface();
+  return !areLabelsReady ? "the distances to forbidden labels are measured"
+    : !isMeshReady       ? "the surface is meshed"
+                         : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::PrepareLabels()
+{
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(3, 0));
   vtkDataArray* const labels = image ? this->GetInputArrayToProcess(1, image) : nullptr;
   return !labels || this->Labels->Prepare(image, labels, this->LabelTable);
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::PrepareSurface()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
+  const int component = this->GetProperty()->GetComponent();
+  VolumeHaptics::HapticVolume volume;
+  std::string error;
+  // Bake() reports what can't be read. Regions of a volume are small.
+  return !scalars ||
+    !VolumeHaptics::ReadVolume(image, scalars, component, this->KernelRadius, volume, error) ||
+    volume.Whole.IsThere ||
+    this->Surfaces->Prepare({ image, scalars, component, this->IsoValue }, volume.IndexToWorld);
 }
 
 //------------------------------------------------------------------------------

@@ -211,7 +211,9 @@ private:
   /** See HapticBaker. */
   std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
     double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
-  bool PrepareBake();
+  const char* PrepareBake();
+  bool PrepareLabels();
+  bool PrepareSurface();
   double EstimateBakeTime();
   std::array<VolumeHaptics::TouchedArray, 2> GetTouched();
   ///@}

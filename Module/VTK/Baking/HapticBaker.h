@@ -4,6 +4,7 @@
 #define HapticBaker_h
 
 #include "VTK/Baking/HapticLabels.h"
+#include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -38,12 +39,17 @@ public:
   }
 
   /**
-   * Whether Bake() has all that takes long and can be made in the background: the distances to
-   * forbidden labels. If not, their making is under way.
+   * Null if Bake() has all that takes long and can be made in the background: the distances to
+   * forbidden labels, and a large isosurface. If not, its making is under way: a text for the
+   * status, such as "the surface is meshed".
    */
-  bool Prepare() const { return this->Filter->PrepareBake(); }
+  const char* Prepare() const { return this->Filter->PrepareBake(); }
   /** Ends what Prepare() began. */
-  void EndPreparing() const { this->Filter->Labels->EndPreparing(); }
+  void EndPreparing() const
+  {
+    this->Filter->Labels->EndPreparing();
+    this->Filter->Surfaces->EndPreparing();
+  }
 
   /**
    * How long (s) Bake() would take now on a desktop computer, approximately and without the

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticSurface.h"
 
+#include "Core/Math/Vector3.h"
 #include "VTK/Baking/HapticTuples.h"
 
 #include "vtkCellArray.h"
@@ -26,6 +27,15 @@ namespace
 
 /** Boxes have single precision. */
 constexpr double FarthestPoint = 1e30;
+///@{
+/** Measured on a desktop computer of 2023, with the tree. */
+constexpr double SecondsPerSample = 5e-9;
+constexpr double SecondsPerTriangle = 800e-9;
+///@}
+/** What takes longer (s) is meshed in the background. */
+constexpr double ShortMeshing = 40e-3;
+/** Longer (s) than any mesh takes. */
+constexpr double Forever = 1e9;
 
 /** Triangles and points of a surface of triangles; points by one map, normals by another. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(
@@ -111,19 +121,38 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
   return mesh;
 }
 
-std::shared_ptr<const SurfaceMesh> MeshOf(
-  const IsoSurface& iso, const Affine3& indexToWorld, std::string& error)
+/** An isosurface with a reference to its scalars: all that a worker needs. */
+struct IsoInput
+{
+  IsoInput(const IsoSurface& iso, const Affine3& indexToWorld)
+    : Scalars(iso.Scalars)
+    , Component(iso.Component)
+    , Value(iso.Value)
+    , IndexToWorld(indexToWorld)
+  {
+    // The samples keep their place in the whole volume: the mesh is then the same, to the bit.
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Extent[2 * a] = iso.First[a];
+      this->Extent[2 * a + 1] = iso.First[a] + iso.Image->GetDimensions()[a] - 1;
+    }
+  }
+
+  vtkSmartPointer<vtkDataArray> Scalars;
+  int Component;
+  double Value;
+  Affine3 IndexToWorld;
+  int Extent[6];
+};
+
+/** Null without points, or if `goesOn`, which is called between the steps, is false. */
+template <typename GoesOn>
+std::shared_ptr<const SurfaceMesh> MeshOf(const IsoInput& iso, GoesOn&& goesOn)
 {
   // Computed in index steps: the geometry of the whole image gives the places in the world.
   vtkNew<vtkImageData> samples;
-  // The samples keep their place in the whole volume: the mesh is then the same, to the bit.
-  int extent[6];
-  for (int a = 0; a < 3; ++a)
-  {
-    extent[2 * a] = iso.First[a];
-    extent[2 * a + 1] = iso.First[a] + iso.Image->GetDimensions()[a] - 1;
-  }
-  samples->SetExtent(extent);
+  const int* const e = iso.Extent;
+  samples->SetExtent(e[0], e[1], e[2], e[3], e[4], e[5]);
   samples->GetPointData()->SetScalars(iso.Scalars);
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(samples);
@@ -133,9 +162,15 @@ std::shared_ptr<const SurfaceMesh> MeshOf(
   edges->ComputeGradientsOff();
   edges->ComputeScalarsOff();
   edges->Update();
-  const auto mesh = edges->GetOutput()->GetNumberOfPoints() > 0
-    ? MakeMesh(edges->GetOutput(), indexToWorld, Transpose(Inverse(indexToWorld.Linear)))
+  return goesOn() && edges->GetOutput()->GetNumberOfPoints() > 0
+    ? MakeMesh(edges->GetOutput(), iso.IndexToWorld, Transpose(Inverse(iso.IndexToWorld.Linear)))
     : nullptr;
+}
+
+/** The mesh of an isosurface, if it can be touched. */
+std::shared_ptr<const SurfaceMesh> CheckMesh(
+  const std::shared_ptr<const SurfaceMesh>& mesh, const IsoSurface& iso, std::string& error)
+{
   if (iso.MayBeEmpty && !mesh)
   {
     return std::make_shared<SurfaceMesh>(
@@ -206,27 +241,74 @@ HapticSurface::Key HapticSurface::MakeKey(vtkPolyData* surface, const IsoSurface
 
 double HapticSurface::EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const
 {
-  // Measured on a desktop computer of 2023, with the tree.
-  constexpr double secondsPerSample = 5e-9;
-  constexpr double secondsPerTriangle = 800e-9;
-  if (this->IsMadeOf(MakeKey(surface, iso)))
+  const Key key = MakeKey(surface, iso);
+  if (this->IsMadeOf(key) || (this->Meshing.IsOf(key) && !this->Meshing.IsUnderWay()))
   {
     return 0.0;
   }
-  return surface ? secondsPerTriangle * static_cast<double>(surface->GetNumberOfCells())
-                 : secondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints()) +
-      secondsPerTriangle * EstimateTriangles(iso);
+  return surface ? SecondsPerTriangle * static_cast<double>(surface->GetNumberOfCells())
+                 : SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints()) +
+      SecondsPerTriangle * EstimateTriangles(iso);
+}
+
+bool HapticSurface::Prepare(const IsoSurface& iso, const Affine3& indexToWorld)
+{
+  const Key key = MakeKey(nullptr, iso);
+  if (this->Meshing.IsOf(key))
+  {
+    return !this->Meshing.IsUnderWay();
+  }
+  // Of a large image, not even some samples are looked at for the estimate.
+  const double reading = SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints());
+  // Arrays of another layout make a copy of their values for their readers, one for all threads.
+  if (this->IsMadeOf(key) || !iso.Scalars->HasStandardMemoryLayout() ||
+    (reading <= ShortMeshing && this->EstimateTime(nullptr, iso) <= ShortMeshing))
+  {
+    this->Meshing.Abandon();
+    return true;
+  }
+  if (this->Meshing.IsUnderWay())
+  {
+    this->Meshing.Abandon();
+    return false;
+  }
+  const IsoInput input(iso, indexToWorld);
+  this->Meshing.Follow(key,
+    [input](WorkMonitor& monitor) -> std::optional<MeshPointer>
+    {
+      MeshPointer mesh = MeshOf(input, [&monitor] { return !monitor.IsCancelled(); });
+      return monitor.IsCancelled() ? std::nullopt : std::optional<MeshPointer>(std::move(mesh));
+    });
+  return false;
 }
 
 std::shared_ptr<const SurfaceMesh> HapticSurface::Get(
   vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error)
 {
   const Key key = MakeKey(surface, iso);
-  if (!this->IsMadeOf(key))
+  if (this->IsMadeOf(key))
   {
-    this->Mesh = surface ? MeshOf(surface, error) : MeshOf(iso, indexToWorld, error);
-    this->MadeOf = key;
+    return this->Mesh;
   }
+  if (surface)
+  {
+    this->Mesh = MeshOf(surface, error);
+  }
+  else
+  {
+    if (this->Meshing.IsOf(key))
+    {
+      this->Meshing.WaitFor(Forever);
+    }
+    const MeshPointer* const made = this->Meshing.Find(key);
+    this->Mesh = CheckMesh(
+      made ? *made : MeshOf(IsoInput(iso, indexToWorld), [] { return true; }), iso, error);
+    if (this->Meshing.IsOf(key))
+    {
+      this->Meshing.Forget();
+    }
+  }
+  this->MadeOf = key;
   return this->Mesh;
 }
 

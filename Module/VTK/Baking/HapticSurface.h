@@ -8,6 +8,7 @@
 #define HapticSurface_h
 
 #include "Core/Model/SurfaceMesh.h"
+#include "VTK/Work/BackgroundWork.h"
 
 #include "vtkType.h"
 
@@ -49,7 +50,15 @@ public:
   std::shared_ptr<const SurfaceMesh> Get(
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
-  /** How long that takes, approximately (s): 0 if the last mesh is still valid. */
+  /**
+   * Whether Get() of an isosurface would be quick now. If not, it is meshed in the background. One
+   * surface is meshed at a time: the next one begins when the last one has ended.
+   */
+  bool Prepare(const IsoSurface& iso, const Affine3& indexToWorld);
+  /** Ends what Prepare() began, without waiting for it. */
+  void EndPreparing() { this->Meshing.Abandon(); }
+
+  /** How long Get() takes, approximately (s): 0 if the last mesh is still valid. */
   double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
 
 private:
@@ -59,8 +68,12 @@ private:
   static Key MakeKey(vtkPolyData* surface, const IsoSurface& iso);
   bool IsMadeOf(const Key& key) const { return this->Mesh && key == this->MadeOf; }
 
-  std::shared_ptr<const SurfaceMesh> Mesh;
+  /** Null if there is no such surface. */
+  using MeshPointer = std::shared_ptr<const SurfaceMesh>;
+
+  MeshPointer Mesh;
   Key MadeOf{ nullptr, nullptr, 0, 0.0, 0 };
+  KeyedWork<Key, MeshPointer> Meshing;
 };
 
 } // namespace VolumeHaptics

@@ -8,6 +8,8 @@
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <utility>
+
 namespace VolumeHaptics
 {
 
@@ -16,8 +18,27 @@ vtkMTimeType FilterPublisher::GetChangeTime() const
   return FindChangeTime(this->Scene.Device->GetVolumeHaptics());
 }
 
+void FilterPublisher::Reset()
+{
+  this->Published = 0;
+  if (!this->Awaited.Wanted.empty())
+  {
+    this->Awaited = {};
+    this->SetNotice("");
+  }
+}
+
+void FilterPublisher::SetNotice(const std::string& notice)
+{
+  if (const vtkSmartPointer<vtkHapticHeadUpDisplay> display = this->Scene.Display)
+  {
+    display->SetNotice(notice.c_str());
+  }
+}
+
 void FilterPublisher::Update(bool isPlaced)
 {
+  this->FollowAwaited();
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkMTimeType time = this->GetChangeTime();
   // The application or another style may have published it.
@@ -42,37 +63,69 @@ bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& 
       "There is no method to change: SetDevice() one that SetVolumeHaptics() was called on.");
     return false;
   }
-  const int method = filter->GetMethod();
-  const int solver = filter->GetSolver();
-  const std::string before = filter->GetMethodText();
+  MethodChange change{ filter->GetMethod(), filter->GetSolver(), filter->GetMethodText(), {} };
   const bool wasPublished = this->Published == this->GetChangeTime();
-  if (!this->Unfelt.empty() && this->FeltInstead == before)
+  if (!this->Unfelt.empty() && this->FeltInstead == change.Before)
   {
     filter->SetMethodByName(this->Unfelt.c_str());
   }
   filter->NextMethod();
-  const std::string wanted = filter->GetMethodText();
+  change.Wanted = filter->GetMethodText();
   const bool isPrepared = GetMethodChoice(filter->GetMethod(), filter->GetSolver()).IsPrepared;
-  notify(isPrepared ? wanted + " is being prepared ..." : "");
+  notify(isPrepared ? change.Wanted + " is being prepared ..." : "");
   this->Unfelt.clear();
+  this->Awaited = {};
   const bool isFelt = device->Publish();
   const bool isOurs = this->Scene.Device == device;
   if (isFelt)
   {
     this->Published = isOurs ? this->GetChangeTime() : this->Published;
+    if (isOurs && !device->IsPublished())
+    {
+      this->Awaited = change;
+      return true;
+    }
     notify("");
     return true;
   }
-  this->Unfelt = filter->GetMethodName();
-  this->FeltInstead = before;
-  filter->SetMethod(method);
-  filter->SetSolver(solver);
-  // The servo still has the previous method, so publishing is needed only if it was needed before.
-  this->Published = isOurs && wasPublished ? this->GetChangeTime() : 0;
-  vtkErrorWithObjectMacro(style, << wanted << " can't be felt here, for the reason given before; "
-                                 << before << " goes on.");
-  notify(wanted + " can't be felt here: see the messages.\n" + before + " goes on.");
+  this->GoBack(change, filter, isOurs && wasPublished, notify);
   return false;
+}
+
+void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter,
+  bool wasPublished, const Notify& notify)
+{
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  this->Unfelt = filter->GetMethodName();
+  this->FeltInstead = change.Before;
+  filter->SetMethod(change.Method);
+  filter->SetSolver(change.Solver);
+  // The servo still has the previous method, so publishing is needed only if it was needed before.
+  this->Published = wasPublished ? this->GetChangeTime() : 0;
+  vtkErrorWithObjectMacro(style, << change.Wanted
+                                 << " can't be felt here, for the reason given before; "
+                                 << change.Before << " goes on.");
+  notify(change.Wanted + " can't be felt here: see the messages.\n" + change.Before + " goes on.");
+}
+
+void FilterPublisher::FollowAwaited()
+{
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  if (this->Awaited.Wanted.empty() || !device->IsPublished())
+  {
+    return;
+  }
+  const MethodChange change = std::exchange(this->Awaited, {});
+  const Notify notify = [this](const std::string& notice) { this->SetNotice(notice); };
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics();
+  // The servo feels the latest model that could be made.
+  const bool isWanted = filter && filter->GetMethodText() == change.Wanted;
+  if (isWanted && device->GetMethodText() != change.Wanted)
+  {
+    this->GoBack(change, filter, this->Published == this->GetChangeTime(), notify);
+    return;
+  }
+  notify("");
 }
 
 } // namespace VolumeHaptics

@@ -26,11 +26,12 @@ public:
   }
 
   /** Call it for another device: its servo has no model yet. */
-  void Reset() { this->Published = 0; }
+  void Reset();
 
   /**
    * Publishes if the filter, its image or its surface has changed, or if the workspace was placed
-   * again. Each change is tried once: a change that fails will not succeed later.
+   * again. Each change is tried once: a change that fails will not succeed later. A method that was
+   * made ready in the background, and can't be felt, gives way to the one before.
    */
   void Update(bool isPlaced);
 
@@ -41,10 +42,29 @@ private:
   /** When the filter, its image or its surface last changed. */
   vtkMTimeType GetChangeTime() const;
 
+  /** A change of the method that is made ready in the background; no text if there is none. */
+  struct MethodChange
+  {
+    int Method = 0; ///< the one before, with its solver and its text
+    int Solver = 0;
+    std::string Before;
+    std::string Wanted; ///< the text of the new one
+  };
+  using Notify = std::function<void(const std::string&)>;
+
+  /** Goes back to the method before, after an error. */
+  void GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter, bool wasPublished,
+    const Notify& notify);
+  /** Ends the change that is awaited, if it is ready. */
+  void FollowAwaited();
+  /** In the head-up display, if there is one. */
+  void SetNotice(const std::string& notice);
+
   TouchedScene& Scene;
   vtkMTimeType Published = 0; ///< the change time of the last attempt to publish
   std::string Unfelt;         ///< the name of the method that the last attempt found untouchable
   std::string FeltInstead;    ///< the text of the method that stayed instead
+  MethodChange Awaited;
 };
 
 } // namespace VolumeHaptics

@@ -160,10 +160,9 @@ bool DeviceOrders::Publish()
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   this->Session.Attend();
   const TickCollector* const felt = this->Session.GetTicks();
-  const bool isReady = !felt || !felt->GetLatestModel() || this->Models.Prepare();
-  constexpr const char* work = "the distances to forbidden labels are measured";
-  this->Session.NoteBackgroundWork(work, isReady ? WorkEnded : ShareUnknown);
-  if (!isReady)
+  const char* const awaited = felt && felt->GetLatestModel() ? this->Models.Prepare() : nullptr;
+  this->NoteAwaited(awaited);
+  if (awaited)
   {
     return true; // Follow() publishes it
   }
@@ -185,6 +184,25 @@ bool DeviceOrders::Publish()
     ticks->Publish(std::move(model));
   }
   return true;
+}
+
+void DeviceOrders::NoteAwaited(const char* work)
+{
+  if (this->Awaited)
+  {
+    this->Session.NoteBackgroundWork(this->Awaited, WorkEnded);
+  }
+  this->Awaited = work;
+  if (work)
+  {
+    this->Session.NoteBackgroundWork(work, ShareUnknown);
+  }
+}
+
+void DeviceOrders::EndPreparing()
+{
+  this->NoteAwaited(nullptr);
+  this->Models.EndPreparing();
 }
 
 void DeviceOrders::Follow()

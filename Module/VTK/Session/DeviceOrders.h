@@ -43,6 +43,8 @@ public:
   bool Publish();
   /** To be called often: publishes what Publish() left to the background, once it is made. */
   void Follow();
+  /** Ends that making. */
+  void EndPreparing();
   /** Sends the device's limits to the running servo. */
   void SendLimits();
 
@@ -65,11 +67,14 @@ private:
   /** False, after an error, if the device is not ready or the guard can't be set up. */
   bool LetForceThrough(const std::function<void()>& order);
   void AnnounceDisarmed();
+  /** Notes what Publish() left to the background, for the status; null if nothing. */
+  void NoteAwaited(const char* work);
 
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   ModelSource& Models;
-  bool IsAnnouncing = false; ///< while observers are told that it was disarmed
+  const char* Awaited = nullptr; ///< as noted
+  bool IsAnnouncing = false;     ///< while observers are told that it was disarmed
 };
 
 } // namespace VolumeHaptics

@@ -70,11 +70,11 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
   return !filter || model;
 }
 
-bool ModelSource::Prepare()
+const char* ModelSource::Prepare()
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
-  this->Awaited = filter && !HapticBaker(filter).Prepare();
-  return !this->Awaited;
+  this->Awaited = filter ? HapticBaker(filter).Prepare() : nullptr;
+  return this->Awaited;
 }
 
 void ModelSource::EndPreparing()
@@ -83,7 +83,7 @@ void ModelSource::EndPreparing()
   {
     HapticBaker(this->Filter).EndPreparing();
   }
-  this->Awaited = false;
+  this->Awaited = nullptr;
 }
 
 bool ModelSource::IsUpToDate() const

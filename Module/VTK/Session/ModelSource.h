@@ -38,18 +38,20 @@ public:
 
   /**
    * Makes a model of the filter for a rate (Hz); null without a filter. False, after an error of
-   * the filter, if it can't be touched. If the servo runs, meshing a surface is long work.
+   * the filter, if it can't be touched. If the servo runs, meshing a surface that Prepare() leaves
+   * is long work.
    */
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
   /**
-   * Whether Make can be called without waiting long. If not, what takes long is being made in the
-   * background: the servo goes on with its model, and Make has to be called later.
+   * Null if Make can be called without waiting long. If not, what takes long is being made in the
+   * background: the servo goes on with its model, and Make has to be called later. The text names
+   * the work, for the status.
    */
-  bool Prepare();
+  const char* Prepare();
   /** Ends what Prepare() began. */
   void EndPreparing();
-  /** Whether the last Prepare() was false. */
-  bool IsAwaited() const { return this->Awaited; }
+  /** Whether the last Prepare() left something to the background. */
+  bool IsAwaited() const { return this->Awaited != nullptr; }
 
   /** Whether Make was called, successfully or not, since the filter or its input last changed. */
   bool IsUpToDate() const;
@@ -65,7 +67,7 @@ private:
   const DeviceSession& Session;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
-  bool Awaited = false;
+  const char* Awaited = nullptr;
   vtkMTimeType MadeTime = 0; ///< change time of the filter and its input when Make was called
 };
 

@@ -79,6 +79,14 @@ void BackgroundWork::End() noexcept
   }
 }
 
+void BackgroundWork::Cancel() noexcept
+{
+  if (this->Current && this->IsOurs())
+  {
+    this->Current->Monitor.Cancel();
+  }
+}
+
 bool BackgroundWork::HasReturned() const
 {
   return this->Current && this->IsOurs() &&

@@ -83,6 +83,9 @@ public:
   /** Cancels the task, waits for the end of its piece, and releases what it holds. */
   void End() noexcept;
 
+  /** Cancels the task, and does not wait: HasReturned() tells when its piece has ended. */
+  void Cancel() noexcept;
+
   /** Whether a task was begun, and End() was not called since. */
   bool IsBegun() const { return this->Current != nullptr; }
   /** Whether the task has returned; what it wrote can be read. */
@@ -157,7 +160,22 @@ public:
     this->Made.reset();
   }
 
-  /** Whether a result is being made. */
+  /**
+   * The same, but does not wait for the end of the work's piece. Other work waits for that if it is
+   * begun before IsUnderWay() is false.
+   */
+  void Abandon()
+  {
+    if (!this->IsUnderWay())
+    {
+      this->Forget();
+      return;
+    }
+    this->Work.Cancel();
+    this->Of.reset();
+  }
+
+  /** Whether a result is being made, or work that was abandoned still ends. */
   bool IsUnderWay() const { return this->Work.IsBegun() && !this->Work.HasReturned(); }
   /** Waits until no result is being made, or for some seconds; returns whether none is. */
   bool WaitFor(double seconds) const

@@ -223,7 +223,7 @@ TEST_F(StyleLongWork, TellsThatThereIsNothingToPropose)
   EXPECT_TRUE(this->HasShown("No functions can be proposed"));
 }
 
-TEST_F(StyleLongWork, IsTheMeshOfTheNextMethod)
+TEST_F(StyleLongWork, IsNotTheMeshOfTheNextMethod)
 {
   this->GiveMethodMuch();
   this->Filter->SetMethodToForceField();
@@ -231,9 +231,67 @@ TEST_F(StyleLongWork, IsTheMeshOfTheNextMethod)
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   this->Press("m");
   EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::SURFACE_PROXY);
-  EXPECT_TRUE(this->HasShown("Force is off while the surface is meshed"));
   EXPECT_TRUE(this->HasShown("Surface proxy is being prepared"));
-  this->ExpectPause();
+  EXPECT_EQ(this->Device->GetMethodText(), "Force field") << "it is felt meanwhile";
+  EXPECT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->IsPublished();
+    }));
+  this->Style->UpdateHaptics();
+  EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
+  EXPECT_STREQ(this->Display->GetNotice(), "");
+  EXPECT_FALSE(this->HasShown("Force is off"));
+  EXPECT_EQ(this->Works, 0);
+}
+
+TEST_F(StyleLongWork, IsForgottenIfTheDeviceIsTakenAwayMeanwhile)
+{
+  this->GiveMethodMuch();
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.01);
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  this->Press("m");
+  ASSERT_FALSE(this->Device->IsPublished());
+  EXPECT_STRNE(this->Display->GetNotice(), "");
+  this->Style->SetDevice(nullptr);
+  EXPECT_STREQ(this->Display->GetNotice(), "");
+  EXPECT_FALSE(this->Style->UpdateHaptics());
+  EXPECT_TRUE(Eventually(
+    [this]
+    {
+      this->Device->UpdateState();
+      return this->Device->IsPublished();
+    }))
+    << "the device goes on with it";
+  EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
+  EXPECT_EQ(this->Works, 0);
+}
+
+TEST_F(StyleLongWork, LeavesTheMethodIfTheMeshIsThereAndCannotBeFelt)
+{
+  this->GiveMethodMuch();
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.01);
+  this->Filter->SetProxyRadius(100.0);
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  const apitest::MessageLog refusal(this->Filter);
+  EXPECT_TRUE(this->Style->NextMethod());
+  EXPECT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->IsPublished();
+    }));
+  this->Style->UpdateHaptics();
+  ASSERT_EQ(refusal.Errors.size(), 1U);
+  EXPECT_NE(refusal.Errors[0].find("ProxyRadius"), std::string::npos);
+  EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::FORCE_FIELD);
+  EXPECT_NE(std::string(this->Display->GetNotice()).find("Force field goes on"), std::string::npos);
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("Surface proxy can't be felt"), std::string::npos);
+  this->Log.Errors.clear();
 }
 
 TEST_F(StyleLongWork, IsTheMeshThatTheTouchModeLooksFor)

@@ -10,6 +10,7 @@
 #include "StyleRig.h"
 
 #include <vtkGenericRenderWindowInteractor.h>
+#include <vtkSphereSource.h>
 
 #include <functional>
 
@@ -37,6 +38,15 @@ protected:
     ASSERT_TRUE(this->Device->Open("virtual"));
     ASSERT_TRUE(this->Device->Start());
     this->Style->UpdateHaptics();
+  }
+  /// Gives a surface of 40000 triangles, which a publication has to take up: long work.
+  void GiveSurface()
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(30.0);
+    sphere->SetThetaResolution(200);
+    sphere->SetPhiResolution(102);
+    this->Filter->SetSurfaceConnection(sphere->GetOutputPort());
   }
   /// Does something once the mesh is about to be made.
   void AtWork(std::function<void()> act)
@@ -140,6 +150,7 @@ TEST_F(StyleObservers, FindNoTouchAfterTheLoopWasEnded)
 
 TEST_F(StyleObservers, OfAnUpdateTakeTheDevice)
 {
+  this->GiveSurface();
   ASSERT_NO_FATAL_FAILURE(this->Start(false));
   this->AtWork([this] { this->Style->SetDevice(nullptr); });
   this->Filter->SetMethodToSurfaceProxy();
@@ -150,6 +161,7 @@ TEST_F(StyleObservers, OfAnUpdateTakeTheDevice)
 
 TEST_F(StyleObservers, OfTheNextMethodTakeTheDevice)
 {
+  this->GiveSurface();
   ASSERT_NO_FATAL_FAILURE(this->Start(false));
   this->AtWork([this] { this->Style->SetDevice(nullptr); });
   EXPECT_TRUE(this->Style->NextMethod());

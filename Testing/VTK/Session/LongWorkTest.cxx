@@ -7,6 +7,10 @@
  */
 
 #include "Rigs/DeviceRig.h"
+#include "Rigs/GatedArray.h"
+#include "VTK/Baking/HapticBaker.h"
+
+#include "Core/Model/HapticModel.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -22,6 +26,22 @@ using namespace devicetest;
 
 namespace
 {
+/// Lets the worker end however the test ends.
+class OpenAtTheEnd
+{
+public:
+  explicit OpenAtTheEnd(GatedArray* array)
+    : Array(array)
+  {
+  }
+  ~OpenAtTheEnd() { this->Array->IsOpen = true; }
+  OpenAtTheEnd(const OpenAtTheEnd&) = delete;
+  OpenAtTheEnd& operator=(const OpenAtTheEnd&) = delete;
+
+private:
+  GatedArray* const Array;
+};
+
 void Sleep(int milliseconds)
 {
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
@@ -234,10 +254,11 @@ TEST_F(LongWork, OutlivesAServoAndHoldsTheNextOne)
   EXPECT_TRUE(this->Log.Errors.empty());
 }
 
-TEST_F(LongWork, IsMeshingWhatHasManyTriangles)
+TEST_F(LongWork, IsNotMeshingWhatHasManyTriangles)
 {
-  // V = 100 z, and from z = 12 on what an isosurface passes everywhere: half a million triangles.
-  constexpr int n = 64;
+  // V = 100 z, and from z = 12 on what an isosurface passes everywhere: some hundred thousand
+  // triangles.
+  constexpr int n = 40;
   std::mt19937 random(1);
   const auto image = MakeImage(n, VTK_FLOAT,
     [&](const Point& x)
@@ -249,17 +270,109 @@ TEST_F(LongWork, IsMeshingWhatHasManyTriangles)
   this->Filter->SetMethodToSurfaceProxy();
   this->ExpectForce();
   ASSERT_TRUE(this->Device->Publish());
-  EXPECT_EQ(this->Starts, 1);
-  EXPECT_EQ(this->Ends, 1);
+  EXPECT_FALSE(this->Device->IsPublished());
+  EXPECT_TRUE(this->Says("Meanwhile the surface is meshed.")) << this->Device->GetStatusText();
   ASSERT_TRUE(this->WaitTicks(10));
-  EXPECT_GT(this->CountForceless(), 10);
+  this->ExpectForce();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  EXPECT_FALSE(this->Says("is meshed"));
+  EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
   this->Filter->GetProperty()->GetFriction()->AddPoint(0.0, 0.1);
   ASSERT_TRUE(this->Device->Publish());
-  EXPECT_EQ(this->Starts, 1) << "the mesh is there";
+  EXPECT_TRUE(this->Device->IsPublished()) << "the mesh is there";
   this->Filter->SetMethodToProxy();
   ASSERT_TRUE(this->Device->Publish());
-  EXPECT_EQ(this->Starts, 1);
+  EXPECT_TRUE(this->Device->IsPublished());
   EXPECT_TRUE(this->PressAgain());
+  EXPECT_EQ(this->Starts, 0);
+}
+
+TEST_F(LongWork, IsNotMeshingALargeVolume)
+{
+  // V = 100 z; of more than 8 million samples, even the estimate is left to the worker.
+  constexpr int n = 204;
+  vtkNew<GatedArray> values;
+  const OpenAtTheEnd opener(values);
+  values->SetNumberOfValues(vtkIdType{ n } * n * n);
+  for (vtkIdType k = 0; k < n; ++k)
+  {
+    std::fill_n(values->GetPointer(k * n * n), n * n, static_cast<short>(100 * k));
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(n, n, n);
+  image->GetPointData()->SetScalars(values);
+  this->Filter->SetInputData(0, image);
+  this->Filter->GetProperty()->DistinctnessFromNoiseOff();
+  this->Press();
+  const auto isMeshing = [this] { return this->Says("the surface is meshed"); };
+  this->Filter->SetIsoValue(700.0);
+  this->Filter->SetMethodToSurfaceProxy();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([&] { return values->Asked > 0; }));
+  EXPECT_TRUE(isMeshing());
+  // Changes of mind do not wait for the worker either, which still reads the array.
+  this->Filter->SetIsoValue(750.0);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(isMeshing());
+  this->Filter->SetMethodToProxy();
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->Device->IsPublished());
+  EXPECT_FALSE(isMeshing());
+  this->Filter->SetMethodToSurfaceProxy();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(20));
+  EXPECT_TRUE(isMeshing());
+  EXPECT_FALSE(this->Device->IsPublished());
+  this->ExpectForce();
+  values->IsOpen = true;
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  EXPECT_FALSE(isMeshing());
+  EXPECT_EQ(this->Starts, 0);
+
+  // The same triangles as without a worker, to the bit.
+  vtkNew<vtkVolumeHapticsFilter> other;
+  other->SetMethodToSurfaceProxy();
+  other->SetIsoValue(750.0);
+  other->SetInputData(0, image);
+  using VolumeHaptics::HapticBaker;
+  const auto ours = HapticBaker(this->Filter).Bake(1000.0, {}, nullptr);
+  const auto theirs = HapticBaker(other).Bake(1000.0, {}, nullptr);
+  ASSERT_TRUE(ours && theirs);
+  const VolumeHaptics::SurfaceMesh& mesh = *ours->Baked->Mesh;
+  const VolumeHaptics::SurfaceMesh& expected = *theirs->Baked->Mesh;
+  ASSERT_EQ(expected.GetNumberOfTriangles(), 2 * (n - 1) * (n - 1));
+  ASSERT_EQ(mesh.GetNumberOfTriangles(), expected.GetNumberOfTriangles());
+  for (std::int32_t i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const VolumeHaptics::Vector3 a = mesh.GetTriangle(i).Corner[corner];
+      const VolumeHaptics::Vector3 b = expected.GetTriangle(i).Corner[corner];
+      ASSERT_TRUE(a.X == b.X && a.Y == b.Y && a.Z == b.Z) << i;
+    }
+  }
+}
+
+TEST_F(LongWork, StopsWhileALargeVolumeIsMeshed)
+{
+  constexpr int n = 204;
+  vtkNew<GatedArray> values;
+  const OpenAtTheEnd opener(values);
+  values->SetNumberOfValues(vtkIdType{ n } * n * n);
+  values->FillValue(7);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(n, n, n);
+  image->GetPointData()->SetScalars(values);
+  ASSERT_NO_FATAL_FAILURE(this->BeginPressed());
+  this->Filter->SetInputData(0, image);
+  this->Filter->SetIsoValue(700.0);
+  this->Filter->SetMethodToSurfaceProxy();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([&] { return values->Asked > 0; }));
+  this->Device->Stop();
+  EXPECT_FALSE(this->Says("is meshed"));
+  EXPECT_FALSE(values->IsOpen) << "nothing waited for the worker";
+  values->IsOpen = true;
 }
 
 TEST_F(LongWork, IsNotMeshingASmallVolume)

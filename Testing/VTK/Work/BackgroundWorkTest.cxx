@@ -116,6 +116,36 @@ TEST(BackgroundWork, IsCancelledByItsOwner)
   ASSERT_TRUE(Eventually([&] { return work.Follow(1, gate.Make("one")) != nullptr; }));
 }
 
+TEST(BackgroundWork, ThatIsAbandonedIsNotWaitedForAndHasNoResult)
+{
+  std::atomic<bool> isOpen{ false };
+  std::atomic<int> entered{ 0 };
+  const Work::Maker stubborn = [&](WorkMonitor& monitor) -> std::optional<std::string>
+  {
+    ++entered;
+    while (!isOpen) // hears no cancellation
+    {
+      std::this_thread::yield();
+    }
+    return monitor.IsCancelled() ? std::nullopt : std::optional<std::string>("made");
+  };
+  Work work;
+  EXPECT_EQ(work.Follow(1, stubborn), nullptr);
+  ASSERT_TRUE(Eventually([&] { return entered == 1; }));
+  work.Abandon(); // would never return if it waited
+  EXPECT_TRUE(work.IsUnderWay());
+  EXPECT_FALSE(work.IsOf(1));
+  EXPECT_EQ(work.Find(1), nullptr);
+  isOpen = true;
+  ASSERT_TRUE(Eventually([&] { return !work.IsUnderWay(); }));
+  EXPECT_EQ(work.Find(1), nullptr) << "it was cancelled";
+  ASSERT_TRUE(Eventually([&] { return work.Follow(1, stubborn) != nullptr; }));
+  EXPECT_EQ(*work.Find(1), "made");
+  EXPECT_EQ(entered, 2);
+  work.Abandon();
+  EXPECT_EQ(work.Find(1), nullptr) << "nothing is kept of work that has ended";
+}
+
 TEST(BackgroundWork, LetsItsOwnerReleaseWhatItHolds)
 {
   std::thread::id releaser;
