@@ -7,7 +7,6 @@
 #include <csignal>
 #include <initializer_list>
 #include <pthread.h>
-#include <sched.h>
 #include <time.h>
 #include <unistd.h>
 #else
@@ -58,14 +57,6 @@ void BlockSignals() noexcept
   pthread_sigmask(SIG_BLOCK, &others, nullptr);
 }
 
-bool RaisePriority() noexcept
-{
-  // Below 50, the priority of the kernel's own interrupt threads.
-  sched_param parameters{};
-  parameters.sched_priority = 40;
-  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
-}
-
 std::int64_t GetProcess() noexcept
 {
   return getpid();
@@ -86,11 +77,6 @@ void SleepUntil(std::int64_t time) noexcept
 }
 
 void BlockSignals() noexcept {}
-
-bool RaisePriority() noexcept
-{
-  return false;
-}
 
 std::int64_t GetProcess() noexcept
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The clock of the servo loop, the privileges that keep it on time, and the number of its process.
+ * The clock of the servo loop, the signals of its thread, and the number of its process.
  */
 #ifndef ServoClock_h
 #define ServoClock_h
@@ -31,8 +31,6 @@ void SleepUntil(std::int64_t time) noexcept;
  * Leaves the process's signals to other threads, except those of a crash of the calling thread.
  */
 void BlockSignals() noexcept;
-/** Asks for a real-time scheduling class (SCHED_FIFO, below 50) for the calling thread. */
-bool RaisePriority() noexcept;
 /**
  * The number of this process. A forked child has copies of all objects but none of the threads, so
  * it must not wait for them; and the devices belong to the parent.

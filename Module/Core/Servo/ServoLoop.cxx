@@ -39,16 +39,13 @@ ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
 
 ServoLoop::~ServoLoop() = default;
 
-void ServoLoop::AskForRealTime(MemoryLock& lock) noexcept
+void ServoLoop::LockMemory(MemoryLock& lock) noexcept
 {
-  const auto answer = [](bool granted)
-  { return granted ? Privilege::Granted : Privilege::Refused; };
   // The largest last: a user's limit often allows only the others.
   const bool own = lock.Add(this, sizeof(*this));
   const bool stack = lock.AddStack(StackSize);
   const bool trace = lock.Add(this->Trace.GetMemory(), this->Trace.GetMemorySize());
-  this->LockedMemory.store(answer(own && stack && trace));
-  this->RealTimePriority.store(answer(ServoClock::RaisePriority()));
+  this->LockedMemory.store(own && stack && trace ? Privilege::Granted : Privilege::Refused);
 }
 
 void ServoLoop::FollowModel() noexcept
@@ -379,7 +376,8 @@ void ServoLoop::Run() noexcept
 {
   ServoClock::BlockSignals();
   MemoryLock lock; // until the loop ends
-  this->AskForRealTime(lock);
+  this->LockMemory(lock);
+  this->Priority.Raise();
   const std::int64_t begin = ServoClock::Now();
   std::int64_t planned = begin;
   std::int64_t last = begin - this->Period;

@@ -12,8 +12,8 @@
  *   atomics.
  *
  * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter
- * to the slow loop; ReadState to one reader; Drain to one recorder; everything else to the owner
- * (the GUI thread).
+ * to the slow loop; AskRealtimeKit to one that may wait; ReadState to one reader; Drain to one
+ * recorder; everything else to the owner (the GUI thread).
  */
 #ifndef ServoLoop_h
 #define ServoLoop_h
@@ -26,6 +26,7 @@
 #include "Core/Servo/ModelExchange.h"
 #include "Core/Servo/ResidentServo.h"
 #include "Core/Servo/SafetyStage.h"
+#include "Core/Servo/ServoPriority.h"
 #include "Core/Servo/ServoTick.h"
 #include "Core/Servo/SignCheck.h"
 #include "Core/Servo/TimeHistogram.h"
@@ -83,10 +84,13 @@ public:
    * RequestStop.
    */
   void RunFitter() noexcept { this->Fitter.Run(); }
+  /** Seeks a real-time class for Run if the kernel refuses it: see ServoPriority. */
+  void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }
   void RequestStop() noexcept
   {
     this->StopRequested.store(true, std::memory_order_release);
     this->Fitter.RequestStop();
+    this->Priority.RequestStop();
   }
 
   /** Uses a model from the next tick on; nullptr stops touching. Returns its generation. */
@@ -231,7 +235,7 @@ public:
     Granted,
     Refused
   };
-  Privilege GetRealTimePriority() const noexcept { return this->RealTimePriority.load(); }
+  RealTimeGrant GetRealTimePriority() const noexcept { return this->Priority.GetGrant(); }
   /**
    * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the
    * loop's stack, and the tables of the models. Never locked are the samples of volumes and meshes,
@@ -286,7 +290,7 @@ private:
     } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
   }
   void FollowOrders(std::uint64_t command) noexcept;
-  void AskForRealTime(MemoryLock& lock) noexcept;
+  void LockMemory(MemoryLock& lock) noexcept;
   void FollowModel() noexcept;
   void FollowCommands() noexcept;
   void FollowAttention(std::int64_t now) noexcept;
@@ -352,7 +356,7 @@ private:
   std::atomic<std::uint64_t> UnfinishedTicks{ 0 };
   std::atomic<std::uint64_t> AbsentTicks{ 0 };
   std::atomic<double> TickRate{ 0.0 };
-  std::atomic<Privilege> RealTimePriority{ Privilege::Unknown };
+  ServoPriority Priority;
   std::atomic<Privilege> LockedMemory{ Privilege::Unknown };
 };
 

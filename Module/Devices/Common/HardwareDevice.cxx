@@ -3,6 +3,7 @@
 #include "Devices/Common/HardwareDevice.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "Core/Servo/ServoPriority.h"
 
 #include <exception>
 #include <system_error>
@@ -55,7 +56,7 @@ bool HardwareDevice::Open(std::string& error)
 void HardwareDevice::Run()
 {
   ServoClock::BlockSignals();
-  ServoClock::RaisePriority();
+  ServoPriority::RaiseThread();
   try
   {
     this->Driver->Serve(this->Exchange);

@@ -3,6 +3,7 @@
 #include "Devices/Guard/GuardMain.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "Core/Servo/ServoPriority.h"
 #include "Devices/Guard/GuardMemory.h"
 
 #include <algorithm>
@@ -147,7 +148,7 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   }
   if (Answer(link, '+', driver->GetName()))
   {
-    ServoClock::RaisePriority();
+    ServoPriority::RaiseThread();
     // As far as the user may: without it a page may have to be read from the disk first.
     mlockall(MCL_CURRENT);
     Serve(*driver, exchange);

@@ -125,6 +125,28 @@ std::string DescribeTiming(const DeviceStatus& status)
   return text;
 }
 
+const char* DescribeGrant(RealTimeGrant grant)
+{
+  switch (grant)
+  {
+    case RealTimeGrant::Kernel:
+      return "granted";
+    case RealTimeGrant::RealtimeKit:
+      return "granted by RealtimeKit";
+    case RealTimeGrant::Asked:
+      return "asked for";
+    case RealTimeGrant::NoService:
+      return "refused (the loop may be late on a busy machine: install rtkit or raise the user's "
+             "rtprio limit, see Documentation/devices.md)";
+    case RealTimeGrant::Refused:
+      return "refused by RealtimeKit, too (the loop may be late on a busy machine: log in at the "
+             "computer itself or raise the user's rtprio limit, see Documentation/devices.md)";
+    case RealTimeGrant::Unknown:
+      break;
+  }
+  return "not yet known";
+}
+
 const char* DescribePrivilege(ServoLoop::Privilege privilege)
 {
   switch (privilege)
@@ -132,8 +154,7 @@ const char* DescribePrivilege(ServoLoop::Privilege privilege)
     case ServoLoop::Privilege::Granted:
       return "granted";
     case ServoLoop::Privilege::Refused:
-      return "refused (the loop may be late on a busy machine; raise the user's rtprio and memlock "
-             "limits)";
+      return "refused (the loop may be late if memory is scarce; raise the user's memlock limit)";
     case ServoLoop::Privilege::Unknown:
       break;
   }
@@ -217,7 +238,7 @@ std::string DeviceStatus::DescribeDevice() const
       : " The data around the tip are awaited: no force until then.";
   }
   text += DescribeShare(*this->State) + DescribeTiming(*this) + " Real-time priority " +
-    DescribePrivilege(this->RealTimePriority) + ", locking of the servo's own memory " +
+    DescribeGrant(this->RealTimePriority) + ", locking of the servo's own memory " +
     DescribePrivilege(this->LockedMemory) + ".";
   return text;
 }

@@ -32,7 +32,7 @@ struct DeviceStatus
   std::uint32_t Orders = 0; ///< see ServoLoop::GetOrders
   /** The latest state; null unless the servo runs; the rest then means nothing. */
   const ServoSnapshot* State = nullptr;
-  ServoLoop::Privilege RealTimePriority = ServoLoop::Privilege::Unknown;
+  RealTimeGrant RealTimePriority = RealTimeGrant::Unknown;
   ServoLoop::Privilege LockedMemory = ServoLoop::Privilege::Unknown;
   double ReportPeriod = 0.0; ///< s, measured; 0: not known
   double RoundTrip = 0.0;    ///< s, measured; 0: not known

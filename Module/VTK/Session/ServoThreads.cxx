@@ -43,6 +43,7 @@ ServoThreads::ServoThreads(DeviceBackend& backend, double rate, const SafetyLimi
   this->LoopThread = this->Threader->SpawnThread(&ServoThreads::RunLoop, this);
   this->FitterThread = this->Threader->SpawnThread(&ServoThreads::RunFitter, this);
   this->KeeperThread = this->Threader->SpawnThread(&ServoThreads::RunKeeper, this);
+  this->RequestThread = this->Threader->SpawnThread(&ServoThreads::RunRequest, this);
 }
 
 ServoThreads::~ServoThreads()
@@ -60,6 +61,7 @@ void ServoThreads::End()
   this->Loop.RequestStop();
   this->Threader->TerminateThread(this->LoopThread);
   this->Threader->TerminateThread(this->FitterThread);
+  this->Threader->TerminateThread(this->RequestThread);
   this->KeeperStop.store(true);
   this->Threader->TerminateThread(this->KeeperThread);
   this->HasEnded.store(true);
@@ -80,6 +82,13 @@ VTK_THREAD_RETURN_TYPE ServoThreads::RunFitter(void* info)
 VTK_THREAD_RETURN_TYPE ServoThreads::RunKeeper(void* info)
 {
   UserData<ServoThreads>(info)->Keep();
+  return VTK_THREAD_RETURN_VALUE;
+}
+
+VTK_THREAD_RETURN_TYPE ServoThreads::RunRequest(void* info)
+{
+  ServoClock::BlockSignals();
+  UserData<ServoThreads>(info)->Loop.AskRealtimeKit();
   return VTK_THREAD_RETURN_VALUE;
 }
 

@@ -49,7 +49,7 @@ TEST(ServoLife, CountsAndForgetsItsTime)
   EXPECT_GT(before, 10U);
   loop->ResetStatistics();
   EXPECT_TRUE(Eventually([&] { return loop->GetTickCost().GetTotal() < before; }));
-  EXPECT_NE(loop->GetRealTimePriority(), ServoLoop::Privilege::Unknown);
+  EXPECT_NE(loop->GetRealTimePriority(), RealTimeGrant::Unknown);
   EXPECT_NE(loop->GetLockedMemory(), ServoLoop::Privilege::Unknown);
 }
 

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A D-Bus of a test's own, and on it a service that plays RealtimeKit (played_rtkit.py).
+ */
+#ifndef PlayedRealtimeKit_h
+#define PlayedRealtimeKit_h
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <csignal>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace servotest
+{
+
+/// A program whose output is read line by line; it is killed in the end.
+class WrittenProgram
+{
+public:
+  explicit WrittenProgram(std::vector<std::string> words)
+  {
+    int output[2];
+    if (pipe2(output, O_CLOEXEC) != 0)
+    {
+      return;
+    }
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+    {
+      arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    if (posix_spawnp(&this->Process, arguments[0], &actions, nullptr, arguments.data(), environ) !=
+      0)
+    {
+      this->Process = -1;
+    }
+    posix_spawn_file_actions_destroy(&actions);
+    close(output[1]);
+    this->Output = fdopen(output[0], "r");
+  }
+  ~WrittenProgram()
+  {
+    this->Kill();
+    std::fclose(this->Output);
+  }
+  WrittenProgram(const WrittenProgram&) = delete;
+  WrittenProgram& operator=(const WrittenProgram&) = delete;
+
+  void Kill()
+  {
+    if (this->Process > 0)
+    {
+      kill(this->Process, SIGKILL);
+      waitpid(this->Process, nullptr, 0);
+      this->Process = -1;
+    }
+  }
+  /// Waits for it. Empty at the end of the output.
+  std::string ReadLine()
+  {
+    std::string line;
+    for (int c = std::fgetc(this->Output); c != EOF && c != '\n'; c = std::fgetc(this->Output))
+    {
+      line += static_cast<char>(c);
+    }
+    return line;
+  }
+  /// Ends it. What it wrote and was not read yet.
+  std::vector<std::string> ReadAll()
+  {
+    this->Kill();
+    std::vector<std::string> lines;
+    for (std::string line = this->ReadLine(); !line.empty(); line = this->ReadLine())
+    {
+      lines.push_back(line);
+    }
+    return lines;
+  }
+
+private:
+  pid_t Process = -1;
+  std::FILE* Output = nullptr;
+};
+
+/// Becomes the system bus of this process and the session bus of those that it starts.
+class PlayedBus
+{
+public:
+  PlayedBus()
+  {
+    setenv("DBUS_SYSTEM_BUS_ADDRESS", this->Address.c_str(), 1);
+    setenv("DBUS_SESSION_BUS_ADDRESS", this->Address.c_str(), 1);
+  }
+  void Kill() { this->Daemon.Kill(); }
+  bool IsThere() const { return !this->Address.empty(); }
+
+private:
+  WrittenProgram Daemon{ { "dbus-daemon", "--session", "--nofork", "--nopidfile",
+    "--print-address" } };
+  const std::string Address{ this->Daemon.ReadLine() };
+};
+
+/// Waits until the service is there.
+class PlayedRealtimeKit
+{
+public:
+  explicit PlayedRealtimeKit(const std::vector<std::string>& options = {})
+    : Service(MakeWords(options))
+    , Ready(this->Service.ReadLine() == "ready")
+  {
+  }
+  bool IsThere() const { return this->Ready; }
+  std::string ReadCall() { return this->Service.ReadLine(); }
+  std::vector<std::string> ReadCalls() { return this->Service.ReadAll(); }
+
+private:
+  static std::vector<std::string> MakeWords(const std::vector<std::string>& options)
+  {
+    std::vector<std::string> words{ "/usr/bin/python3", VOLUME_HAPTICS_PLAYED_RTKIT };
+    words.insert(words.end(), options.begin(), options.end());
+    return words;
+  }
+
+  WrittenProgram Service;
+  const bool Ready;
+};
+
+} // namespace servotest
+
+#endif
