@@ -239,6 +239,20 @@ VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4
   }
 }
 
+/** What rows and planes are multiplied by; of LabelWeights or StepWeights. */
+template <typename Weights>
+VOLUME_HAPTICS_INLINE void WeighRows(const double* table, double y, double z, Weights& weights)
+{
+  alignas(32) double across[2 * LabelTaps];
+  WeighTaps(table, y, across);
+  for (int j = 0; j < LabelTaps; ++j)
+  {
+    const double value = across[j];
+    StoreDouble4(Double4{ value, value, across[LabelTaps + j], 0.0 }, weights.Across[j]);
+  }
+  WeighTaps(table, z, weights.Along);
+}
+
 void WeighLabels(
   const LabelField& view, double x, double y, double z, LabelWeights& weights) noexcept
 {
@@ -246,13 +260,7 @@ void WeighLabels(
   WeighTaps(view.Table, x, across);
   TabulateSums(across, weights.Low);
   TabulateSums(across + 4, weights.High);
-  WeighTaps(view.Table, y, across);
-  for (int j = 0; j < LabelTaps; ++j)
-  {
-    const double value = across[j];
-    StoreDouble4(Double4{ value, value, across[LabelTaps + j], 0.0 }, weights.Across[j]);
-  }
-  WeighTaps(view.Table, z, weights.Along);
+  WeighRows(view.Table, y, z, weights);
 }
 
 /** The unsigned number of a type's size. */
@@ -283,26 +291,17 @@ VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uin
     reinterpret_cast<const char*>(table) + bytes * std::size_t(pattern));
 }
 
-FieldSample ShareOf(const LabelWeights& weights, const std::uint64_t* planes) noexcept
+/** The sum over all rows; row(j, k) is that of a row: value, slope, value. */
+template <typename Weights, typename F>
+VOLUME_HAPTICS_INLINE FieldSample SumRows(const Weights& weights, F&& row)
 {
   Double4 sum = { 0.0, 0.0, 0.0, 0.0 };
   Double4 slope = { 0.0, 0.0, 0.0, 0.0 };
   for (int k = 0; k < LabelTaps; ++k)
   {
-    // The halves of all rows of a plane, for PatternAt.
-    constexpr std::uint64_t half = 0xF0F0F0F0F0F0F0F0U;
-    const std::uint64_t low = (planes[k] << 4) & half;
-    const std::uint64_t high = planes[k] & half;
-    const auto row = [&](int j)
-    {
-      const double* const first =
-        PatternAt(weights.Low, static_cast<std::uint8_t>(low >> (LabelTaps * j)));
-      const double* const last =
-        PatternAt(weights.High, static_cast<std::uint8_t>(high >> (LabelTaps * j)));
-      return LoadDouble4(weights.Across[j]) * (LoadDouble4(first) + LoadDouble4(last));
-    };
+    const auto part = [&](int j) { return LoadDouble4(weights.Across[j]) * row(j, k); };
     const Double4 plane =
-      ((row(0) + row(1)) + (row(2) + row(3))) + ((row(4) + row(5)) + (row(6) + row(7)));
+      ((part(0) + part(1)) + (part(2) + part(3))) + ((part(4) + part(5)) + (part(6) + part(7)));
     sum = sum + weights.Along[k] * plane;
     slope = slope + weights.Along[LabelTaps + k] * plane;
   }
@@ -314,12 +313,55 @@ FieldSample ShareOf(const LabelWeights& weights, const std::uint64_t* planes) no
   return share;
 }
 
+FieldSample ShareOf(const LabelWeights& weights, const std::uint64_t* planes) noexcept
+{
+  return SumRows(weights,
+    [&](int j, int k)
+    {
+      // The halves of all rows of a plane, for PatternAt.
+      constexpr std::uint64_t half = 0xF0F0F0F0F0F0F0F0U;
+      const std::uint64_t low = (planes[k] << 4) & half;
+      const std::uint64_t high = planes[k] & half;
+      const double* const first =
+        PatternAt(weights.Low, static_cast<std::uint8_t>(low >> (LabelTaps * j)));
+      const double* const last =
+        PatternAt(weights.High, static_cast<std::uint8_t>(high >> (LabelTaps * j)));
+      return LoadDouble4(first) + LoadDouble4(last);
+    });
+}
+
+FieldSample ShareOfSteps(
+  const LabelField& view, double x, double y, double z, const LabelSteps& steps) noexcept
+{
+  StepWeights weights;
+  alignas(32) double across[2 * LabelTaps];
+  WeighTaps(view.Table, x, across);
+  Double4 first = { 0.0, 0.0, 0.0, 0.0 };
+  Double4 last = first;
+  StoreDouble4(first, weights.Sums[0]);
+  StoreDouble4(last, weights.Sums[StepWeights::Ends]);
+  for (int count = 1; count <= LabelTaps; ++count)
+  {
+    const int i = count - 1;
+    const int j = LabelTaps - count;
+    first = first + Double4{ across[i], across[LabelTaps + i], across[i], 0.0 };
+    last = last + Double4{ across[j], across[LabelTaps + j], across[j], 0.0 };
+    StoreDouble4(first, weights.Sums[count]);
+    StoreDouble4(last, weights.Sums[StepWeights::Ends + count]);
+  }
+  WeighRows(view.Table, y, z, weights);
+  const char* const sums = reinterpret_cast<const char*>(weights.Sums);
+  return SumRows(weights,
+    [&](int j, int k)
+    { return LoadDouble4(reinterpret_cast<const double*>(sums + steps.Place[k][j])); });
+}
+
 /** The functions of this translation unit's instruction set. */
 LabelFunctions SelectLabelFunctions(ScalarType type)
 {
   return WithSampleType(type,
     [](auto sample) -> LabelFunctions {
-      return { FindLabelsOf<decltype(sample)>, WeighLabels, ShareOf };
+      return { FindLabelsOf<decltype(sample)>, WeighLabels, ShareOf, ShareOfSteps };
     });
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Field/LabelSampler.h"
 
+#include <array>
+
 namespace VolumeHaptics
 {
 
@@ -69,7 +71,46 @@ std::vector<double> MakeTable(const GradientKernel& kernel)
   return table;
 }
 
+constexpr int Patterns = 256;
+constexpr std::uint16_t NoStep = 0xFFFF;
+
+/** The places in StepWeights::Sums by the bits of a row. */
+constexpr std::array<std::uint16_t, Patterns> MakePlaces() noexcept
+{
+  std::array<std::uint16_t, Patterns> places{};
+  for (std::uint16_t& place : places)
+  {
+    place = NoStep;
+  }
+  constexpr int bytes = sizeof(StepWeights::Sums) / (2 * StepWeights::Ends);
+  for (int count = LabelBlock::Taps; count >= 0; --count)
+  {
+    const int first = (1 << count) - 1;
+    const int last = (first << (LabelBlock::Taps - count)) % Patterns;
+    places[last] = static_cast<std::uint16_t>(bytes * (StepWeights::Ends + count));
+    places[first] = static_cast<std::uint16_t>(bytes * count);
+  }
+  return places;
+}
+
+constexpr std::array<std::uint16_t, Patterns> Places = MakePlaces();
+
 } // namespace
+
+bool LabelSteps::Set(const std::uint64_t* planes) noexcept
+{
+  bool areSteps = true;
+  for (int k = 0; k < LabelBlock::Taps; ++k)
+  {
+    for (int j = 0; j < LabelBlock::Taps; ++j)
+    {
+      const std::uint16_t place = Places[(planes[k] >> (LabelBlock::Taps * j)) % Patterns];
+      this->Place[k][j] = place;
+      areSteps = areSteps && place != NoStep;
+    }
+  }
+  return areSteps;
+}
 
 LabelSampler::LabelSampler(
   const VolumeView& view, const GradientKernel& kernel, InstructionSet instructions)

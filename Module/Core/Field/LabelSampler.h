@@ -9,6 +9,9 @@
  * its weights over all patterns of 4 bits stand in a table (LabelWeights), so that a row costs two
  * lookups, whatever its labels are.
  *
+ * Across a wall, rows mostly begin or end with a label: then the sums over the first and over the
+ * last voxels are all that is needed, and a row costs one lookup (LabelSteps, StepWeights).
+ *
  * As for FieldSampler, the kernels are compiled once per instruction set and all of them give the
  * same shares, to the bit.
  */
@@ -34,6 +37,32 @@ struct LabelBlock
   std::int64_t Label[Most];
   /** For each label and plane k: bit i + 8 j is set if the voxel (i, j, k) has it. */
   std::uint64_t Planes[Most][Taps];
+};
+
+/**
+ * The rows of a label that all begin or end with it, have it everywhere or nowhere: for each row,
+ * the place in StepWeights::Sums, in bytes.
+ */
+struct LabelSteps
+{
+  std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps]; ///< of plane k, row j
+
+  /** False if there are other rows. */
+  bool Set(const std::uint64_t* planes) noexcept;
+};
+
+/** The weights of a kernel at a position, prepared for rows of LabelSteps. */
+struct StepWeights
+{
+  static constexpr int Ends = LabelBlock::Taps + 1;
+
+  /** The sums over the first 0 to 8 weights of a row, then over the last 0 to 8: LabelWeights. */
+  alignas(32) double Sums[2 * Ends][4];
+  ///@{
+  /** As in LabelWeights. */
+  alignas(32) double Across[LabelBlock::Taps][4];
+  alignas(32) double Along[2 * LabelBlock::Taps];
+  ///@}
 };
 
 /** The weights of a kernel at a position, prepared for sums over bits. */
@@ -70,6 +99,8 @@ struct LabelFunctions
   void (*Find)(const LabelField&, double x, double y, double z, LabelBlock&) noexcept = nullptr;
   void (*Weigh)(const LabelField&, double x, double y, double z, LabelWeights&) noexcept = nullptr;
   FieldSample (*Share)(const LabelWeights&, const std::uint64_t* planes) noexcept = nullptr;
+  FieldSample (*ShareSteps)(
+    const LabelField&, double x, double y, double z, const LabelSteps&) noexcept = nullptr;
 };
 
 /**
@@ -103,6 +134,12 @@ public:
   FieldSample Share(const LabelWeights& weights, const std::uint64_t* planes) const noexcept
   {
     return this->Functions.Share(weights, planes);
+  }
+
+  /** The same at a continuous index within the image, for a label whose rows are steps. */
+  FieldSample Share(const Vector3& index, const LabelSteps& steps) const noexcept
+  {
+    return this->Functions.ShareSteps(this->View, index.X, index.Y, index.Z, steps);
   }
 
   ///@{

@@ -164,6 +164,7 @@ bool LabelWalls::Remember(const LabelBlock& block, WallMemory& memory) const noe
     const bool isFirst = second < first;
     memory.HasWall = isFirst || first < second;
     std::copy_n(block.Planes[isFirst ? 0 : 1], LabelBlock::Taps, memory.Planes);
+    memory.HasSteps = memory.Steps.Set(memory.Planes);
   }
   return true;
 }
@@ -191,8 +192,16 @@ LabelWall LabelWalls::FindInBlock(const Vector3& index, WallMemory& memory) cons
   {
     return {};
   }
-  this->Sampler.Weigh(index, weights);
-  const FieldSample share = this->Sampler.Share(weights, memory.Planes);
+  FieldSample share;
+  if (memory.HasSteps)
+  {
+    share = this->Sampler.Share(index, memory.Steps);
+  }
+  else
+  {
+    this->Sampler.Weigh(index, weights);
+    share = this->Sampler.Share(weights, memory.Planes);
+  }
   return { true, 2.0 * share.Value - 1.0, 2.0 * share.Gradient };
 }
 

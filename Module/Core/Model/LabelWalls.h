@@ -47,8 +47,13 @@ struct WallMemory
 {
   std::uint64_t Walls = 0; ///< the number of the LabelWalls that looked; 0: none
   std::int64_t Cell[3] = {};
-  bool HasWall = false;                        ///< of two labels; if not, there is no wall
-  std::uint64_t Planes[LabelBlock::Taps] = {}; ///< of the harder label, as in LabelBlock
+  bool HasWall = false; ///< of two labels; if not, there is no wall
+  ///@{
+  /** Of the harder label; the planes, as in LabelBlock, count if its rows are not steps. */
+  bool HasSteps = false;
+  LabelSteps Steps = {};
+  std::uint64_t Planes[LabelBlock::Taps] = {};
+  ///@}
 };
 
 /** Finds walls. Borrows the view's memory and the table. */

@@ -136,6 +136,7 @@ TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
   const GradientKernel kernel(GradientEstimator::Gaussian, 3, GaussianWeights::OwnDerivative, 2.2);
   ASSERT_EQ(kernel.Taps, LabelBlock::Taps);
   std::mt19937_64 engine(7);
+  int stepped = 0;
   for (const ScalarType type : AllScalarTypes)
   {
     for (const std::int64_t step : { 1, 3 })
@@ -171,11 +172,21 @@ TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
           for (int l = 0; l < blocks[0].Count; ++l)
           {
             ASSERT_EQ(blocks[0].Label[l], blocks[1].Label[l]);
-            ASSERT_TRUE(IsSame(baseline.Share(weights[0], blocks[0].Planes[l]),
-              avx2.Share(weights[1], blocks[1].Planes[l])));
+            const FieldSample share = baseline.Share(weights[0], blocks[0].Planes[l]);
+            ASSERT_TRUE(IsSame(share, avx2.Share(weights[1], blocks[1].Planes[l])));
+            LabelSteps steps;
+            if (steps.Set(blocks[0].Planes[l]))
+            {
+              ++stepped;
+              const FieldSample other = baseline.Share(p, steps);
+              ASSERT_TRUE(IsSame(other, avx2.Share(p, steps)));
+              ASSERT_NEAR(other.Value, share.Value, 1e-14);
+              ASSERT_NEAR(Norm(other.Gradient - share.Gradient), 0.0, 1e-14);
+            }
           }
         }
       }
     }
   }
+  EXPECT_GT(stepped, 1000);
 }
