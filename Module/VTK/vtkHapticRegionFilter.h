@@ -24,6 +24,9 @@
  *
  * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders that are not the
  * whole's own, the force then does not end at a surface but fades (vtkHapticDevice::GetResidency).
+ * The whole force is felt where tip and proxy are farther from them than all that a tick reads, and
+ * a band of 4 voxels: with the default settings 13 voxels, 6 of which are the walk to the far side
+ * of an edge, and with materials of the kernel (SetMaterialPlacementToKernel) 9.
  *
  * Collecting the noise needs the whole once; the result is kept until the input changes. A subclass
  * for volumes that lie in pieces on several processes overrides the three protected virtual

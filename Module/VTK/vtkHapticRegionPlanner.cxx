@@ -157,8 +157,18 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
   {
     voxels += (FarSide::FarthestRadii - 1.0) * radius;
   }
-  this->SetReach(voxels * voxel +
-    (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0));
+  double reach = voxels * voxel;
+  auto* const labels = vtkImageData::SafeDownCast(filter->GetInputDataObject(3, 0));
+  if (labels && method == vtkVolumeHapticsFilter::PROXY)
+  {
+    // See Residency.cxx: x_s and x_v of walls between labels.
+    const double* const spacing = labels->GetSpacing();
+    const double coarsest =
+      std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+    reach = std::max(reach, radius * coarsest + ResidencySpare * voxel);
+  }
+  this->SetReach(
+    reach + (method == vtkVolumeHapticsFilter::SURFACE_PROXY ? filter->GetProxyRadius() : 0.0));
   this->SetBand(ResidencyBand * voxel);
 }
 

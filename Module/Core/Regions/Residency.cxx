@@ -37,8 +37,13 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
     const double bend = radius * model.Baked->LargestSpacing;
     return (LocalDistance(model) + bend) * perUnit + kernel;
   }
-  const Vector3 values = model.KernelLength * model.VoxelsPerMeter + spare;
-  if (settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Precise &&
+  const bool isProxy = settings.Method == HapticMethod::Proxy;
+  // A wall between labels has x_s and x_v as far away as voxels of the label image are large.
+  const double aside = isProxy && model.Baked->FeelsLabels()
+    ? std::fmax(model.KernelLength, model.LabelReach)
+    : model.KernelLength;
+  const Vector3 values = aside * model.VoxelsPerMeter + spare;
+  if (isProxy && settings.Solver == HapticSolver::Precise &&
     settings.Placement == MaterialPlacement::FarSide)
   {
     const double walk = FarSide::FarthestRadii * radius;

@@ -19,22 +19,24 @@ using namespace coretest;
 
 inline constexpr std::int64_t Samples = 72;
 
-/// Smooth, with a surface of 24 mm radius, and a little relief on it.
+/// Smooth, with a surface of 24 mm radius that is `width` mm wide, and a little relief on it.
+inline TestVolume MakeBall(double width)
+{
+  TestVolume volume(ScalarType::Float32, { Samples, Samples, Samples });
+  volume.Fill<float>(
+    [width](std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      const double x = i - 35.3, y = 0.9 * (j - 36.1), z = 1.1 * (k - 35.8);
+      const double r = std::sqrt(x * x + y * y + z * z);
+      return static_cast<float>(
+        1000.0 / (1.0 + std::exp((r - 24.0) / width)) + 20.0 * std::sin(0.7 * i + 0.4 * k));
+    });
+  return volume;
+}
+
 inline const TestVolume& Ball()
 {
-  static const TestVolume ball = []
-  {
-    TestVolume volume(ScalarType::Float32, { Samples, Samples, Samples });
-    volume.Fill<float>(
-      [](std::int64_t i, std::int64_t j, std::int64_t k)
-      {
-        const double x = i - 35.3, y = 0.9 * (j - 36.1), z = 1.1 * (k - 35.8);
-        const double r = std::sqrt(x * x + y * y + z * z);
-        return static_cast<float>(
-          1000.0 / (1.0 + std::exp(r - 24.0)) + 20.0 * std::sin(0.7 * i + 0.4 * k));
-      });
-    return volume;
-  }();
+  static const TestVolume ball = MakeBall(1.0);
   return ball;
 }
 
@@ -62,7 +64,8 @@ inline HapticModelDescription DescribeBall(
 using Index = std::array<std::int64_t, 3>;
 
 /// The samples from first to last, and no others, as a region of the ball.
-inline HapticModelDescription Crop(HapticModelDescription d, Index first, Index last)
+inline HapticModelDescription Crop(
+  HapticModelDescription d, Index first, Index last, const TestVolume& ball = Ball())
 {
   Index size;
   for (int a = 0; a < 3; ++a)
@@ -73,7 +76,7 @@ inline HapticModelDescription Crop(HapticModelDescription d, Index first, Index 
   }
   const auto part = std::make_shared<TestVolume>(ScalarType::Float32, size);
   part->Fill<float>([&](std::int64_t i, std::int64_t j, std::int64_t k)
-    { return static_cast<float>(Ball()(first[0] + i, first[1] + j, first[2] + k)); });
+    { return static_cast<float>(ball(first[0] + i, first[1] + j, first[2] + k)); });
   d.View = part->View;
   d.Samples = part;
   for (int a = 0; a < 3; ++a)

@@ -125,3 +125,22 @@ TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
   this->Planner->UseSettingsOf(touch);
   EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 5.0);
 }
+
+TEST_F(Plan, HasRoomForWallsOfCoarseLabels)
+{
+  vtkNew<vtkImageData> labels;
+  labels->SetDimensions(4, 4, 4);
+  labels->SetSpacing(5.0, 4.0, 6.0);
+  labels->AllocateScalars(VTK_INT, 1);
+  vtkNew<vtkVolumeHapticsFilter> touch;
+  touch->SetLabelData(labels);
+  this->Planner->UseSettingsOf(touch);
+  EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 2.0 * 6.0 + 3.0) << "x_s, and three voxels to spare";
+  labels->SetSpacing(0.5, 0.5, 0.5);
+  this->Planner->UseSettingsOf(touch);
+  EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 9.0);
+  labels->SetSpacing(5.0, 4.0, 6.0);
+  touch->SetMethodToForceField();
+  this->Planner->UseSettingsOf(touch);
+  EXPECT_DOUBLE_EQ(this->Planner->GetReach(), 5.0) << "which has no labels";
+}
