@@ -163,8 +163,7 @@ if [ $full = yes ]; then
 else
   # Its tests meet no device.
   start thread build tsan "$build_dir-thread" VolumeHapticsLoopTests -DVolumeHaptics_USE_BEAST=OFF
-  # Those that count allocations tick nothing that others don't.
-  run_tests "$build_dir-sanitize" "$jobs" -R '^VolumeHaptics[.](Core|Devices)[.]' -E '[.]Allocation[.]'
+  run_tests "$build_dir-sanitize" "$jobs" -R '^VolumeHaptics[.](Core|Devices)[.]'
 fi
 
 finish thread
