@@ -18,9 +18,8 @@ double LocalDistance(const HapticModel& model) noexcept
   return LocalCornerReach * model.Baked->LargestSpacing;
 }
 
-/**
- * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.
- */
+} // namespace
+
 Vector3 FindReadReach(const HapticModel& model) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
@@ -51,8 +50,6 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
   }
   return Most(values, kernel);
 }
-
-} // namespace
 
 double FindResidency(const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
 {

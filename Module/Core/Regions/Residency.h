@@ -31,6 +31,11 @@ struct ServoState;
  */
 constexpr double ResidencySpare = 3.0;
 
+/**
+ * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.
+ */
+Vector3 FindReadReach(const HapticModel& model) noexcept;
+
 /** The residency of the tick that takes a state to a tip (device): 0 to 1. */
 double FindResidency(
   const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept;

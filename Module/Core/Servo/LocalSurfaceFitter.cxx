@@ -20,7 +20,7 @@ constexpr std::int64_t IdlePeriod = 10000000;
 std::int64_t LocalSurfaceFitter::Look() noexcept
 {
   const std::int64_t now = ServoClock::Now();
-  const HapticModel* const model = this->Models.Hold();
+  const HapticModel* const model = this->Models.Hold(ModelExchange::Fitter);
   const bool isAsked = model && model->Baked->Settings.Method == HapticMethod::LocalSurface;
   const std::int64_t period = isAsked ? static_cast<std::int64_t>(ServoClock::NanosecondsPerSecond /
                                           model->Baked->Settings.LocalSurfaceRate)
@@ -35,7 +35,7 @@ std::int64_t LocalSurfaceFitter::Look() noexcept
         { FitLocalSurface(*model, request.Wanted), request.Number, model->Baked->Number });
     }
   }
-  this->Models.LetGo();
+  this->Models.LetGo(ModelExchange::Fitter);
   // New models and stop requests are seen soon, even if the loop is slow.
   return std::clamp<std::int64_t>(this->Looked + period - now, 0, IdlePeriod);
 }

@@ -6,6 +6,7 @@
 
 #if defined(__unix__)
 #include <algorithm>
+#include <cerrno>
 #include <mutex>
 #include <pthread.h>
 #include <sys/mman.h>
@@ -18,8 +19,19 @@ namespace VolumeHaptics
 
 #if defined(__unix__)
 
+std::size_t GetPageSize() noexcept
+{
+  static const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  return size;
+}
+
 namespace
 {
+
+#if defined(__linux__)
+/** MADV_POPULATE_READ of Linux 5.14, which older headers lack. */
+constexpr int PopulateForReading = 22;
+#endif
 
 /** Counts the locks on each page of a process. */
 class PageCounts
@@ -27,7 +39,7 @@ class PageCounts
 public:
   static std::uintptr_t PageOf(const void* address) noexcept
   {
-    return reinterpret_cast<std::uintptr_t>(address) / PageSize();
+    return reinterpret_cast<std::uintptr_t>(address) / GetPageSize();
   }
 
   bool Add(std::uintptr_t first, std::uintptr_t last) noexcept
@@ -40,7 +52,7 @@ public:
       {
         ++this->Counts[end];
       }
-      if (mlock(AddressOf(first), (last - first + 1) * PageSize()) == 0)
+      if (mlock(AddressOf(first), (last - first + 1) * GetPageSize()) == 0)
       {
         return true;
       }
@@ -61,17 +73,12 @@ public:
     this->Release(first, last);
   }
 
-private:
-  static std::size_t PageSize() noexcept
-  {
-    static const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    return size;
-  }
   static void* AddressOf(std::uintptr_t page) noexcept
   {
-    return reinterpret_cast<void*>(page * PageSize());
+    return reinterpret_cast<void*>(page * GetPageSize());
   }
 
+private:
   void Release(std::uintptr_t first, std::uintptr_t last) noexcept
   {
     std::uintptr_t begin = first; // begin of a row of pages without locks
@@ -94,7 +101,7 @@ private:
   {
     if (begin < end)
     {
-      munlock(AddressOf(begin), (end - begin) * PageSize());
+      munlock(AddressOf(begin), (end - begin) * GetPageSize());
     }
   }
 
@@ -105,6 +112,42 @@ private:
 PerProcess<PageCounts> CountsOfProcess;
 
 } // namespace
+
+void RequestPages(const void* begin, std::size_t size) noexcept
+{
+  if (size > 0)
+  {
+    const std::uintptr_t first = PageCounts::PageOf(begin);
+    const std::size_t pages =
+      PageCounts::PageOf(static_cast<const char*>(begin) + (size - 1)) - first + 1;
+    madvise(PageCounts::AddressOf(first), pages * GetPageSize(), MADV_WILLNEED);
+  }
+}
+
+void FetchPages(const void* begin, std::size_t size) noexcept
+{
+  if (size == 0)
+  {
+    return;
+  }
+  const char* const end = static_cast<const char*>(begin) + size;
+#if defined(__linux__)
+  const std::uintptr_t first = PageCounts::PageOf(begin);
+  const std::size_t pages = PageCounts::PageOf(end - 1) - first + 1;
+  // EINVAL: this kernel does not know it. After any other error, reading would crash.
+  if (madvise(PageCounts::AddressOf(first), pages * GetPageSize(), PopulateForReading) == 0 ||
+    errno != EINVAL)
+  {
+    return;
+  }
+#endif
+  for (const char* at = static_cast<const char*>(begin); at < end;
+       at += std::min(GetPageSize(), static_cast<std::size_t>(end - at)))
+  {
+    static_cast<void>(*static_cast<const volatile char*>(at));
+  }
+  static_cast<void>(*static_cast<const volatile char*>(end - 1));
+}
 
 MemoryLock::~MemoryLock()
 {
@@ -173,6 +216,21 @@ bool MemoryLock::AddStack(std::size_t size) noexcept
 }
 
 #else
+
+std::size_t GetPageSize() noexcept
+{
+  return 4096;
+}
+
+void RequestPages(const void*, std::size_t) noexcept {}
+
+void FetchPages(const void* begin, std::size_t size) noexcept
+{
+  for (std::size_t at = 0; at < size; at += GetPageSize())
+  {
+    static_cast<void>(static_cast<const volatile char*>(begin)[at]);
+  }
+}
 
 MemoryLock::~MemoryLock() = default;
 

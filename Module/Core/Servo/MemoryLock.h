@@ -10,7 +10,7 @@
  * alone does not count). A forked child only has locks of its own. An application that locks its
  * memory with mlockall loses that lock on pages that it shares with these.
  *
- * Not in the servo loop: locking may wait for memory.
+ * Not in the servo loop: locking may wait for memory, and bringing pages in for the disk.
  */
 #ifndef MemoryLock_h
 #define MemoryLock_h
@@ -21,6 +21,20 @@
 
 namespace VolumeHaptics
 {
+
+std::size_t GetPageSize() noexcept; ///< bytes
+
+/**
+ * Begins to read the pages of a range from the disk, and nothing beside it, if they are not in
+ * memory; does not wait for them.
+ */
+void RequestPages(const void* begin, std::size_t size) noexcept;
+/**
+ * Brings the pages of a range into memory, for reading. It may wait for the disk, but lets other
+ * threads lock and unlock meanwhile. What can't be read, such as the end of a file that was cut,
+ * is passed over.
+ */
+void FetchPages(const void* begin, std::size_t size) noexcept;
 
 class MemoryLock
 {

@@ -5,6 +5,7 @@
 #include "Core/Model/HapticModel.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace VolumeHaptics
 {
@@ -41,21 +42,25 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
 void ModelExchange::Collect()
 {
   const std::uint64_t inUse = this->GetAcknowledged();
-  // After Next was written: a fitter that already holds an older model is seen here, and one that
+  // After Next was written: a thread that already holds an older model is seen here, and one that
   // does not yet hold a model will see Next.
-  const PublishedModel* const held = this->Held.load();
+  const PublishedModel* held[Holders];
+  std::copy(std::begin(this->Held), std::end(this->Held), held);
   const auto isFree = [&](const std::unique_ptr<const PublishedModel>& kept)
-  { return kept->Generation < inUse && kept.get() != held; };
+  {
+    return kept->Generation < inUse &&
+      std::find(std::begin(held), std::end(held), kept.get()) == std::end(held);
+  };
   this->Kept.erase(std::remove_if(this->Kept.begin(), this->Kept.end(), isFree), this->Kept.end());
 }
 
-const HapticModel* ModelExchange::Hold() noexcept
+const HapticModel* ModelExchange::Hold(Holder holder) noexcept
 {
   const PublishedModel* latest = nullptr;
   do
   {
     latest = this->Next.load();
-    this->Held.store(latest);
+    this->Held[holder].store(latest);
   } while (this->Next.load() != latest);
   return latest->Model.get();
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Models from the thread that publishes them to the servo and to the fitter of local surfaces.
+ * Models from the thread that publishes them to the servo and to the threads beside it.
  *
  * A model is published by swapping a pointer. The servo acknowledges the generation that it uses
- * from then on; the fitter notes the model that it holds. Only the publishing thread frees models,
- * once neither of them uses them.
+ * from then on; the fitter of local surfaces, and the keeper of the samples around the tip, note
+ * the model that they hold. Only the publishing thread frees models, once none of them uses them.
  */
 #ifndef ModelExchange_h
 #define ModelExchange_h
@@ -41,7 +41,7 @@ public:
   ///@{
   /** Called by the publishing thread. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
-  /** Frees the models that neither the servo nor the fitter uses. */
+  /** Frees the models that no other thread uses. */
   void Collect();
   /** From any thread: whether the tables of a model could not be kept in memory. */
   bool IsLockRefused() const noexcept { return this->LockRefused.load(std::memory_order_relaxed); }
@@ -65,15 +65,21 @@ public:
   ///@}
 
   ///@{
-  /** Called by the fitter: the latest model, which stays until it lets go. */
-  const HapticModel* Hold() noexcept;
-  void LetGo() noexcept { this->Held.store(nullptr); }
+  /** Called by the thread of that name: the latest model, which stays until it lets go. */
+  enum Holder : std::uint8_t
+  {
+    Fitter,
+    SampleKeeper,
+    Holders ///< their number
+  };
+  const HapticModel* Hold(Holder holder) noexcept;
+  void LetGo(Holder holder) noexcept { this->Held[holder].store(nullptr); }
   ///@}
 
 private:
   std::atomic<const PublishedModel*> Next;
   std::atomic<std::uint64_t> Acknowledged{ 0 };
-  std::atomic<const PublishedModel*> Held{ nullptr };
+  std::atomic<const PublishedModel*> Held[Holders] = {};
   std::atomic<bool> LockRefused{ false };
   std::vector<std::unique_ptr<const PublishedModel>> Kept; // used by the publisher, oldest first
   std::uint64_t Generation = 0;                            // used by the publisher

@@ -221,6 +221,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
       this->Fitter.FindResult(*model, this->State.Local), this->Gate);
     this->Fitter.Send(*model, this->State.Local);
+    this->Samples.Follow(s.Record.Tip, s.Record.Proxy);
     if (s.Record.IsUnfinished)
     {
       this->UnfinishedTicks.fetch_add(1, std::memory_order_relaxed);

@@ -7,13 +7,14 @@
  * The loop never waits for its inputs and outputs:
  * - a model is published by swapping a pointer (ModelExchange.h);
  * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
+ * - another one brings the samples around the tip into memory (SampleKeeper.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
  * - commands (arm, disarm, fade out, stop), limits and the time of the owner's last call are single
  *   atomics.
  *
  * The loop neither locks, allocates, throws nor logs. Threads: Run belongs to the servo; RunFitter
- * to the slow loop; AskRealtimeKit to one that may wait; ReadState to one reader; Drain to one
- * recorder; everything else to the owner (the GUI thread).
+ * and RunSampleKeeper to the slow threads; AskRealtimeKit to one that may wait; ReadState to one
+ * reader; Drain to one recorder; everything else to the owner (the GUI thread).
  */
 #ifndef ServoLoop_h
 #define ServoLoop_h
@@ -26,6 +27,7 @@
 #include "Core/Servo/ModelExchange.h"
 #include "Core/Servo/ResidentServo.h"
 #include "Core/Servo/SafetyStage.h"
+#include "Core/Servo/SampleKeeper.h"
 #include "Core/Servo/ServoPriority.h"
 #include "Core/Servo/ServoTick.h"
 #include "Core/Servo/SignCheck.h"
@@ -86,11 +88,17 @@ public:
   void RunFitter() noexcept { this->Fitter.Run(); }
   /** Seeks a real-time class for Run if the kernel refuses it: see ServoPriority. */
   void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }
+  /**
+   * Keeps the samples around the tip in memory, without which a tick may wait for the disk if the
+   * volume is mapped from a file. It also returns after RequestStop, and then locks none.
+   */
+  void RunSampleKeeper() noexcept { this->Samples.Run(); }
   void RequestStop() noexcept
   {
     this->StopRequested.store(true, std::memory_order_release);
     this->Fitter.RequestStop();
     this->Priority.RequestStop();
+    this->Samples.RequestStop();
   }
 
   /** Uses a model from the next tick on; nullptr stops touching. Returns its generation. */
@@ -238,15 +246,23 @@ public:
   RealTimeGrant GetRealTimePriority() const noexcept { return this->Priority.GetGrant(); }
   /**
    * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the
-   * loop's stack, and the tables of the models. Never locked are the samples of volumes and meshes,
-   * which may be larger than the memory; the program's code; and the memory of a back end and its
-   * driver.
+   * loop's stack, and the tables of the models. Never locked are the program's code, meshes, and
+   * the memory of a back end and its driver.
    */
   Privilege GetLockedMemory() const noexcept
   {
     const Privilege own = this->LockedMemory.load();
     return own == Privilege::Granted && this->Models.IsLockRefused() ? Privilege::Refused : own;
   }
+  /** The same of the samples around the tip; Unknown if there are none, or without their thread. */
+  Privilege GetLockedSamples() const noexcept
+  {
+    return this->Samples.GetLooks() == 0 ? Privilege::Unknown
+      : this->Samples.IsLockRefused()    ? Privilege::Refused
+                                         : Privilege::Granted;
+  }
+  /** See SampleKeeper::GetLooks. */
+  std::uint64_t GetLooksAtSamples() const noexcept { return this->Samples.GetLooks(); }
 
 private:
   enum class ArmOrder : std::uint8_t
@@ -314,6 +330,7 @@ private:
 
   ModelExchange Models;
   LocalSurfaceFitter Fitter{ this->Models };
+  SampleKeeper Samples{ this->Models };
   std::atomic<std::uint64_t> WrittenGeneration{ 0 };
 
   std::atomic<bool> StopRequested{ false };

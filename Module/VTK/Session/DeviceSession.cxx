@@ -416,6 +416,7 @@ DeviceStatus DeviceSession::GetStatus() const
     status.Orders = this->Servo->GetLoop().GetOrders();
     status.RealTimePriority = this->Servo->GetLoop().GetRealTimePriority();
     status.LockedMemory = this->Servo->GetLoop().GetLockedMemory();
+    status.LockedSamples = this->Servo->GetLoop().GetLockedSamples();
     status.ReportPeriod = this->Servo->GetLoop().GetTiming().GetReportPeriod();
     status.RoundTrip = this->Servo->GetLoop().GetTiming().GetRoundTrip();
     status.Caps = this->GetCaps();

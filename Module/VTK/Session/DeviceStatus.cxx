@@ -237,9 +237,12 @@ std::string DeviceStatus::DescribeDevice() const
       ? " The data around the tip are awaited: the force fades."
       : " The data around the tip are awaited: no force until then.";
   }
+  constexpr ServoLoop::Privilege refused = ServoLoop::Privilege::Refused;
+  const bool isTold = this->LockedMemory == refused && this->LockedSamples == refused;
   text += DescribeShare(*this->State) + DescribeTiming(*this) + " Real-time priority " +
     DescribeGrant(this->RealTimePriority) + ", locking of the servo's own memory " +
-    DescribePrivilege(this->LockedMemory) + ".";
+    DescribePrivilege(this->LockedMemory) + ", of the samples around the tip " +
+    (isTold ? "refused, too" : DescribePrivilege(this->LockedSamples)) + ".";
   return text;
 }
 

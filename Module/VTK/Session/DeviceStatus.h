@@ -34,6 +34,7 @@ struct DeviceStatus
   const ServoSnapshot* State = nullptr;
   RealTimeGrant RealTimePriority = RealTimeGrant::Unknown;
   ServoLoop::Privilege LockedMemory = ServoLoop::Privilege::Unknown;
+  ServoLoop::Privilege LockedSamples = ServoLoop::Privilege::Unknown;
   double ReportPeriod = 0.0; ///< s, measured; 0: not known
   double RoundTrip = 0.0;    ///< s, measured; 0: not known
   ForceCaps Caps;

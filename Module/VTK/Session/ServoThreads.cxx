@@ -42,6 +42,7 @@ ServoThreads::ServoThreads(DeviceBackend& backend, double rate, const SafetyLimi
   }
   this->LoopThread = this->Threader->SpawnThread(&ServoThreads::RunLoop, this);
   this->FitterThread = this->Threader->SpawnThread(&ServoThreads::RunFitter, this);
+  this->SampleThread = this->Threader->SpawnThread(&ServoThreads::RunSampleKeeper, this);
   this->KeeperThread = this->Threader->SpawnThread(&ServoThreads::RunKeeper, this);
   this->RequestThread = this->Threader->SpawnThread(&ServoThreads::RunRequest, this);
 }
@@ -61,6 +62,7 @@ void ServoThreads::End()
   this->Loop.RequestStop();
   this->Threader->TerminateThread(this->LoopThread);
   this->Threader->TerminateThread(this->FitterThread);
+  this->Threader->TerminateThread(this->SampleThread);
   this->Threader->TerminateThread(this->RequestThread);
   this->KeeperStop.store(true);
   this->Threader->TerminateThread(this->KeeperThread);
@@ -76,6 +78,12 @@ VTK_THREAD_RETURN_TYPE ServoThreads::RunLoop(void* info)
 VTK_THREAD_RETURN_TYPE ServoThreads::RunFitter(void* info)
 {
   UserData<ServoThreads>(info)->Loop.RunFitter();
+  return VTK_THREAD_RETURN_VALUE;
+}
+
+VTK_THREAD_RETURN_TYPE ServoThreads::RunSampleKeeper(void* info)
+{
+  UserData<ServoThreads>(info)->Loop.RunSampleKeeper();
   return VTK_THREAD_RETURN_VALUE;
 }
 

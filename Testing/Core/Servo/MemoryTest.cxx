@@ -7,14 +7,12 @@
  */
 
 #include "Core/Servo/MemoryLock.h"
+#include "Rigs/MappedFile.h"
 #include "Rigs/PlayedDevice.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
-#include <fstream>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -24,71 +22,10 @@
 
 using namespace servotest;
 
-namespace
-{
-/// The sanitizers make mlock do nothing.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool CanLock = false;
-#else
-constexpr bool CanLock = true;
-#endif
-
-const std::size_t PageSize = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-
-/// Bytes that this process has locked.
-std::size_t LockedBytes()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-  {
-    if (line.compare(0, 6, "VmLck:") == 0)
-    {
-      return 1024 * std::stoul(line.substr(6));
-    }
-  }
-  ADD_FAILURE() << "no VmLck";
-  return 0;
-}
-
-/// A file of nothing but a hole, mapped.
-class SparseFile
-{
-public:
-  explicit SparseFile(std::size_t size)
-    : Size(size)
-  {
-    std::string name = testing::TempDir() + "SparseXXXXXX";
-    const int file = mkstemp(name.data());
-    EXPECT_EQ(ftruncate(file, static_cast<off_t>(size)), 0);
-    this->Begin = mmap(nullptr, size, PROT_READ, MAP_SHARED, file, 0);
-    EXPECT_NE(this->Begin, MAP_FAILED);
-    close(file);
-    unlink(name.c_str());
-  }
-  ~SparseFile() { munmap(this->Begin, this->Size); }
-
-  /// The share of the pages that are in memory.
-  double Resident() const
-  {
-    std::vector<unsigned char> pages(this->Size / PageSize);
-    EXPECT_EQ(mincore(this->Begin, this->Size, pages.data()), 0);
-    std::size_t resident = 0;
-    for (const unsigned char page : pages)
-    {
-      resident += page & 1;
-    }
-    return static_cast<double>(resident) / static_cast<double>(pages.size());
-  }
-
-  const std::size_t Size;
-  void* Begin = nullptr;
-};
-} // namespace
-
 TEST(ServoMemory, AMappedVolumeStaysInItsFile)
 {
   const std::size_t before = LockedBytes();
-  SparseFile file(std::size_t{ 1 } << 30);
+  MappedFile file(std::size_t{ 1 } << 30);
   {
     PlayedDevice device;
     RunningLoop loop(device, 1000.0);
@@ -99,14 +36,14 @@ TEST(ServoMemory, AMappedVolumeStaysInItsFile)
     ASSERT_TRUE(Eventually([&] { return loop->GetAcknowledged() == 1; }));
     const std::uint64_t ticks = loop->GetTickCount();
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > ticks + 50; }));
-    EXPECT_LT(file.Resident(), 0.1) << "no more than what the tip has read";
+    EXPECT_LT(file.Resident(), file.Size / 10) << "no more than what the tip has read";
     const std::size_t locked = LockedBytes() - before;
     EXPECT_LT(locked, std::size_t{ 24 } << 20);
     const bool granted = loop->GetLockedMemory() == ServoLoop::Privilege::Granted;
     EXPECT_TRUE(!granted || !CanLock || locked > sizeof(ServoLoop)) << locked << " bytes";
   }
   EXPECT_EQ(LockedBytes(), before);
-  EXPECT_LT(file.Resident(), 0.1);
+  EXPECT_LT(file.Resident(), file.Size / 10);
 }
 
 TEST(ServoMemory, ALoopThatEndsLeavesTheLocksOfOthers)

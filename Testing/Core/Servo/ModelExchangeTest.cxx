@@ -27,19 +27,19 @@ std::shared_ptr<const HapticModel> MakeModel()
 TEST(ModelExchange, FreesWhatIsNeitherUsedNorHeld)
 {
   ModelExchange exchange;
-  EXPECT_EQ(exchange.Hold(), nullptr);
+  EXPECT_EQ(exchange.Hold(ModelExchange::Fitter), nullptr);
   std::weak_ptr<const HapticModel> first;
   {
     auto model = MakeModel();
     first = model;
     EXPECT_EQ(exchange.Publish(std::move(model)), 1U);
   }
-  EXPECT_EQ(exchange.Hold(), first.lock().get());
+  EXPECT_EQ(exchange.Hold(ModelExchange::Fitter), first.lock().get());
   exchange.Publish(MakeModel());
   exchange.Acknowledge(2);
   exchange.Collect();
   EXPECT_FALSE(first.expired()) << "the fitter holds it";
-  exchange.LetGo();
+  exchange.LetGo(ModelExchange::Fitter);
   exchange.Collect();
   EXPECT_TRUE(first.expired());
   std::weak_ptr<const HapticModel> second = exchange.GetLatest()->Model;
@@ -57,12 +57,12 @@ TEST(ModelExchange, AFitterNeverSeesAModelThatIsFreed)
     {
       while (!done.load())
       {
-        if (const HapticModel* const model = exchange.Hold())
+        if (const HapticModel* const model = exchange.Hold(ModelExchange::Fitter))
         {
           // Sanitizers see whether this is anybody's memory.
           found += FitLocalSurface(*model, { { 5.0, 5.0, 4.0 }, {}, {} }).IsThere ? 1 : 0;
         }
-        exchange.LetGo();
+        exchange.LetGo(ModelExchange::Fitter);
       }
     });
   for (int i = 0; i < 300 || found.load() < 10; ++i)

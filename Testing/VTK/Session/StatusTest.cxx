@@ -37,6 +37,12 @@ TEST_F(DeviceStatus, GoesFromClosedToActiveAndBack)
   EXPECT_TRUE(this->Says("Real-time priority"));
   EXPECT_TRUE(this->Wait([this] { return this->Says(" 100 % of the force passes."); }));
   EXPECT_TRUE(this->Says("locking of the servo's own memory"));
+  EXPECT_TRUE(this->Wait(
+    [this]
+    {
+      return this->Says("of the samples around the tip granted.") ||
+        this->Says("of the samples around the tip refused");
+    }));
   this->Device->Disarm();
   EXPECT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
   EXPECT_TRUE(this->Says(" 0 % of the force passes (not armed)"));

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Servo/SampleKeeper.h"
+
+#include "Core/Model/HapticModel.h"
+#include "Core/Regions/Residency.h"
+#include "Core/Servo/ModelExchange.h"
+#include "Core/Servo/ServoClock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Between two looks at the tip (ns). */
+constexpr std::int64_t LookPeriod = 5 * ServoClock::Millisecond;
+/** Index steps along the axis of the smallest spacing; the first with few enough pages is taken. */
+constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
+/** Of the reach, for what is kept around the proxy if not even the reach has few enough pages. */
+constexpr double Shares[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
+
+/** The most index steps along each axis of a vector of length 1. */
+Vector3 StepsOf(const Affine3& toIndex) noexcept
+{
+  const Matrix3& m = toIndex.Linear;
+  return { Norm(m.Row[0]), Norm(m.Row[1]), Norm(m.Row[2]) };
+}
+
+/** The samples of a view between two indices, with a reach beyond them. */
+SampleBox MakeBox(
+  const VolumeView& view, const Vector3& low, const Vector3& high, const Vector3& reach) noexcept
+{
+  const Vector3 begin = low - reach;
+  const Vector3 end = high + reach;
+  const double first[3] = { begin.X, begin.Y, begin.Z };
+  const double last[3] = { end.X, end.Y, end.Z };
+  SampleBox box;
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto least = static_cast<double>(view.First[a]);
+    const auto most = static_cast<double>(view.Last(a));
+    box.First[a] = static_cast<std::int64_t>(std::clamp(std::floor(first[a]), least, most));
+    box.Last[a] = static_cast<std::int64_t>(std::clamp(std::ceil(last[a]), least, most));
+  }
+  return box;
+}
+
+bool IsWithin(const SampleBox& box, const SampleBox& other) noexcept
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (box.First[a] < other.First[a] || box.Last[a] > other.Last[a])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+bool FindSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
+  std::size_t most, std::vector<SamplePages>& pages)
+{
+  pages.clear();
+  const auto data = reinterpret_cast<std::uintptr_t>(view.Data);
+  const std::int64_t sampleSize = WithSampleType(
+    view.Type, [](auto sample) { return static_cast<std::int64_t>(sizeof(sample)); });
+  const auto addressOf = [&](std::int64_t i, std::int64_t j, std::int64_t k)
+  {
+    return data +
+      static_cast<std::uintptr_t>(sampleSize *
+        ((i - view.First[0]) * view.Stride[0] + (j - view.First[1]) * view.Stride[1] +
+          (k - view.First[2]) * view.Stride[2]));
+  };
+  std::size_t bytes = 0;
+  for (std::int64_t k = box.First[2]; k <= box.Last[2]; ++k)
+  {
+    for (std::int64_t j = box.First[1]; j <= box.Last[1]; ++j)
+    {
+      const std::uintptr_t first = addressOf(box.First[0], j, k) / pageSize * pageSize;
+      const std::uintptr_t last =
+        addressOf(box.Last[0], j, k) + static_cast<std::uintptr_t>(sampleSize) - 1;
+      const std::uintptr_t end = (last / pageSize + 1) * pageSize;
+      const std::uintptr_t known = pages.empty() ? 0 : pages.back().End;
+      const std::uintptr_t begin = std::max(first, known);
+      if (begin >= end)
+      {
+        continue;
+      }
+      bytes += end - begin;
+      if (bytes > most)
+      {
+        return false;
+      }
+      if (!pages.empty() && begin == known)
+      {
+        pages.back().End = end;
+      }
+      else
+      {
+        pages.push_back({ begin, end });
+      }
+    }
+  }
+  return true;
+}
+
+void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
+{
+  // All at once. A fault alone lets the kernel read a lot around it that nothing needs.
+  for (const SamplePages& range : pages)
+  {
+    RequestPages(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);
+  }
+  for (const SamplePages& range : pages)
+  {
+    if (this->IsStopping())
+    {
+      return;
+    }
+    FetchPages(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);
+  }
+  const auto lock = [&pages]() -> std::unique_ptr<MemoryLock>
+  {
+    auto all = std::make_unique<MemoryLock>();
+    const auto isLocked = [&all](const SamplePages& range)
+    { return all->Add(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin); };
+    return std::all_of(pages.begin(), pages.end(), isLocked) ? std::move(all) : nullptr;
+  };
+  // Pages that stay are locked before they are unlocked, if both fit into the limit.
+  std::unique_ptr<MemoryLock> next = lock();
+  if (!next && kept.Lock)
+  {
+    kept.Lock.reset();
+    next = lock();
+  }
+  kept.IsLocked = next != nullptr;
+  kept.Lock = std::move(next);
+}
+
+void SampleKeeper::Keep(
+  const VolumeView& view, const Affine3& deviceToIndex, const Vector3& reach, Kept& kept)
+{
+  if (kept.Of != view.Data)
+  {
+    kept = {};
+  }
+  const Place& place = this->Places.Read();
+  const Vector3 proxy = deviceToIndex(place.Proxy);
+  const Vector3 tip = deviceToIndex(place.Tip);
+  const Vector3 next = deviceToIndex(this->NextTip);
+  const Vector3 low = Least(proxy, tip);
+  const Vector3 high = Most(proxy, tip);
+  const Vector3 nextLow = Least(low, next);
+  const Vector3 nextHigh = Most(high, next);
+  if (kept.Of && IsWithin(MakeBox(view, nextLow, nextHigh, reach), kept.Enough))
+  {
+    return;
+  }
+  const Vector3 steps = StepsOf(deviceToIndex);
+  const double mostSteps = std::max({ steps.X, steps.Y, steps.Z });
+  std::vector<SamplePages> pages;
+  const auto choose = [&](const Vector3& first, const Vector3& last, const Vector3& around)
+  {
+    return FindSamplePages(
+      view, MakeBox(view, first, last, around), GetPageSize(), MostBytes, pages);
+  };
+  const auto fits = [&](int margin)
+  {
+    const Vector3 around = (margin / mostSteps) * steps;
+    kept.Enough = MakeBox(view, nextLow, nextHigh, reach + 0.5 * around);
+    return choose(nextLow, nextHigh, reach + around);
+  };
+  if (!std::any_of(std::begin(Margins), std::end(Margins), fits) && !choose(low, high, reach))
+  {
+    for (const double share : Shares)
+    {
+      if (choose(proxy, proxy, share * reach))
+      {
+        break;
+      }
+    }
+  }
+  kept.Of = view.Data;
+  this->Lock(pages, kept);
+}
+
+void SampleKeeper::Look()
+{
+  const HapticModel* const model = this->Models.Hold(ModelExchange::SampleKeeper);
+  const bool isMoved = this->Places.Update();
+  this->HasPlace = this->HasPlace || isMoved;
+  const Place& place = this->Places.Read();
+  if (!model || !model->Baked->Field.GetView().Data)
+  {
+    this->Scalars = {};
+    this->Labels = {};
+  }
+  else if (this->HasPlace && IsFinite(place.Tip) && IsFinite(place.Proxy))
+  {
+    const Vector3 next = place.Tip + (place.Tip - this->LastTip);
+    this->NextTip = this->Scalars.Of && IsFinite(next) ? next : place.Tip;
+    this->LastTip = place.Tip;
+    const Vector3 reach = FindReadReach(*model);
+    this->Keep(model->Baked->Field.GetView(), model->DeviceToIndex, reach, this->Scalars);
+    if (const BakedLabels* const labels = model->Baked->Labels.get())
+    {
+      const Vector3& steps = model->VoxelsPerMeter;
+      const double length = std::max({ reach.X / steps.X, reach.Y / steps.Y, reach.Z / steps.Z });
+      const Vector3 spare{ ResidencySpare, ResidencySpare, ResidencySpare };
+      this->Keep(labels->View.GetView(), model->DeviceToLabel,
+        length * StepsOf(model->DeviceToLabel) + spare, this->Labels);
+    }
+    else
+    {
+      this->Labels = {};
+    }
+    this->Refused.store(!this->Scalars.IsLocked || (this->Labels.Of && !this->Labels.IsLocked),
+      std::memory_order_relaxed);
+    this->Looks.fetch_add(1, std::memory_order_release);
+  }
+}
+
+void SampleKeeper::Run() noexcept
+{
+  ServoClock::BlockSignals();
+  while (!this->IsStopping())
+  {
+    try
+    {
+      this->Look();
+    }
+    catch (...) // no memory for the lists of pages
+    {
+      this->Refused.store(true, std::memory_order_relaxed);
+    }
+    this->Models.LetGo(ModelExchange::SampleKeeper);
+    ServoClock::SleepUntil(ServoClock::Now() + LookPeriod);
+  }
+  this->Scalars = {};
+  this->Labels = {};
+}
+
+} // namespace VolumeHaptics

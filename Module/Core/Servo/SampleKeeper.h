@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Keeps the samples around the tip in memory, on a thread of its own.
+ *
+ * An array may be mapped from a file that is larger than memory: a tick that reads a page that is
+ * not there waits for the disk. This thread follows the tip. It brings the pages of a box around
+ * tip and proxy into memory before the tip gets there, and locks them as far as the limit of the
+ * user allows (RLIMIT_MEMLOCK). Nothing else of the volume is read.
+ *
+ * The box holds what a tick reads (FindReadReach), also where the tip will be at the next look if
+ * it goes on as it did, and a margin of up to 32 voxels, as far as all this has no more than
+ * SampleKeeper::MostBytes in whole pages. It is renewed when the tip has used up half the margin.
+ * The labels have a box of their own.
+ */
+#ifndef SampleKeeper_h
+#define SampleKeeper_h
+
+#include "Core/Math/Vector3.h"
+#include "Core/Servo/MemoryLock.h"
+#include "Core/Servo/TripleBuffer.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+class ModelExchange;
+struct VolumeView;
+
+/** A box of samples: the indices of its first and its last one, as the view counts them. */
+struct SampleBox
+{
+  std::int64_t First[3] = { 0, 0, 0 };
+  std::int64_t Last[3] = { -1, -1, -1 };
+};
+
+/** Some bytes from the first to the last page that they lie in. */
+struct SamplePages
+{
+  std::uintptr_t Begin = 0; ///< an address
+  std::uintptr_t End = 0;
+};
+
+/**
+ * The whole pages that hold a box of samples, in the order of their addresses and apart from each
+ * other. Ends, with false, where they have more than `most` bytes.
+ */
+bool FindSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
+  std::size_t most, std::vector<SamplePages>& pages);
+
+class SampleKeeper
+{
+public:
+  explicit SampleKeeper(ModelExchange& models) noexcept
+    : Models(models)
+  {
+  }
+
+  /** Of the pages of each of the two boxes. */
+  static constexpr std::size_t MostBytes = std::size_t{ 1 } << 22;
+
+  ///@{
+  /** Runs on the thread until it is stopped; then nothing is locked any more. */
+  void Run() noexcept;
+  void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
+  ///@}
+
+  /** Called by the servo in every tick: tip and proxy (device). */
+  void Follow(const Vector3& tip, const Vector3& proxy) noexcept
+  {
+    this->Places.Write({ tip, proxy });
+  }
+
+  ///@{
+  /**
+   * From any thread: the number of looks that had samples to keep, and whether after the last one
+   * some were not locked.
+   */
+  std::uint64_t GetLooks() const noexcept { return this->Looks.load(std::memory_order_acquire); }
+  bool IsLockRefused() const noexcept { return this->Refused.load(std::memory_order_relaxed); }
+  ///@}
+
+private:
+  struct Place
+  {
+    Vector3 Tip;
+    Vector3 Proxy;
+  };
+  /** The samples of one array that are kept. */
+  struct Kept
+  {
+    const void* Of = nullptr; ///< the array's first sample
+    SampleBox Enough;         ///< as long as the ticks read within this, the box stays
+    bool IsLocked = false;
+    std::unique_ptr<MemoryLock> Lock;
+  };
+
+  void Look();
+  /** `reach` is in index steps. */
+  void Keep(const VolumeView& view, const Affine3& deviceToIndex, const Vector3& reach, Kept& kept);
+  void Lock(const std::vector<SamplePages>& pages, Kept& kept);
+  bool IsStopping() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
+
+  ModelExchange& Models;
+  TripleBuffer<Place> Places;
+  std::atomic<bool> StopRequested{ false };
+  std::atomic<bool> Refused{ false };
+  std::atomic<std::uint64_t> Looks{ 0 };
+
+  // Used by the thread only.
+  bool HasPlace = false;
+  Vector3 LastTip;
+  Vector3 NextTip; ///< where the tip will be at the next look
+  Kept Scalars;
+  Kept Labels;
+};
+
+} // namespace VolumeHaptics
+
+#endif
