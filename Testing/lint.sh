@@ -6,8 +6,8 @@
 #
 # usage: Testing/lint.sh [CHECK...]
 #
-# Checks: format, columns, spelling, python, shell, documents, tidy; all of them by default. clang-tidy looks at the
-# real-time core only, which takes a minute on two cores.
+# Checks: format, columns, spelling, python, shell, documents, tidy, analyze; all of them by default. The last two are
+# clang-tidy's, without and with its analyzer. They look at the real-time core only, and take a minute on two cores.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -80,19 +80,30 @@ check_documents()
   Testing/Package/documents.py
 }
 
-# No build is needed: the core is plain C++17. Some 85 s of one processor.
-check_tidy()
+# usage: run_clang_tidy CHECKS, which are taken off those of .clang-tidy.
+# No build is needed: the core is plain C++17.
+run_clang_tidy()
 {
   require_packages clang-tidy-14 libstdc++-12-dev
   # shellcheck disable=SC2016 # the inner shell expands it
   find Module/Core -name '*.cxx' -print0 | xargs -0 -P "$(nproc)" -I '{}' bash -c '
     options=(-std=c++17 -IModule)
     [[ $1 == *AVX2* ]] && options+=(-mavx2)
-    clang-tidy-14 --quiet --warnings-as-errors="*" "$1" -- "${options[@]}" 2> /dev/null' _ '{}'
+    clang-tidy-14 --quiet --warnings-as-errors="*" --checks="$2" "$1" -- "${options[@]}" 2> /dev/null' _ '{}' "$1"
+}
+
+check_tidy()
+{
+  run_clang_tidy '-clang-analyzer-*'
+}
+
+check_analyze()
+{
+  run_clang_tidy '-bugprone-*,-misc-*,-modernize-*,-performance-*,-readability-*'
 }
 
 failed=()
-for check in "${@:-format columns spelling python shell documents tidy}"; do
+for check in "${@:-format columns spelling python shell documents tidy analyze}"; do
   # One word each, if they are the default.
   for name in $check; do
     echo "== Checking: $name"

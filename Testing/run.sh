@@ -6,11 +6,11 @@
 #
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
-# Without --full, there is a short form of the sanitizer runs and of the fuzzer, there are no benchmarks, and tests with
-# the label "full" are left out, which repeat others in another place; with it, all C++ tests and the calls in any order
-# run under the address and undefined-behaviour sanitizers, those of the device, the scene, the servo and several paths
-# also under the thread sanitizer, the fuzzer searches for five minutes, the benchmarks print their ratios, and the
-# evaluation its whole table.
+# Without --full, there is a short form of the sanitizer runs and of the fuzzer, there are no benchmarks and no analyzer
+# of clang-tidy, and tests with the label "full" are left out, which repeat others in another place; with it, all C++
+# tests and the calls in any order run under the address and undefined-behaviour sanitizers, those of the device, the
+# scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five minutes, the
+# benchmarks print their ratios, and the evaluation its whole table.
 #
 # Tests of devices, screens and packages wait more than they compute: while they run, the next ones are built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -40,9 +40,13 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
 jobs=$(nproc)
 benchmarks=OFF
 left_out='device|full' # labels of tests that ran before, or do not run
+lint=(format columns spelling python shell documents tidy)
+fuzz_options=-O0
 if [ $full = yes ]; then
   benchmarks=ON
   left_out=device
+  lint+=(analyze)
+  fuzz_options=-O1
 fi
 wheel_dir=$(dirname "$build_dir")/wheel
 
@@ -137,7 +141,7 @@ else
   paraview=no
   echo "!!!! SKIPPED: ParaView could not be installed, so its plugin is neither built nor tested !!!!" >&2
 fi
-"$root/Testing/lint.sh"
+"$root/Testing/lint.sh" "${lint[@]}"
 
 echo "== Building in $build_dir"
 build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" -DVolumeHaptics_BUILD_BENCHMARKS="$benchmarks" "$cache"
@@ -174,7 +178,7 @@ else
 fi
 
 finish thread
-start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz"
+start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz" $fuzz_options
 echo "== Tests with the thread sanitizer in $build_dir-thread"
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
 if [ $full = yes ]; then

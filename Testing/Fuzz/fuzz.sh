@@ -5,7 +5,7 @@
 # Searches for bytes that break the tick or what reads the devices' bytes, with Clang's libFuzzer and the
 # address and undefined-behaviour sanitizers.
 #
-# usage: Testing/Fuzz/fuzz.sh build BUILD_DIR
+# usage: Testing/Fuzz/fuzz.sh build BUILD_DIR [-O0]   # builds in half the time, and searches at a third of the pace
 #        Testing/Fuzz/fuzz.sh search BUILD_DIR SECONDS   # of the whole machine, which the targets share
 set -euo pipefail
 
@@ -17,6 +17,7 @@ case $step in
 esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_dir=$2
+optimisation=${3:--O1} # of a build
 targets=(TouchAnything TouchDescriptor TouchFalcon TouchHaply TouchHfab TouchLabels TouchPad)
 
 # All at once. What each found, and that one failed, is told at the end.
@@ -53,7 +54,7 @@ while read -r source; do
     while [[ $(jobs -rp | wc -l) -ge $(nproc) ]]; do
       wait -n
     done
-    clang++ "${options[@]}" -O1 -c -o "$build_dir/$file.o" "$source" &
+    clang++ "${options[@]}" "$optimisation" -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
 done < <(find "$root"/Module/VTK/Files/HapticFiles.cxx "$root"/Module/VTK/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
@@ -64,7 +65,7 @@ for job in $(jobs -p); do
   wait "$job"
 done
 for target in "${targets[@]}"; do
-  clang++ "${options[@]}" -fsanitize=fuzzer -O1 -DVOLUME_HAPTICS_FUZZ_TARGET="$target" \
+  clang++ "${options[@]}" -fsanitize=fuzzer "$optimisation" -DVOLUME_HAPTICS_FUZZ_TARGET="$target" \
     -o "$build_dir/$target" "${objects[@]}" "$build_dir/FieldKernels.o" \
     "$root/Testing/Fuzz/LibFuzzer.cxx" "$root/Testing/Fuzz/$target.cxx"
 done
