@@ -29,6 +29,12 @@ VOLUME_HAPTICS_INLINE constexpr std::int64_t ToLabel(T sample) noexcept
     constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
     return sample <= most ? static_cast<std::int64_t>(sample) : NoLabel;
   }
+  else if constexpr (std::is_floating_point_v<T>)
+  {
+    // Beyond this, and of NaN, the result would not be defined.
+    constexpr T end = T(9223372036854775808.0);
+    return sample >= -end && sample < end ? static_cast<std::int64_t>(sample) : NoLabel;
+  }
   else
   {
     return static_cast<std::int64_t>(sample);

@@ -3,6 +3,7 @@
 #include "VTK/Baking/HapticLabels.h"
 
 #include "Core/Field/LabelSamples.h"
+#include "Core/Field/NoiseEstimate.h"
 #include "VTK/Baking/HapticVolume.h"
 
 #include "vtkDataArray.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <sstream>
 #include <utility>
@@ -22,7 +24,45 @@ namespace
 
 constexpr const char* LabelImage = "label image on input port 3";
 
-/** The first sample that is no whole number; -1 if there is none. */
+/** Whether this is a whole number of at most 2^53: doubles have all of them. False for NaN. */
+template <typename T>
+bool IsWhole(T value)
+{
+  constexpr T most = T(9007199254740992.0);
+  // Numbers from this on have no fraction; added to smaller ones, it rounds them.
+  constexpr T unit = T(1) / std::numeric_limits<T>::epsilon();
+  const T size = std::abs(value);
+  return size <= most && (size >= unit || (size + unit) - unit == size);
+}
+
+/** The first sample of a run that is no whole number; -1 if there is none. */
+template <typename T>
+std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first, std::int64_t end)
+{
+  constexpr std::int64_t piece = 1024;
+  for (std::int64_t from = first; from < end; from += piece)
+  {
+    const std::int64_t to = std::min(from + piece, end);
+    int fractions = 0;
+    for (std::int64_t i = from; i < to; ++i)
+    {
+      fractions += IsWhole(data[i * stride]) ? 0 : 1; // without a branch
+    }
+    for (std::int64_t i = from; i < to && fractions > 0; ++i)
+    {
+      if (!IsWhole(data[i * stride]))
+      {
+        return i;
+      }
+    }
+  }
+  return -1;
+}
+
+/**
+ * A sample that is no whole number; -1 if there is none. Of a large image, some runs of samples are
+ * looked at; wherever else it has fractions, they are cut off.
+ */
 std::int64_t FindFraction(const VolumeView& view)
 {
   return WithSampleType(view.Type,
@@ -31,18 +71,22 @@ std::int64_t FindFraction(const VolumeView& view)
       using T = decltype(sample);
       if constexpr (std::is_floating_point_v<T>)
       {
-        // Doubles have all whole numbers up to this.
-        constexpr T most = T(9007199254740992.0);
+        constexpr std::int64_t runs = 512;
+        constexpr std::int64_t length = 1024;
         const std::int64_t* const n = view.Dimensions;
         const T* const data = static_cast<const T*>(view.Data);
         const std::int64_t points = n[0] * n[1] * n[2];
-        for (std::int64_t i = 0; i < points; ++i)
+        if (!IsLargeVolume(n))
         {
-          const T value = data[i * view.Stride[0]];
-          // Also false for NaN.
-          if (!(std::abs(value) <= most && value == std::floor(value)))
+          return FindFraction(data, view.Stride[0], 0, points);
+        }
+        for (std::int64_t run = 0; run < runs; ++run)
+        {
+          const std::int64_t first = points / runs * run;
+          const std::int64_t found = FindFraction(data, view.Stride[0], first, first + length);
+          if (found >= 0)
           {
-            return i;
+            return found;
           }
         }
       }

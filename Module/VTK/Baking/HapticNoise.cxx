@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticNoise.h"
 
+#include "VTK/Baking/SampleRange.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 
@@ -53,7 +55,7 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
   if (!IsLargeVolume(samples.Dimensions))
   {
     double range[2];
-    scalars->GetRange(range, component);
+    FindRange(scalars, component, range);
     samples.MergeRange(range);
   }
 }
@@ -78,7 +80,7 @@ FoundNoise FindNoise(
   FoundNoise noise;
   noise.Noise = EstimateNoise(samples);
   std::copy_n(samples.Range, 2, noise.Range);
-  // VTK notes an array's range in the array, whose time of change this may move on.
+  // Arrays of other layouts note their range in themselves, which may move on their time of change.
   known[next] = { MakeNoiseKey(image, scalars, view, component), noise };
   next = (next + 1) % MostKnown;
   return noise;

@@ -3,7 +3,10 @@
 #include "VTK/Baking/HapticSurface.h"
 
 #include "Core/Math/Vector3.h"
+#include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticTuples.h"
+#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Baking/SampleRange.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -167,6 +170,21 @@ std::shared_ptr<const SurfaceMesh> MeshOf(const IsoInput& iso, GoesOn&& goesOn)
     : nullptr;
 }
 
+/** Whether the range is that of all scalars; else, in a large volume, of its noise's samples. */
+bool FindScalarRange(const IsoSurface& iso, double range[2])
+{
+  VolumeView view;
+  vtkSmartPointer<vtkDataArray> holder;
+  if (!LocateSamples(iso.Scalars, iso.Component, iso.Image->GetDimensions(), view, holder) ||
+    !IsLargeVolume(view.Dimensions))
+  {
+    FindFiniteRange(iso.Scalars, iso.Component, range);
+    return true;
+  }
+  std::copy_n(FindNoise(iso.Image, iso.Scalars, view, iso.Component).Range, 2, range);
+  return false;
+}
+
 /** The mesh of an isosurface, if it can be touched. */
 std::shared_ptr<const SurfaceMesh> CheckMesh(
   const std::shared_ptr<const SurfaceMesh>& mesh, const IsoSurface& iso, std::string& error)
@@ -179,11 +197,11 @@ std::shared_ptr<const SurfaceMesh> CheckMesh(
   if (!mesh || mesh->GetNumberOfTriangles() == 0)
   {
     double range[2];
-    iso.Scalars->GetFiniteRange(range, iso.Component);
+    const bool isExact = FindScalarRange(iso, range);
     std::ostringstream message;
     message << "There is no isosurface at the IsoValue " << iso.Value
             << " of vtkVolumeHapticsFilter: the scalars of the input image go from " << range[0]
-            << " to " << range[1]
+            << " to " << range[1] << (isExact ? "" : ", as far as some samples of them tell")
             << ". SetIsoValue() to a value between them, or connect a surface to input port 2.";
     error = message.str();
     return nullptr;

@@ -6,6 +6,7 @@
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Baking/SampleRange.h"
 #include "VTK/Proposal/EdgeSearch.h"
 
 #include "vtkDataArray.h"
@@ -124,7 +125,7 @@ bool ProposeFromVolume(
   }
   else
   {
-    scalars->GetFiniteRange(range, component);
+    FindFiniteRange(scalars, component, range);
   }
   if (fewest < LeastPoints)
   {

@@ -8,6 +8,8 @@
 #include "Rigs/ApiRig.h"
 
 #include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkSignedCharArray.h>
 #include <vtkSphereSource.h>
 
 #include <limits>
@@ -26,7 +28,23 @@ protected:
 TEST_F(BadSurface, WithoutAnIsosurfaceThereIsAnErrorThatSaysTheRange)
 {
   this->Filter->SetIsoValue(5000.0);
-  this->ExpectError({ "IsoValue 5000", "from", "SetIsoValue", "port 2" });
+  this->ExpectError({ "IsoValue 5000", "go from 0 to 1500. Set", "SetIsoValue", "port 2" });
+}
+
+TEST_F(BadSurface, TheRangeOfALargeVolumeIsThatOfSomeSamples)
+{
+  // More than 2^26 samples.
+  constexpr int n = 408;
+  vtkNew<vtkSignedCharArray> samples;
+  samples->SetNumberOfValues(vtkIdType{ n } * n * n);
+  samples->FillValue(7);
+  samples->SetValue(1000, 9); // lies between those that are looked at
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(n, n, n);
+  image->GetPointData()->SetScalars(samples);
+  this->Filter->SetInputData(0, image);
+  this->Filter->SetIsoValue(50.0);
+  this->ExpectError({ "IsoValue 50", "from 7 to 7, as far as some samples of them tell" });
 }
 
 TEST_F(BadSurface, ASurfaceHasTriangles)

@@ -11,6 +11,11 @@
 #include "Core/Servo/SampleKeeper.h"
 #include "Rigs/DeviceRig.h"
 #include "Rigs/GatedArray.h"
+#include "Rigs/MappedFile.h"
+
+#include <vtkFloatArray.h>
+#include <vtkHapticLabelTable.h>
+#include <vtkPointData.h>
 
 using namespace devicetest;
 
@@ -86,6 +91,34 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
     EXPECT_LT(this->CountPages(volume), felt + MostPagesOfAProposal) << "a proposal, " << size;
     // The image goes before its memory.
     this->Filter->SetInputData(0, this->Image);
+    this->Filter->Update();
+  }
+}
+
+TEST_F(Scale, LabelsOfFloatingPointAreCheckedInPlaces)
+{
+  for (const int size : { 512, 640 })
+  {
+    const auto count = vtkIdType{ size } * size * size;
+    servotest::MappedFile file(sizeof(float) * static_cast<std::size_t>(count));
+    (void)madvise(file.Begin, file.Size, MADV_RANDOM); // without reading ahead
+    vtkNew<vtkFloatArray> labels;
+    labels->SetArray(static_cast<float*>(file.Begin), count, 1);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(size, size, size);
+    image->GetPointData()->SetScalars(labels);
+    vtkNew<vtkHapticLabelTable> table;
+    table->SetStiffness(0, 300.0);
+    this->Filter->SetLabelTable(table);
+    this->Filter->SetLabelData(image);
+    ASSERT_NO_FATAL_FAILURE(this->Begin());
+    ASSERT_TRUE(this->WaitTicks(20));
+    EXPECT_EQ(this->Device->GetLabel(), 0);
+    const std::size_t pages = file.Resident() / 4096;
+    EXPECT_GE(pages, 512U);
+    EXPECT_LT(pages, 2 * 512 + 1000 + MostKept) << size;
+    this->Device->Close();
+    this->Filter->SetLabelData(nullptr);
     this->Filter->Update();
   }
 }
