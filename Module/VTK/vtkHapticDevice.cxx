@@ -160,6 +160,7 @@ bool vtkHapticDevice::UpdateState()
   const bool wasForbidden = this->IsAtForbiddenLabel();
   const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
   this->Internals->Orders.TellMemoryTrouble();
+  this->Internals->Orders.FollowRegion();
   if (!wasForbidden && this->IsAtForbiddenLabel())
   {
     this->InvokeEvent(vtkCommand::UserEvent);

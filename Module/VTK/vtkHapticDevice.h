@@ -50,7 +50,11 @@
  * until it is ready. When it is unplugged, stops answering, loses its zero, or the computer was
  * asleep, the force is cut and stays off until the user calls Home() or Open(), and then Arm().
  *
- * @sa vtkVolumeHapticsFilter, vtkHapticHardware, vtkHapticRegionFilter, vtkHapticRegionPlanner
+ * If a vtkHapticRegionSource is on port 0 of the filter, UpdateState has it read the region around
+ * the tip, and publishes each that has come.
+ *
+ * @sa vtkVolumeHapticsFilter, vtkHapticHardware, vtkHapticRegionFilter, vtkHapticRegionPlanner,
+ * vtkHapticRegionSource
  */
 #ifndef vtkHapticDevice_h
 #define vtkHapticDevice_h

@@ -4,18 +4,15 @@
 
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticRegionSettings.h"
+#include "VTK/Baking/WholeFacts.h"
 #include "VTK/Files/HapticFiles.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
@@ -29,15 +26,6 @@ vtkStandardNewMacro(vtkHapticRegionFilter);
 
 namespace
 {
-template <typename Array>
-vtkSmartPointer<Array> NewField(vtkImageData* output, const char* name)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  output->GetFieldData()->AddArray(array);
-  return array;
-}
-
 vtkIdType TupleOf(const int extent[6], int i, int j, int k)
 {
   const vtkIdType nx = vtkIdType{ extent[1] } - extent[0] + 1;
@@ -179,17 +167,12 @@ bool vtkHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* arra
 //------------------------------------------------------------------------------
 void vtkHapticRegionFilter::WriteFacts(const int whole[6], vtkImageData* output)
 {
-  const auto extent = NewField<vtkIntArray>(output, GetWholeExtentName());
-  std::for_each(whole, whole + 6, [&](int bound) { extent->InsertNextValue(bound); });
-  const auto noise = NewField<vtkDoubleArray>(output, GetNoiseName());
-  const auto border = NewField<vtkDoubleArray>(output, GetBorderValueName());
-  for (std::size_t c = 0; c < this->Noise.size(); ++c)
-  {
-    noise->InsertNextValue(this->Noise[c]);
-    border->InsertNextValue(this->BorderValues[c]);
-  }
-  NewField<vtkDoubleArray>(output, GetWholeTimeName())
-    ->InsertNextValue(static_cast<double>(this->GatheredTime));
+  VolumeHaptics::WholeFields facts;
+  std::copy(whole, whole + 6, facts.Extent);
+  facts.Noise = this->Noise;
+  facts.BorderValues = this->BorderValues;
+  facts.Time = static_cast<double>(this->GatheredTime);
+  VolumeHaptics::WriteWholeFacts(facts, output);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "VTK/Baking/RegionSeries.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Large/RegionsAlongPath.h"
 #include "VTK/Trace/HapticTrace.h"
 #include "VTK/Trace/RecordedLabels.h"
 #include "VTK/Trace/RecordingNames.h"
@@ -26,6 +27,7 @@
 #include "vtkFieldData.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -72,6 +74,12 @@ std::string DescribeLackOfMemory(vtkImageData* image)
              "SURFACE_PROXY "
              "takes the most.";
   return message.str();
+}
+
+/** The source of the image if it has regions of a volume only; else null. */
+vtkHapticRegionSource* FindRegionSource(vtkAlgorithm* filter)
+{
+  return vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));
 }
 
 /** Runs the sources of the image, the surface and the labels; false if one of them failed. */
@@ -377,6 +385,10 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
 {
   std::string error;
+  if (vtkHapticRegionSource* const source = FindRegionSource(this))
+  {
+    source->UseSettingsOf(this);
+  }
   const char* const hint = UpdateSources(this) ? "" : FailedSource;
   vtkDataObject* const surface = this->GetInputDataObject(2, 0);
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
@@ -499,6 +511,12 @@ int vtkVolumeHapticsFilter::RequestData(
   {
     return this->TouchPath(image, vtkPolyData::GetData(inputs[1]), output, ticks);
   }
+  catch (const RegionLost& lost)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< Printable(lost.what()));
+    return 0;
+  }
   catch (const std::bad_alloc&)
   {
     output->Initialize();
@@ -518,10 +536,26 @@ int vtkVolumeHapticsFilter::TouchPath(
   TipPaths paths;
   const bool readable = !path || paths.Read(path, period, error);
   const RecordedPath* const recording = paths.GetRecording();
+  vtkHapticRegionSource* const source = FindRegionSource(this);
+  if (source && (!path || !readable || recording))
+  {
+    error = recording ? "The path on port 1 is a recording, which can't be replayed through a "
+                        "vtkHapticRegionSource: connect the whole image that it was made with."
+                      : error;
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< Printable(error));
+    }
+    return error.empty() ? 1 : 0;
+  }
+  const RegionsAlongPath regions(source,
+    [&](vtkImageData* region, std::string& flaw)
+    { return this->BakeImage(region, period, ForceCaps{}, nullptr, flaw); });
   std::string imageError;
-  std::shared_ptr<const HapticModel> model =
-    this->BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{}, nullptr,
-      imageError, recording ? path : nullptr);
+  std::shared_ptr<const HapticModel> model = source
+    ? regions.Begin()
+    : this->BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{}, nullptr,
+        imageError, recording ? path : nullptr);
   if (!model || !readable)
   {
     error = model ? error : imageError;
@@ -541,7 +575,10 @@ int vtkVolumeHapticsFilter::TouchPath(
 
   ticks = paths.GetNumberOfTicks();
   HapticTrace trace(ticks, this->TraceArrays, model->Baked->Labels != nullptr);
-  TipPathsWalk walk(paths, model, trace);
+  TipPathsWalk walk(paths, model, trace,
+    source ? [&regions](auto felt, const ServoState& state, const Vector3& tip)
+      { return regions.Find(std::move(felt), state, tip); }
+           : ModelFinder());
   while (!walk.IsDone())
   {
     this->UpdateProgress(walk.GetProgress());

@@ -49,7 +49,9 @@
  * vtkHapticProperty::SetComponent). Its origin, spacing and direction matrix are honoured. It is
  * not copied. It may be a region of a larger volume, as vtkHapticRegionFilter makes it: it then
  * feels like the whole, to the bit. If the region lacks data that a tick needs, the force fades
- * within 50 ms and the proxy is put on the tip; force comes back in the same way.
+ * within 50 ms and the proxy is put on the tip; force comes back in the same way. With a
+ * vtkHapticRegionSource, which reads the regions by itself, ticks along a path wait for their data
+ * instead.
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
@@ -116,7 +118,8 @@
  * piece 0 requests the whole image and is the whole trace; the others request nothing and are
  * empty.
  *
- * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter
+ * @sa vtkVolumeHapticsAlgorithm, vtkHapticProperty, vtkHapticDevice, vtkHapticRegionFilter,
+ * vtkHapticRegionSource
  */
 #ifndef vtkVolumeHapticsFilter_h
 #define vtkVolumeHapticsFilter_h

@@ -83,6 +83,7 @@ allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers VTK/Work)
 allow(VTK/Proposal Core/Math Core/Field Core/Proposal VTK/Baking)
 allow(VTK/Files)
 allow(VTK/Labels VTK/Files)
+allow(VTK/Large Core/Math Core/Field Core/Model Core/Regions Core/Solvers Core/Servo/ServoClock.h VTK/Baking VTK/Files)
 allow(VTK/Trace Core VTK/Baking VTK/Files)
 allow(VTK/Recording Core VTK/Files VTK/Trace)
 # Threads for work on volumes: of the core, only the clock.
@@ -129,7 +130,8 @@ forbid("Sound must not know VTK." "[\"</]vtk[A-Za-z0-9_]*\\.h" ${explorer}/Sound
 forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|PiecewiseTable)\\.h" Devices)
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"
-  VTK/Baking VTK/Proposal VTK/Files VTK/Trace
+  VTK/Baking VTK/Large VTK/Proposal VTK/Files VTK/Trace
+  VTK/vtkHapticRegionSource.h VTK/vtkHapticRegionSource.cxx
   VTK/vtkVolumeHapticsFilter.h VTK/vtkVolumeHapticsFilter.cxx
   VTK/vtkVolumeHapticsAlgorithm.h VTK/vtkVolumeHapticsAlgorithm.cxx)
 forbid("The module must not know ParaView or Qt." "[\"<](vtkPV|vtkSM([A-OQ-Z]|P[a-z]|PV)|vtkSI|pq|Q[A-Z])" Core Devices VTK)

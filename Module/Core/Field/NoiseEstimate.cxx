@@ -151,6 +151,50 @@ bool IsLargeVolume(const std::int64_t dimensions[3])
   return n[0] > 0 && n[1] > 0 && n[2] > MostSamplesRead / n[0] / n[1];
 }
 
+bool IsLargeVolume(const int extent[6])
+{
+  std::int64_t dimensions[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    dimensions[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
+  }
+  return IsLargeVolume(dimensions);
+}
+
+std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6])
+{
+  NoiseSamples samples;
+  for (int a = 0; a < 3; ++a)
+  {
+    samples.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
+  }
+  const std::array<BlockAxis, 3> axes = AxesOf(samples);
+  std::vector<std::array<int, 6>> boxes;
+  const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
+  for (std::int64_t b = 0; b < blocks; ++b)
+  {
+    const std::int64_t at[3] = { b % axes[0].Blocks, b / axes[0].Blocks % axes[1].Blocks,
+      b / axes[0].Blocks / axes[1].Blocks };
+    std::array<int, 6> box{};
+    for (int a = 0; a < 3; ++a)
+    {
+      box[2 * a] = whole[2 * a] + static_cast<int>(at[a] * axes[a].Step);
+      box[2 * a + 1] = box[2 * a] + BlockSide - 1;
+    }
+    boxes.push_back(box);
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    std::array<int, 6> box{};
+    for (int a = 0; a < 3; ++a)
+    {
+      box[2 * a] = box[2 * a + 1] = whole[2 * a + ((corner >> a) & 1)];
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples)
 {

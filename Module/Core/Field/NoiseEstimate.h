@@ -12,7 +12,9 @@
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Math/Vector3.h"
 
+#include <array>
 #include <functional>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -26,6 +28,15 @@ constexpr std::int64_t MostSamplesRead = std::int64_t{ 1 } << 26;
 
 /** Whether a volume is large: it has more than MostSamplesRead samples. */
 bool IsLargeVolume(const std::int64_t dimensions[3]);
+
+/** The same of an extent. */
+bool IsLargeVolume(const int extent[6]);
+
+/**
+ * Boxes (extents) of a large volume that together hold all noise samples: one for each block, and
+ * one for each corner.
+ */
+std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6]);
 
 /** Returns the sample with a number, i + n_x (j + n_y k), of a piece of a volume. */
 using SampleReader = std::function<double(std::int64_t)>;

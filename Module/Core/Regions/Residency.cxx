@@ -51,23 +51,22 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
   return Most(values, kernel);
 }
 
-double FindResidency(const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
+bool FindReadBox(
+  const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
   const bool readsMesh = settings.Method == HapticMethod::SurfaceProxy && !settings.HasIsoSurface;
   // The tick itself handles a tip that is not finite.
-  if (model.Resident.IsWhole() || readsMesh || !IsFinite(tip))
+  if (readsMesh || !IsFinite(tip))
   {
-    return 1.0;
+    return false;
   }
-  const Vector3 at = model.DeviceToIndex(tip);
-  Vector3 low = at;
-  Vector3 high = at;
-  Vector3 margin = FindReadReach(model);
+  box.Low = box.High = model.DeviceToIndex(tip);
+  box.Margin = FindReadReach(model);
   const auto include = [&](const Vector3& index)
   {
-    low = Least(low, index);
-    high = Most(high, index);
+    box.Low = Least(box.Low, index);
+    box.High = Most(box.High, index);
   };
   if (state.Enabled && settings.Method != HapticMethod::ForceField)
   {
@@ -84,10 +83,18 @@ double FindResidency(const HapticModel& model, const ServoState& state, const Ve
       // The nearest point of a surface that is met ahead may lie on any side.
       const double most = LocalReachAhead * model.Baked->LargestSpacing;
       const double ahead = std::fmin(Norm(request.Ahead), most) - LocalDistance(model);
-      margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
+      box.Margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
     }
   }
-  return model.Resident.Find(low, high, margin);
+  return true;
+}
+
+double FindResidency(const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept
+{
+  ReadBox box;
+  return !model.Resident.IsWhole() && FindReadBox(model, state, tip, box)
+    ? model.Resident.Find(box.Low, box.High, box.Margin)
+    : 1.0;
 }
 
 } // namespace VolumeHaptics

@@ -36,6 +36,18 @@ constexpr double ResidencySpare = 3.0;
  */
 Vector3 FindReadReach(const HapticModel& model) noexcept;
 
+/** The samples that a tick can read: those between two corners (index steps), and a margin. */
+struct ReadBox
+{
+  Vector3 Low;
+  Vector3 High;
+  Vector3 Margin; ///< along each axis, to either side
+};
+
+/** Finds that box for the tick that takes a state to a tip (device); false if it reads none. */
+bool FindReadBox(
+  const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept;
+
 /** The residency of the tick that takes a state to a tip (device): 0 to 1. */
 double FindResidency(
   const HapticModel& model, const ServoState& state, const Vector3& tip) noexcept;

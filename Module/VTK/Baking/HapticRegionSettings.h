@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The settings of vtkHapticRegionPlanner and vtkHapticRegionFilter, one row each: see
- * HapticSetting.h.
+ * The settings of vtkHapticRegionPlanner, vtkHapticRegionFilter and vtkHapticRegionSource, one row
+ * each: see HapticSetting.h.
  */
 #ifndef HapticRegionSettings_h
 #define HapticRegionSettings_h
@@ -12,6 +12,7 @@
 
 #include "vtkHapticRegionFilter.h"
 #include "vtkHapticRegionPlanner.h"
+#include "vtkHapticRegionSource.h"
 
 namespace VolumeHaptics
 {
@@ -19,6 +20,8 @@ namespace VolumeHaptics
 using PlannerSetting = HapticSetting<vtkHapticRegionPlanner>;
 using PlannerVector = HapticVectorSetting<vtkHapticRegionPlanner>;
 using RegionFilterVector = HapticVectorSetting<vtkHapticRegionFilter>;
+using RegionSourceSetting = HapticSetting<vtkHapticRegionSource>;
+using RegionSourceVector = HapticVectorSetting<vtkHapticRegionSource>;
 
 namespace PlannerSettingRows
 {
@@ -63,9 +66,43 @@ inline constexpr RegionFilterVector Vectors[] = { HapticVectorMacro(Region, int,
   0, -1, 0, -1, 0, -1) };
 } // namespace RegionFilterSettingRows
 
+namespace RegionSourceSettingRows
+{
+using Owner = vtkHapticRegionSource;
+
+inline constexpr SettingChoice ByteOrderNames[] = { { "Little", "Little endian" },
+  { "Big", "Big endian" } };
+
+inline constexpr RegionSourceVector Vectors[] = {
+  HapticVectorMacro(WholeExtent, int, 6, -LargestInteger, LargestInteger, "",
+    "The extent of the whole volume. Default (0, -1, 0, -1, 0, -1): none.", 0, -1, 0, -1, 0, -1),
+  HapticVectorMacro(Origin, double, 3, -LargestNumber, LargestNumber, "",
+    "The origin of the whole volume, as that of vtkImageData. Default (0, 0, 0).", 0.0, 0.0, 0.0),
+  HapticVectorMacro(Spacing, double, 3, -LargestNumber, LargestNumber, "",
+    "The spacing of the whole volume (world units). Default (1, 1, 1).", 1.0, 1.0, 1.0),
+  HapticVectorMacro(Direction, double, 9, -LargestNumber, LargestNumber, "",
+    "The direction of the whole volume: nine numbers, row by row. Default: the identity.", 1.0, 0.0,
+    0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+};
+
+inline constexpr RegionSourceSetting All[] = {
+  HapticIntegerMacro(ScalarType, 2, 17, 4, "", NotBaked,
+    "The type of the samples: VTK_SHORT (4, default), VTK_FLOAT (10) or another type of numbers."),
+  HapticNumberMacro(HeaderSize, 0, 1099511627776.0, 0, "bytes", NotBaked,
+    "The size (bytes) of the header of the file, which is left out. Default 0."),
+  HapticChoiceMacro(ByteOrder, 0, NotBaked,
+    "The byte order of the file: LITTLE (default), that is, least significant byte first, or BIG."),
+  HapticNumberMacro(MemoryLimit, 4194304.0, 1099511627776.0, 67108864.0, "bytes", NotBaked,
+    "The most memory (bytes) that regions take live, 4194304 (4 MiB) to 2^40. Default 67108864 (64 "
+    "MiB)."),
+};
+} // namespace RegionSourceSettingRows
+
 inline constexpr const auto& PlannerVectors = PlannerSettingRows::Vectors;
 inline constexpr const auto& PlannerSettings = PlannerSettingRows::All;
 inline constexpr const auto& RegionFilterVectors = RegionFilterSettingRows::Vectors;
+inline constexpr const auto& RegionSourceVectors = RegionSourceSettingRows::Vectors;
+inline constexpr const auto& RegionSourceSettings = RegionSourceSettingRows::All;
 
 } // namespace VolumeHaptics
 

@@ -3,9 +3,12 @@
 #include "VTK/Baking/WholeFacts.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkHapticRegionFilter.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 
 #include <cmath>
 #include <sstream>
@@ -59,6 +62,18 @@ vtkDataArray* FindNumbers(
   error = message.str();
   error += error.empty() ? "" : Cure;
   return error.empty() ? array : nullptr;
+}
+
+template <typename Array, typename Numbers>
+void AddField(vtkImageData* image, const char* name, const Numbers& numbers)
+{
+  const vtkNew<Array> array;
+  array->SetName(name);
+  for (const auto number : numbers)
+  {
+    array->InsertNextValue(number);
+  }
+  image->GetFieldData()->AddArray(array);
 }
 
 } // namespace
@@ -117,6 +132,16 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
   }
   error = message.str();
   return error.empty();
+}
+
+void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
+{
+  using Names = vtkHapticRegionFilter;
+  AddField<vtkIntArray>(region, Names::GetWholeExtentName(), facts.Extent);
+  AddField<vtkDoubleArray>(region, Names::GetNoiseName(), facts.Noise);
+  AddField<vtkDoubleArray>(region, Names::GetBorderValueName(), facts.BorderValues);
+  const double time[] = { facts.Time };
+  AddField<vtkDoubleArray>(region, Names::GetWholeTimeName(), time);
 }
 
 } // namespace VolumeHaptics

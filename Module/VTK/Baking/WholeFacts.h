@@ -8,6 +8,7 @@
 #define WholeFacts_h
 
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -26,6 +27,18 @@ struct WholeFacts
 
 /** Reads the field arrays. False, with the cure in `error`, if they are malformed. */
 bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::string& error);
+
+/** The facts for all components of an image. */
+struct WholeFields
+{
+  int Extent[6] = {};
+  std::vector<double> Noise;
+  std::vector<double> BorderValues;
+  double Time = 0.0;
+};
+
+/** Writes the field arrays of a region. */
+void WriteWholeFacts(const WholeFields& facts, vtkImageData* region);
 
 } // namespace VolumeHaptics
 

@@ -213,6 +213,17 @@ void DeviceOrders::Follow()
   }
 }
 
+void DeviceOrders::FollowRegion()
+{
+  std::string status;
+  const bool hasCome = this->Session.IsRunning() && this->Models.FollowRegion(status);
+  this->Session.NoteRegion(status);
+  if (hasCome)
+  {
+    this->Publish();
+  }
+}
+
 bool DeviceOrders::LetForceThrough(const std::function<void()>& order)
 {
   if (!this->Session.IsReady())

@@ -45,6 +45,8 @@ public:
   void Follow();
   /** Ends that making. */
   void EndPreparing();
+  /** Publishes another region of the volume when it has come: see vtkHapticRegionSource. */
+  void FollowRegion();
   /** Sends the device's limits to the running servo. */
   void SendLimits();
 

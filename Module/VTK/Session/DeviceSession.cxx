@@ -174,6 +174,7 @@ void DeviceSession::Stop()
     this->Servo->End();
     ReleaseServo(this->Servo.get());
     this->Servo.reset();
+    this->RegionStatus.clear();
     this->State.Gate = GateState::Disarmed;
     this->State.Reason = GateReason::Ordered;
     this->State.Share = 0.0;
@@ -410,6 +411,7 @@ DeviceStatus DeviceSession::GetStatus() const
       (share == ShareUnknown ? "."
                              : " (" + std::to_string(static_cast<int>(percent * share)) + " %).");
   }
+  status.BackgroundWork += this->RegionStatus.empty() ? "" : " " + this->RegionStatus;
   if (this->Servo)
   {
     status.State = &this->State;

@@ -138,6 +138,8 @@ public:
    * done, or that this is not known, or that it has ended.
    */
   void NoteBackgroundWork(const std::string& what, double share);
+  /** For the status, the news of a volume that is read by regions; empty if nothing is awaited. */
+  void NoteRegion(const std::string& status) { this->RegionStatus = status; }
   /** Whether the device is open and, as far as is known now, can be felt. */
   bool IsReady() const
   {
@@ -215,6 +217,7 @@ private:
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
   std::map<std::string, double> BackgroundWorks; // with the share that is done
+  std::string RegionStatus;
   std::vector<Work> Works;
   std::set<int> Readers; ///< numbers of AddReader
 };

@@ -9,6 +9,7 @@
 #include "VTK/Session/HapticLongWork.h"
 
 #include "vtkHapticDevice.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkVolumeHapticsFilter.h"
 
 namespace VolumeHaptics
@@ -84,6 +85,21 @@ void ModelSource::EndPreparing()
     HapticBaker(this->Filter).EndPreparing();
   }
   this->Awaited = nullptr;
+}
+
+bool ModelSource::FollowRegion(std::string& status)
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  const vtkSmartPointer<vtkHapticRegionSource> source =
+    filter ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) : nullptr;
+  if (!source)
+  {
+    return false;
+  }
+  const ServoSnapshot& state = this->Session.GetState();
+  const bool hasCome = state.Time > 0.0 && source->Follow(this->Session.Tip, state.Time, filter);
+  status = source->GetStatusText();
+  return hasCome;
 }
 
 bool ModelSource::IsUpToDate() const

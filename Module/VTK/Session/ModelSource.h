@@ -56,6 +56,12 @@ public:
   /** Whether Make was called, successfully or not, since the filter or its input last changed. */
   bool IsUpToDate() const;
 
+  /**
+   * If the volume is read region by region, has its source follow the latest tip. Returns whether
+   * it has another region: then the model is out of date. `status` tells what the source waits for.
+   */
+  bool FollowRegion(std::string& status);
+
   /** See vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TipPathWalk.h"
 
+#include <utility>
+
 namespace VolumeHaptics
 {
 
-TipPathWalk::TipPathWalk(const TipReader& tips)
+TipPathWalk::TipPathWalk(const TipReader& tips, const ModelFinder* finder)
   : Tips(tips)
+  , Finder(finder)
 {
 }
 
@@ -20,7 +23,12 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
 {
   if (this->Tips)
   {
-    this->Step(*model, model->WorldToDevice(this->Tips->Next()), LocalSurfaceResult::Simulated());
+    const Vector3 tip = model->WorldToDevice(this->Tips->Next());
+    if (this->Finder)
+    {
+      model = (*this->Finder)(std::move(model), this->State, tip);
+    }
+    this->Step(*model, tip, LocalSurfaceResult::Simulated());
     return model;
   }
   const RecordedPath& recording = *this->Recording;

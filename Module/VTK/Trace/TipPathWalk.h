@@ -13,19 +13,28 @@
 #include "VTK/Trace/TipReader.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 
 namespace VolumeHaptics
 {
 
+/** Finds the model for the next tick, to a tip (device), instead of the one of the last tick. */
+using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
+  std::shared_ptr<const HapticModel>, const ServoState&, const Vector3&)>;
+
 class TipPathWalk
 {
 public:
-  explicit TipPathWalk(const TipReader& tips);
+  /** With a finder, each tick has the model that it finds; the finder has to live longer. */
+  explicit TipPathWalk(const TipReader& tips, const ModelFinder* finder = nullptr);
   explicit TipPathWalk(const RecordedPath& recording);
 
-  /** Computes the next tick. Returns its model: the given one, placed as the recording says. */
+  /**
+   * Computes the next tick. Returns its model: the given one, placed as the recording says, or the
+   * one that was found. Throws what the finder throws.
+   */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
   /** The record of the last tick. */
   const TickRecord& GetRecord() const;
@@ -36,6 +45,7 @@ private:
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
 
   std::optional<TipReader> Tips; ///< empty for a recording
+  const ModelFinder* const Finder = nullptr;
   const RecordedPath* const Recording = nullptr;
   std::size_t Next = 0; ///< of a recording
   ServoState State;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TipPathsWalk.h"
 
-#include "VTK/Trace/TipPathWalk.h"
 #include "VTK/Trace/TracePart.h"
 
 #include "vtkSMPTools.h"
@@ -36,10 +35,11 @@ bool IsFiniteRecord(const TickRecord& record)
 /** A path on its way. */
 struct TipPathsWalk::Runner
 {
-  Runner(const TipPaths& paths, std::size_t path, std::shared_ptr<const HapticModel> model)
+  Runner(const TipPaths& paths, std::size_t path, std::shared_ptr<const HapticModel> model,
+    const ModelFinder& finder)
     : Path(path)
     , Walk(paths.GetRecording() ? TipPathWalk(*paths.GetRecording())
-                                : TipPathWalk(TipReader(paths, path)))
+                                : TipPathWalk(TipReader(paths, path), finder ? &finder : nullptr))
     , Model(std::move(model))
   {
   }
@@ -50,16 +50,18 @@ struct TipPathsWalk::Runner
   WorkMeter Work;
 };
 
-TipPathsWalk::TipPathsWalk(
-  const TipPaths& paths, std::shared_ptr<const HapticModel> model, const HapticTrace& trace)
+TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
+  const HapticTrace& trace, ModelFinder finder)
   : Paths(paths)
   , Model(std::move(model))
   , Trace(trace)
+  , Finder(std::move(finder))
 {
   const std::size_t count = paths.GetNumberOfPaths();
   const auto threads = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
-  const auto stretches = static_cast<vtkIdType>(
-    std::clamp<std::size_t>(count, 1, StretchesOfAThread * std::max<std::size_t>(1, threads)));
+  const std::size_t most =
+    this->Finder ? 1 : StretchesOfAThread * std::max<std::size_t>(1, threads);
+  const auto stretches = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, most));
   this->Stretch = std::max(ShortestStretch, paths.GetNumberOfTicks() / (Rounds * stretches));
   this->RoundTicks = stretches * this->Stretch;
   this->Rows.reserve(count);
@@ -93,7 +95,8 @@ void TipPathsWalk::Fill()
   {
     if (const vtkIdType stretch = this->GetNextStretch(this->NextPath); stretch > 0)
     {
-      this->Running.push_back(std::make_unique<Runner>(this->Paths, this->NextPath, this->Model));
+      this->Running.push_back(
+        std::make_unique<Runner>(this->Paths, this->NextPath, this->Model, this->Finder));
       ticks += stretch;
     }
   }
@@ -119,9 +122,10 @@ void TipPathsWalk::Advance()
       }
     }
   };
-  if (this->Running.size() == 1)
+  if (this->Running.size() == 1 || this->Finder)
   {
-    advance(0, 1); // here: a single path needs no thread
+    // Here: a single path needs no thread, and a finder may throw what no thread of VTK's may.
+    advance(0, static_cast<vtkIdType>(this->Running.size()));
   }
   else
   {

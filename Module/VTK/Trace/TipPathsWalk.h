@@ -8,6 +8,7 @@
 #define TipPathsWalk_h
 
 #include "VTK/Trace/HapticTrace.h"
+#include "VTK/Trace/TipPathWalk.h"
 #include "VTK/Trace/TipPaths.h"
 
 #include <atomic>
@@ -25,19 +26,20 @@ namespace VolumeHaptics
  * all that a tick changes is in the state, so that no method needs to be left out.
  *
  * The paths advance in rounds, between which the caller can report progress and stop. In a round,
- * some paths go on by a stretch each.
+ * some paths go on by a stretch each. If a model has to be found for each tick, paths go on one
+ * after another, on the calling thread.
  */
 class TipPathsWalk
 {
 public:
-  TipPathsWalk(
-    const TipPaths& paths, std::shared_ptr<const HapticModel> model, const HapticTrace& trace);
+  TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
+    const HapticTrace& trace, ModelFinder finder = {});
   ~TipPathsWalk();
 
   bool IsDone() const { return this->TicksDone == this->Paths.GetNumberOfTicks(); }
   /** From 0 to 1. */
   double GetProgress() const;
-  /** A round. Throws std::bad_alloc. */
+  /** A round. Throws std::bad_alloc, and what the finder of models throws. */
   void Advance();
   /** A tick of a recording that gave numbers that are not finite; -1 if there is none. */
   vtkIdType GetFlaw() const { return this->Flaw; }
@@ -56,6 +58,7 @@ private:
   const TipPaths& Paths;
   const std::shared_ptr<const HapticModel> Model;
   const HapticTrace& Trace;
+  const ModelFinder Finder;
   vtkIdType Stretch;    ///< ticks
   vtkIdType RoundTicks; ///< of all stretches
   std::size_t NextPath = 0;

@@ -171,6 +171,8 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticRegionPlanner>(PlannerSettings);
   ExpectHeadersBehave<vtkHapticRegionPlanner>(PlannerVectors);
   ExpectHeadersBehave<vtkHapticRegionFilter>(RegionFilterVectors);
+  ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceSettings);
+  ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceVectors);
   ExpectHeadersBehave<vtkHapticPathSource>(PathVectors);
   for (const HardwareVector& setting : HardwareVectors)
   {
@@ -211,6 +213,10 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   std::vector<std::string> planner = Names(PlannerSettings, PlannerVectors);
   planner.erase(std::find(planner.begin(), planner.end(), "Direction")); // without macro
   ExpectRows("vtkHapticRegionPlanner", planner);
+  std::vector<std::string> source = Names(RegionSourceSettings, RegionSourceVectors);
+  source.erase(std::find(source.begin(), source.end(), "Direction")); // without macro
+  source.emplace_back("FileName");                                    // a text
+  ExpectRows("vtkHapticRegionSource", source);
   std::vector<std::string> path = Names(PathSettings, PathVectors);
   path.emplace_back("FileName"); // a text
   ExpectRows("vtkHapticPathSource", path);
@@ -232,6 +238,8 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticRegionPlanner", PlannerSettings);
   ExpectComments("vtkHapticRegionPlanner", PlannerVectors);
   ExpectComments("vtkHapticRegionFilter", RegionFilterVectors);
+  ExpectComments("vtkHapticRegionSource", RegionSourceSettings);
+  ExpectComments("vtkHapticRegionSource", RegionSourceVectors);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)

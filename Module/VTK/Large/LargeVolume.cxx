@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Large/LargeVolume.h"
+
+#include <exception>
+#include <new>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Calls the reader; the reason why it failed, or nothing. */
+std::string CallReader(const LargeVolume& volume, const BoxExtent& box, void* samples)
+{
+  try
+  {
+    return volume.Read(box.data(), samples) ? std::string() : "it gives no samples.";
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "there is not enough memory.";
+  }
+  catch (const std::exception& failure)
+  {
+    return failure.what();
+  }
+  catch (...)
+  {
+    return "it throws an exception that is no std::exception.";
+  }
+}
+
+} // namespace
+
+double CountSamples(const BoxExtent& extent)
+{
+  double count = 1.0;
+  for (int a = 0; a < 6; a += 2)
+  {
+    count *= static_cast<double>(extent[a + 1]) - extent[a] + 1.0;
+  }
+  return count;
+}
+
+bool ReadSamples(const LargeVolume& volume, const BoxExtent& box, void* samples, std::string& error)
+{
+  const std::string why = CallReader(volume, box, samples);
+  if (why.empty())
+  {
+    return true;
+  }
+  std::ostringstream message;
+  message << "The samples (" << box[0] << " to " << box[1] << ", " << box[2] << " to " << box[3]
+          << ", " << box[4] << " to " << box[5] << ") can't be read from " << volume.Name << ": "
+          << why;
+  error = message.str();
+  return false;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A volume of which only boxes are read.
+ */
+#ifndef LargeVolume_h
+#define LargeVolume_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+using BoxExtent = std::array<int, 6>;
+
+/** Fills the samples of a box, x fastest. False, or an exception whose text tells why, if not. */
+using BoxReader = std::function<bool(const int extent[6], void* samples)>;
+
+/** How the samples of a volume are read. Never changes, so that threads share it. */
+struct LargeVolume
+{
+  BoxExtent Extent;
+  int ScalarType = VTK_SHORT;
+  std::size_t SampleSize = sizeof(short); ///< bytes
+  std::string Name;                       ///< for messages, such as "the file Bone.raw"
+  BoxReader Read;
+  /** Whether its user waits for a read that is under way before it ends. */
+  bool IsAwaited = true;
+};
+
+/** The number of samples of an extent, as a double: the product may exceed all integers. */
+double CountSamples(const BoxExtent& extent);
+
+/**
+ * Reads a box of the volume; no exception leaves this. False, with the box and the reason in
+ * `error`, if that fails.
+ */
+bool ReadSamples(
+  const LargeVolume& volume, const BoxExtent& box, void* samples, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

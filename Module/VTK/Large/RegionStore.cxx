@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Large/RegionStore.h"
+
+#include "Core/Servo/ServoClock.h"
+#include "VTK/Baking/WholeFacts.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticRegionPlanner.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <new>
+#include <system_error>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr BoxExtent NoRegion = { 0, -1, 0, -1, 0, -1 };
+/** The shortest time (s) over which the tip's velocity is measured. */
+constexpr double VelocityTime = 0.01;
+/** If the owner was busy for longer (s), that says nothing about the next time. */
+constexpr double LongestInterval = 0.5;
+
+vtkSmartPointer<vtkDataArray> NewSamples(int type)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName("Scalars");
+  return array;
+}
+
+} // namespace
+
+RegionStore::RegionStore()
+  : Region(NoRegion)
+{
+}
+
+RegionStore::~RegionStore() = default;
+
+void RegionStore::SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume)
+{
+  this->Clear();
+  this->Key = key;
+  this->Volume = std::move(volume);
+}
+
+void RegionStore::Clear()
+{
+  this->Thread.reset();
+  this->Volume.reset();
+  this->Facts.reset();
+  this->Samples = nullptr;
+  this->Region = NoRegion;
+  this->Ordered.reset();
+  this->TipTime = 0.0;
+  this->Velocity = {};
+  this->Trouble.clear();
+  this->Planner->ResetLatency();
+}
+
+void RegionStore::NoteFacts(const VolumeFacts& facts)
+{
+  this->Facts = facts;
+  vtkTimeStamp stamp;
+  stamp.Modified(); // a number that no other volume has
+  this->WholeTime = stamp.GetMTime();
+}
+
+bool RegionStore::Survey(std::string& error)
+{
+  if (!this->Facts)
+  {
+    VolumeSurvey survey(*this->Volume);
+    while (!survey.IsDone())
+    {
+      if (!survey.Advance(error))
+      {
+        return false;
+      }
+    }
+    this->NoteFacts(survey.GetFacts());
+  }
+  return true;
+}
+
+vtkSmartPointer<vtkDataArray> RegionStore::Read(const BoxExtent& region, std::string& error)
+{
+  try
+  {
+    if (!this->Survey(error))
+    {
+      return nullptr;
+    }
+    auto samples = NewSamples(this->Volume->ScalarType);
+    samples->SetNumberOfTuples(static_cast<vtkIdType>(CountSamples(region)));
+    return ReadSamples(*this->Volume, region, samples->GetVoidPointer(0), error) ? samples
+                                                                                 : nullptr;
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "There is not enough memory for a region of " + this->Volume->Name + ".";
+    return nullptr;
+  }
+}
+
+void RegionStore::WriteFacts(vtkImageData* image) const
+{
+  WholeFields fields;
+  std::copy(this->Volume->Extent.begin(), this->Volume->Extent.end(), fields.Extent);
+  const VolumeFacts facts = this->Facts.value_or(VolumeFacts{});
+  fields.Noise = { facts.Noise };
+  fields.BorderValues = { facts.BorderValue };
+  fields.Time = this->Facts ? static_cast<double>(this->WholeTime) : 0.0;
+  WriteWholeFacts(fields, image);
+}
+
+bool RegionStore::TakeRegion(double interval)
+{
+  const std::optional<VolumeFacts> facts = this->Facts ? std::nullopt : this->Thread->GetFacts();
+  if (facts)
+  {
+    this->NoteFacts(*facts);
+    this->OrderTime = ServoClock::Now(); // the survey does not count as latency
+  }
+  this->Trouble = this->Thread->GetTrouble();
+  std::optional<RegionSamples> come = this->Thread->Take();
+  if (!come)
+  {
+    return false;
+  }
+  if (this->Ordered == come->Extent)
+  {
+    // It may have been wanted ever since the look before it was ordered.
+    this->Planner->AddLatency(interval + ServoClock::SecondsSince(this->OrderTime));
+    this->Ordered.reset();
+  }
+  const auto samples = NewSamples(this->Volume->ScalarType);
+  samples->SetVoidArray(come->Samples.release(), static_cast<vtkIdType>(CountSamples(come->Extent)),
+    0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  this->Samples = samples;
+  this->Region = come->Extent;
+  return true;
+}
+
+void RegionStore::MeasureVelocity(const double tip[3], double time)
+{
+  const double elapsed = time - this->TipTime;
+  if (elapsed >= VelocityTime || elapsed < 0.0)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Velocity[a] =
+        this->TipTime > 0.0 && elapsed > 0.0 ? (tip[a] - this->Tip[a]) / elapsed : 0.0;
+      this->Tip[a] = tip[a];
+    }
+    this->TipTime = time;
+  }
+}
+
+void RegionStore::Order(const double tip[3])
+{
+  const BoxExtent here = this->Ordered.value_or(this->Region);
+  BoxExtent wanted;
+  if (this->Planner->Plan(tip, this->Velocity.data(), here.data(), wanted.data()))
+  {
+    this->Thread->Order(wanted);
+    this->Ordered = wanted;
+    this->OrderTime = ServoClock::Now();
+  }
+}
+
+bool RegionStore::Follow(const double tip[3], double time)
+{
+  const std::int64_t now = ServoClock::Now();
+  const double interval = this->LookTime > 0
+    ? std::clamp(ServoClock::SecondsSince(this->LookTime), 0.0, LongestInterval)
+    : 0.0;
+  this->LookTime = now;
+  if (!this->Thread)
+  {
+    try
+    {
+      this->Thread = std::make_unique<RegionReader>(this->Volume, this->Facts);
+    }
+    catch (const std::system_error& failure)
+    {
+      this->Trouble = "The system gives no thread to read from " + this->Volume->Name + ": " +
+        failure.what() + ". End threads of this program, or raise its limits (ulimit -u).";
+      return false;
+    }
+  }
+  this->MeasureVelocity(tip, time);
+  const bool hasCome = this->TakeRegion(interval);
+  this->Order(tip);
+  return hasCome;
+}
+
+} // namespace VolumeHaptics

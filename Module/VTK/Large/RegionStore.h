@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is known and in memory of a large volume, and what is being read of it.
+ */
+#ifndef RegionStore_h
+#define RegionStore_h
+
+#include "VTK/Large/LargeVolume.h"
+#include "VTK/Large/RegionReader.h"
+#include "VTK/Large/VolumeSurvey.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+class vtkDataArray;
+class vtkHapticRegionPlanner;
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** The settings of a source from which its volume is made. */
+struct LargeVolumeKey
+{
+  BoxExtent Extent{};
+  int ScalarType = 0;
+  std::string File;
+  vtkTypeInt64 HeaderSize = 0;
+  int ByteOrder = 0;
+  int Version = 0;
+
+  bool operator==(const LargeVolumeKey& other) const
+  {
+    return this->Extent == other.Extent && this->ScalarType == other.ScalarType &&
+      this->File == other.File && this->HeaderSize == other.HeaderSize &&
+      this->ByteOrder == other.ByteOrder && this->Version == other.Version;
+  }
+};
+
+/** For the thread of the owner. */
+class RegionStore
+{
+public:
+  RegionStore();
+  ~RegionStore();
+
+  /** Whether there is a volume, made of these settings. */
+  bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
+  /** Forgets all about the volume before. */
+  void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
+  /** Ends the thread, and forgets the volume. */
+  void Clear();
+
+  vtkHapticRegionPlanner* GetPlanner() const { return this->Planner; }
+
+  /**
+   * Takes what has come, and orders what is wanted for a tip at a time (s). Returns whether the
+   * resident region has changed.
+   */
+  bool Follow(const double tip[3], double time);
+
+  /** The resident samples; null before there are any. */
+  vtkDataArray* GetSamples() const { return this->Samples; }
+  const BoxExtent& GetRegion() const { return this->Region; }
+  bool IsWaiting() const { return this->Ordered.has_value(); }
+  bool IsSurveyed() const { return this->Facts.has_value(); }
+  /** Why the last read failed; empty if it did not. */
+  const std::string& GetTrouble() const { return this->Trouble; }
+
+  /** Reads a region into a new array, here and now; null, with an error, if that fails. */
+  vtkSmartPointer<vtkDataArray> Read(const BoxExtent& region, std::string& error);
+  /** Writes the facts about the whole, as far as they are known. */
+  void WriteFacts(vtkImageData* image) const;
+
+private:
+  bool Survey(std::string& error);
+  void NoteFacts(const VolumeFacts& facts);
+  bool TakeRegion(double interval);
+  void MeasureVelocity(const double tip[3], double time);
+  void Order(const double tip[3]);
+
+  const vtkNew<vtkHapticRegionPlanner> Planner;
+  LargeVolumeKey Key;
+  std::shared_ptr<const LargeVolume> Volume;
+  std::optional<VolumeFacts> Facts;
+  vtkMTimeType WholeTime = 0;
+  vtkSmartPointer<vtkDataArray> Samples;
+  BoxExtent Region;
+  std::optional<BoxExtent> Ordered;
+  std::int64_t OrderTime = 0; // ServoClock
+  std::int64_t LookTime = 0;  // ServoClock
+  std::array<double, 3> Tip{};
+  std::array<double, 3> Velocity{};
+  double TipTime = 0.0; // s
+  std::string Trouble;
+  std::unique_ptr<RegionReader> Thread; // last: it ends first
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,430 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticRegionSource.h"
+
+#include "VTK/Baking/HapticRegionSettings.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Large/RawVolumeFile.h"
+#include "VTK/Large/RegionStore.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticRegionPlanner.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+vtkStandardNewMacro(vtkHapticRegionSource);
+
+using namespace VolumeHaptics;
+
+namespace
+{
+/** Live, so many regions may be in memory at once. */
+constexpr vtkTypeInt64 RegionsInMemory = 4;
+/** Bytes of all samples; more can't be counted in a file. */
+constexpr double MostBytes = 4e18;
+
+bool IsNumber(int scalarType)
+{
+  return scalarType != VTK_STRING && scalarType != VTK_OPAQUE &&
+    vtkDataArray::GetDataTypeSize(scalarType) > 0;
+}
+
+bool IsSwapped(int byteOrder)
+{
+  const unsigned short probe = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &probe, 1);
+  const bool isLittle = first == 1;
+  return isLittle == (byteOrder == vtkHapticRegionSource::BIG);
+}
+
+/** A reader behind Python's ctypes. */
+struct ForeignReader
+{
+  ForeignReader(vtkHapticRegionRead read, vtkHapticRegionRelease release, void* context)
+    : Read(read)
+    , Release(release)
+    , Context(context)
+  {
+  }
+  ~ForeignReader()
+  {
+    if (this->Release)
+    {
+      this->Release(this->Context);
+    }
+  }
+  ForeignReader(const ForeignReader&) = delete;
+  ForeignReader& operator=(const ForeignReader&) = delete;
+
+  const vtkHapticRegionRead Read;
+  const vtkHapticRegionRelease Release;
+  void* const Context;
+};
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHapticRegionSource::vtkHapticRegionSource()
+  : Store(new RegionStore)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRegionSource::~vtkHapticRegionSource()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::SetDirection(const double direction[9])
+{
+  if (!direction)
+  {
+    vtkErrorMacro(
+      "Direction needs nine numbers, row by row, but got a null pointer; it stays as it was.");
+    return;
+  }
+  if (!std::equal(direction, direction + 9, this->Direction))
+  {
+    std::copy(direction, direction + 9, this->Direction);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::SetReader(Reader reader, bool isAwaited)
+{
+  this->Function = std::move(reader);
+  this->IsAwaited = isAwaited;
+  this->Reload();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::Reload()
+{
+  this->Store->Clear();
+  ++this->Version;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRegionPlanner* vtkHapticRegionSource::GetPlanner()
+{
+  return this->Store->GetPlanner();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticRegionSource::CheckSettings()
+{
+  BoxExtent whole;
+  std::copy_n(this->WholeExtent, 6, whole.begin());
+  if (whole[0] > whole[1] || whole[2] > whole[3] || whole[4] > whole[5])
+  {
+    return "The volume has no extent. SetWholeExtent() to that of all its samples.";
+  }
+  if (!IsNumber(this->ScalarType))
+  {
+    return "The ScalarType " + std::to_string(this->ScalarType) +
+      " is no type of numbers. Set it to VTK_SHORT, VTK_FLOAT or another one.";
+  }
+  if (CountSamples(whole) * vtkDataArray::GetDataTypeSize(this->ScalarType) > MostBytes)
+  {
+    return "The WholeExtent has more samples than can be counted. Check its numbers.";
+  }
+  if (!this->Function && (!this->FileName || !*this->FileName))
+  {
+    return "There is nothing to read samples from. SetFileName() to a raw file, or SetReader().";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::Prepare(std::string& error)
+{
+  error = this->CheckSettings();
+  if (!error.empty())
+  {
+    this->Store->Clear();
+    return false;
+  }
+  LargeVolumeKey key;
+  std::copy_n(this->WholeExtent, 6, key.Extent.begin());
+  key.ScalarType = this->ScalarType;
+  key.Version = this->Version;
+  if (!this->Function)
+  {
+    key.File = this->FileName;
+    key.HeaderSize = this->HeaderSize;
+    key.ByteOrder = this->ByteOrder;
+  }
+  const int size = vtkDataArray::GetDataTypeSize(this->ScalarType);
+  if (!this->Store->IsOf(key))
+  {
+    auto volume = std::make_shared<LargeVolume>();
+    volume->Extent = key.Extent;
+    volume->ScalarType = key.ScalarType;
+    volume->SampleSize = static_cast<std::size_t>(size);
+    volume->IsAwaited = this->IsAwaited || !this->Function;
+    if (this->Function)
+    {
+      volume->Name = "the reader";
+      volume->Read = this->Function;
+    }
+    else
+    {
+      volume->Name = "the file " + key.File;
+      const RawVolumeFile file{ MakeAbsolute(key.File), key.Extent, volume->SampleSize,
+        key.HeaderSize, IsSwapped(key.ByteOrder) };
+      volume->Read = [file](const int box[6], void* samples)
+      {
+        file.Read(box, samples);
+        return true;
+      };
+    }
+    this->Store->SetVolume(key, std::move(volume));
+  }
+  vtkHapticRegionPlanner* const planner = this->GetPlanner();
+  planner->SetWholeExtent(this->WholeExtent);
+  planner->SetOrigin(this->Origin);
+  planner->SetSpacing(this->Spacing);
+  planner->SetDirection(this->Direction);
+  planner->SetMaximumVoxels(static_cast<vtkIdType>(this->MemoryLimit / RegionsInMemory / size));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::UseSettingsOf(vtkVolumeHapticsFilter* filter)
+{
+  this->GetPlanner()->SetSpacing(this->Spacing);
+  this->GetPlanner()->SetDirection(this->Direction);
+  this->GetPlanner()->UseSettingsOf(filter);
+  if (filter && this->KernelRadius != filter->GetKernelRadius())
+  {
+    this->KernelRadius = filter->GetKernelRadius();
+    if (!this->Store->GetSamples())
+    {
+      this->Modified(); // the placeholder has another size
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::Follow(const double tip[3], double time, vtkVolumeHapticsFilter* filter)
+{
+  std::string error;
+  if (!tip || !filter)
+  {
+    vtkErrorMacro("Follow() needs a tip and a filter, but got a null pointer.");
+    return false;
+  }
+  if (!this->Prepare(error))
+  {
+    return false; // the pipeline tells why
+  }
+  this->UseSettingsOf(filter);
+  const std::string before = this->Store->GetTrouble();
+  const bool hasCome = this->Store->Follow(tip, time);
+  const std::string& trouble = this->Store->GetTrouble();
+  if (before.empty() && !trouble.empty())
+  {
+    vtkErrorMacro(<< Printable(trouble) << " It is tried again.");
+  }
+  if (hasCome)
+  {
+    this->Modified();
+  }
+  return hasCome;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::IsWaiting()
+{
+  return this->Store->IsWaiting();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticRegionSource::GetStatusText()
+{
+  const std::string& trouble = this->Store->GetTrouble();
+  if (!trouble.empty())
+  {
+    return Printable(trouble) + " It is tried again.";
+  }
+  if (!this->Store->IsWaiting())
+  {
+    return {};
+  }
+  return this->Store->IsSurveyed() ? "The samples around the tip are being read."
+                                   : "The noise of the volume is being estimated.";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::ReadRegion(const int region[6], vtkImageData* image)
+{
+  std::string error;
+  if (this->ReadRegion(region, image, error))
+  {
+    return true;
+  }
+  vtkErrorMacro(<< Printable(error));
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::ReadRegion(const int region[6], vtkImageData* image, std::string& error)
+{
+  if (!region || !image)
+  {
+    error = "ReadRegion() needs an extent of six numbers and an image, but got a null pointer.";
+    return false;
+  }
+  if (!this->Prepare(error))
+  {
+    return false;
+  }
+  BoxExtent box;
+  for (int a = 0; a < 6; a += 2)
+  {
+    box[a] = std::max(region[a], this->WholeExtent[a]);
+    box[a + 1] = std::min(region[a + 1], this->WholeExtent[a + 1]);
+    if (box[a] > box[a + 1])
+    {
+      std::ostringstream message;
+      message << "The region (" << region[0] << ", " << region[1] << ", " << region[2] << ", "
+              << region[3] << ", " << region[4] << ", " << region[5]
+              << ") has no part of the volume in it. Give an extent within WholeExtent.";
+      error = message.str();
+      return false;
+    }
+  }
+  const vtkSmartPointer<vtkDataArray> samples = this->Store->Read(box, error);
+  if (!samples)
+  {
+    return false;
+  }
+  image->Initialize();
+  image->SetExtent(box.data());
+  image->SetOrigin(this->Origin);
+  image->SetSpacing(this->Spacing);
+  image->SetDirectionMatrix(this->Direction);
+  image->GetPointData()->SetScalars(samples);
+  this->Store->WriteFacts(image);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::FindPlaceholder(int extent[6]) const
+{
+  // As thin as a kernel allows, so that nothing in it counts as resident.
+  const int width = 2 * this->KernelRadius + 1;
+  for (int a = 0; a < 6; a += 2)
+  {
+    const int first = this->WholeExtent[a];
+    const int last = this->WholeExtent[a + 1];
+    const vtkTypeInt64 spare = vtkTypeInt64{ last } - first + 1 - width;
+    extent[a] = first + static_cast<int>(std::max<vtkTypeInt64>(spare / 2, 0));
+    extent[a + 1] =
+      static_cast<int>(std::min<vtkTypeInt64>(vtkTypeInt64{ extent[a] } + width - 1, last));
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRegionSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  std::string error;
+  if (!this->Prepare(error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  int region[6];
+  this->FindPlaceholder(region);
+  if (this->Store->GetSamples())
+  {
+    std::copy_n(this->Store->GetRegion().begin(), 6, region);
+  }
+  vtkInformation* const info = outputs->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), region, 6);
+  info->Set(vtkDataObject::ORIGIN(), this->Origin, 3);
+  info->Set(vtkDataObject::SPACING(), this->Spacing, 3);
+  info->Set(vtkDataObject::DIRECTION(), this->Direction, 9);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, this->ScalarType, 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRegionSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* const info = outputs->GetInformationObject(0);
+  vtkImageData* const output = vtkImageData::GetData(outputs);
+  int region[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), region);
+  output->SetExtent(region);
+  output->SetOrigin(this->Origin);
+  output->SetSpacing(this->Spacing);
+  output->SetDirectionMatrix(this->Direction);
+  vtkSmartPointer<vtkDataArray> samples = this->Store->GetSamples();
+  if (!samples)
+  {
+    samples = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->ScalarType));
+    samples->SetName("Scalars");
+    samples->SetNumberOfTuples(output->GetNumberOfPoints());
+    samples->Fill(0.0);
+  }
+  output->GetPointData()->SetScalars(samples);
+  this->Store->WriteFacts(output);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  PrintSettings(os, indent, this, RegionSourceVectors);
+  PrintSettings(os, indent, this, RegionSourceSettings);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Reader: " << (this->Function ? "set" : "(none)") << "\n";
+  os << indent << "Status: " << this->GetStatusText() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSourceSetReader(
+  vtkObjectBase* source, vtkHapticRegionRead read, vtkHapticRegionRelease release, void* context)
+{
+  auto* const regions = vtkHapticRegionSource::SafeDownCast(source);
+  if (!regions)
+  {
+    return;
+  }
+  if (!read)
+  {
+    regions->SetReader({});
+    return;
+  }
+  const auto foreign = std::make_shared<ForeignReader>(read, release, context);
+  regions->SetReader(
+    [foreign](const int extent[6], void* samples)
+    {
+      char why[1024] = "";
+      if (foreign->Read(foreign->Context, extent, samples, why, static_cast<int>(sizeof(why))) == 0)
+      {
+        throw std::runtime_error(why);
+      }
+      return true;
+    },
+    false);
+}

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticRegionSource
+ * @brief   a volume that is too large for memory, read where the hand needs it
+ *
+ * Stands for a volume in a raw file, or in anything that a function can read boxes of samples from.
+ * Only regions of it are ever in memory. Connect it directly to port 0 of vtkVolumeHapticsFilter:
+ *
+ *   source->SetFileName("Bone.raw");              // or SetReader, C++ only
+ *   source->SetWholeExtent(0, 4095, 0, 4095, 0, 2047);
+ *   source->SetSpacing(0.01, 0.01, 0.01);
+ *   source->SetScalarType(VTK_UNSIGNED_SHORT);
+ *   haptics->SetInputConnection(0, source->GetOutputPort());
+ *   device->SetVolumeHaptics(haptics);
+ *   device->Start();
+ *   device->Arm();
+ *
+ * Paths. Each tick of a path waits for the samples that it reads: the trace is that of the whole
+ * volume in memory, to the bit. The samples are read on the calling thread, and the paths are felt
+ * one after another. A read that fails is an error of the filter. A path can't be a recording.
+ *
+ * Live. vtkHapticDevice::UpdateState calls Follow, which has a vtkHapticRegionPlanner plan the
+ * region around the tip. A thread of the source reads it, and writes it into memory before the
+ * servo sees it; neither the servo nor the GUI thread ever waits for that. Where samples are late,
+ * or can't be read, the force fades within 50 ms (vtkHapticDevice::GetResidency), and comes back
+ * when they are there. A read that failed gives one error, stands in GetStatusText() of source and
+ * device, and is tried again, at intervals that grow from 50 ms to 2 s. At first nothing is felt:
+ * 512 blocks of 5^3 samples are read, from which the noise is estimated (all of a volume of no more
+ * than 2^26 samples). A source follows one device: two hands need two sources.
+ *
+ * The output is the region that was read last, with the field arrays of vtkHapticRegionFilter; a
+ * few voxels of zeros in the middle of the volume before there is one. Its scalars are called
+ * "Scalars" and have one component.
+ *
+ * @sa vtkHapticRegionPlanner, vtkHapticRegionFilter, vtkVolumeHapticsFilter, vtkHapticDevice
+ */
+#ifndef vtkHapticRegionSource_h
+#define vtkHapticRegionSource_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+#ifndef __VTK_WRAP__
+#include <functional> // for std::function
+
+namespace VolumeHaptics
+{
+class RegionStore;
+}
+#endif
+
+class vtkHapticRegionPlanner;
+class vtkVolumeHapticsFilter;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticRegionSource : public vtkImageAlgorithm
+{
+public:
+  static vtkHapticRegionSource* New();
+  vtkTypeMacro(vtkHapticRegionSource, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The extent of the whole volume. Default (0, -1, 0, -1, 0, -1): none. */
+  vtkSetVector6Macro(WholeExtent, int);
+  vtkGetVector6Macro(WholeExtent, int);
+  ///@}
+
+  ///@{
+  /** The origin of the whole volume, as that of vtkImageData. Default (0, 0, 0). */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /** The spacing of the whole volume (world units). Default (1, 1, 1). */
+  vtkSetVector3Macro(Spacing, double);
+  vtkGetVector3Macro(Spacing, double);
+  ///@}
+
+  ///@{
+  /** The direction of the whole volume: nine numbers, row by row. Default: the identity. */
+  void SetDirection(const double direction[9]) VTK_SIZEHINT(9);
+  vtkGetVectorMacro(Direction, double, 9);
+  ///@}
+
+  ///@{
+  /** The type of the samples: VTK_SHORT (4, default), VTK_FLOAT (10) or another type of numbers. */
+  vtkSetClampMacro(ScalarType, int, 2, 17);
+  vtkGetMacro(ScalarType, int);
+  ///@}
+
+  ///@{
+  /**
+   * A file of samples, x fastest and z slowest, without compression. It is opened for each region,
+   * so it may be replaced or grow meanwhile. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** The size (bytes) of the header of the file, which is left out. Default 0. */
+  vtkSetClampMacro(HeaderSize, vtkTypeInt64, 0, 1099511627776);
+  vtkGetMacro(HeaderSize, vtkTypeInt64);
+  ///@}
+
+  /** Values of ByteOrder. */
+  enum ByteOrderType
+  {
+    LITTLE = 0,
+    BIG = 1
+  };
+
+  ///@{
+  /**
+   * The byte order of the file: LITTLE (default), that is, least significant byte first, or BIG.
+   */
+  vtkSetClampMacro(ByteOrder, int, LITTLE, BIG);
+  vtkGetMacro(ByteOrder, int);
+  void SetByteOrderToLittleEndian() { this->SetByteOrder(LITTLE); }
+  void SetByteOrderToBigEndian() { this->SetByteOrder(BIG); }
+  ///@}
+
+  ///@{
+  /**
+   * The most memory (bytes) that regions take live, 4194304 (4 MiB) to 2^40. Default 67108864 (64
+   * MiB). A region takes a quarter of it at most: one is felt, one is the output, one has just come
+   * and one is being read. Along paths there is one region, of a million voxels as a rule.
+   */
+  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 4194304, 1099511627776);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * Fills the samples of a box (an extent within the whole) in memory that is just as large, x
+   * fastest and z slowest. Returns false, or throws an exception whose text tells why, if that
+   * fails; it is called again then. It is called by the thread of this source, and along paths by
+   * the thread that feels them, perhaps by both at once.
+   */
+  using Reader = std::function<bool(const int extent[6], void* samples)>;
+
+  /**
+   * Read the samples with a function instead of from a file; an empty function ends that. SetReader
+   * and the destructor wait for a call that is under way, and for no other. If `isAwaited` is
+   * false, they don't: then the function has to own all that it uses, and is destroyed after its
+   * last call.
+   */
+  void SetReader(Reader reader, bool isAwaited = true);
+#endif
+
+  /**
+   * Forget what was read. If the samples behind the reader, or in the file, have changed, call
+   * this: nothing else tells it. Waits as SetReader does.
+   */
+  void Reload();
+
+  /**
+   * Call it on each tick of the GUI if no vtkHapticDevice does, with the tip (world), the time (s)
+   * at which it was there, and the filter that feels the volume. Returns whether the output has
+   * another region than before: then Publish. Does not wait, unless a setting of the volume was
+   * changed while a read was under way.
+   */
+  bool Follow(const double tip[3], double time, vtkVolumeHapticsFilter* filter);
+
+  ///@{
+  /**
+   * Wait until the samples of a region (an extent, clipped to the whole) are read, and put them
+   * into an image, with the field arrays of a region; whatever its size. False, with an error, if
+   * that fails.
+   */
+  bool ReadRegion(const int region[6], vtkImageData* image);
+#ifndef __VTK_WRAP__
+  /** The same, with the error as a text. */
+  bool ReadRegion(const int region[6], vtkImageData* image, std::string& error);
+#endif
+  ///@}
+
+  /** Take what planner and first output need from a filter; the filter itself calls it. */
+  void UseSettingsOf(vtkVolumeHapticsFilter* filter);
+
+  /** Plans the regions. Its MaximumSpeed is for the user; this source sets all else. */
+  vtkHapticRegionPlanner* GetPlanner();
+
+  /** Whether a region was ordered by Follow that has not come yet. */
+  bool IsWaiting();
+
+  /** Tells for what it waits, and why the last read failed; empty if nothing is awaited. */
+  std::string GetStatusText();
+
+protected:
+  vtkHapticRegionSource();
+  ~vtkHapticRegionSource() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+#ifndef __VTK_WRAP__
+  std::string CheckSettings();
+  /** Brings the store up to the settings; false, with the fault, if they are not complete. */
+  bool Prepare(std::string& error);
+  void FindPlaceholder(int extent[6]) const;
+
+  Reader Function;
+  std::unique_ptr<VolumeHaptics::RegionStore> Store;
+#endif
+
+  int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Spacing[3] = { 1.0, 1.0, 1.0 };
+  double Direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  int ScalarType = 4;
+  char* FileName = nullptr;
+  vtkTypeInt64 HeaderSize = 0;
+  int ByteOrder = LITTLE;
+  vtkTypeInt64 MemoryLimit = 67108864;
+  bool IsAwaited = true;
+  int KernelRadius = 2;
+  int Version = 0; // of the samples
+
+  vtkHapticRegionSource(const vtkHapticRegionSource&) = delete;
+  void operator=(const vtkHapticRegionSource&) = delete;
+};
+
+#ifndef __VTK_WRAP__
+///@{
+/**
+ * SetReader for Python's ctypes, with a function that returns 0 and writes the reason as a text of
+ * at most `room` bytes if it fails. It is not awaited: it may need a lock that the waiting thread
+ * holds. `release` is called after its last call; null for `read` ends the reading. Both get
+ * `context`.
+ */
+using vtkHapticRegionRead = int (*)(
+  void* context, const int* extent, void* samples, char* why, int room);
+using vtkHapticRegionRelease = void (*)(void* context);
+extern "C" VTKVOLUMEHAPTICS_EXPORT void vtkHapticRegionSourceSetReader(
+  vtkObjectBase* source, vtkHapticRegionRead read, vtkHapticRegionRelease release, void* context);
+///@}
+#endif
+
+#endif

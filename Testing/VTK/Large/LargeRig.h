@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Volumes for vtkHapticRegionSource: computed ones, and the same in memory.
+ */
+#ifndef LargeRig_h
+#define LargeRig_h
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkHapticRegionSource.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace largetest
+{
+using namespace apitest;
+
+using Extent = std::array<int, 6>;
+using ValueAt = std::function<double(int, int, int)>;
+
+/// Numbers from -1 to 1 without a pattern (a hash of the place).
+inline double Noise(int i, int j, int k)
+{
+  std::uint64_t x = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15U +
+    static_cast<std::uint64_t>(j) * 0xC2B2AE3D27D4EB4FU +
+    static_cast<std::uint64_t>(k) * 0x165667B19E3779F9U;
+  x = (x ^ (x >> 31)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 29)) * 0x94D049BB133111EBU;
+  return static_cast<double>(x >> 11) / 4503599627370496.0 - 1.0;
+}
+
+/// A wave along an axis, from a table: tests compute it for millions of samples.
+class Wave
+{
+public:
+  Wave(double height, double turn)
+  {
+    for (int i = 0; i < Count; ++i)
+    {
+      this->Values[i] = height * std::sin(turn * (i + First));
+    }
+  }
+  double At(int i) const { return this->Values[i - First]; }
+
+private:
+  static constexpr int First = -10;
+  static constexpr int Count = 700;
+  std::array<double, Count> Values;
+};
+
+/// The height of the bed below.
+inline double TopAt(int i, int j)
+{
+  static const Wave alongX(4.0, 0.05);
+  static const Wave alongY(3.0, 0.07);
+  return 50.0 + alongX.At(i) + alongY.At(j);
+}
+
+/// A wavy bed that fills the lower part of a long volume, with noise.
+inline double BedAt(int i, int j, int k)
+{
+  const double above = k - TopAt(i, j);
+  return std::round(500.0 - 500.0 * above / (1.0 + std::abs(above)) + 12.0 * Noise(i, j, k));
+}
+
+/// Fills a box with values.
+template <typename T>
+void FillBox(const int extent[6], void* samples, const ValueAt& value)
+{
+  T* sample = static_cast<T*>(samples);
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        *sample++ = static_cast<T>(value(i, j, k));
+      }
+    }
+  }
+}
+
+inline void FillBox(int type, const int extent[6], void* samples, const ValueAt& value)
+{
+  switch (type)
+  {
+    vtkTemplateMacro(FillBox<VTK_TT>(extent, samples, value));
+  }
+}
+
+/// How often a reader was called, and for how many samples.
+struct Reads
+{
+  std::atomic<int> Calls{ 0 };
+  std::atomic<std::int64_t> Most{ 0 };
+};
+
+/// A source whose reader computes the values.
+inline vtkSmartPointer<vtkHapticRegionSource> MakeSource(const Extent& extent, int type,
+  const ValueAt& value, const std::shared_ptr<Reads>& reads = std::make_shared<Reads>())
+{
+  auto source = vtkSmartPointer<vtkHapticRegionSource>::New();
+  source->SetWholeExtent(extent.data());
+  source->SetScalarType(type);
+  source->SetReader(
+    [=](const int box[6], void* samples)
+    {
+      FillBox(type, box, samples, value);
+      const std::int64_t count =
+        std::int64_t{ box[1] - box[0] + 1 } * (box[3] - box[2] + 1) * (box[5] - box[4] + 1);
+      reads->Most = std::max<std::int64_t>(reads->Most, count);
+      ++reads->Calls;
+      return true;
+    });
+  return source;
+}
+
+/// The same volume in memory.
+inline vtkSmartPointer<vtkImageData> MakeWhole(
+  vtkHapticRegionSource* source, int type, const ValueAt& value)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(source->GetWholeExtent());
+  image->SetOrigin(source->GetOrigin());
+  image->SetSpacing(source->GetSpacing());
+  image->SetDirectionMatrix(source->GetDirection());
+  image->AllocateScalars(type, 1);
+  FillBox(type, image->GetExtent(), image->GetScalarPointer(), value);
+  return image;
+}
+} // namespace largetest
+
+#endif

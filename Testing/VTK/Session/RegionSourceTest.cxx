@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A device on a volume that is read region by region: the force comes with the samples, fades where
+ * a reader is late or fails, and comes back; never with a step above the slew limit.
+ */
+
+#include "Rigs/DeviceRig.h"
+#include "Rigs/Growth.h"
+
+#include <vtkDataArray.h>
+#include <vtkHapticRegionSource.h>
+#include <vtkTable.h>
+
+#include <atomic>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+using namespace devicetest;
+
+namespace
+{
+/// A reader that the test sees and leads.
+struct Led
+{
+  std::atomic<bool> IsOpen{ true };
+  std::atomic<bool> IsBroken{ false };
+  std::atomic<bool> GivesNumbers{ true };
+  std::atomic<int> Waiting{ 0 };
+};
+
+/// V = 100 z in a volume of 2000^3: 32 GB of float.
+class RegionSource : public DeviceTest
+{
+protected:
+  RegionSource()
+  {
+    this->Source->SetWholeExtent(0, 1999, 0, 1999, 0, 1999);
+    this->Source->SetScalarType(VTK_FLOAT);
+    this->Source->SetMemoryLimit(4194304);
+    const auto led = this->Reader;
+    this->Source->SetReader(
+      [led](const int box[6], void* samples)
+      {
+        ++led->Waiting;
+        while (!led->IsOpen)
+        {
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        --led->Waiting;
+        if (led->IsBroken)
+        {
+          throw std::runtime_error("the disk is on fire.");
+        }
+        const bool gives = led->GivesNumbers;
+        auto* sample = static_cast<float*>(samples);
+        for (int k = box[4]; k <= box[5]; ++k)
+        {
+          for (int n = (box[1] - box[0] + 1) * (box[3] - box[2] + 1); n > 0; --n)
+          {
+            *sample++ = gives ? 100.0F * static_cast<float>(k) : NAN;
+          }
+        }
+        return true;
+      });
+    this->Filter->SetInputConnection(0, this->Source->GetOutputPort());
+  }
+  /// The servo runs, armed, with the tip in the middle of the volume and its samples there.
+  void BeginInTheMiddle()
+  {
+    this->BeginWayHere();
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    this->Device->SetVirtualTip(1000.0, 1000.0, 1000.0);
+    ASSERT_TRUE(this->Device->Start());
+    ASSERT_TRUE(this->WaitTicks(2));
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+    ASSERT_TRUE(this->ArmFully());
+    this->Device->DrainStates(this->States);
+  }
+  void Press(double x = 1000.0)
+  {
+    for (int z = 0; z <= 6; ++z)
+    {
+      ASSERT_TRUE(this->Lead(x, 1000.0, 1000.0 + z));
+    }
+    ASSERT_TRUE(this->WaitForce());
+  }
+  bool Says(const char* words)
+  {
+    return this->Device->GetStatusText().find(words) != std::string::npos;
+  }
+  /// All commands since the last call: none grows by more than the slew limit allows.
+  void ExpectNoStep()
+  {
+    this->Device->DrainStates(this->States);
+    auto* const command = vtkDataArray::SafeDownCast(this->States->GetColumnByName("Command"));
+    auto* const time = vtkDataArray::SafeDownCast(this->States->GetColumnByName("Time"));
+    ASSERT_TRUE(command && time && command->GetNumberOfTuples() > 10);
+    const auto at = [&](vtkIdType t)
+    {
+      const double* const f = command->GetTuple3(t);
+      return VolumeHaptics::Vector3{ f[0], f[1], f[2] };
+    };
+    for (vtkIdType t = 1; t < command->GetNumberOfTuples(); ++t)
+    {
+      const double elapsed =
+        std::max(0.001, time->GetComponent(t, 0) - time->GetComponent(t - 1, 0));
+      EXPECT_LE(servotest::GrowthOf(at(t - 1), at(t)),
+        this->Device->GetMaximumForceRate() * elapsed * (1.0 + 1e-6));
+    }
+  }
+
+  const std::shared_ptr<Led> Reader = std::make_shared<Led>();
+  vtkSmartPointer<vtkHapticRegionSource> Source = vtkSmartPointer<vtkHapticRegionSource>::New();
+  MessageLog SourceLog{ this->Source };
+  vtkNew<vtkTable> States;
+};
+} // namespace
+
+TEST_F(RegionSource, IsFeltAndFollowsTheHand)
+{
+  this->BeginInTheMiddle();
+  this->Press();
+  const double pressed = Length(this->Device->GetForce());
+  EXPECT_GT(pressed, 0.5);
+  EXPECT_LT(
+    4.0 * this->Filter->GetInputDataObject(0, 0)->GetActualMemorySize() * 1024.0, 1.1 * 4194304.0);
+  // Farther than the region reaches, and back: it is felt there, too.
+  ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
+  ASSERT_TRUE(this->Lead(1400.0, 1000.0, 998.0));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->WaitFullyArmed());
+  this->Press(1400.0);
+  EXPECT_TRUE(this->Wait([&] { return !this->Says("being read"); }))
+    << this->Device->GetStatusText();
+  this->ExpectNoStep();
+  EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
+}
+
+TEST_F(RegionSource, GivesNoForceBeforeItsSamplesAreThere)
+{
+  this->Reader->IsOpen = false;
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->SetVirtualTip(1000.0, 1000.0, 1000.0);
+  ASSERT_TRUE(this->Device->Start()) << "without waiting for the reader";
+  this->Device->DrainStates(this->States);
+  this->Device->Arm();
+  ASSERT_TRUE(this->WaitTicks(20));
+  ASSERT_TRUE(this->Wait([&] { return this->Reader->Waiting == 1; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
+  EXPECT_TRUE(this->Says("The noise of the volume is being estimated."))
+    << this->Device->GetStatusText();
+  this->Device->DrainStates(this->States);
+  auto* const command = vtkDataArray::SafeDownCast(this->States->GetColumnByName("Command"));
+  ASSERT_TRUE(command && command->GetNumberOfTuples() > 10);
+  EXPECT_EQ(command->GetMaxNorm(), 0.0);
+  this->Reader->IsOpen = true;
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  this->Press();
+  this->ExpectNoStep();
+}
+
+TEST_F(RegionSource, ThatIsLateFadesAndComesBack)
+{
+  this->BeginInTheMiddle();
+  this->Press();
+  this->Reader->IsOpen = false;
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) == 0.0; }));
+  EXPECT_TRUE(this->Says("The samples around the tip are being read."))
+    << this->Device->GetStatusText();
+  EXPECT_TRUE(this->Source->IsWaiting());
+  this->Reader->IsOpen = true;
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
+  ASSERT_TRUE(this->WaitForce());
+  this->ExpectNoStep();
+}
+
+TEST_F(RegionSource, ThatFailsIsToldFadesAndIsTriedAgain)
+{
+  this->BeginInTheMiddle();
+  this->Press();
+  this->Reader->IsBroken = true;
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Says("the disk is on fire."); }))
+    << this->Device->GetStatusText();
+  EXPECT_TRUE(this->Says("can't be read from the reader"));
+  ASSERT_TRUE(this->WaitTicks(300));
+  ASSERT_EQ(this->SourceLog.Errors.size(), 1U) << "once, not with every attempt";
+  EXPECT_NE(this->SourceLog.Errors[0].find("The samples ("), std::string::npos);
+  this->Reader->IsBroken = false;
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  EXPECT_FALSE(this->Says("on fire"));
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
+  ASSERT_TRUE(this->WaitForce());
+  this->ExpectNoStep();
+}
+
+TEST_F(RegionSource, OfSamplesThatAreNotNumbersGivesNoForce)
+{
+  this->BeginInTheMiddle();
+  this->Press();
+  this->Reader->GivesNumbers = false;
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->WaitTicks(100));
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
+  EXPECT_LT(Length(this->Device->GetForce()), 1e-9);
+  this->ExpectNoStep();
+}
+
+TEST_F(RegionSource, ThatIsReloadedIsFeltAsItIsThen)
+{
+  this->BeginInTheMiddle();
+  this->Press();
+  this->Reader->GivesNumbers = false;
+  this->Source->Reload();
+  ASSERT_TRUE(this->Wait([&]
+    { return this->Device->GetResidency() == 1.0 && Length(this->Device->GetForce()) == 0.0; }));
+  this->Reader->GivesNumbers = true;
+  this->Source->Reload();
+  ASSERT_TRUE(this->Wait([&] { return !this->Source->IsWaiting(); }));
+  ASSERT_TRUE(this->Lead(1000.0, 1000.0, 1000.0));
+  ASSERT_TRUE(this->WaitFullyArmed());
+  this->Press();
+  this->ExpectNoStep();
+}
+
+TEST_F(RegionSource, CanGoWhileItIsBeingRead)
+{
+  this->BeginInTheMiddle();
+  this->Press();
+  this->Reader->IsOpen = false;
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
+  ASSERT_TRUE(this->Wait([&] { return this->Reader->Waiting == 1; }));
+  std::thread opener(
+    [led = this->Reader]
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      led->IsOpen = true;
+    });
+  this->Filter->SetInputData(0, this->Image);
+  this->Source = nullptr;
+  opener.join();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(20));
+}
+
+TEST_F(RegionSource, IsNotRecorded)
+{
+  this->BeginInTheMiddle();
+  EXPECT_FALSE(this->Device->StartRecording(this->File("Large.vtp").c_str()));
+  this->ExpectError("region of a larger volume can't be recorded");
+}
+
+TEST_F(RegionSource, FollowsNothingWithoutATipOrAFilter)
+{
+  const double tip[3] = { 1000.0, 1000.0, 1000.0 };
+  EXPECT_FALSE(this->Source->Follow(nullptr, 0.0, this->Filter));
+  EXPECT_FALSE(this->Source->Follow(tip, 0.0, nullptr));
+  EXPECT_EQ(this->SourceLog.Errors.size(), 2U);
+  const double nowhere[3] = { NAN, NAN, NAN };
+  ASSERT_TRUE(Eventually([&] { return this->Source->Follow(nowhere, 1.0, this->Filter); }));
+  EXPECT_EQ(this->SourceLog.Errors.size(), 2U);
+}
