@@ -38,6 +38,7 @@ foreach (file IN ITEMS
     __main__.py
     _identify.py
     _labels.py
+    _large.py
     _paths.py
     _plotting.py
     _touch.py

@@ -34,13 +34,13 @@ constexpr vtkTypeInt64 RegionsInMemory = 4;
 /** Bytes of all samples; more can't be counted in a file. */
 constexpr double MostBytes = 4e18;
 
-bool IsNumber(int scalarType)
+bool IsNumberType(int scalarType)
 {
   return scalarType != VTK_STRING && scalarType != VTK_OPAQUE &&
     vtkDataArray::GetDataTypeSize(scalarType) > 0;
 }
 
-bool IsSwapped(int byteOrder)
+bool IsOtherByteOrder(int byteOrder)
 {
   const unsigned short probe = 1;
   unsigned char first = 0;
@@ -134,7 +134,7 @@ std::string vtkHapticRegionSource::CheckSettings()
   {
     return "The volume has no extent. SetWholeExtent() to that of all its samples.";
   }
-  if (!IsNumber(this->ScalarType))
+  if (!IsNumberType(this->ScalarType))
   {
     return "The ScalarType " + std::to_string(this->ScalarType) +
       " is no type of numbers. Set it to VTK_SHORT, VTK_FLOAT or another one.";
@@ -186,7 +186,7 @@ bool vtkHapticRegionSource::Prepare(std::string& error)
     {
       volume->Name = "the file " + key.File;
       const RawVolumeFile file{ MakeAbsolute(key.File), key.Extent, volume->SampleSize,
-        key.HeaderSize, IsSwapped(key.ByteOrder) };
+        key.HeaderSize, IsOtherByteOrder(key.ByteOrder) };
       volume->Read = [file](const int box[6], void* samples)
       {
         file.Read(box, samples);

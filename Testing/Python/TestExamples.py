@@ -8,9 +8,9 @@ import re
 
 import pytest
 import volumehaptics
-from volumehaptics import _identify, _touch, arrays, examples
+from volumehaptics import _identify, _large, _touch, arrays, examples
 
-MODULES = (_identify, _touch, arrays, examples)
+MODULES = (_identify, _large, _touch, arrays, examples)
 
 
 @pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)

@@ -11,7 +11,7 @@ In one call, of images and polydata or of NumPy arrays:
 
 touch() is what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
 volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. identify() tells which materials a hand could tell
-apart. volumehaptics.pyvista does the same with
+apart; open_large() opens volumes that are larger than memory. volumehaptics.pyvista does the same with
 PyVista's data, and makes its plotters touchable. volumehaptics.examples has a head to try them on, and
 
     python -m volumehaptics --demo
@@ -54,13 +54,14 @@ from .vtkVolumeHaptics import *
 if TYPE_CHECKING:
     from . import arrays, examples, pyvista
     from ._identify import identify
+    from ._large import open_large
     from .arrays import image, path
 
 __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
 
 # On demand: what needs NumPy, which the classes and touch() do not; and PyVista, if asked for by name alone.
 _MODULES = ("arrays", "examples")
-_FUNCTIONS = {"identify": "._identify", "image": ".arrays", "path": ".arrays"}
+_FUNCTIONS = {"identify": "._identify", "image": ".arrays", "open_large": "._large", "path": ".arrays"}
 
 if not TYPE_CHECKING:  # a type checker would take every misspelt name for one of these
 

@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 from . import vtkVolumeHaptics
 from ._labels import Labels, Materials, set_labels
-from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsFilter
+from .vtkVolumeHaptics import vtkHapticProperty, vtkHapticRegionSource, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
     import numpy as np
@@ -133,6 +133,16 @@ def configure(
         raise ValueError("; ".join(errors))
 
 
+def _frame(source: vtkHapticRegionSource) -> vtkImageData:
+    """The extent and the place of a large volume, without its samples."""
+    frame = vtkImageData()
+    frame.SetExtent(source.GetWholeExtent())
+    frame.SetOrigin(source.GetOrigin())
+    frame.SetSpacing(source.GetSpacing())
+    frame.SetDirectionMatrix(source.GetDirection())
+    return frame
+
+
 def _misses(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> bool:
     force = trace.GetPointData().GetArray("Force")
     if not trace.GetNumberOfPoints() or (force is not None and force.GetMaxNorm() > 0):
@@ -236,7 +246,7 @@ class _Feeling:
 
 @overload
 def touch(
-    volume: vtkImageData | np.ndarray,
+    volume: vtkImageData | np.ndarray | vtkHapticRegionSource,
     tip: vtkPolyData | np.ndarray,
     preset: str | None = None,
     *,
@@ -248,7 +258,7 @@ def touch(
 
 @overload
 def touch(
-    volume: vtkImageData | np.ndarray,
+    volume: vtkImageData | np.ndarray | vtkHapticRegionSource,
     tip: Sequence[vtkPolyData | np.ndarray],
     preset: str | None = None,
     *,
@@ -259,7 +269,7 @@ def touch(
 
 
 def touch(
-    volume: vtkImageData | np.ndarray,
+    volume: vtkImageData | np.ndarray | vtkHapticRegionSource,
     tip: vtkPolyData | np.ndarray | Sequence[vtkPolyData | np.ndarray],
     preset: str | None = None,
     *,
@@ -270,7 +280,7 @@ def touch(
     """The forces on a hand whose stylus goes through a volume.
 
     volume: a vtkImageData (pyvista.ImageData is one), or a NumPy array [z, y, x], voxels of 1 world unit from
-        (0, 0, 0) on: see image() for others. It is not copied.
+        (0, 0, 0) on: see image() for others. It is not copied. Or one that is larger than memory: see open_large().
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
         "Time" (s) if ticks are something else, or an array of shape (N, 3). A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
@@ -306,7 +316,13 @@ def touch(
     >>> trace.GetPointData().GetArray("Force").GetNumberOfComponents()
     3
     """
-    if isinstance(volume, vtkImageData):
+    source = volume if isinstance(volume, vtkHapticRegionSource) else None
+    if source is not None:
+        image = _frame(source)
+        if preset == "propose":
+            raise ValueError("functions can't be proposed for a volume that is larger than memory. Cure: propose them "
+                             "for a part or a coarse level of it, and give property=...")
+    elif isinstance(volume, vtkImageData):
         image = volume
     else:
         from . import arrays
@@ -320,7 +336,10 @@ def touch(
     haptics = vtkVolumeHapticsFilter()
     with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures:
         configure(haptics, image, preset, settings, errors, "touch")
-        haptics.SetInputData(image)
+        if source is not None:
+            haptics.SetInputConnection(source.GetOutputPort())
+        else:
+            haptics.SetInputData(image)
         set_labels(haptics, image, labels, materials)
         feeling = _Feeling(haptics, errors, failures)
         traces = feeling.feel_all(paths) if several else [feeling.feel(paths[0])]

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is known and in memory of a large volume, and what is being read of it.
+ * The facts and the samples of a large volume that are in memory, and the region that is read next.
  */
 #ifndef RegionStore_h
 #define RegionStore_h

@@ -22,14 +22,14 @@ namespace
 /** Samples of a region as a rule: some milliseconds of reading, for hundreds of ticks. */
 constexpr double UsualSamples = 1 << 20;
 /** Samples of a region at most: 256 MiB of 16 bits. A tip that jumps may need so many at once. */
-constexpr double MostSamples = 1 << 27;
+constexpr double MostSamplesOfRegion = 1 << 27;
 /** The smallest width of a region: kernels fit into it. */
 constexpr double LeastWidth = 2.0 * 16.0 + 1.0;
 
 /** The samples (indices from 0) within a distance of a tick's own, along an axis of n samples. */
-struct Span
+struct AxisSpan
 {
-  Span(double low, double high, double margin, double n)
+  AxisSpan(double low, double high, double margin, double n)
   {
     const double least = std::max(LeastWidth - 1.0 - (high - low), 0.0) / 2.0;
     const double reach = std::max(margin, least);
@@ -55,7 +55,7 @@ double MakeRegion(const ReadBox& box, double spare, const int whole[6], int regi
   for (int a = 0; a < 3; ++a)
   {
     const double n = static_cast<double>(whole[2 * a + 1]) - whole[2 * a] + 1.0;
-    const Span span(low[a], high[a], margin[a] + ResidencyBand + spare, n);
+    const AxisSpan span(low[a], high[a], margin[a] + ResidencyBand + spare, n);
     region[2 * a] = whole[2 * a] + static_cast<int>(span.First);
     region[2 * a + 1] = whole[2 * a] + static_cast<int>(span.Last);
     count *= span.GetCount();
@@ -113,7 +113,7 @@ std::shared_ptr<const HapticModel> RegionsAlongPath::Find(
     return model;
   }
   int region[6];
-  if (FindRegion(box, this->Source->GetWholeExtent(), region) > MostSamples)
+  if (FindRegion(box, this->Source->GetWholeExtent(), region) > MostSamplesOfRegion)
   {
     throw RegionLost("The tip jumps so far in one tick that the samples between are more than "
                      "2^27. Give the path more points, or a point array \"Time\" with later "

@@ -17,7 +17,7 @@ namespace
 constexpr double MostSamplesAtOnce = 1 << 20;
 
 /** Divides an extent into boxes, each of MostSamplesAtOnce at most. */
-void Divide(const BoxExtent& extent, std::vector<BoxExtent>& boxes)
+void DivideExtent(const BoxExtent& extent, std::vector<BoxExtent>& boxes)
 {
   if (CountSamples(extent) <= MostSamplesAtOnce)
   {
@@ -30,8 +30,8 @@ void Divide(const BoxExtent& extent, std::vector<BoxExtent>& boxes)
   BoxExtent high = extent;
   low[a + 1] = extent[a] + (extent[a + 1] - extent[a]) / 2;
   high[a] = low[a + 1] + 1;
-  Divide(low, boxes);
-  Divide(high, boxes);
+  DivideExtent(low, boxes);
+  DivideExtent(high, boxes);
 }
 
 } // namespace
@@ -45,7 +45,7 @@ VolumeSurvey::VolumeSurvey(const LargeVolume& volume)
   }
   else
   {
-    Divide(volume.Extent, this->Boxes);
+    DivideExtent(volume.Extent, this->Boxes);
   }
 }
 

@@ -10,8 +10,10 @@
 #include "Rigs/Growth.h"
 
 #include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkHapticRegionSource.h>
 #include <vtkTable.h>
+#include <vtkXMLPolyDataReader.h>
 
 #include <atomic>
 #include <memory>
@@ -257,6 +259,27 @@ TEST_F(RegionSource, IsNotRecorded)
   this->BeginInTheMiddle();
   EXPECT_FALSE(this->Device->StartRecording(this->File("Large.vtp").c_str()));
   this->ExpectError("region of a larger volume can't be recorded");
+}
+
+TEST_F(RegionSource, ReplaysNoRecording)
+{
+  const std::string file = this->File("Whole.vtp");
+  this->Filter->SetInputData(0, this->Image);
+  this->Begin();
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  ASSERT_TRUE(this->WaitTicks(20));
+  ASSERT_TRUE(this->Device->StopRecording());
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  vtkNew<vtkVolumeHapticsFilter> replay;
+  replay->SetInputConnection(0, this->Source->GetOutputPort());
+  replay->SetPathConnection(reader->GetOutputPort());
+  const MessageLog log(replay);
+  const MessageLog executive(replay->GetExecutive());
+  replay->Update();
+  ASSERT_EQ(log.Errors.size(), 1U);
+  EXPECT_NE(log.Errors[0].find("recording, which can't be replayed"), std::string::npos);
+  EXPECT_EQ(replay->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST_F(RegionSource, FollowsNothingWithoutATipOrAFilter)

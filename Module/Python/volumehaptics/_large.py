@@ -1,0 +1,242 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Volumes that are larger than memory: anything that gives the samples of a box."""
+
+from __future__ import annotations
+
+import atexit
+import ctypes
+import itertools
+import os
+import time
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+try:
+    import numpy as np
+except ImportError as error:
+    raise ImportError("volumehaptics.open_large() needs NumPy. Cure: pip install numpy, or apt-get install "
+                      "python3-numpy.") from error
+from vtkmodules.vtkCommonCore import (
+    VTK_DOUBLE,
+    VTK_FLOAT,
+    VTK_INT,
+    VTK_LONG_LONG,
+    VTK_SHORT,
+    VTK_SIGNED_CHAR,
+    VTK_UNSIGNED_CHAR,
+    VTK_UNSIGNED_INT,
+    VTK_UNSIGNED_LONG_LONG,
+    VTK_UNSIGNED_SHORT,
+    vtkWeakReference,
+)
+
+from . import vtkVolumeHaptics
+from .vtkVolumeHaptics import vtkHapticRegionSource
+
+__all__ = ["open_large"]
+
+_TYPES = {
+    "int8": VTK_SIGNED_CHAR,
+    "uint8": VTK_UNSIGNED_CHAR,
+    "int16": VTK_SHORT,
+    "uint16": VTK_UNSIGNED_SHORT,
+    "int32": VTK_INT,
+    "uint32": VTK_UNSIGNED_INT,
+    "int64": VTK_LONG_LONG,
+    "uint64": VTK_UNSIGNED_LONG_LONG,
+    "float32": VTK_FLOAT,
+    "float64": VTK_DOUBLE,
+}
+
+# A call of such a function waits for Python's lock, whatever thread it is made by; and a call of the library's function
+# lets other threads of Python run meanwhile.
+_Read = ctypes.CFUNCTYPE(
+    ctypes.c_int, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int), ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int)
+_Release = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
+
+
+class _Array(NamedTuple):
+    """An array that C++ may read, and what reads it."""
+
+    array: Any
+    dtype: np.dtype
+    source: vtkWeakReference
+
+
+_arrays: dict[int, _Array] = {}
+_numbers = itertools.count(1)
+
+
+def _fill(array: Any, dtype: np.dtype, extent: Any, samples: int) -> None:
+    """Puts a box of an array into memory."""
+    x0, x1, y0, y1, z0, z1 = extent[:6]
+    shape = (z1 - z0 + 1, y1 - y0 + 1, x1 - x0 + 1)
+    part = np.asarray(array[z0 : z1 + 1, y0 : y1 + 1, x0 : x1 + 1])
+    if part.shape != shape:
+        raise ValueError(f"its part is of shape {part.shape}, not {shape}")
+    memory = (ctypes.c_char * (dtype.itemsize * part.size)).from_address(samples)
+    np.copyto(np.frombuffer(memory, dtype).reshape(shape), part, casting="same_kind")
+
+
+@_Read
+def _read(number: int, extent: Any, samples: int, why: int, room: int) -> int:
+    try:
+        one = _arrays[number]
+        _fill(one.array, one.dtype, extent, samples)
+    except BaseException as error:  # anything else would be lost in C++
+        text = f"{type(error).__name__}: {error}".encode()[: room - 1] + b"\0"
+        ctypes.memmove(why, text, len(text))
+        return 0
+    return 1
+
+
+@_Release
+def _release(number: int) -> None:
+    _arrays.pop(number, None)
+
+
+def _set_reader(source: vtkHapticRegionSource, read: Any, number: int) -> None:
+    library = ctypes.CDLL(vtkVolumeHaptics.__file__)
+    library.vtkHapticRegionSourceSetReader.argtypes = [ctypes.c_void_p, _Read, _Release, ctypes.c_void_p]
+    library.vtkHapticRegionSourceSetReader.restype = None
+    library.vtkHapticRegionSourceSetReader(int(source.__this__.split("_")[1], 16), read, _release, number)
+
+
+_process = os.getpid()
+
+
+@atexit.register
+def _end_reading() -> None:
+    """No thread may call Python when that is gone."""
+    if os.getpid() != _process:
+        return  # the threads belong to the parent
+    for one in list(_arrays.values()):
+        source = one.source.Get()
+        if source is not None:
+            _set_reader(source, _Read(), 0)
+    while _arrays:
+        time.sleep(0.001)
+
+
+class _Volume:
+    """The volume [z, y, x] in an array with further axes before these."""
+
+    def __init__(self, array: Any, before: tuple[int, ...]) -> None:
+        self._array, self._before = array, before
+        self.shape, self.dtype = tuple(array.shape[len(before):]), array.dtype
+
+    def __getitem__(self, box: tuple[slice, ...]) -> Any:
+        return self._array[(*self._before, *box)]
+
+
+def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float], list[float]]:
+    """Those of OME-Zarr's coordinate transformations, along all axes."""
+    scale, translation = [1.0] * axes, [0.0] * axes
+    for one in transformations:
+        if one.get("type") == "scale" and "scale" in one:
+            scale = [a * b for a, b in zip(scale, one["scale"])]
+            translation = [a * b for a, b in zip(translation, one["scale"])]
+        elif one.get("type") == "translation" and "translation" in one:
+            translation = [a + b for a, b in zip(translation, one["translation"])]
+        elif one.get("type") != "identity":
+            raise ValueError(f"its coordinate transformation {one!r} is neither a scale nor a translation. Cure: open "
+                             "its array with zarr, and give open_large() that, with spacing and origin")
+    return scale, translation
+
+
+def _open_multiscales(group: Any, path: str, level: int) -> tuple[Any, list[float], list[float]]:
+    """A level of an OME-Zarr group as a volume, with spacing and origin along x, y and z."""
+    attributes = dict(group.attrs)
+    scales = attributes.get("ome", attributes).get("multiscales")
+    if not scales:
+        raise ValueError(f"{path} is a Zarr group without OME-Zarr's multiscales. Cure: open one of its arrays with "
+                         "zarr, and give open_large() that")
+    datasets = scales[0]["datasets"]
+    if not -len(datasets) <= level < len(datasets):
+        raise ValueError(f"{path} has {len(datasets)} levels, from 0 on, and none of number {level}")
+    dataset = datasets[level]
+    array = group[dataset["path"]]
+    axes = len(array.shape)
+    names = [one["name"] if isinstance(one, dict) else one for one in scales[0].get("axes", "tczyx"[-axes:])]
+    if axes < 3 or [name.lower() for name in names[-3:]] != ["z", "y", "x"]:
+        raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones")
+    steps = [*dataset.get("coordinateTransformations", []), *scales[0].get("coordinateTransformations", [])]
+    scale, translation = _scale_and_translation(steps, axes)
+    volume = _Volume(array, (0,) * (axes - 3))
+    return volume, scale[:-4:-1], translation[:-4:-1]
+
+
+def _open_path(path: str, level: int) -> tuple[Any, list[float] | None, list[float] | None]:
+    if path.endswith(".npy"):
+        return np.load(path, mmap_mode="r"), None, None
+    try:
+        import zarr
+    except ImportError as error:
+        raise ImportError(f"{path} is opened with zarr, which is not installed. Cure: pip install zarr; or open it "
+                          "with another library, and give open_large() the array") from error
+    opened = zarr.open(path, mode="r")
+    if hasattr(opened, "shape"):
+        return opened, None, None
+    return _open_multiscales(opened, path, level)
+
+
+def _three(what: str, numbers: Sequence[float]) -> tuple[float, ...]:
+    if np.shape(numbers) != (3,):
+        raise ValueError(f"{what} is three numbers, along x, y and z, not {numbers!r}")
+    return tuple(float(one) for one in numbers)
+
+
+def open_large(
+    array_or_path: Any,
+    spacing: Sequence[float] | None = None,
+    origin: Sequence[float] | None = None,
+    level: int = 0,
+) -> vtkHapticRegionSource:
+    """A volume that is too large for memory, and is read where the hand needs it.
+
+    array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy can take: an array of Zarr,
+        HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
+        OME-Zarr image or of a .npy file. Of an OME-Zarr image with times or channels, it is the first of each.
+    spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in its own
+        units; else 1.
+    origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image; else 0.
+    level: of an OME-Zarr image: 0 is the finest. Negative: from the coarsest on.
+
+    The result is a vtkHapticRegionSource. touch() takes it instead of a volume, and feels what it would feel with the
+    whole in memory, to the bit. A vtkVolumeHapticsFilter takes its GetOutputPort(), live as well: then a thread reads
+    around the tip, and needs Python's lock for that; so the program must let other threads run, as every loop of events
+    does. What the array raises while it is read is an error of the filter or of the source.
+
+    TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, or no voxels; a spacing or an
+    origin that is not three numbers; a level that there is not. ImportError: a path that needs zarr.
+
+    >>> import numpy as np
+    >>> from volumehaptics import open_large
+    >>> open_large(np.zeros((30, 20, 10), np.int16), spacing=(0.5, 0.5, 2.0)).GetWholeExtent()
+    (0, 9, 0, 19, 0, 29)
+    """
+    array, own_spacing, own_origin = array_or_path, None, None
+    if isinstance(array_or_path, (str, os.PathLike)):
+        array, own_spacing, own_origin = _open_path(os.fspath(array_or_path), level)
+    shape, kind = getattr(array, "shape", None), getattr(array, "dtype", None)
+    if shape is None or kind is None or not hasattr(array, "__getitem__"):
+        raise TypeError(f"a large volume is an array with shape, dtype and parts [z, y, x], or a path, not "
+                        f"{type(array).__name__}")
+    kind = getattr(kind, "numpy_dtype", kind)  # tensorstore's
+    dtype = np.dtype(kind).newbyteorder("=")
+    if dtype.name not in _TYPES:
+        raise TypeError(f"a volume can't have numbers of type {kind}. Cure: an array of another type, such as dask's "
+                        "array.astype(numpy.float32), which converts what is read")
+    if len(shape) != 3 or 0 in shape:
+        raise ValueError(f"a volume has three dimensions [z, y, x], and voxels; this array's shape is {tuple(shape)}")
+    source = vtkHapticRegionSource()
+    source.SetWholeExtent(0, int(shape[2]) - 1, 0, int(shape[1]) - 1, 0, int(shape[0]) - 1)
+    source.SetScalarType(_TYPES[dtype.name])
+    source.SetSpacing(_three("spacing", spacing if spacing is not None else own_spacing or (1.0, 1.0, 1.0)))
+    source.SetOrigin(_three("origin", origin if origin is not None else own_origin or (0.0, 0.0, 0.0)))
+    number, reference = next(_numbers), vtkWeakReference()
+    reference.Set(source)
+    _arrays[number] = _Array(array, dtype, reference)
+    _set_reader(source, _read, number)
+    return source
