@@ -17,7 +17,7 @@ namespace
 {
 
 /** Between two looks at the tip (ns). */
-constexpr std::int64_t LookPeriod = 5 * ServoClock::Millisecond;
+constexpr std::int64_t TipPeriod = 5 * ServoClock::Millisecond;
 /** Index steps along the axis of the smallest spacing; the first with few enough pages is taken. */
 constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
 /** Of the reach, for what is kept around the proxy if not even the reach has few enough pages. */
@@ -240,7 +240,7 @@ void SampleKeeper::Run() noexcept
       this->Refused.store(true, std::memory_order_relaxed);
     }
     this->Models.LetGo(ModelExchange::SampleKeeper);
-    ServoClock::SleepUntil(ServoClock::Now() + LookPeriod);
+    ServoClock::SleepUntil(ServoClock::Now() + TipPeriod);
   }
   this->Scalars = {};
   this->Labels = {};
