@@ -17,19 +17,10 @@
 # Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
-for program in xvfb-run openbox xdotool wmctrl xprop
-do
-  if ! command -v "$program" > /dev/null
-  then
-    echo "SKIPPED: closing a window by hand takes $program, which is not installed. Testing/run.sh installs it, or:" \
-      "apt-get install --no-install-recommends xvfb xauth openbox xdotool wmctrl x11-utils"
-    exit 77
-  fi
-done
-if [[ -z "${CLOSE_SCREEN:-}" ]]
-then
-  CLOSE_SCREEN=own exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "${BASH_SOURCE[0]}" "$@"
-fi
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth openbox xdotool wmctrl x11-utils" xvfb-run openbox xdotool wmctrl xprop
+take_own_screen "$@"
 
 rounds=1
 expected=""
@@ -48,58 +39,13 @@ do
 done
 title=$1
 shift
-folder=$(mktemp -d)
-export HOME=$folder XDG_CONFIG_HOME=$folder XDG_CACHE_HOME=$folder
-
-# A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it
-# handles requests.
-openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
-manager=$!
-child=""
-clean_up()
-{
-  local process
-  for process in "$child" "$manager"
-  do
-    [[ -z "$process" ]] || { kill -9 "$process" && wait "$process"; } 2> /dev/null || true
-  done
-  rm -rf "$folder"
-}
-trap clean_up EXIT
-for ((i = 0; i < 600; ++i))
-do
-  [[ ! -e "$folder/managed" ]] || break
-  sleep 0.1
-done
-if [[ ! -e "$folder/managed" ]]
-then
-  echo "FAILED: openbox did not start within a minute" >&2
-  cat "$folder/openbox.log" >&2
-  exit 1
-fi
+take_own_home
 
 fail()
 {
   echo "FAILED: $*, in round $round, closed by $way, touched: $touched" >&2
-  cat "$folder/program.log" >&2
+  cat "$folder"/*.log >&2
   exit 1
-}
-
-# Runs a command until it succeeds, for as long as the program lives; a minute at most.
-wait_for()
-{
-  local what=$1 i
-  shift
-  for ((i = 0; i < 600; ++i))
-  do
-    if "$@" > /dev/null 2>&1
-    then
-      return 0
-    fi
-    kill -0 "$child" 2> /dev/null || fail "the program ended before $what"
-    sleep 0.1
-  done
-  fail "$what did not come about within a minute"
 }
 
 is_there()
@@ -118,11 +64,6 @@ has_focus()
 {
   wmctrl -i -a "$window"
   [[ "$(xdotool getwindowfocus)" == "$window" ]]
-}
-
-has_ended()
-{
-  ! kill -0 "$child" 2> /dev/null
 }
 
 # Something is seen, and it has not changed for a second.
@@ -152,7 +93,6 @@ touch_volume()
 
 run_once()
 {
-  local status=0 i
   [[ -z "$expected" ]] || rm -f "$expected"
   "$@" > "$folder/program.log" 2>&1 &
   child=$!
@@ -173,19 +113,16 @@ run_once()
   else
     wmctrl -i -c "$window"
   fi
-  for ((i = 0; i < 600; ++i))
-  do
-    has_ended && break
-    sleep 0.1
-  done
-  has_ended || fail "the program did not end within a minute"
-  wait "$child" || status=$?
-  child=""
-  [[ $status -eq 0 ]] || fail "the program ended with status $status"
+  expect_end
   [[ -z "$expected" || -s "$expected" ]] || fail "the program did not write $expected"
   echo "round $round, closed by $way, touched: $touched: ended with status 0"
 }
 
+# A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it
+# handles requests.
+round=0 way=none touched=no
+openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
+wait_for "a window manager" test -e "$folder/managed"
 for ((round = 1; round <= rounds; ++round))
 do
   for way in q manager

@@ -6,12 +6,10 @@
 # screen; false without one, and on one without GLX, as over a network.
 set -euo pipefail
 
-if ! command -v xvfb-run > /dev/null
-then
-  echo "SKIPPED: this takes xvfb-run, which is not installed. Testing/run.sh installs it, or:" \
-    "apt-get install --no-install-recommends xvfb xauth"
-  exit 77
-fi
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth" xvfb-run
+
 check()
 {
   local wanted=$1 what=$2 status=0 usable=yes

@@ -10,58 +10,21 @@
 # Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
 
-for program in xvfb-run xdotool pulseaudio pactl parec
-do
-  if ! command -v "$program" > /dev/null
-  then
-    echo "SKIPPED: listening takes $program, which is not installed. Testing/run.sh installs it, or:" \
-      "apt-get install --no-install-recommends xvfb xauth xdotool pulseaudio"
-    exit 77
-  fi
-done
-if [[ -z "${SOUND_SCREEN:-}" ]]
-then
-  SOUND_SCREEN=own exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "${BASH_SOURCE[0]}" "$@"
-fi
-
-folder=$(mktemp -d)
-export HOME=$folder XDG_CONFIG_HOME=$folder XDG_CACHE_HOME=$folder XDG_RUNTIME_DIR=$folder
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth xdotool pulseaudio" xvfb-run xdotool pulseaudio pactl parec
+take_own_screen "$@"
+take_own_home
+export XDG_RUNTIME_DIR=$folder
 export PULSE_SERVER=unix:$folder/socket
 unset DBUS_SESSION_BUS_ADDRESS PULSE_RUNTIME_PATH PULSE_SINK
-child=""
 server=""
-clean_up()
-{
-  local process
-  for process in "$child" "$server"
-  do
-    [[ -z "$process" ]] || { kill -9 "$process" && wait "$process"; } 2> /dev/null || true
-  done
-  rm -rf "$folder"
-}
-trap clean_up EXIT
 
 fail()
 {
   echo "FAILED: $*" >&2
   cat "$folder/program.log" "$folder/server.log" >&2 || true
   exit 1
-}
-
-# Runs a command until it succeeds; a minute at most.
-wait_for()
-{
-  local what=$1 i
-  shift
-  for ((i = 0; i < 600; ++i))
-  do
-    if "$@" > /dev/null 2>&1
-    then
-      return 0
-    fi
-    sleep 0.1
-  done
-  fail "$what did not come about within a minute"
 }
 
 serves()
@@ -87,11 +50,6 @@ is_playing()
 is_there()
 {
   xdotool search --onlyvisible --name "^VTK Volume Haptics"
-}
-
-has_ended()
-{
-  ! kill -0 "$child" 2> /dev/null
 }
 
 explorer=("$1" "$2" --mapper cpu --size 200 --sound)
@@ -169,12 +127,8 @@ expect_sound()
 
 end_program()
 {
-  local status=0
   press q
-  wait_for "the program's end" has_ended
-  wait "$child" || status=$?
-  child=""
-  [[ $status -eq 0 ]] || fail "the program ended with status $status"
+  expect_end
 }
 
 expect_lines()

@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# shellcheck shell=bash
+# Sourced by the scripts of this folder: a program in a window on a screen of its own, and what waits for it.
+#
+#   require_programs "Debian's packages" PROGRAM...
+#   take_own_screen "$@"
+#   take_own_home
+#   "$program" > "$folder/program.log" 2>&1 &
+#   child=$!
+#   wait_for "a window" xdotool search --onlyvisible --name "$title"
+#
+# Such a script defines fail(), which tells a text and ends it.
+
+# Ends with 77, which CTest takes as skipped, if a program is not installed.
+require_programs()
+{
+  local packages=$1 program
+  shift
+  for program in "$@"
+  do
+    if ! command -v "$program" > /dev/null
+    then
+      echo "SKIPPED: this takes $program, which is not installed. Testing/run.sh installs it, or:" \
+        "apt-get install --no-install-recommends $packages"
+      exit 77
+    fi
+  done
+}
+
+# The script begins anew there.
+take_own_screen()
+{
+  if [[ -z "${OWN_SCREEN:-}" ]]
+  then
+    OWN_SCREEN=yes exec xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$0" "$@"
+  fi
+  unset OWN_SCREEN
+}
+
+# Neither reads nor writes the user's settings: $folder goes with the script, and so do its processes.
+take_own_home()
+{
+  folder=$(mktemp -d)
+  export HOME=$folder XDG_CONFIG_HOME=$folder XDG_CACHE_HOME=$folder
+  trap clean_up EXIT
+}
+clean_up()
+{
+  local process
+  for process in $(jobs -p)
+  do
+    { kill -9 "$process" && wait "$process"; } 2> /dev/null || true
+  done
+  rm -rf "$folder"
+}
+
+child=""
+has_ended()
+{
+  ! kill -0 "$child" 2> /dev/null
+}
+
+# Runs a command until it succeeds, for as long as the program lives if one was started; a minute at most.
+wait_for()
+{
+  local what=$1 i
+  shift
+  for ((i = 0; i < 600; ++i))
+  do
+    if "$@" > /dev/null 2>&1
+    then
+      return 0
+    fi
+    [[ -z "$child" ]] || ! has_ended || fail "the program ended before $what"
+    sleep 0.1
+  done
+  fail "$what did not come about within a minute"
+}
+
+# The program, which is about to end, has to do so with status 0.
+expect_end()
+{
+  local status=0
+  wait_for "the program's end" has_ended
+  wait "$child" || status=$?
+  child=""
+  [[ $status -eq 0 ]] || fail "the program ended with status $status"
+}
