@@ -12,9 +12,14 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include <csignal>
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <spawn.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -104,7 +109,14 @@ public:
     setenv("DBUS_SESSION_BUS_ADDRESS", this->Address.c_str(), 1);
   }
   void Kill() { this->Daemon.Kill(); }
-  bool IsThere() const { return !this->Address.empty(); }
+  /// What the tests lack; null if it is nothing.
+  const char* FindMissing() const
+  {
+    return this->Address.empty() ? "dbus-daemon is missing (on Debian: dbus)"
+      : system("/usr/bin/python3 -c 'from gi.repository import Gio'") != 0
+      ? "Gio is missing (on Debian: python3-gi)"
+      : nullptr;
+  }
 
 private:
   WrittenProgram Daemon{ { "dbus-daemon", "--session", "--nofork", "--nopidfile",
@@ -136,6 +148,25 @@ private:
   WrittenProgram Service;
   const bool Ready;
 };
+
+inline std::int64_t ThisThread()
+{
+  return syscall(SYS_gettid);
+}
+
+/// What root may, a thread no longer may.
+inline void DropPrivileges()
+{
+  __user_cap_header_struct header{ _LINUX_CAPABILITY_VERSION_3, 0 };
+  __user_cap_data_struct data[2] = {};
+  ASSERT_EQ(syscall(SYS_capset, &header, data), 0);
+}
+
+inline bool AllowPriority(rlim_t highest)
+{
+  const rlimit limit{ highest, highest };
+  return setrlimit(RLIMIT_RTPRIO, &limit) == 0;
+}
 
 } // namespace servotest
 

@@ -3,7 +3,6 @@
 #include "Devices/Common/HardwareDevice.h"
 
 #include "Core/Servo/ServoClock.h"
-#include "Core/Servo/ServoPriority.h"
 
 #include <exception>
 #include <system_error>
@@ -42,6 +41,7 @@ bool HardwareDevice::Open(std::string& error)
   try
   {
     this->Process = ServoClock::GetProcess();
+    this->Priority = std::make_unique<ServoPriority>();
     this->Thread = std::thread([this] { this->Run(); });
   }
   catch (const std::system_error& e)
@@ -50,13 +50,30 @@ bool HardwareDevice::Open(std::string& error)
     this->Driver->Disconnect();
     return false;
   }
+  this->SeekPriority();
   return true;
+}
+
+void HardwareDevice::SeekPriority()
+{
+  try
+  {
+    this->Request = std::thread(
+      [this]
+      {
+        ServoClock::BlockSignals();
+        this->Priority->AskRealtimeKit();
+      });
+  }
+  catch (const std::system_error&) // the device works without it
+  {
+  }
 }
 
 void HardwareDevice::Run()
 {
   ServoClock::BlockSignals();
-  ServoPriority::RaiseThread();
+  this->Priority->Raise();
   try
   {
     this->Driver->Serve(this->Exchange);
@@ -72,15 +89,21 @@ void HardwareDevice::Close()
 {
   if (this->Thread.joinable() && this->Process != ServoClock::GetProcess())
   {
-    // Neither joined nor detached: the thread does not exist in this process.
+    // Neither joined nor detached: the threads do not exist in this process.
     static_cast<void>(new std::thread(std::move(this->Thread)));
+    static_cast<void>(new std::thread(std::move(this->Request)));
     this->IsAbandoned = true;
   }
   if (this->Thread.joinable())
   {
     this->Exchange.Quench();
     this->Exchange.RequestStop();
+    this->Priority->RequestStop();
     this->Thread.join();
+    if (this->Request.joinable())
+    {
+      this->Request.join();
+    }
     this->Driver->Disconnect();
   }
 }

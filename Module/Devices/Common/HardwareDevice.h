@@ -7,6 +7,7 @@
 #ifndef HardwareDevice_h
 #define HardwareDevice_h
 
+#include "Core/Servo/ServoPriority.h"
 #include "Devices/Common/HardwareExchange.h"
 #include "Devices/Common/TrueNewtons.h"
 
@@ -87,13 +88,17 @@ public:
 
 private:
   void Run();
+  /** Seeks a real-time class for the thread, which does not wait for it. */
+  void SeekPriority();
 
   std::unique_ptr<HardwareDriver> Driver;
   HardwareExchange Exchange;
   TrueNewtons Newtons;
   std::thread Thread;
-  std::int64_t Process = 0; // the process that the thread belongs to
-  bool IsAbandoned = false; // in a forked child
+  std::unique_ptr<ServoPriority> Priority; // of Thread
+  std::thread Request;                     // of SeekPriority; may be missing
+  std::int64_t Process = 0;                // the process that the threads belong to
+  bool IsAbandoned = false;                // in a forked child
 };
 
 } // namespace VolumeHaptics

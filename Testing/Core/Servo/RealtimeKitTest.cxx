@@ -20,7 +20,6 @@
 #include <thread>
 #include <vector>
 
-#include <linux/capability.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -35,11 +34,6 @@ namespace
 
 using Lines = std::vector<std::string>;
 
-std::int64_t ThisThread()
-{
-  return syscall(SYS_gettid);
-}
-
 rlim_t HardTimeLimit()
 {
   rlimit limit{};
@@ -53,13 +47,9 @@ class RealtimeKitService : public testing::Test
 protected:
   void SetUp() override
   {
-    if (!this->Bus.IsThere())
+    if (const char* const missing = this->Bus.FindMissing())
     {
-      GTEST_SKIP() << "dbus-daemon is missing (on Debian: dbus)";
-    }
-    if (system("/usr/bin/python3 -c 'from gi.repository import Gio'") != 0)
-    {
-      GTEST_SKIP() << "Gio is missing (on Debian: python3-gi)";
+      GTEST_SKIP() << missing;
     }
   }
 
@@ -68,20 +58,6 @@ protected:
   PlayedBus Bus;
   std::atomic<bool> Stop{ false };
 };
-
-/// What root may, a thread no longer may.
-void DropPrivileges()
-{
-  __user_cap_header_struct header{ _LINUX_CAPABILITY_VERSION_3, 0 };
-  __user_cap_data_struct data[2] = {};
-  ASSERT_EQ(syscall(SYS_capset, &header, data), 0);
-}
-
-bool AllowPriority(rlim_t highest)
-{
-  const rlimit limit{ highest, highest };
-  return setrlimit(RLIMIT_RTPRIO, &limit) == 0;
-}
 
 } // namespace
 
