@@ -7,7 +7,7 @@
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
 # Without --full, there is a short form of the sanitizer runs and of the fuzzer, there are no benchmarks and no analyzer
-# of clang-tidy, and tests with the label "full" are left out, which repeat others in another place; with it, all C++
+# of clang-tidy, and tests with the label "full" are left out, which are slow for what they tell; with it, all C++
 # tests and the calls in any order run under the address and undefined-behaviour sanitizers, those of the device, the
 # scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five minutes, the
 # benchmarks print their ratios, and the evaluation its whole table.
