@@ -14,6 +14,7 @@
 #include "Rigs/ApiRig.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkMath.h>
 #include <vtkTable.h>
 
 #include <cmath>
@@ -51,6 +52,9 @@ inline double Value(const std::vector<Ball>& balls, const Point& x, int size = S
   }
   return value;
 }
+
+constexpr double Range = 250.0;        // of the three materials
+constexpr double Sigma = 0.02 * Range; // of their noise
 
 /// Three materials, 0, 100 and 250; edges of widths s.
 inline std::vector<Ball> ThreeMaterials(double outer, double inner)
@@ -106,6 +110,58 @@ inline std::array<double, 2> NodeOf(vtkPiecewiseFunction* function, int n)
   function->GetNodeValue(n, node);
   return { node[0], node[1] };
 }
+
+/// What is found in three materials with noise, and in the head phantom.
+class Proposal : public testing::Test
+{
+protected:
+  /// Edges of widths s; `areas` is the area of the outer ball as a multiple of the inner one's.
+  void ExpectMaterials(double outer, double inner, double areas, double areasError)
+  {
+    const std::vector<Found> found = Boundaries(this->Property);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found[0].Low, 0.0, 0.02 * Range);
+    EXPECT_NEAR(found[0].High, 100.0, 0.02 * Range);
+    EXPECT_NEAR(found[1].Low, 100.0, 0.02 * Range);
+    EXPECT_NEAR(found[1].High, 250.0, 0.02 * Range);
+    EXPECT_NEAR(found[0].Width, outer, 0.05 * outer);
+    EXPECT_NEAR(found[1].Width, inner, 0.05 * inner);
+    EXPECT_NEAR(found[0].Share / found[1].Share, areas, areasError);
+  }
+
+  /// The start lies above what noise reaches, the end below every edge.
+  void ExpectDistinctness(double leastStep, double width)
+  {
+    // White noise through the derivative of a Gaussian of scale t: the integrals of G^2 and G'^2.
+    // An edge through it has the width sqrt(s^2 + t^2).
+    const double t = 0.5 * this->Property->GetProposedKernelRadius();
+    const double noise = Sigma / (4.0 * std::pow(vtkMath::Pi(), 0.75) * std::pow(t, 2.5));
+    const double arc = leastStep / (std::sqrt(2.0 * vtkMath::Pi()) * std::hypot(width, t));
+    vtkPiecewiseFunction* const distinctness = this->Property->GetDistinctness();
+    ASSERT_EQ(distinctness->GetSize(), 2);
+    const auto start = NodeOf(distinctness, 0);
+    const auto full = NodeOf(distinctness, 1);
+    EXPECT_EQ(start[1], 0.0);
+    EXPECT_EQ(full[1], 1.0);
+    EXPECT_GE(start[0], 0.95 * std::max(3.4 * noise, 0.2 * arc));
+    EXPECT_LT(start[0], full[0]);
+    EXPECT_LE(full[0], 0.55 * arc);
+    EXPECT_GE(full[0], 0.4 * arc);
+  }
+
+  /// Of the head phantom: the numbers of Data/phantom.py.
+  void ExpectTissues()
+  {
+    vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();
+    EXPECT_EQ(strength->GetValue(-1000.0), 0.0); // air
+    EXPECT_GT(strength->GetValue(40.0), 0.5);    // scalp, brain
+    EXPECT_LT(strength->GetValue(40.0), 3.5);
+    EXPECT_EQ(strength->GetValue(1200.0), 12.0); // skull
+    EXPECT_EQ(this->Property->GetSurfaceSide(), vtkHapticProperty::HIGHER);
+  }
+
+  vtkNew<vtkHapticProperty> Property;
+};
 } // namespace proposaltest
 
 #endif
