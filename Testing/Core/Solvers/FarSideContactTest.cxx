@@ -4,7 +4,8 @@
 /**
  * A hand on surfaces whose materials belong to their far side. The volumes are built from values of
  * plateaus, which are also what is expected; how values follow along a surface is the solution of
- * the equation in FarSide.h, an exponential.
+ * the equation in FarSide.h, an exponential. A distance field has no far side: there the same hand
+ * with the kernel's values is expected.
  */
 
 #include "Core/Solvers/Precise/FarSide.h"
@@ -369,5 +370,123 @@ TEST(FarSideContact, AnEvenRampIsFeltAsWithTheKernel)
     {
       EXPECT_NEAR(records[1].NormalForce, std::min(2.0, 0.5 * depth), 1e-9) << depth << " mm deep";
     }
+  }
+}
+
+namespace
+{
+/// The depth (mm, which are voxels) inside a body of which the volume is the distance field.
+struct Body
+{
+  const char* Name;
+  double (*Depth)(const Vector3&);
+};
+
+constexpr double Half = 28.6; // mm: the middle of the bodies along each axis
+constexpr double Pi = 3.14159265358979323846;
+
+const Body Bodies[] = {
+  { "ball",
+    [](const Vector3& x) {
+      return 10.0 - Norm(x - Vector3{ Half, Half, Half });
+    } },
+  { "small ball",
+    [](const Vector3& x) {
+      return 6.0 - Norm(x - Vector3{ Half, Half, Half });
+    } },
+  { "hollow",
+    [](const Vector3& x) {
+      return Norm(x - Vector3{ Half, Half, Half }) - 10.0;
+    } },
+  { "ball in a field that ends 10 voxels from it",
+    [](const Vector3& x) {
+      return std::max(-10.0, 15.0 - Norm(x - Vector3{ Half, Half, Half }));
+    } },
+  { "ring",
+    [](const Vector3& x)
+    {
+      const Vector3 d = x - Vector3{ Half, Half, Half };
+      return 7.0 - std::hypot(std::hypot(d.X, d.Y) - 17.0, d.Z);
+    } },
+  // Its curvature radii are 8.8 voxels at least, and its gradient is 1 to 1.23 on the surface.
+  { "gyroid",
+    [](const Vector3& x)
+    {
+      const double k = 2.0 * Pi / 48.0;
+      const Vector3 d = k * (x - Vector3{ Half, Half, Half });
+      return (std::sin(d.X) * std::cos(d.Y) + std::sin(d.Y) * std::cos(d.Z) +
+               std::sin(d.Z) * std::cos(d.X)) /
+        (std::sqrt(2.0) * k);
+    } },
+};
+
+Vector3 Slope(const Body& body, const Vector3& x)
+{
+  const double h = 1e-4;
+  const auto along = [&](const Vector3& e)
+  { return (body.Depth(x + h * e) - body.Depth(x - h * e)) / (2.0 * h); };
+  return { along({ 1, 0, 0 }), along({ 0, 1, 0 }), along({ 0, 0, 1 }) };
+}
+
+/// The nearest place at a depth.
+Vector3 AtDepth(const Body& body, Vector3 x, double depth)
+{
+  for (int i = 0; i < 20; ++i)
+  {
+    const Vector3 slope = Slope(body, x);
+    x += ((depth - body.Depth(x)) / Dot(slope, slope)) * slope;
+  }
+  return x;
+}
+} // namespace
+
+TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
+{
+  constexpr double steepness = 100.0; // per voxel
+  std::mt19937 engine(5);
+  std::normal_distribution<double> normal;
+  for (const Body& body : Bodies)
+  {
+    SCOPED_TRACE(body.Name);
+    TestVolume volume(ScalarType::Float32, { 58, 58, 58 });
+    volume.Fill<float>(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+        return steepness * body.Depth({ double(i), double(j), double(k) });
+      });
+    HapticModelDescription description = DescribeFar(volume);
+    description.Material.SurfaceStrength = { { 0.0, 0.0 }, { 20.0, 5.0 } };
+    const HapticModel far(description);
+    PlaceAsThePaper(description);
+    const HapticModel kernel(description);
+    double farthest = 0.0;
+    int held = 0;
+    for (int stroke = 0; stroke < 6; ++stroke)
+    {
+      const Vector3 start = { Half + 12.0 * normal(engine), Half + 12.0 * normal(engine),
+        Half + 12.0 * normal(engine) };
+      Vector3 tip = AtDepth(body, start, -5.0);
+      Vector3 way = { normal(engine), normal(engine), normal(engine) };
+      ServoState states[2];
+      TickRecord records[2];
+      for (int i = 0; i < 900; ++i)
+      {
+        // The surface is felt a kernel radius outside, so that this is 2 mm deep.
+        const double depth = std::min(-5.0 + 0.05 * i, 0.0);
+        way += 0.02 * Vector3{ normal(engine), normal(engine), normal(engine) };
+        tip = AtDepth(body, tip + (0.05 / Norm(way)) * way, depth);
+        const double border =
+          std::min({ tip.X, tip.Y, tip.Z, 57.0 - tip.X, 57.0 - tip.Y, 57.0 - tip.Z });
+        if (border < 9.0)
+        {
+          break;
+        }
+        Tick(kernel, states[0], 0.001 * tip, records[0]);
+        Tick(far, states[1], 0.001 * tip, records[1]);
+        farthest = std::max(farthest, 1000.0 * Norm(records[1].Proxy - records[0].Proxy));
+        held += Holds(records[1]);
+      }
+    }
+    EXPECT_LT(farthest, 0.05);
+    EXPECT_GT(held, 900);
   }
 }

@@ -34,6 +34,9 @@ struct Walk
   double First = 0.0;         ///< the rise of the first step
   int Steps = 0;
   double Smallest = std::numeric_limits<double>::infinity(); ///< since the largest one
+  double Pair = 0.0; ///< the rise of the pair of steps that is under way
+  double LeastPair = std::numeric_limits<double>::infinity();
+  double LargestPair = 0.0;
 
   /** @param sign 1 if V rises in the direction of this walk, else -1 */
   void Step(double value, double sign) noexcept
@@ -44,6 +47,27 @@ struct Walk
     this->LargestBefore = this->Largest;
     this->Largest = std::max(this->Largest, this->Rise);
     this->First = this->Steps++ == 0 ? this->Rise : this->First;
+    this->Pair += this->Rise;
+    if (this->Steps % 2 == 0)
+    {
+      this->AddPair(this->Pair);
+    }
+  }
+
+  /** At the border a single step is left. */
+  void AddRest() noexcept
+  {
+    if (this->Steps % 2 != 0)
+    {
+      this->AddPair(2.0 * this->Pair);
+    }
+  }
+
+  void AddPair(double rise) noexcept
+  {
+    this->LeastPair = std::min(this->LeastPair, rise);
+    this->LargestPair = std::max(this->LargestPair, rise);
+    this->Pair = 0.0;
   }
 
   /** @param opposite the walk to the other side, after the same step */
@@ -66,6 +90,16 @@ struct Walk
   }
 };
 
+/** @param rise of a pair of steps, by the gradient */
+double FindEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
+{
+  const double found = std::min(ahead.LeastPair, behind.LeastPair);
+  const double least = std::isfinite(found) ? found : rise; // without any step inside the volume
+  const double largest = std::max(rise, std::max(ahead.LargestPair, behind.LargestPair));
+  // Not if a rise or a ratio is not a number.
+  return least > 0.0 && largest > LeastRise && least <= largest ? least / largest : 0.0;
+}
+
 } // namespace
 
 FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vector3& reach,
@@ -77,7 +111,6 @@ FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vec
   const double start = field.Value(index);
   Walk ahead{ start, start, start, part * rise };
   Walk behind{ start, start, start, part * rise };
-  double evenness = 0.0;
   bool goesAhead = true;
   bool goesBehind = true;
   for (int j = 1; j <= FarSide::MostSteps; ++j)
@@ -104,13 +137,17 @@ FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vec
     {
       behind.Add(ahead, inverse);
     }
-    evenness = std::min(ahead.Weight, behind.Weight) *
-      std::max(0.0, std::min(ahead.Rise, behind.Rise) * inverse);
-    if ((!goesAhead || ahead.Weight == 0.0) && (!goesBehind || behind.Weight == 0.0))
+    const bool isDone =
+      (!goesAhead || ahead.Weight == 0.0) && (!goesBehind || behind.Weight == 0.0);
+    // Ripple, too, can take all weight, but a ramp is judged as a whole.
+    if (isDone && FindEvenness(ahead, behind, 2.0 * part * rise) <= FarSide::EdgeEvenness)
     {
       break;
     }
   }
+  ahead.AddRest();
+  behind.AddRest();
+  const double evenness = FindEvenness(ahead, behind, 2.0 * part * rise);
   const auto finite = [start](double far) { return std::isfinite(far) ? far : start; };
   return { finite(ahead.Far), finite(behind.Far), evenness };
 }

@@ -30,8 +30,16 @@
  * beyond it as before: an even ramp is one up to the border.
  *
  * An even ramp leads nowhere: there the values are those of the kernel, a radius to either side of
- * each position, as if MaterialPlacement were Kernel; between an edge and an even ramp they are
- * blended.
+ * each position, as if MaterialPlacement were Kernel. The walk as a whole tells how even a ramp is:
+ *
+ *   E = min(p_i)/max(p_i),   p_i = a_2i-1 + a_2i of both sides.
+ *
+ * On a blurred edge as above E is less than FarSide::EdgeEvenness. On the distance from a point it
+ * is 0.7 or more, up to 2 voxels from the point, though coarse voxels and noise of 5 % let single
+ * steps differ by more than FarSide::Rise. Between EdgeEvenness and RampEvenness the values, and
+ * the strengths of alignment Edge, are blended from those of the edge to those of the ramp. So a
+ * surface within a distance field is felt as with the kernel unless a ridge of the field is in
+ * reach.
  *
  * ## Along a surface
  *
@@ -81,15 +89,15 @@ constexpr double WalkInterval = 0.5;
 ///@}
 /** The least share of its height by which an edge stays the same. */
 constexpr double SharedHeight = 0.3;
-/** A ramp that is less even than this is an edge. */
-constexpr double EdgeEvenness = 0.5;
-/** More than 1, so that rounding and interpolation do not make an edge of an even ramp. */
-constexpr double MostEvenness = 1.1;
+/** A ramp that is no more even than this is an edge. */
+constexpr double EdgeEvenness = 0.2;
+/** One that is as even as this leads nowhere. */
+constexpr double RampEvenness = 0.5;
 
 /** From 0 for an edge to 1 for an even ramp, on which there is none. */
 inline double FindEvenShare(const FarValues& far) noexcept
 {
-  return std::clamp(MostEvenness * (far.Evenness - EdgeEvenness) / (1.0 - EdgeEvenness), 0.0, 1.0);
+  return std::clamp((far.Evenness - EdgeEvenness) / (RampEvenness - EdgeEvenness), 0.0, 1.0);
 }
 } // namespace FarSide
 

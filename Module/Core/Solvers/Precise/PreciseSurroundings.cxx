@@ -40,9 +40,9 @@ double AtEdge(const MaterialPoint& point, double value, bool isDescending) noexc
  *
  *   T' = min(T, EdgeStrength s/(1 - s)),   s = (V - middle)/(EdgeWidth h),
  *
- * and 0 before the middle: so the strength does not step if the middle wanders along a surface. An
- * even ramp has no middle; with its evenness, s rises to 1. If h is less than the gradient's `rise`
- * over the kernel radius, then the edge is elsewhere, and s falls to 0.
+ * and 0 before the middle: so the strength does not step if the middle wanders along a surface. If
+ * h is less than the gradient's `rise` over the kernel radius, then the edge is elsewhere, and s
+ * falls to 0.
  *
  * V is V(x_p) or the estimator's own value, the one that is farther inside: the latter carries less
  * noise, but in a sheet that is thinner than the kernel it does not reach the middle.
@@ -54,12 +54,10 @@ double GradedStrength(
   const double middle = 0.5 * (point.SurfaceValue + point.MediumValue);
   const double height = std::abs(point.SurfaceValue - point.MediumValue);
   const double above = isDescending ? middle - inside : inside - middle;
-  const double even = FarSide::FindEvenShare(point.Far);
-  const double past =
-    std::clamp(std::max(0.0, above) / std::max(EdgeWidth * height, 1e-300) + even, 0.0, 1.0);
+  const double past = std::clamp(above / std::max(EdgeWidth * height, 1e-300), 0.0, 1.0);
   const double share = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
   const double edge = EdgeStrength * share;
-  const double whole = point.SurfaceStrength * std::max(even, AtEdge(point, inside, isDescending));
+  const double whole = point.SurfaceStrength * AtEdge(point, inside, isDescending);
   return std::min(whole, edge / std::max(1.0 - share, 1e-12));
 }
 
@@ -103,10 +101,25 @@ PrecisePoint PreciseSurroundings::Look(
   if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
     point.SurfaceStrength > 0.0)
   {
-    const double value = this->Model.Baked->Field.Value(index);
-    point.SurfaceStrength = this->Model.Baked->Settings.Placement == MaterialPlacement::FarSide
-      ? GradedStrength(point, value, this->FindRise(surface), isDescending)
-      : point.SurfaceStrength * AtEdge(point, value, isDescending);
+    const FieldSampler& field = this->Model.Baked->Field;
+    const double even = FarSide::FindEvenShare(point.Far);
+    if (this->Model.Baked->Settings.Placement == MaterialPlacement::Kernel)
+    {
+      point.SurfaceStrength *= AtEdge(point, field.Value(index), isDescending);
+    }
+    else if (even < 1.0)
+    {
+      const double edge =
+        GradedStrength(point, field.Value(index), this->FindRise(surface), isDescending);
+      // An even ramp has no middle: it holds as with the kernel's values.
+      MaterialPoint ramp;
+      if (even > 0.0)
+      {
+        const ValuePair nearby = field.Values(index, surface.Reach);
+        Law::SetMaterials(this->Model, index, surface, distinct, nearby, this->Labels, ramp);
+      }
+      point.SurfaceStrength = edge + even * (ramp.SurfaceStrength - edge);
+    }
   }
   return point;
 }
