@@ -490,3 +490,51 @@ TEST(FarSideContact, ADistanceFieldOfCoarseVoxelsIsFeltAsWithTheKernel)
     EXPECT_GT(held, 900);
   }
 }
+
+TEST(FarSideContact, ARampOfRoundedSamplesHoldsAsFirmlyAsAnExactOne)
+{
+  // A ball without an edge: on a ramp of 10 values a voxel, the surface is where the hand meets it.
+  // A tip 1 mm under it feels 500 N/m times that, and 5 N would not get through.
+  const double radius = 100.0;
+  const double expected = 500.0 * 1e-3;
+  const Vector3 out = (1.0 / std::sqrt(14.0)) * Vector3{ 2.0, 1.0, 3.0 };
+  const Vector3 across = (1.0 / std::sqrt(5.0)) * Vector3{ 1.0, -2.0, 0.0 };
+  const Vector3 along = Cross(out, across);
+  const Vector3 centre = Vector3{ 24.0, 24.0, 24.0 } - radius * out;
+  for (const bool isRounded : { false, true })
+  {
+    TestVolume volume(ScalarType::Float64, { 49, 49, 49 });
+    volume.Fill<double>(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k)
+      {
+        const Vector3 to = Vector3{ double(i), double(j), double(k) } - centre;
+        const double value = 2000.0 - Dot(to, to) / 20.0;
+        return isRounded ? std::floor(value) : value;
+      });
+    HapticModelDescription description = DescribeFar(volume);
+    description.Material.Distinctness = { { 0.1, 0.0 }, { 1.0, 1.0 } };
+    const HapticModel model(description);
+    for (double turn = 0.0; turn < 3.0; turn += 0.2)
+    {
+      const Vector3 aside = std::cos(turn) * across + std::sin(turn) * along;
+      ServoState state;
+      TickRecord record;
+      const auto tick = [&](double angle, double depth)
+      {
+        const Vector3 direction = std::cos(angle) * out + std::sin(angle) * aside;
+        Tick(model, state, 0.001 * (centre + (radius - depth) * direction), record);
+      };
+      const double first = -0.16;
+      for (double depth = 0.0; depth < 1.0; depth += 0.05)
+      {
+        tick(first, depth);
+      }
+      for (double angle = first; angle < -first; angle += 0.0005)
+      {
+        tick(angle, 1.0);
+        ASSERT_NEAR(record.NormalForce, expected, 0.1 * expected)
+          << (isRounded ? "rounded, " : "exact, ") << angle << ", " << turn;
+      }
+    }
+  }
+}
