@@ -2,51 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EmulatedEvdev.h"
 
-#include "Testbed.h"
+#include "FifoNode.h"
 
 #include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 
-#include <fcntl.h>
 #include <sys/ioctl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace emulated
 {
-
-struct EmulatedEvdev::Plug
-{
-  PadModel& Model;
-  UMockdevIoctlBase* Handler = nullptr;
-  std::string Node; ///< as programs see it
-  std::string File; ///< its path
-  std::string SysPath;
-  int Fifo = -1;
-  std::atomic<bool> Gone{ false };
-};
-
 namespace
 {
-using Plug = EmulatedEvdev::Plug;
-
-void Require(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    throw std::runtime_error(std::string(what) + ": " + std::strerror(errno));
-  }
-}
-
-gboolean Answer(UMockdevIoctlClient* client, int result)
-{
-  umockdev_ioctl_client_complete(client, result < 0 ? -1 : result, result < 0 ? -result : 0);
-  return TRUE;
-}
 
 void SetBits(std::uint8_t* bytes, std::size_t size, const std::set<unsigned>& bits)
 {
@@ -69,28 +38,16 @@ std::set<unsigned> AxesOf(const PadModel& model)
   return codes;
 }
 
-gboolean OnWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data)
+int WriteEvents(PadModel& model, const std::uint8_t* bytes, std::size_t size)
 {
-  auto* plug = static_cast<Plug*>(data);
-  const UMockdevIoctlData* bytes = umockdev_ioctl_client_get_arg(client);
-  if (plug->Gone)
-  {
-    return Answer(client, -ENODEV);
-  }
-  const std::size_t count = bytes->data_len / sizeof(input_event);
+  const std::size_t count = size / sizeof(input_event);
   for (std::size_t i = 0; i < count; ++i)
   {
     input_event event;
-    std::memcpy(&event, bytes->data + i * sizeof(event), sizeof(event));
-    plug->Model.Write(event);
+    std::memcpy(&event, bytes + i * sizeof(event), sizeof(event));
+    model.Write(event);
   }
-  return Answer(client, count == 0 ? -EINVAL : static_cast<int>(count * sizeof(input_event)));
-}
-
-gboolean OnRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data)
-{
-  // Not handled: the FIFO is read.
-  return static_cast<Plug*>(data)->Gone ? Answer(client, -ENODEV) : FALSE;
+  return count == 0 ? -EINVAL : static_cast<int>(count * sizeof(input_event));
 }
 
 int Fill(PadModel& model, const void* file, unsigned long request, std::uint8_t* bytes)
@@ -136,36 +93,18 @@ int Fill(PadModel& model, const void* file, unsigned long request, std::uint8_t*
   return -EINVAL;
 }
 
-gboolean OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer user)
+int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long request)
 {
-  auto* plug = static_cast<Plug*>(user);
-  const unsigned long request = umockdev_ioctl_client_get_request(client);
-  if (_IOC_TYPE(request) != 'E')
-  {
-    return FALSE;
-  }
-  if (plug->Gone)
-  {
-    return Answer(client, -ENODEV);
-  }
-  UMockdevIoctlData* const argument = umockdev_ioctl_client_get_arg(client);
   if (_IOC_NR(request) == _IOC_NR(EVIOCGRAB) || _IOC_NR(request) == _IOC_NR(EVIOCRMFF))
   {
     // These have a value in the place of an address.
     unsigned long value = 0;
-    std::memcpy(&value, argument->data, sizeof(value));
-    return Answer(client,
-      _IOC_NR(request) == _IOC_NR(EVIOCGRAB) ? plug->Model.Grab(client, value != 0)
-                                             : plug->Model.Erase(client, static_cast<int>(value)));
+    std::memcpy(&value, umockdev_ioctl_client_get_arg(client)->data, sizeof(value));
+    return _IOC_NR(request) == _IOC_NR(EVIOCGRAB) ? model.Grab(client, value != 0)
+                                                  : model.Erase(client, static_cast<int>(value));
   }
-  UMockdevIoctlData* data = umockdev_ioctl_data_resolve(argument, 0, _IOC_SIZE(request), nullptr);
-  if (data == nullptr)
-  {
-    return Answer(client, -EIO); // its program has ended meanwhile
-  }
-  const int result = Fill(plug->Model, client, request, data->data);
-  g_object_unref(data);
-  return Answer(client, result);
+  return FifoNode::WithTarget(client, _IOC_SIZE(request),
+    [&](std::uint8_t* bytes) { return Fill(model, client, request, bytes); });
 }
 
 /** As sysfs writes bits: words of a long, the highest first, without leading zeros. */
@@ -188,11 +127,11 @@ std::string WordsOf(const std::set<unsigned>& bits)
 }
 
 /** The entries of udev: an input device, and its node. */
-std::string Describe(const PadModel& model, int number, std::string& sysPath)
+FifoNode::Device Describe(const PadModel& model, int number)
 {
   char device[80];
   std::snprintf(device, sizeof(device), "/devices/virtual/input/input%d", number + 20);
-  sysPath = std::string("/sys") + device + "/event" + std::to_string(number);
+  const std::string sysPath = std::string("/sys") + device;
   char text[1500];
   const std::set<unsigned> rumble{ FF_RUMBLE, FF_PERIODIC, FF_SQUARE, FF_TRIANGLE, FF_SINE,
     FF_GAIN };
@@ -207,99 +146,53 @@ std::string Describe(const PadModel& model, int number, std::string& sysPath)
     model.GetName().c_str(), model.GetName().c_str(), model.GetVendor(), model.GetProduct(),
     WordsOf(AxesOf(model)).c_str(), WordsOf(PadModel::GetButtons()).c_str(),
     (model.Rumbles() ? WordsOf(rumble) : std::string("0")).c_str());
-  return text;
+  return { text, { sysPath + "/event" + std::to_string(number), sysPath } };
+}
+
+std::unique_ptr<FifoNode> MakeNode(PadModel& model)
+{
+  // The second one has two digits, and its number is larger.
+  static std::atomic<int> next{ 9 };
+  const int number = next++;
+  FifoNode::Answers answers;
+  answers.IoctlType = 'E';
+  answers.GoneResult = -ENODEV;
+  answers.Write = [&model](const std::uint8_t* bytes, std::size_t size)
+  { return WriteEvents(model, bytes, size); };
+  answers.Ioctl = [&model](UMockdevIoctlClient* client, unsigned long request)
+  { return AnswerIoctl(model, client, request); };
+  return std::make_unique<FifoNode>(
+    "/dev/input/event" + std::to_string(number), Describe(model, number), answers);
 }
 } // namespace
 
 EmulatedEvdev::EmulatedEvdev(PadModel& model)
   : Model(model)
-  , Only(new Plug{ model })
+  , Node(MakeNode(model))
 {
   model.Input = [this](const std::vector<input_event>& events)
-  {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    if (this->Current)
-    {
-      [[maybe_unused]] const auto written =
-        write(this->Current->Fifo, events.data(), events.size() * sizeof(input_event));
-    }
-  };
-  Plug* const plug = this->Only;
-  // The second one has two digits, and its number is larger.
-  static std::atomic<int> next{ 9 };
-  const int number = next++;
-  plug->Node = "/dev/input/event" + std::to_string(number);
-  char* root = umockdev_testbed_get_root_dir(Testbed());
-  plug->File = root + plug->Node;
-  g_free(root);
-  plug->Handler = umockdev_ioctl_base_new();
-  g_signal_connect(plug->Handler, "handle-ioctl", G_CALLBACK(OnIoctl), plug);
-  g_signal_connect(plug->Handler, "handle-write", G_CALLBACK(OnWrite), plug);
-  g_signal_connect(plug->Handler, "handle-read", G_CALLBACK(OnRead), plug);
-  Require(
-    umockdev_testbed_attach_ioctl(Testbed(), plug->Node.c_str(), plug->Handler, nullptr), "attach");
-  const std::string text = Describe(model, number, plug->SysPath);
-  Require(umockdev_testbed_add_from_string(Testbed(), text.c_str(), nullptr), "add");
-  unlink(plug->File.c_str());
-  Require(mkfifo(plug->File.c_str(), 0666) == 0, "mkfifo");
-  // A FIFO can't be opened in packet mode, only be put into it.
-  plug->Fifo = open(plug->File.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-  Require(plug->Fifo >= 0 && fcntl(plug->Fifo, F_SETFL, O_NONBLOCK | O_DIRECT) == 0, "fifo");
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  this->Current = plug;
+  { this->Node->Send(events.data(), events.size() * sizeof(input_event)); };
 }
 
 void EmulatedEvdev::Unplug()
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    if (!this->Current)
-    {
-      return;
-    }
-    this->Current = nullptr;
-  }
-  Plug* const plug = this->Only;
-  plug->Gone = true;
-  // A poll wakes up, and the read fails.
-  const std::uint8_t byte = 0;
-  [[maybe_unused]] const auto written = write(plug->Fifo, &byte, 1);
-  umockdev_testbed_detach_ioctl(Testbed(), plug->Node.c_str(), nullptr);
-  const std::string device = plug->SysPath.substr(0, plug->SysPath.rfind('/'));
-  for (const std::string& path : { plug->SysPath, device })
-  {
-    umockdev_testbed_uevent(Testbed(), path.c_str(), "remove");
-    umockdev_testbed_remove_device(Testbed(), path.c_str());
-  }
-  unlink(plug->File.c_str());
+  this->Node->Unplug();
 }
 
 const std::string& EmulatedEvdev::GetNode() const
 {
-  return this->Only->Node;
+  return this->Node->GetNode();
 }
 
 void EmulatedEvdev::SetPermissions(unsigned mode)
 {
-  chmod(this->Only->File.c_str(), mode);
-  // The rest is for everyone, the socket behind the node included.
-  char* root = umockdev_testbed_get_root_dir(Testbed());
-  const std::string ioctls = std::string(root) + "/ioctl";
-  for (const std::string& path : { std::string(root), ioctls, ioctls + "/dev",
-         ioctls + "/dev/input", ioctls + this->Only->Node })
-  {
-    chmod(path.c_str(), 0777);
-  }
-  g_free(root);
+  this->Node->SetPermissions(mode);
 }
 
 EmulatedEvdev::~EmulatedEvdev()
 {
   this->Unplug();
   this->Model.Input = [](const auto&) {};
-  close(this->Only->Fifo);
-  g_object_unref(this->Only->Handler);
-  delete this->Only;
 }
 
 } // namespace emulated

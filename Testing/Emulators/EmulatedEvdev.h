@@ -4,17 +4,18 @@
 /**
  * A gamepad that is plugged into the kernel that umockdev plays: its node of evdev, and sysfs.
  *
- * Events come through a FIFO in packet mode in the place of the node, as with EmulatedHid. Requests
- * and writes go to the model on umockdev's own thread. umockdev does not tell that a file is
- * closed: PadModel::CloseFiles.
+ * umockdev does not tell that a file is closed: PadModel::CloseFiles.
  */
 #ifndef EmulatedEvdev_h
 #define EmulatedEvdev_h
 
 #include "PadModel.h"
 
+#include <memory>
+
 namespace emulated
 {
+class FifoNode;
 
 class EmulatedEvdev
 {
@@ -33,13 +34,9 @@ public:
   /** The mode of its node, such as 0000. */
   void SetPermissions(unsigned mode);
 
-  struct Plug;
-
 private:
   PadModel& Model;
-  std::mutex Guard; ///< of Current, which the model sends to from other threads
-  Plug* Current = nullptr;
-  Plug* const Only;
+  const std::unique_ptr<FifoNode> Node;
 };
 
 } // namespace emulated

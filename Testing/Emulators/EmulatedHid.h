@@ -3,10 +3,6 @@
 
 /**
  * A HID device that is plugged into the kernel that umockdev plays.
- *
- * Reports come through a FIFO in packet mode in the place of the hidraw node: one write is one
- * read, poll() tells the truth, and reports that are not read in time are dropped, as by the
- * kernel. Writes and feature reports go to the model on umockdev's own thread.
  */
 #ifndef EmulatedHid_h
 #define EmulatedHid_h
