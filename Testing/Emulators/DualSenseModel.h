@@ -171,6 +171,11 @@ public:
     const std::lock_guard<std::mutex> lock(this->Guard);
     return this->Now;
   }
+  bool IsStill()
+  {
+    const Motors motors = this->GetMotors();
+    return motors.Left == 0 && motors.Right == 0;
+  }
   /** The largest of each since the last call. */
   Motors TakeLargest()
   {

@@ -347,6 +347,12 @@ PadModel::Change PadModel::GetMotors()
   return this->Motors;
 }
 
+bool PadModel::IsStill()
+{
+  const Change motors = this->GetMotors();
+  return motors.Strong == 0 && motors.Weak == 0;
+}
+
 std::vector<PadModel::Change> PadModel::GetHistory()
 {
   const Lock lock(this->Guard);

@@ -85,6 +85,7 @@ public:
 
   ///@{
   Change GetMotors();
+  bool IsStill();
   std::vector<Change> GetHistory();
   void ForgetHistory();
   double GetTime() const;

@@ -69,7 +69,23 @@ public:
   }
   void Stop() { this->Loop.reset(); }
   ServoLoop* operator->() { return this->Loop->operator->(); }
+  /// Opens a device that is ready at once, and arms a loop on it.
+  void Begin(const std::string& id, const std::shared_ptr<const HapticModel>& model)
+  {
+    ASSERT_TRUE(this->Open(id)) << this->Error;
+    ASSERT_TRUE(this->WaitFor(DeviceStage::Ready)) << this->Text();
+    this->Start(model);
+    ASSERT_TRUE(this->WaitForTicks(20));
+    (*this)->Arm();
+    ASSERT_TRUE(Eventually([&] { return this->State().IsArmed(); }));
+  }
 
+  /// The latest of the loop.
+  const ServoSnapshot& State()
+  {
+    (*this)->ReadState();
+    return (*this)->GetState();
+  }
   bool WaitFor(DeviceStage stage)
   {
     return Eventually([&] { return this->Device->GetCondition().Stage == stage; });
@@ -82,12 +98,7 @@ public:
   std::string Text() { return this->Device->GetCondition().Text.data(); }
   bool WaitForFault(GateReason fault)
   {
-    return Eventually(
-      [&]
-      {
-        (*this)->ReadState();
-        return (*this)->GetState().GetFault() == fault;
-      });
+    return Eventually([&] { return this->State().GetFault() == fault; });
   }
   bool WaitForTicks(std::uint64_t ticks)
   {

@@ -26,41 +26,23 @@ constexpr int RightY = 3; ///< of the model's sticks
 class DualSenses : public testing::TestWithParam<bool>
 {
 protected:
-  const ServoSnapshot& State()
-  {
-    this->Bench->ReadState();
-    return this->Bench->GetState();
-  }
-  void Begin()
-  {
-    ASSERT_TRUE(this->Bench.Open("vibration:pad")) << this->Bench.Error;
-    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
-    this->Bench.Start(this->Ground.Model);
-    ASSERT_TRUE(this->Bench.WaitForTicks(20));
-    this->Bench->Arm();
-    ASSERT_TRUE(Eventually([&] { return this->State().IsArmed(); }));
-  }
+  void Begin() { this->Bench.Begin("vibration:pad", this->Ground.Model); }
   void PressUntilFelt()
   {
     this->Model.Move(RightY, 0);
-    EXPECT_TRUE(Eventually([&] { return !this->IsStill(); }));
-  }
-  bool IsStill()
-  {
-    const DualSenseModel::Motors motors = this->Model.GetMotors();
-    return motors.Left == 0 && motors.Right == 0;
+    EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
   }
   /// Forces that change all the time, until it is felt.
   void Shake(DeviceBackend& device)
   {
-    for (int i = 0; i < 20000 && this->IsStill(); ++i)
+    for (int i = 0; i < 20000 && this->Model.IsStill(); ++i)
     {
       DeviceSample sample;
       device.Read(1e-3, sample);
       device.Write({ 0.0, 0.0, i / 40 % 2 == 0 ? 2.0 : -2.0 });
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    EXPECT_FALSE(this->IsStill());
+    EXPECT_FALSE(this->Model.IsStill());
   }
 
   DualSenseModel Model{ GetParam(), 0x0215 };
@@ -83,19 +65,19 @@ TEST_P(DualSenses, ContactIsFeltAndRestIsSilent)
   EXPECT_TRUE(Has(this->Bench.Device->GetName(), "vibration, not force"));
   EXPECT_EQ(ListDevices()[0].State, "in use");
   this->PressUntilFelt();
-  EXPECT_TRUE(Eventually([&] { return Norm(this->State().Command) > 1.5; }));
+  EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.5; }));
   this->Model.Move(RightY, 128);
-  EXPECT_TRUE(Eventually([&] { return this->IsStill(); }));
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   EXPECT_GT(this->Model.TakeLargest().Right, 70) << "the weak motor";
   EXPECT_TRUE(this->Bench.WaitForTicks(200));
-  EXPECT_GT(Norm(this->State().Command), 1.0) << "the force is still there";
-  EXPECT_TRUE(this->IsStill());
+  EXPECT_GT(Norm(this->Bench.State().Command), 1.0) << "the force is still there";
+  EXPECT_TRUE(this->Model.IsStill());
   this->Model.Press(0, 0x20);
-  EXPECT_TRUE(Eventually([&] { return this->State().Buttons == 1; })) << "the cross";
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Buttons == 1; })) << "the cross";
   this->Model.Move(0, 255);
-  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.X > 0.02; }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.X > 0.02; }));
   EXPECT_EQ(this->Model.BadReports, 0);
-  EXPECT_EQ(this->State().GetFault(), GateReason::None);
+  EXPECT_EQ(this->Bench.State().GetFault(), GateReason::None);
 }
 
 TEST_P(DualSenses, ClosingItStopsTheMotors)
@@ -104,7 +86,7 @@ TEST_P(DualSenses, ClosingItStopsTheMotors)
   this->PressUntilFelt();
   this->Bench.Stop();
   this->Bench.Device->Close();
-  EXPECT_TRUE(this->IsStill());
+  EXPECT_TRUE(this->Model.IsStill());
   ASSERT_TRUE(this->Bench.Reopen()) << this->Bench.Error;
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
 }
@@ -115,7 +97,7 @@ TEST_P(DualSenses, FaultsAreSilenceAndAText)
   this->PressUntilFelt();
   this->Model.IsSilent = true;
   this->Bench.ExpectLost("does not report any more. Look after its cable or battery");
-  EXPECT_TRUE(Eventually([&] { return this->IsStill(); }));
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   this->Model.IsSilent = false;
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
@@ -129,7 +111,7 @@ TEST_P(DualSenses, AProgramThatStandsStillIsSilent)
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
   this->Shake(*this->Bench.Device);
   // Nothing is said any more: the force ends, and with it its changes.
-  EXPECT_TRUE(Eventually([&] { return this->IsStill(); }));
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
 }
 
 TEST_P(DualSenses, AGuardThatIsKilledLeavesNoVibration)
@@ -141,7 +123,8 @@ TEST_P(DualSenses, AGuardThatIsKilledLeavesNoVibration)
   ASSERT_GT(guard, 1);
   kill(guard, SIGKILL);
   EXPECT_TRUE(this->Bench.WaitFor(DeviceStage::Lost));
-  EXPECT_TRUE(Eventually([&] { return this->IsStill(); })) << "this program says so in its place";
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }))
+    << "this program says so in its place";
   EXPECT_TRUE(this->Bench.WaitForText("guard process")) << this->Bench.Text();
 }
 
@@ -150,10 +133,10 @@ TEST_P(DualSenses, AProgramThatIsKilledLeavesNoVibration)
   for (const char* const way : { "_exit", "crash", "kill" })
   {
     GuardedProgram program(way, "vibration:pad");
-    EXPECT_TRUE(Eventually([&] { return !this->IsStill(); })) << way;
+    EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); })) << way;
     std::string(way) == "kill" ? program.Signal(SIGKILL) : program.Tell();
     program.Wait();
-    EXPECT_TRUE(Eventually([&] { return this->IsStill(); })) << way;
+    EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); })) << way;
     EXPECT_TRUE(Eventually([] { return ListDevices()[0].State == "available"; })) << way;
   }
 }

@@ -27,7 +27,7 @@ TEST(HidClaim, ABoardIsListedAndHearsNothingBeforeTheUserSaysThatItIsAWoodenHapt
     const EmulatedHid hid(model);
     ASSERT_EQ(ListDevices().size(), 1U);
     EXPECT_EQ(ListDevices()[0].Id, "wooden:0");
-    HidBench bench;
+    DeviceBench bench;
     ASSERT_TRUE(bench.Open("wooden")) << bench.Error;
     ASSERT_TRUE(bench.WaitForText("If it is a WoodenHaptics")) << bench.Text();
     std::this_thread::sleep_for(std::chrono::milliseconds(400));
@@ -54,7 +54,7 @@ TEST(HidClaim, APolhemIsRefusedAsItHasAnotherGeometry)
   EXPECT_EQ(polhem.GetPackets(), 0);
   WoodenModel wooden;
   const EmulatedHid second(wooden);
-  HidBench bench;
+  DeviceBench bench;
   EXPECT_TRUE(bench.Open("wooden")) << bench.Error;
 }
 
@@ -62,13 +62,13 @@ TEST(HidClaim, ADeviceIsHeldByOneAlone)
 {
   WoodenModel model;
   const EmulatedHid hid(model);
-  HidBench first;
+  DeviceBench first;
   ASSERT_TRUE(first.Open("wooden:0")) << first.Error;
   EXPECT_EQ(ListDevices()[0].State, "in use");
   EXPECT_TRUE(Has(ErrorOf("wooden:0"), "is in use. Close it where it is open")) << first.Error;
   first.Device->Close();
   EXPECT_EQ(ListDevices()[0].State, "available");
-  HidBench second;
+  DeviceBench second;
   EXPECT_TRUE(second.Open("wooden:0")) << second.Error;
 }
 
@@ -78,8 +78,8 @@ TEST(HidClaim, TheSecondOfTwoSticksIsOpenedWhereTheFirstIsInUse)
   const EmulatedHid first(models[0]);
   const EmulatedHid second(models[1]);
   DeviceOptions options;
-  HidBench a;
-  HidBench b;
+  DeviceBench a;
+  DeviceBench b;
   ASSERT_TRUE(a.Open("pid", options)) << a.Error;
   EXPECT_TRUE(Has(a.Device->GetName(), first.GetNode().c_str())) << a.Device->GetName();
   ASSERT_TRUE(b.Open("pid:1209:ffb0", options)) << b.Error;

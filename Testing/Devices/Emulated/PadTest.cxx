@@ -25,37 +25,15 @@ namespace
 {
 constexpr double FullSpeed = 65535.0;
 
-bool IsStill(PadModel& model)
-{
-  const PadModel::Change motors = model.GetMotors();
-  return motors.Strong == 0 && motors.Weak == 0;
-}
-
 class Pads : public testing::TestWithParam<PadModel::Kind>
 {
 protected:
-  const ServoSnapshot& State()
-  {
-    this->Bench->ReadState();
-    return this->Bench->GetState();
-  }
-  void Begin()
-  {
-    ASSERT_TRUE(this->Bench.Open("vibration:pad")) << this->Bench.Error;
-    ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready));
-    this->Bench.Start(this->Ground.Model);
-    this->Limits.MaximumForce = 0.5 * this->Bench.Device->GetLimits().MaximumForce;
-    this->Bench->SetLimits(this->Limits);
-    ASSERT_TRUE(this->Bench.WaitForTicks(20));
-    this->Bench->Arm();
-    ASSERT_TRUE(Eventually([&] { return this->State().IsArmed(); }));
-  }
+  void Begin() { this->Bench.Begin("vibration:pad", this->Ground.Model); }
 
   PadModel Model{ GetParam() };
   EmulatedEvdev Evdev{ this->Model };
   ModelClock Clock{ [this] { this->Model.Step(); } };
   Floor Ground{ -0.02 };
-  SafetyLimits Limits = QuickLimits();
   DeviceBench Bench;
 };
 } // namespace
@@ -84,7 +62,7 @@ TEST_P(Pads, SticksAndTriggersLeadTheTip)
   const auto goes = [&](unsigned axis, double share, auto&& holds)
   {
     this->Model.Move(axis, share);
-    EXPECT_TRUE(Eventually([&] { return holds(this->State().Record.Tip); })) << axis;
+    EXPECT_TRUE(Eventually([&] { return holds(this->Bench.State().Record.Tip); })) << axis;
     this->Model.Move(axis, 0.0);
   };
   goes(ABS_X, 1.0, [](const Vector3& tip) { return tip.X > 0.02; });
@@ -93,20 +71,20 @@ TEST_P(Pads, SticksAndTriggersLeadTheTip)
   goes(ABS_RZ, 1.0, [](const Vector3& tip) { return tip.Z < 0.01; });
   goes(ABS_Z, 1.0, [](const Vector3& tip) { return tip.Z > 0.02; });
   this->Model.MoveUnheard(ABS_X, -1.0);
-  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.X < 0.0; })) << "lost events";
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.X < 0.0; })) << "lost events";
   this->Model.Press(BTN_TR, true);
-  EXPECT_TRUE(Eventually([&] { return this->State().Buttons == 1U << 5; }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Buttons == 1U << 5; }));
   EXPECT_TRUE(this->Bench.WaitForTicks(5));
-  const Vector3 held = this->State().Record.Tip;
+  const Vector3 held = this->Bench.State().Record.Tip;
   EXPECT_TRUE(this->Bench.WaitForTicks(200));
-  EXPECT_EQ(Norm(this->State().Record.Tip - held), 0.0) << "the clutch";
+  EXPECT_EQ(Norm(this->Bench.State().Record.Tip - held), 0.0) << "the clutch";
   this->Model.Press(BTN_TR, false);
-  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.X < held.X - 0.01; }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.X < held.X - 0.01; }));
   this->Model.Move(ABS_X, 0.0);
   this->Model.Move(ABS_RX, -1.0);
-  EXPECT_TRUE(Eventually([&] { return std::abs(this->State().Turn.Y + 1.0) < 1e-9; }));
+  EXPECT_TRUE(Eventually([&] { return std::abs(this->Bench.State().Turn.Y + 1.0) < 1e-9; }));
   this->Bench.Device->Home();
-  EXPECT_TRUE(Eventually([&] { return Norm(this->State().Record.Tip) < 1e-9; }));
+  EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Record.Tip) < 1e-9; }));
 }
 
 TEST_P(Pads, ContactIsFeltAndRestIsSilent)
@@ -114,15 +92,15 @@ TEST_P(Pads, ContactIsFeltAndRestIsSilent)
   this->Begin();
   // In the air: nothing changes, and nothing is felt.
   this->Model.Move(ABS_X, 1.0);
-  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.X > 0.02; }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.X > 0.02; }));
   this->Model.Move(ABS_X, 0.0);
   EXPECT_TRUE(this->Model.GetHistory().empty());
   // Into the floor: the force rises by up to 50 N/s.
   this->Model.Move(ABS_RY, -1.0);
-  EXPECT_TRUE(Eventually([&] { return !IsStill(this->Model); }));
-  EXPECT_TRUE(Eventually([&] { return Norm(this->State().Command) > 1.5; }));
+  EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
+  EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.5; }));
   this->Model.Move(ABS_RY, 0.0);
-  EXPECT_TRUE(Eventually([&] { return IsStill(this->Model); })) << "it rests";
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); })) << "it rests";
   int weak = 0;
   for (const PadModel::Change& change : this->Model.GetHistory())
   {
@@ -130,9 +108,9 @@ TEST_P(Pads, ContactIsFeltAndRestIsSilent)
   }
   EXPECT_GT(weak, 0.3 * FullSpeed);
   EXPECT_TRUE(this->Bench.WaitForTicks(200));
-  EXPECT_GT(Norm(this->State().Command), 1.0) << "the force is still there";
-  EXPECT_TRUE(IsStill(this->Model));
-  EXPECT_EQ(this->State().GetFault(), GateReason::None);
+  EXPECT_GT(Norm(this->Bench.State().Command), 1.0) << "the force is still there";
+  EXPECT_TRUE(this->Model.IsStill());
+  EXPECT_EQ(this->Bench.State().GetFault(), GateReason::None);
   EXPECT_LE(this->Model.GetLongestReplay(), 200);
   EXPECT_GT(this->Model.GetLongestReplay(), 0) << "an effect without an end would go on for ever";
 }
@@ -141,17 +119,18 @@ TEST_P(Pads, AFaultIsOnePulseThenSilence)
 {
   this->Begin();
   this->Model.Move(ABS_RY, -1.0);
-  EXPECT_TRUE(Eventually([&] { return Norm(this->State().Command) > 1.5; }));
+  EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Command) > 1.5; }));
   this->Model.Move(ABS_RY, 0.0);
-  EXPECT_TRUE(Eventually([&] { return IsStill(this->Model); }));
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   this->Model.ForgetHistory();
   // Any motion is too fast from now on.
-  this->Limits.MaximumSpeed = 1e-3;
-  this->Bench->SetLimits(this->Limits);
+  SafetyLimits limits = QuickLimits();
+  limits.MaximumSpeed = 1e-3;
+  this->Bench->SetLimits(limits);
   this->Model.Move(ABS_X, 1.0);
   EXPECT_TRUE(this->Bench.WaitForFault(GateReason::OverSpeed));
   EXPECT_TRUE(Eventually([&] { return !this->Model.GetHistory().empty(); })) << "it is felt";
-  EXPECT_TRUE(Eventually([&] { return IsStill(this->Model); }));
+  EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   this->Model.ForgetHistory();
   EXPECT_TRUE(this->Bench.WaitForTicks(300));
   EXPECT_TRUE(this->Model.GetHistory().empty()) << "and then there is silence";
@@ -161,10 +140,10 @@ TEST_P(Pads, ClosingItErasesTheEffects)
 {
   this->Begin();
   this->Model.Move(ABS_RY, -1.0);
-  EXPECT_TRUE(Eventually([&] { return !IsStill(this->Model); }));
+  EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
   this->Bench.Stop();
   this->Bench.Device->Close();
-  EXPECT_TRUE(IsStill(this->Model));
+  EXPECT_TRUE(this->Model.IsStill());
   EXPECT_EQ(this->Model.CountEffects(), 0);
   this->Model.Move(ABS_RY, 0.0);
   ASSERT_TRUE(this->Bench.Reopen()) << this->Bench.Error;
@@ -175,7 +154,7 @@ TEST_P(Pads, APadThatIsGoneIsLostWithAText)
 {
   this->Begin();
   this->Model.Move(ABS_RY, -1.0);
-  EXPECT_TRUE(Eventually([&] { return !IsStill(this->Model); }));
+  EXPECT_TRUE(Eventually([&] { return !this->Model.IsStill(); }));
   this->Evdev.Unplug();
   this->Bench.ExpectLost("is gone: unplugged, switched off or out of reach. Bring it back");
   this->Bench.Device->Home();
@@ -237,11 +216,11 @@ protected:
   ~Rumbling() override { close(this->Node); }
   bool Turns()
   {
-    return Eventually([&] { return !IsStill(this->Model); });
+    return Eventually([&] { return !this->Model.IsStill(); });
   }
   bool Stops()
   {
-    return Eventually([&] { return IsStill(this->Model); });
+    return Eventually([&] { return this->Model.IsStill(); });
   }
 
   PadModel Model{ PadModel::Kind::Xbox };
@@ -277,9 +256,9 @@ TEST_F(Rumbling, StopsWithTheProgramAlsoAfterAChange)
     ASSERT_TRUE(this->Rumble.Show({ 0.3, 0.7 }));
     std::this_thread::sleep_for(std::chrono::milliseconds(11));
     ASSERT_TRUE(this->Rumble.Show({ 0.2, 0.1 + 0.01 * i }));
-    EXPECT_FALSE(IsStill(this->Model));
+    EXPECT_FALSE(this->Model.IsStill());
     this->Model.CloseFiles();
-    ASSERT_TRUE(IsStill(this->Model)) << i;
+    ASSERT_TRUE(this->Model.IsStill()) << i;
     ASSERT_EQ(this->Model.CountEffects(), 0);
   }
 }
@@ -320,7 +299,7 @@ TEST_F(Rumbling, SilenceIsAtOnceAlsoAfterAChange)
     std::this_thread::sleep_for(std::chrono::milliseconds(11));
     ASSERT_TRUE(this->Rumble.Show({ 0.8, 0.1 + 0.01 * i }));
     ASSERT_TRUE(this->Rumble.Silence());
-    ASSERT_TRUE(IsStill(this->Model)) << i;
+    ASSERT_TRUE(this->Model.IsStill()) << i;
   }
   EXPECT_EQ(this->Model.CountEffects(), 1);
 }
@@ -332,7 +311,7 @@ TEST_F(Rumbling, TheFullGainIsAskedForAndErasedEffectsAreMadeAnew)
   EXPECT_TRUE(this->Turns());
   this->Rumble.End();
   EXPECT_EQ(this->Model.CountEffects(), 0);
-  EXPECT_TRUE(IsStill(this->Model));
+  EXPECT_TRUE(this->Model.IsStill());
   // As an older kernel does when a child of this program ends.
   ASSERT_TRUE(this->Rumble.Show({ 0.5, 0.5 }));
   for (int id = 0; id < 16; ++id)

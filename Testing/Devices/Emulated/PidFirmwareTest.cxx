@@ -6,10 +6,11 @@
  * asked for, as the firmware's own arithmetic has it.
  */
 
+#include "DeviceBench.h"
 #include "Emulators/ArduinoFfbModel.h"
+#include "Emulators/EmulatedHid.h"
 #include "Emulators/ModelClock.h"
 #include "Emulators/OpenFfboardModel.h"
-#include "HidRig.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +64,7 @@ public:
   EmulatedHid Plug{ this->Device };
   ModelClock Clock{ [this] { this->Device.Step(); } };
   DeviceOptions Options;
-  HidBench Hid;
+  DeviceBench Hid;
   Vector3 Tip;
 };
 

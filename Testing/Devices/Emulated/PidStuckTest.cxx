@@ -6,9 +6,10 @@
  * thread may wait.
  */
 
+#include "DeviceBench.h"
+#include "Emulators/EmulatedHid.h"
 #include "Emulators/ModelClock.h"
 #include "Emulators/OpenFfboardModel.h"
-#include "HidRig.h"
 
 #include <cerrno>
 
@@ -40,7 +41,7 @@ TEST(PidStuck, IsWaitedForOnceWhereItIsLostAndOnceWhereItIsClosed)
   model.Streams = true;
   const EmulatedHid hid(model);
   const ModelClock clock([&] { model.Step(); });
-  HidBench bench;
+  DeviceBench bench;
   ASSERT_TRUE(bench.Open("pid")) << bench.Error;
   ASSERT_TRUE(bench.WaitFor(DeviceStage::Ready)) << bench.Text();
   model.IsStuck = true;

@@ -31,12 +31,7 @@ TEST_F(Pid, FromPluggingInToFeelingAgain)
   EXPECT_EQ(this->Model.GetResets(), 2);
 
   this->Model.Buttons = 5;
-  EXPECT_TRUE(Eventually(
-    [&]
-    {
-      this->Bench->ReadState();
-      return this->Bench->GetState().Buttons == 5U;
-    }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Buttons == 5U; }));
   EXPECT_TRUE(this->Bench.WaitForTicks(5000));
 
   // Unplugged in contact: cut, said; its effects end by themselves.

@@ -59,7 +59,7 @@ protected:
   EmulatedHid Hid{ this->Model };
   ModelClock Clock{ [this] { this->Model.Step(); } };
   DeviceOptions Options;
-  HidBench Bench;
+  DeviceBench Bench;
 };
 } // namespace
 

@@ -5,9 +5,10 @@
  * Six-axis mice that do not do what is expected of them.
  */
 
+#include "DeviceBench.h"
+#include "Emulators/EmulatedHid.h"
 #include "Emulators/ModelClock.h"
 #include "Emulators/SpaceMouseModel.h"
-#include "HidRig.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ TEST(SpaceMouse, AReportOfAnotherModelAndALightThatIsNone)
   SpaceMouseModel model(false);
   model.HasNoLight = true;
   const EmulatedHid hid(model);
-  HidBench bench;
+  DeviceBench bench;
   ASSERT_TRUE(bench.Open("spacemouse:0")) << bench.Error;
   ASSERT_TRUE(bench.WaitFor(DeviceStage::Ready)) << "a light is not worth losing it for";
   model.SendRaw({ 1, 0, 0, 0, 0 });
@@ -32,19 +33,12 @@ TEST(SpaceMouse, WhereLettingGoIsNotHeardTheTipDoesNotGoOn)
   const EmulatedHid hid(model);
   const ModelClock clock([&] { model.Step(); });
   const Floor ground(0.0);
-  HidBench bench;
+  DeviceBench bench;
   ASSERT_TRUE(bench.Open("spacemouse")) << bench.Error;
   bench.Start(ground.Model);
   model.Push({ 0, 0, 0, 0, 350, 0 });
   const auto turns = [&](double rate)
-  {
-    return Eventually(
-      [&]
-      {
-        bench->ReadState();
-        return std::abs(bench->GetState().Turn.Z - rate) < 1e-9;
-      });
-  };
+  { return Eventually([&] { return std::abs(bench.State().Turn.Z - rate) < 1e-9; }); };
   EXPECT_TRUE(turns(1.0));
   // It repeats what is held, so that this goes on.
   EXPECT_TRUE(bench.WaitForTicks(1500));

@@ -6,9 +6,10 @@
  * felt.
  */
 
+#include "DeviceBench.h"
+#include "Emulators/EmulatedHid.h"
 #include "Emulators/ModelClock.h"
 #include "Emulators/SpaceMouseModel.h"
-#include "HidRig.h"
 
 #include <gtest/gtest.h>
 
@@ -21,32 +22,27 @@ constexpr double Edge = 0.1; ///< m: the border of the ball that the tip stays i
 class SpaceMice : public testing::TestWithParam<bool>
 {
 protected:
-  const ServoSnapshot& State()
-  {
-    this->Bench->ReadState();
-    return this->Bench->GetState();
-  }
   bool Reaches(const Vector3& tip)
   {
-    return Eventually([&] { return Norm(this->State().Record.Tip - tip) < 1e-6; });
+    return Eventually([&] { return Norm(this->Bench.State().Record.Tip - tip) < 1e-6; });
   }
   bool Turns(const Vector3& turn)
   {
-    return Eventually([&] { return Norm(this->State().Turn - turn) < 1e-9; });
+    return Eventually([&] { return Norm(this->Bench.State().Turn - turn) < 1e-9; });
   }
   /// The path of the tip while it is pushed and then released.
   Vector3 Go(const SpaceMouseModel::Counts& counts)
   {
-    const Vector3 from = this->State().Record.Tip;
+    const Vector3 from = this->Bench.State().Record.Tip;
     this->Model.Push(counts);
-    EXPECT_TRUE(Eventually([&] { return Norm(this->State().Record.Tip - from) > 0.01; }));
+    EXPECT_TRUE(Eventually([&] { return Norm(this->Bench.State().Record.Tip - from) > 0.01; }));
     this->Model.Push({});
     Vector3 last = from;
     EXPECT_TRUE(Eventually(
       [&]
       {
-        const bool rests = Norm(this->State().Record.Tip - last) == 0.0;
-        last = this->State().Record.Tip;
+        const bool rests = Norm(this->Bench.State().Record.Tip - last) == 0.0;
+        last = this->Bench.State().Record.Tip;
         return this->Bench.WaitForTicks(20) && rests;
       }));
     return last - from;
@@ -56,7 +52,7 @@ protected:
   EmulatedHid Hid{ this->Model };
   ModelClock Clock{ [this] { this->Model.Step(); } };
   Floor Ground{ 0.0 };
-  HidBench Bench;
+  DeviceBench Bench;
 };
 } // namespace
 
@@ -83,17 +79,17 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
   EXPECT_NEAR(way.Z / way.X, half, 1e-9);
   EXPECT_EQ(way.Y, 0.0);
   this->Model.Push({ 0, 0, 350, 0, 0, 0 });
-  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.Y < -0.03; }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.Y < -0.03; }));
   // Away from the hand, into the floor: a force is computed, and none is sent.
   this->Model.Push({ 0, -350, 0, 0, 0, 0 });
-  EXPECT_TRUE(Eventually([&] { return this->State().Record.Force.Z > 1.0; }));
-  EXPECT_TRUE(this->State().IsArmed());
-  EXPECT_EQ(Norm(this->State().Command), 0.0);
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Force.Z > 1.0; }));
+  EXPECT_TRUE(this->Bench.State().IsArmed());
+  EXPECT_EQ(Norm(this->Bench.State().Command), 0.0);
   this->Model.Push({ 0, 0, -350, 0, 0, 0 });
-  EXPECT_TRUE(Eventually([&] { return this->State().Record.Tip.Y > 0.95 * Edge; }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Record.Tip.Y > 0.95 * Edge; }));
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Reaches({ 0.0, Edge, 0.0 })) << "from the middle straight up";
-  EXPECT_FALSE(this->State().IsArmed());
+  EXPECT_FALSE(this->Bench.State().IsArmed());
   this->Bench->Arm();
 
   this->Model.Push({ 0, 0, 0, 350, 0, 0 });
@@ -103,9 +99,9 @@ TEST_P(SpaceMice, PushesMoveTheTipAndTurnsTurn)
   this->Model.Push({});
   EXPECT_TRUE(this->Turns({}));
   this->Model.Press(2);
-  EXPECT_TRUE(Eventually([&] { return this->State().Buttons == 2; }));
+  EXPECT_TRUE(Eventually([&] { return this->Bench.State().Buttons == 2; }));
   EXPECT_TRUE(this->Bench.WaitForTicks(5000));
-  EXPECT_EQ(this->State().GetFault(), GateReason::None);
+  EXPECT_EQ(this->Bench.State().GetFault(), GateReason::None);
   this->Bench.Device->SetLights(0);
   EXPECT_TRUE(Eventually([&] { return this->Model.Light == 0; }));
   this->Bench.Device->SetLights(1);
@@ -137,7 +133,7 @@ TEST(SpaceMouseModels, AnOlderOnesUpIsUpAndTheEnterprisesKeysAreHeld)
     SpaceMouseModel model(kind);
     const EmulatedHid hid(model);
     const ModelClock clock([&model] { model.Step(); });
-    HidBench bench;
+    DeviceBench bench;
     ASSERT_TRUE(bench.Open("spacemouse")) << model.GetName() << ": " << bench.Error;
     ASSERT_TRUE(bench.WaitFor(DeviceStage::Ready));
     const auto sampleWhere = [&bench](auto&& holds)

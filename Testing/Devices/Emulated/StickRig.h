@@ -7,9 +7,10 @@
 #ifndef StickRig_h
 #define StickRig_h
 
+#include "DeviceBench.h"
+#include "Emulators/EmulatedHid.h"
 #include "Emulators/ModelClock.h"
 #include "Emulators/OpenFfboardModel.h"
-#include "HidRig.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ protected:
   ModelClock Clock{ [this] { this->Model.Step(); } };
   Floor Ground{ -Wall, ToTheLeft };
   DeviceOptions Options;
-  HidBench Bench;
+  DeviceBench Bench;
 };
 
 } // namespace emulated

@@ -7,8 +7,9 @@
 #ifndef WoodenRig_h
 #define WoodenRig_h
 
+#include "DeviceBench.h"
+#include "Emulators/EmulatedHid.h"
 #include "Emulators/WoodenModel.h"
-#include "HidRig.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +54,7 @@ protected:
   WoodenModel Model;
   EmulatedHid Hid{ this->Model };
   Floor Ground{ Height, ToTheArm };
-  HidBench Bench;
+  DeviceBench Bench;
 };
 
 } // namespace emulated

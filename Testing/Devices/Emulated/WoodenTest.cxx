@@ -21,9 +21,8 @@ TEST_F(Wooden, IsNotReadyBeforeItIsToldItsRestPose)
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
   EXPECT_TRUE(
     Has(this->Bench.Text(), "put the arm into its rest pose, hold it still, and press Home()"));
-  this->Bench->ReadState();
-  EXPECT_EQ(this->Bench->GetState().Device, DeviceState::NotReady);
-  EXPECT_FALSE(this->Bench->GetState().IsArmed());
+  EXPECT_EQ(this->Bench.State().Device, DeviceState::NotReady);
+  EXPECT_FALSE(this->Bench.State().IsArmed());
   // Nor is one that was calibrated in another session: it may have been without power since.
   this->Bench.Stop();
   this->Bench.Device->Home();
@@ -46,7 +45,7 @@ TEST_F(Wooden, OneThatSaysWhatItIsIsAskedAtOnce)
 {
   WoodenModel named(WoodenModel::Board::Teensy, "woodenhaptics v2015");
   const EmulatedHid hid(named);
-  HidBench bench;
+  DeviceBench bench;
   ASSERT_TRUE(bench.Open("wooden:1")) << bench.Error;
   EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
   EXPECT_GT(named.GetPackets(), 0);

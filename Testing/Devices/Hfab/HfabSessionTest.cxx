@@ -148,8 +148,7 @@ TEST_F(Hfab, IsUncalibratedWheneverItIsOpened)
   bench->Arm();
   ASSERT_TRUE(bench.WaitForTicks(100));
   EXPECT_EQ(bench.Device->GetCondition().Stage, DeviceStage::Homing);
-  bench->ReadState();
-  EXPECT_FALSE(bench->GetState().IsArmed());
+  EXPECT_FALSE(bench.State().IsArmed());
   EXPECT_EQ(this->Rig.Arm.GetCurrents(), NoCurrents);
   bench.Stop();
   ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());

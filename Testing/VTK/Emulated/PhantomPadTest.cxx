@@ -20,11 +20,7 @@ TEST(PhantomPad, TheFaceIsFeltAsVibrationAndRestIsSilent)
   PadModel pad(PadModel::Kind::Xbox);
   EmulatedEvdev evdev(pad);
   ModelClock clock([&] { pad.Step(); });
-  const auto isStill = [&pad]
-  {
-    const PadModel::Change motors = pad.GetMotors();
-    return motors.Strong == 0 && motors.Weak == 0;
-  };
+  const auto isStill = [&pad] { return pad.IsStill(); };
   PhantomHand hand(phantom, 2, 1.0);
   vtkHapticDevice* const device = hand.Device;
   ASSERT_TRUE(device->Open("vibration:pad"));
