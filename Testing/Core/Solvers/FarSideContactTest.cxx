@@ -128,6 +128,27 @@ TEST(FarSideContact, SkinIsWhatLiesBehindItFromItsFirstTouchOn)
     << "the blur is wide enough to matter";
 }
 
+// Twice as wide as the edges whose plateaus a walk reaches.
+TEST(FarSideContact, AWideEdgeIsFeltInItsMiddle)
+{
+  for (const double blur : { 2.0, 3.0, 4.0 })
+  {
+    for (const double slant : { 0.0, 0.6 })
+    {
+      SCOPED_TRACE(testing::Message() << blur << ", " << slant);
+      const double across = std::sqrt(1.0 - slant * slant);
+      const auto distance = [&](double x, double z) { return slant * (x - 30.0) + across * z; };
+      const TestVolume volume =
+        MakeVolume([&](double x, double z) { return 10000.0 * Phi(distance(x, z) / blur); });
+      HapticModelDescription description = DescribeFar(volume);
+      const double steepest = 10000.0 / (blur * std::sqrt(2.0 * 3.14159265358979323846));
+      description.Material.Distinctness = { { 0.05 * steepest, 0.0 }, { 0.1 * steepest, 1.0 } };
+      const TickRecord touch = FirstTouch(Stroke(HapticModel(description), 2.0, 30.0, 30.1));
+      EXPECT_NEAR(distance(1000.0 * touch.Proxy.X, 1000.0 * touch.Proxy.Z - Middle), 0.0, 0.1);
+    }
+  }
+}
+
 TEST(FarSideContact, NoMaterialStepsAlongASurface)
 {
   // Two materials side by side, without a ramp between them.
@@ -408,11 +429,11 @@ const Body Bodies[] = {
       const Vector3 d = x - Vector3{ Half, Half, Half };
       return 7.0 - std::hypot(std::hypot(d.X, d.Y) - 17.0, d.Z);
     } },
-  // Its curvature radii are 8.8 voxels at least, and its gradient is 1 to 1.23 on the surface.
+  // Its curvature radii are 11 voxels at least, and its gradient is 1 to 1.23 on the surface.
   { "gyroid",
     [](const Vector3& x)
     {
-      const double k = 2.0 * Pi / 48.0;
+      const double k = 2.0 * Pi / 60.0;
       const Vector3 d = k * (x - Vector3{ Half, Half, Half });
       return (std::sin(d.X) * std::cos(d.Y) + std::sin(d.Y) * std::cos(d.Z) +
                std::sin(d.Z) * std::cos(d.X)) /

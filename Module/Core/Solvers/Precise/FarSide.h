@@ -90,9 +90,9 @@ constexpr double WalkInterval = 0.5;
 /** The least share of its height by which an edge stays the same. */
 constexpr double SharedHeight = 0.3;
 /** A ramp that is no more even than this is an edge. */
-constexpr double EdgeEvenness = 0.2;
+constexpr double EdgeEvenness = 0.42;
 /** One that is as even as this leads nowhere. */
-constexpr double RampEvenness = 0.5;
+constexpr double RampEvenness = 0.52;
 
 /** From 0 for an edge to 1 for an even ramp, on which there is none. */
 inline double FindEvenShare(const FarValues& far) noexcept
