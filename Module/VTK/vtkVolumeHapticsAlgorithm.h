@@ -209,6 +209,16 @@ public:
 
   ///@{
   /**
+   * The data time that passes in a second of the hand: time steps of the image's source per second
+   * if these are whole numbers. Default 1; negative, time runs backwards. 0 takes one time step,
+   * that which the pipeline asks for, as if the volume did not move.
+   */
+  vtkSetClampMacro(TimeUnitsPerSecond, double, -1e9, 1e9);
+  vtkGetMacro(TimeUnitsPerSecond, double);
+  ///@}
+
+  ///@{
+  /**
    * One stiffness everywhere, the CouplingStiffness, instead of the stiffness of the material. A
    * hand that strokes with a constant force then feels the shape that it sees; materials are told
    * apart by surface strength, friction and drag. Default off.
@@ -408,6 +418,7 @@ protected:
   int KernelRadius = 2;
   double ServoRate = 1000.0;
   double MetersPerWorldUnit = 0.001;
+  double TimeUnitsPerSecond = 1.0;
   bool SameShape = false;
   double CouplingStiffness = 500.0;
   double ForceFieldGain = 0.01;

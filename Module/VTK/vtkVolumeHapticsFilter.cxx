@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
+#include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticHash.h"
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticModelBuilder.h"
@@ -39,6 +40,7 @@
 #include <algorithm>
 #include <new>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -229,7 +231,8 @@ bool vtkVolumeHapticsFilter::BakeLabels(
 //------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
   vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps,
-  vtkMatrix4x4* deviceToWorld, std::string& error, vtkPolyData* recording)
+  vtkMatrix4x4* deviceToWorld, std::string& error, vtkPolyData* recording,
+  std::vector<VolumeHaptics::HapticFrame>&& frames)
 {
   using namespace VolumeHaptics;
 
@@ -272,6 +275,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Description.DeviceCaps = deviceCaps;
   options.Surfaces = this->Surfaces.get();
   options.Regions = this->Regions.get();
+  options.Frames = std::move(frames);
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
 }
@@ -466,6 +470,28 @@ std::array<VolumeHaptics::TouchedArray, 2> vtkVolumeHapticsFilter::GetTouched()
 }
 
 //------------------------------------------------------------------------------
+int vtkVolumeHapticsFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+  if (this->FeelsMotion() &&
+    !VolumeHaptics::ReadTimeSteps(inputs[0]->GetInformationObject(0)).empty())
+  {
+    // The trace goes through them; it has none.
+    outputs->GetInformationObject(0)->Remove(Pipeline::TIME_STEPS());
+    outputs->GetInformationObject(0)->Remove(Pipeline::TIME_RANGE());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::FeelsMotion()
+{
+  return this->TimeUnitsPerSecond != 0.0 && this->GetNumberOfInputConnections(1) > 0;
+}
+
+//------------------------------------------------------------------------------
 int vtkVolumeHapticsFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -488,6 +514,14 @@ int vtkVolumeHapticsFilter::RequestUpdateExtent(
       input->Set(
         Pipeline::UPDATE_EXTENT(), isFirst ? input->Get(Pipeline::WHOLE_EXTENT()) : none, 6);
       input->Set(Pipeline::EXACT_EXTENT(), 0);
+    }
+    if (port == 0 && this->FeelsMotion())
+    {
+      const std::vector<double> steps = VolumeHaptics::ReadTimeSteps(input);
+      if (!steps.empty())
+      {
+        input->Set(Pipeline::UPDATE_TIME_STEP(), steps.front());
+      }
     }
   }
   return 1;
@@ -526,6 +560,34 @@ int vtkVolumeHapticsFilter::RequestData(
 }
 
 //------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::CollectTimeSteps(
+  const VolumeHaptics::TipPaths& paths, std::vector<VolumeHaptics::HapticFrame>& frames)
+{
+  using namespace VolumeHaptics;
+
+  const std::vector<double> steps =
+    this->FeelsMotion() ? ReadTimeSteps(this->GetInputInformation(0, 0)) : std::vector<double>();
+  if (steps.empty())
+  {
+    return true;
+  }
+  const double last = steps.front() + this->TimeUnitsPerSecond * paths.FindLastTime();
+  frames = CollectFrames(this, steps, last,
+    [this](vtkImageData* step)
+    {
+      int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      vtkDataArray* const array = this->GetInputArrayToProcess(0, step, association);
+      return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? array : nullptr;
+    });
+  if (frames.empty())
+  {
+    vtkErrorMacro("A time step of the image on input port 0 can't be read: see the errors of its "
+                  "source. SetTimeUnitsPerSecond(0) takes one time step alone.");
+  }
+  return !frames.empty();
+}
+
+//------------------------------------------------------------------------------
 int vtkVolumeHapticsFilter::TouchPath(
   vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks)
 {
@@ -551,11 +613,16 @@ int vtkVolumeHapticsFilter::TouchPath(
   const RegionsAlongPath regions(source,
     [&](vtkImageData* region, std::string& flaw)
     { return this->BakeImage(region, period, ForceCaps{}, nullptr, flaw); });
+  std::vector<HapticFrame> frames;
+  if (path && readable && !recording && !source && !this->CollectTimeSteps(paths, frames))
+  {
+    return 0;
+  }
   std::string imageError;
   std::shared_ptr<const HapticModel> model = source
     ? regions.Begin()
     : this->BakeImage(image, recording ? recording->TickPeriod : period, ForceCaps{}, nullptr,
-        imageError, recording ? path : nullptr);
+        imageError, recording ? path : nullptr, std::move(frames));
   if (!model || !readable)
   {
     error = model ? error : imageError;
@@ -574,7 +641,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   }
 
   ticks = paths.GetNumberOfTicks();
-  HapticTrace trace(ticks, this->TraceArrays, model->Baked->Labels != nullptr);
+  HapticTrace trace(ticks, this->TraceArrays, *model->Baked);
   TipPathsWalk walk(paths, model, trace,
     source ? [&regions](auto felt, const ServoState& state, const Vector3& tip)
       { return regions.Find(std::move(felt), state, tip); }

@@ -53,6 +53,14 @@
  * vtkHapticRegionSource, which reads the regions by itself, ticks along a path wait for their data
  * instead.
  *
+ * If the source of port 0 has several time steps, the volume moves. The steps that the path needs
+ * are requested one after the other and kept, and blended linearly between their times. The data
+ * time is the first step's at the path's time 0, goes on by TimeUnitsPerSecond, and stops at the
+ * last step's. A surface that comes pushes a tip that rests, with T_N W_d at most: before each tick
+ * the proxy is carried along the gradient to where its level has gone. What moves along a surface
+ * is not felt, since values do not tell it. Blended edges are edges as long as an edge moves by no
+ * more than twice its width from step to step.
+ *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
  * segments (lines of two points) that continue one another, or points without lines: then all
@@ -107,6 +115,7 @@
  *   Unfinished         1 if PRECISE spent its budget, and the next tick does the rest; else 0
  *   Label              at the output point plus r Normal, just inside the surface: the label of the
  *                      nearest voxel, 0 beyond the label image. Only with a label image on port 3
+ *   DataTime           of the source; at this tick. Only of a volume that moves
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the
@@ -131,6 +140,7 @@
 #include <array>  // for std::array
 #include <memory> // for std::shared_ptr
 #include <string> // for std::string
+#include <vector> // for std::vector
 
 class vtkHapticLabelTable;
 class vtkImageData;
@@ -145,9 +155,11 @@ class HapticLabels;
 class HapticModel;
 class HapticSurface;
 class RegionSeries;
+class TipPaths;
 struct Affine3;
 struct BakedLabels;
 struct ForceCaps;
+struct HapticFrame;
 struct TouchedArray;
 } // namespace VolumeHaptics
 #endif
@@ -203,6 +215,7 @@ protected:
   ~vtkVolumeHapticsFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -227,10 +240,16 @@ private:
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(
     double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
+  /** Whether a path goes through the time steps of port 0, if it has any. */
+  bool FeelsMotion();
+  /** The time steps that paths need, if the volume moves. False after an error. */
+  bool CollectTimeSteps(
+    const VolumeHaptics::TipPaths& paths, std::vector<VolumeHaptics::HapticFrame>& frames);
   int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
-    std::string& error, vtkPolyData* recording = nullptr);
+    std::string& error, vtkPolyData* recording = nullptr,
+    std::vector<VolumeHaptics::HapticFrame>&& frames = {});
 
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;

@@ -38,6 +38,7 @@ struct Scene
 {
   HapticModelDescription Description;
   std::vector<char> Samples;
+  std::vector<char> LaterSamples;
   std::vector<char> LabelSamples;
 };
 
@@ -92,6 +93,22 @@ void Deal(Dealer& dealer, Scene& scene)
     }
   }
   d.View.Data = scene.Samples.data();
+}
+
+/** Two or three frames, of which one has other samples. */
+void DealFrames(Dealer& dealer, Scene& scene)
+{
+  HapticModelDescription& d = scene.Description;
+  scene.LaterSamples = scene.Samples;
+  dealer.Fill(scene.LaterSamples.data(), scene.LaterSamples.size() / 2);
+  VolumeView later = d.View;
+  later.Data = scene.LaterSamples.data();
+  d.Frames = { { dealer.Between(-1.0, 0.0), d.View, nullptr },
+    { dealer.Between(0.001, 1.0), later, nullptr } };
+  if (dealer.Choose(2) == 1)
+  {
+    d.Frames.push_back({ dealer.Between(1.001, 2.0), d.View, nullptr });
+  }
 }
 
 /** Baking refuses label samples that are no whole numbers: they become 0. */
@@ -223,6 +240,10 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
   {
     DealLabels(dealer, scene);
   }
+  if (dealer.Choose(3) == 1)
+  {
+    DealFrames(dealer, scene);
+  }
   const HapticModel model(scene.Description);
   ServoState state;
   TickRecord record;
@@ -230,6 +251,7 @@ void TouchAnything(const std::uint8_t* bytes, std::size_t size)
   for (int tick = 0; tick < MostTicks && dealer.HasMore(); ++tick)
   {
     const Vector3 next = DealTip(dealer, tip);
+    state.DataTime += model.Baked->IsMoving() ? dealer.Between(-0.05, 0.1) : 0.0;
     ServoState stored = FromNumbers(ToNumbers(state));
     TickRecord again;
     Tick(model, state, next, record);

@@ -27,6 +27,7 @@ FILTER = {
     "SetMethod": ("PROXY", "FORCE_FIELD", "eq. 1", "SURFACE_PROXY", "Ruspini", "LOCAL_SURFACE", "Mark"),
     "SetSolver": ("PAPER", "PRECISE", "default"),
     "SetContactAlignment": ("DISTINCTNESS", "default", "EDGE"),
+    "SetTimeUnitsPerSecond": ("Default 1", "time runs backwards"),
     "SetSameShape": ("stiffness", "CouplingStiffness", "Default off"),
     "SetCouplingStiffness": ("(N/m)", "Default 500"),
     "SetGeometry": ("FROM_SCALARS (default)", "FROM_LABELS", "FROM_BOTH"),

@@ -6,6 +6,8 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/Model/UniqueNumber.h"
 
+#include <algorithm>
+
 namespace VolumeHaptics
 {
 namespace
@@ -59,11 +61,23 @@ std::unique_ptr<const LabelWalls> MakeWalls(
   return std::make_unique<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1);
 }
 
+std::vector<FieldFrame> MakeFrames(const HapticModelDescription& d, const GradientKernel& kernel)
+{
+  std::vector<FieldFrame> frames;
+  frames.reserve(d.Frames.size());
+  for (const VolumeFrame& frame : d.Frames)
+  {
+    frames.push_back({ frame.Time, FieldSampler(frame.View, kernel), frame.Samples });
+  }
+  return frames;
+}
+
 } // namespace
 
 BakedVolume::BakedVolume(const HapticModelDescription& d)
   : Kernel(MakeKernel(d))
   , Field(d.View, this->Kernel)
+  , Frames(MakeFrames(d, this->Kernel))
   , Materials({ MakeStiffness(d), d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })
   , Distinctness({ d.Material.Distinctness, d.Material.GradientVisibility })
@@ -76,6 +90,27 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Walls(MakeWalls(d, this->Labels.get()))
   , Number(d.Number > 0 ? d.Number : MakeUniqueNumber())
 {
+}
+
+std::size_t BakedVolume::FindFrame(double time) const noexcept
+{
+  // Not the last one: it has no next one.
+  std::size_t frame = 0;
+  for (std::size_t above = this->Frames.size() - 1; above - frame > 1;)
+  {
+    const std::size_t middle = (frame + above) / 2;
+    (time < this->Frames[middle].Time ? above : frame) = middle;
+  }
+  return frame;
+}
+
+FieldAtTime BakedVolume::BlendFrames(double time) const noexcept
+{
+  const std::size_t frame = this->FindFrame(time);
+  const FieldFrame& before = this->Frames[frame];
+  const FieldFrame& after = this->Frames[frame + 1];
+  const double share = (time - before.Time) / (after.Time - before.Time);
+  return { before.Field, after.Field, std::clamp(share, 0.0, 1.0) };
 }
 
 GradientKernel BakedVolume::MakeKernel(const HapticModelDescription& d)

@@ -7,16 +7,25 @@
 #ifndef BakedVolume_h
 #define BakedVolume_h
 
-#include "Core/Field/FieldSampler.h"
+#include "Core/Field/FieldAtTime.h"
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/BakedLabels.h"
 #include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/LabelWalls.h"
 
 #include <memory>
+#include <vector>
 
 namespace VolumeHaptics
 {
+
+/** A volume that moves, at an instant. */
+struct FieldFrame
+{
+  double Time; ///< data time, in the units of the data
+  FieldSampler Field;
+  std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
+};
 
 /** The part of a model that does not depend on the device's placement. Immutable. */
 struct BakedVolume
@@ -29,7 +38,9 @@ struct BakedVolume
   static GradientKernel MakeKernel(const HapticModelDescription& description);
 
   const GradientKernel Kernel;
-  const FieldSampler Field;
+  const FieldSampler Field; ///< the first frame, if there are several
+  /** By ascending time; empty if the volume does not move. */
+  const std::vector<FieldFrame> Frames;
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const Affine3 IndexToWorld;
@@ -41,14 +52,29 @@ struct BakedVolume
   /** Null if all surfaces are those of the scalars. */
   const std::unique_ptr<const LabelWalls> Walls;
 
+  bool IsMoving() const noexcept { return !this->Frames.empty(); }
+  /** The volume at a data time; before the first frame and after the last one, it stands still. */
+  FieldAtTime At(double time) const noexcept
+  {
+    return this->IsMoving() ? this->BlendFrames(time) : FieldAtTime(this->Field);
+  }
+  /** The number of the frame that a data time follows, and to which At blends the next one. */
+  std::size_t FindFrame(double time) const noexcept;
+
   const ForbiddenZone* GetZone() const noexcept
   {
     return this->Labels ? this->Labels->Zone.get() : nullptr;
   }
   /** Whether there are surfaces that the label image makes. */
   bool FeelsLabels() const noexcept { return this->Walls || this->GetZone(); }
-  /** Of the volume, the material and the settings; only regions of one volume may share one. */
+  /**
+   * Of the volume, the material and the settings; only regions of one volume, and parts of one
+   * series of frames, may share one.
+   */
   const std::uint64_t Number;
+
+private:
+  FieldAtTime BlendFrames(double time) const noexcept;
 };
 
 } // namespace VolumeHaptics

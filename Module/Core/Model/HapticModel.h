@@ -95,10 +95,10 @@ public:
     return fade < 1.0 ? (fade > 0.0 ? fade : 0.0) : 1.0;
   }
 
-  /** V at a device position. */
-  double ValueAtDevice(const Vector3& device) const noexcept
+  /** V at a device position, and at a data time if the volume moves. */
+  double ValueAtDevice(const Vector3& device, double time = 0.0) const noexcept
   {
-    return this->Baked->Field.Value(this->DeviceToIndex(device));
+    return this->Baked->At(time).Value(this->DeviceToIndex(device));
   }
 
   /** The label at a device position; NoLabel if there is none. */

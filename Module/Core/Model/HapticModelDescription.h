@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -33,14 +34,27 @@ struct HapticMaterial
   Polyline GradientVisibility = ConstantPolyline(1.0); ///< 0 or 1, scales T_N and R
 };
 
+/** The samples of a volume that moves, at an instant. */
+struct VolumeFrame
+{
+  double Time = 0.0; ///< data time, in the units of the data
+  VolumeView View;
+  std::shared_ptr<const void> Samples; ///< keeps View.Data alive
+};
+
 /** Everything that a model is baked from. */
 struct HapticModelDescription
 {
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
-  Affine3 IndexToWorld;                ///< not singular
-  Affine3 DeviceToWorld;               ///< a similarity, world units per metre
-  ForceCaps DeviceCaps;                ///< the user's are in Settings
+  /**
+   * Of a volume that moves, two at least, by ascending time; View is that of the first one, and all
+   * have its geometry.
+   */
+  std::vector<VolumeFrame> Frames;
+  Affine3 IndexToWorld;  ///< not singular
+  Affine3 DeviceToWorld; ///< a similarity, world units per metre
+  ForceCaps DeviceCaps;  ///< the user's are in Settings
   GradientEstimator Estimator = GradientEstimator::Gaussian;
   int KernelRadius = 2; ///< voxels
   HapticMaterial Material;
@@ -48,8 +62,9 @@ struct HapticModelDescription
   std::shared_ptr<const SurfaceMesh> Mesh;   ///< in the world; for HapticMethod::SurfaceProxy
   std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   /**
-   * 0, or the BakedVolume::Number of a model of another region of the same volume, with the same
-   * material and settings: a servo goes on from one to the other as if it had the whole.
+   * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other
+   * frames, with the same material and settings: a servo goes on from one to the other as if it had
+   * the whole.
    */
   std::uint64_t Number = 0;
 };

@@ -80,6 +80,7 @@ struct HapticSettings
   bool SameShape = false;           ///< one stiffness for all materials that have any
   double CouplingStiffness = 500.0; ///< N/m, with SameShape
   double TickPeriod = 1e-3;         ///< s
+  double TimeUnitsPerSecond = 1.0;  ///< data time that passes in a second of the hand
   ForceCaps Caps;                   ///< of the user; the device has its own: HapticModel::Caps
   double MaximumForce = 0.0;        ///< N on the hand; 0 does not limit
   double ForceFieldGain = 0.0;      ///< C1 of eq. 1, N per (scalar per world unit)

@@ -25,8 +25,9 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   // The methods below do not always write these.
   record.Tip = tip;
+  record.DataTime = state.DataTime;
   record.Force = Vector3{};
-  record.NormalForce = record.FrictionForce = record.DragForce = 0.0;
+  record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
   record.Contact = ContactState::Free;
   record.IsUnfinished = record.IsRenewed = false;
 
@@ -53,6 +54,9 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   state.Proxy = record.Proxy;
   state.PreviousTip = tip;
+  state.CarriedTo = state.DataTime;
+  state.Stiffness = record.Stiffness;
+  state.SurfaceStrength = record.SurfaceStrength;
   state.Enabled = true;
 
   const double limit = model.Baked->Settings.MaximumForce;
@@ -79,10 +83,11 @@ Vector3 FindDrag(
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept
 {
   const bool isRegion = !from.Resident.IsWhole() || !to.Resident.IsWhole();
-  if (isRegion && from.Baked->Number == to.Baked->Number &&
+  const bool isSeries = from.Baked->IsMoving() && to.Baked->IsMoving();
+  if ((isRegion || isSeries) && from.Baked->Number == to.Baked->Number &&
     IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {
-    // Another region of the same volume: the felt force does not change.
+    // Another region of the same volume, or other frames: the felt force does not change.
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };

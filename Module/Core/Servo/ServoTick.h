@@ -36,8 +36,8 @@ Vector3 FindDrag(
 
 /**
  * Takes the state from one placement of the device to another. The proxy rests on the volume: if
- * the volume moves under the hand, the proxy moves along. From one region of a volume to another
- * the state stays as it is.
+ * the volume moves under the hand, the proxy moves along. From one region of a volume to another,
+ * and from one part of a series of frames to another, the state stays as it is.
  */
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept;
 

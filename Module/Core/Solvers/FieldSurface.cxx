@@ -32,24 +32,22 @@ bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface&
 }
 
 /** The nearest wall between labels, or the scalars' surface. */
-Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& labelIndex,
-  LabelMemory& memory) noexcept
+Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  const Vector3& labelIndex, LabelMemory& memory) noexcept
 {
   const BakedVolume& baked = *model.Baked;
-  Surface surface;
-  surface.Normal = model.FallbackNormal;
-  surface.Reach = model.FallbackReach;
+  Surface surface = MakeNoSurface(model);
   if (baked.Settings.Geometry == SurfaceGeometry::Both)
   {
     // A wall stands in where the scalars have less than half a surface.
     constexpr double least = 0.5;
-    surface = FindFieldSurface(model, index);
+    surface = FindFieldSurface(model, field, index);
     if (baked.Distinctness(surface.GradientMagnitude)[0] >= least && surface.Fade > 0.0)
     {
       return surface;
     }
   }
-  if (!baked.Field.IsInside(index))
+  if (!field.IsInside(index))
   {
     return surface;
   }
@@ -80,8 +78,8 @@ Surface FindWall(const HapticModel& model, const Vector3& index, const Vector3& 
 
 } // namespace
 
-Surface FindSurfaceOfLabels(
-  const HapticModel& model, const Vector3& index, LabelMemory& memory) noexcept
+Surface FindSurfaceOfLabels(const HapticModel& model, const FieldAtTime& field,
+  const Vector3& index, LabelMemory& memory) noexcept
 {
   const Vector3 labelIndex = model.IndexToLabel(index);
   Surface surface;
@@ -89,8 +87,8 @@ Surface FindSurfaceOfLabels(
   {
     return surface;
   }
-  return model.Baked->Walls ? FindWall(model, index, labelIndex, memory)
-                            : FindFieldSurface(model, index);
+  return model.Baked->Walls ? FindWall(model, field, index, labelIndex, memory)
+                            : FindFieldSurface(model, field, index);
 }
 
 } // namespace Law

@@ -27,6 +27,7 @@ struct LocalSurfaceRequest
   Vector3 Position; ///< of the proxy
   Vector3 Ahead;    ///< the farthest motion of the tip until the result is replaced
   Vector3 Normal;   ///< of the surface that is known there, into the structure; 0 if there is none
+  double DataTime = 0.0; ///< if the volume moves
 };
 
 /** The state that LOCAL_SURFACE carries from tick to tick. */

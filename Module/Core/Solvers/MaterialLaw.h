@@ -74,17 +74,20 @@ inline double Capped(double value, double cap) noexcept
   return cap > 0.0 ? std::min(value, cap) : value;
 }
 
-/** The scalars' surface through an index, with an ascending normal. */
-inline Surface FindFieldSurface(const HapticModel& model, const Vector3& index) noexcept
+/** No surface: its normal stands in for one. */
+inline Surface MakeNoSurface(const HapticModel& model) noexcept
 {
   Surface surface;
   surface.Normal = model.FallbackNormal;
   surface.Reach = model.FallbackReach;
-  if (!model.Baked->Field.IsInside(index))
-  {
-    return surface;
-  }
-  const FieldSample sample = model.Baked->Field.Gradient(index);
+  return surface;
+}
+
+/** The scalars' surface through an index at which they have this gradient. */
+inline Surface MakeFieldSurface(
+  const HapticModel& model, const Vector3& index, const FieldSample& sample) noexcept
+{
+  Surface surface = MakeNoSurface(model);
   const double floor = RelativeGradientEpsilon * sample.Value;
   const Vector3 gradient = model.GradientToDevice * sample.Gradient;
   const double square = Dot(gradient, gradient);
@@ -104,16 +107,24 @@ inline Surface FindFieldSurface(const HapticModel& model, const Vector3& index) 
   return surface;
 }
 
+/** The scalars' surface through an index, with an ascending normal. */
+inline Surface FindFieldSurface(
+  const HapticModel& model, const FieldAtTime& field, const Vector3& index) noexcept
+{
+  return field.IsInside(index) ? MakeFieldSurface(model, index, field.Gradient(index))
+                               : MakeNoSurface(model);
+}
+
 /** Where labels make surfaces: FieldSurface.cxx. */
-Surface FindSurfaceOfLabels(
-  const HapticModel& model, const Vector3& index, LabelMemory& memory) noexcept;
+Surface FindSurfaceOfLabels(const HapticModel& model, const FieldAtTime& field,
+  const Vector3& index, LabelMemory& memory) noexcept;
 
 /** The surface through an index, with an ascending normal. */
-inline Surface FindSurface(
-  const HapticModel& model, const Vector3& index, LabelMemory& memory) noexcept
+inline Surface FindSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  LabelMemory& memory) noexcept
 {
-  return model.Baked->FeelsLabels() ? FindSurfaceOfLabels(model, index, memory)
-                                    : FindFieldSurface(model, index);
+  return model.Baked->FeelsLabels() ? FindSurfaceOfLabels(model, field, index, memory)
+                                    : FindFieldSurface(model, field, index);
 }
 
 /** Of the wall in front of a forbidden label: N, and N/m at least. */
@@ -206,13 +217,12 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
 }
 
 /** The material at an index: read at x_s and x_v (section 3.3), by value and by label. */
-inline void ReadMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
-  LabelMemory& memory, MaterialPoint& point) noexcept
+inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  const Surface& surface, LabelMemory& memory, MaterialPoint& point) noexcept
 {
   // Before the values: their sampling hides the lookup's latency.
   const DistinctnessTable::Values distinct = FindDistinctness(model, surface);
-  SetMaterials(model, index, surface, distinct, model.Baked->Field.Values(index, surface.Reach),
-    memory, point);
+  SetMaterials(model, index, surface, distinct, field.Values(index, surface.Reach), memory, point);
 }
 
 /** The material at the isovalue, for methods that touch an isosurface. False if it is not felt. */

@@ -29,6 +29,14 @@ struct ServoState
   PreciseState Precise;
   LocalState Local;
   LabelMemory Labels; ///< only saves time
+  /** The data time of the tick: the caller advances it, if the volume moves. */
+  double DataTime = 0.0;
+  ///@{
+  /** Of the last tick, for CarriedProxy.h. */
+  double CarriedTo = 0.0;       ///< its data time
+  double Stiffness = 0.0;       ///< N/m
+  double SurfaceStrength = 0.0; ///< T_N W_d, N
+  ///@}
 };
 
 } // namespace VolumeHaptics

@@ -104,6 +104,11 @@ void VisitState(State& state, Function&& visit)
   visit(here.Far.Behind);
   visit(here.Far.Evenness);
   visit(here.FarLasts);
+  visit(state.DataTime);
+  visit(state.CarriedTo);
+  visit(state.Stiffness);
+  visit(state.SurfaceStrength);
+  visit(state.Local.Request.DataTime);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -181,7 +186,8 @@ bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept
   bool isGood = true;
   VisitState(state, [&](auto& value) { isGood = Read(numbers[i++], value) && isGood; });
   return isGood && IsNear(state.Proxy, FarthestTip) && IsNear(state.PreviousTip, FarthestTip) &&
-    IsPossible(state.Precise) && IsPossible(state.Local);
+    IsAmount(state.Stiffness) && IsAmount(state.SurfaceStrength) && IsPossible(state.Precise) &&
+    IsPossible(state.Local);
 }
 
 } // namespace VolumeHaptics

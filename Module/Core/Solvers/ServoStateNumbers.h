@@ -14,9 +14,12 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 68;
-/** In recordings from before MaterialPlacement; the other numbers are 0 then. */
-constexpr int OldServoStateSize = 64;
+constexpr int ServoStateSize = 73;
+/**
+ * In recordings from before MaterialPlacement, and before volumes that move; the other numbers are
+ * 0 then.
+ */
+constexpr std::array<int, 2> OldServoStateSizes = { 64, 68 };
 
 /** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

@@ -25,6 +25,7 @@ enum class ContactState : std::uint8_t
 /** The record of one tick, with the material that it used. */
 struct TickRecord : MaterialPoint
 {
+  double DataTime = 0.0; ///< of a volume that moves
   Vector3 Tip;
   Vector3 Proxy;              ///< after the tick
   Vector3 Force;              ///< N, on the hand
@@ -33,6 +34,8 @@ struct TickRecord : MaterialPoint
   /// N, stiffness times the distance by which the drag step moved the proxy back
   double DragForce = 0.0;
   ContactState Contact = ContactState::Free;
+  /// J, in this tick: of a surface that moves, on the spring that pulls the hand
+  double WallWork = 0.0;
   bool IsUnfinished = false; ///< PRECISE spent its budget: the force is that of an earlier tip
   bool IsRenewed = false;    ///< LOCAL_SURFACE got a surface from the slow loop
 };

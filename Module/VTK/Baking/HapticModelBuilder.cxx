@@ -18,6 +18,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -141,6 +142,57 @@ std::shared_ptr<const void> ShareArray(vtkDataArray* array)
   return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
 }
 
+bool AreAlike(const VolumeView& a, const VolumeView& b)
+{
+  return std::equal(a.Dimensions, a.Dimensions + 3, b.Dimensions) &&
+    std::equal(a.First, a.First + 3, b.First) && std::equal(a.Whole, a.Whole + 3, b.Whole);
+}
+
+bool BakeFrames(const std::vector<HapticFrame>& frames, int component, HapticModelDescription& d,
+  std::string& error)
+{
+  if (!frames.empty() && d.Settings.Method == HapticMethod::SurfaceProxy)
+  {
+    error = "SURFACE_PROXY touches a mesh, which does not move, and the image on input port 0 has "
+            "several time steps. Choose another method, for example with "
+            "SetMethodToLocalSurface, or stop time with SetTimeUnitsPerSecond(0).";
+    return false;
+  }
+  for (const HapticFrame& frame : frames)
+  {
+    HapticVolume volume;
+    std::ostringstream message;
+    if (!frame.Array)
+    {
+      message << "The input image on input port 0 has no point array to touch at time "
+              << frame.Time << ". Give all time steps the same array.";
+      error = message.str();
+      return false;
+    }
+    if (!ReadVolume(frame.Image, frame.Array, component, d.KernelRadius, volume, error))
+    {
+      message << "At time " << frame.Time << ": " << error;
+      error = message.str();
+      return false;
+    }
+    if (!AreAlike(volume.View, d.View) || !IsIdentical(volume.IndexToWorld, d.IndexToWorld))
+    {
+      const std::int64_t* const n = volume.View.Dimensions;
+      message << "The input image at time " << frame.Time << " has another geometry than at time "
+              << frames.front().Time << " (" << n[0] << " x " << n[1] << " x " << n[2]
+              << " points): all time steps need the same extent, origin, spacing and direction. "
+                 "Resample them to one geometry, for example with vtkImageReslice, or stop time "
+                 "with SetTimeUnitsPerSecond(0).";
+      error = message.str();
+      return false;
+    }
+    // Samples that are not numbers have one value at all times.
+    volume.View.BorderValue = d.View.BorderValue;
+    d.Frames.push_back({ frame.Time, volume.View, ShareArray(volume.Holder) });
+  }
+  return true;
+}
+
 } // namespace
 
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
@@ -178,7 +230,8 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
       setting.Bake(property, d);
     }
   }
-  if (!BakeSurface(image, scalars, component, options, d, error))
+  if (!BakeFrames(options.Frames, component, d, error) ||
+    !BakeSurface(image, scalars, component, options, d, error))
   {
     return nullptr;
   }

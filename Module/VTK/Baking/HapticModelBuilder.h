@@ -8,8 +8,10 @@
 #define HapticModelBuilder_h
 
 #include "Core/Model/HapticModel.h"
+#include "VTK/Baking/HapticFrames.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkHapticProperty;
@@ -31,6 +33,7 @@ struct HapticModelOptions
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
   RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
+  std::vector<HapticFrame> Frames;   ///< of a volume that moves; the image is the first one's
 };
 
 /**

@@ -87,6 +87,10 @@ inline constexpr FilterSetting All[] = {
   HapticNumberMacro(MetersPerWorldUnit, 1e-12, 1e12, 0.001, "", NotBaked,
     "Metres of hand motion for one world unit, 1e-12 to 1e12. The default 0.001 means life-size "
     "for data in millimetres; 0.002 means twice life-size, and no stiffer."),
+  HapticNumberMacro(TimeUnitsPerSecond, -1e9, 1e9, 1.0, "", &S::TimeUnitsPerSecond,
+    "The data time that passes in a second of the hand: time steps of the image's source per "
+    "second if these are whole numbers, -1e9 to 1e9. Negative, time runs backwards. 0 takes one "
+    "time step, that which the pipeline asks for, as if the volume did not move. Default 1."),
   HapticFlagMacro(SameShape, false, &S::SameShape,
     "One stiffness everywhere, the Coupling Stiffness, instead of the stiffness of the material. A "
     "hand that strokes with a constant force then feels the shape that it sees; materials are told "

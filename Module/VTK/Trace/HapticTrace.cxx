@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTrace.h"
 
+#include "Core/Model/BakedVolume.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/TraceBlocks.h"
 #include "VTK/Trace/TraceRow.h"
@@ -62,7 +63,7 @@ vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& pat
 
 } // namespace
 
-HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, bool hasLabels)
+HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVolume& volume)
 {
   this->Proxies->SetDataTypeToDouble();
   TraceBlocks::Allocate(this->Proxies->GetData(), ticks);
@@ -72,17 +73,22 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, bool hasLabel
       { static_cast<unsigned char*>(array->GetVoidPointer(0)), width, offset });
   };
   remember(this->Proxies->GetData(), sizeof(TraceRow::Proxy), offsetof(TraceRow, Proxy));
-  const std::vector<TraceColumn>& columns = GetTraceColumns();
+  std::vector<TraceColumn> columns = GetTraceColumns();
+  const std::size_t labelArray = columns.size();
+  if (volume.IsMoving())
+  {
+    columns.push_back({ DataTimeColumn, "", ColumnType::Float64, 1, offsetof(TraceRow, DataTime) });
+  }
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
-    if (IsChosen(choice, i))
+    if (IsChosen(choice, i < labelArray ? i : labelArray + 1))
     {
       this->Arrays.push_back(NewArray(columns[i], ticks));
       remember(this->Arrays.back(), columns[i].GetWidth(), columns[i].Offset);
       this->Values = this->Values || columns[i].Offset == offsetof(TraceRow, Value);
     }
   }
-  if (hasLabels && ticks > 0 && IsChosen(choice, columns.size()))
+  if (volume.Labels && ticks > 0 && IsChosen(choice, labelArray))
   {
     vtkNew<vtkLongLongArray> labels;
     labels->SetName(LabelColumn);

@@ -31,6 +31,8 @@ struct TraceMemory
   std::size_t Offset; ///< of a tuple in a TraceRow
 };
 
+struct BakedVolume;
+
 /**
  * Memory for the ticks of all paths, which TracePart fills. It is allocated once, and its pages are
  * first touched by the thread that writes them.
@@ -38,7 +40,7 @@ struct TraceMemory
 class HapticTrace
 {
 public:
-  HapticTrace(vtkIdType ticks, TraceArrayChoice choice, bool hasLabels);
+  HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVolume& volume);
   ~HapticTrace();
   HapticTrace(const HapticTrace&) = delete;
   HapticTrace& operator=(const HapticTrace&) = delete;

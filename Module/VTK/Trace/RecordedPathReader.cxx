@@ -14,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace VolumeHaptics
@@ -100,9 +101,11 @@ void RecordedPathReader::ReadPlacements()
 void RecordedPathReader::ReadBegin()
 {
   vtkDataArray* const found = this->Path->GetFieldData()->GetArray(RecordingNames::InitialState);
-  const bool isOld = found && found->GetNumberOfComponents() == OldServoStateSize;
+  const auto& old = OldServoStateSizes;
+  const int size = found ? found->GetNumberOfComponents() : ServoStateSize;
+  const bool isOld = std::find(old.begin(), old.end(), size) != old.end();
   vtkDataArray* const state =
-    this->FindField(RecordingNames::InitialState, isOld ? OldServoStateSize : ServoStateSize, 1);
+    this->FindField(RecordingNames::InitialState, isOld ? size : ServoStateSize, 1);
   vtkDataArray* const period = this->FindField(RecordingNames::TickPeriod, 1, 1);
   this->ReadCaps();
   if (!state || !period)

@@ -2,10 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TipPathWalk.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** The first time step's at the hand's time 0; it stops at the first and the last one. */
+double FindDataTime(const HapticModel& model, double time)
+{
+  const std::vector<FieldFrame>& frames = model.Baked->Frames;
+  return frames.empty()
+    ? 0.0
+    : std::clamp(frames.front().Time + model.Baked->Settings.TimeUnitsPerSecond * time,
+        frames.front().Time, frames.back().Time);
+}
+
+} // namespace
 
 TipPathWalk::TipPathWalk(const TipReader& tips, const ModelFinder* finder)
   : Tips(tips)
@@ -24,6 +39,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   if (this->Tips)
   {
     const Vector3 tip = model->WorldToDevice(this->Tips->Next());
+    this->State.DataTime = FindDataTime(*model, this->Tips->GetTime());
     if (this->Finder)
     {
       model = (*this->Finder)(std::move(model), this->State, tip);

@@ -39,6 +39,20 @@ std::string DescribeLackOfMemory(double ticks)
   return message.str();
 }
 
+double TipPaths::FindLastTime() const
+{
+  double last = 0.0;
+  for (std::size_t path = 0; path < this->GetNumberOfPaths(); ++path)
+  {
+    if (const vtkIdType ticks = this->GetNumberOfTicks(path); ticks > 0)
+    {
+      const double start = this->HaveTimes() ? this->GetTime(Members(*this, path).At(0)) : 0.0;
+      last = std::max(last, start + static_cast<double>(ticks - 1) * this->Period);
+    }
+  }
+  return last;
+}
+
 TipPaths::Members::Members(const TipPaths& paths, std::size_t path)
   : Size(paths.Points->GetNumberOfPoints())
 {

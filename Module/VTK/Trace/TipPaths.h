@@ -50,6 +50,8 @@ public:
   {
     return this->FirstTicks[path + 1] - this->FirstTicks[path];
   }
+  /** Of the last tick of all paths (s). */
+  double FindLastTime() const;
   /** Whether each path has a line of its own, whatever its length. */
   bool AreSeveral() const { return !this->Divided.Begins.empty(); }
   /** Null if the paths are no recording; otherwise it is the only path. */

@@ -12,13 +12,15 @@ namespace VolumeHaptics
 
 std::size_t GetNumberOfTraceArrays()
 {
-  return GetTraceColumns().size() + 1;
+  return GetTraceColumns().size() + 2;
 }
 
 const char* GetTraceArrayName(std::size_t array)
 {
   const std::vector<TraceColumn>& columns = GetTraceColumns();
-  return array < columns.size() ? columns[array].Name : LabelColumn;
+  return array < columns.size() ? columns[array].Name
+    : array == columns.size()   ? LabelColumn
+                                : DataTimeColumn;
 }
 
 std::size_t FindTraceArray(const std::string& name)

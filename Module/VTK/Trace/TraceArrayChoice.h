@@ -14,10 +14,16 @@
 namespace VolumeHaptics
 {
 
-/** The name of the array of labels, which traces of volumes with labels have, too. */
+///@{
+/** Of arrays that only traces of volumes with labels, and of volumes that move, have. */
 constexpr const char* LabelColumn = "Label";
+constexpr const char* DataTimeColumn = "DataTime";
+///@}
 
-/** Bit i stands for column i of GetTraceColumns(), and the bit after the last for the labels. */
+/**
+ * Bit i stands for column i of GetTraceColumns(), and the bits after the last for the labels and
+ * the data time.
+ */
 using TraceArrayChoice = unsigned int;
 constexpr TraceArrayChoice AllTraceArrays = ~TraceArrayChoice(0);
 

@@ -60,7 +60,7 @@ void FillTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row)
 {
   FillTraceRowWithoutValue(model, time, record, work, row);
-  row.Value = model.ValueAtDevice(record.Proxy);
+  row.Value = model.ValueAtDevice(record.Proxy, record.DataTime);
 }
 
 void FillTraceRowWithoutValue(
@@ -85,6 +85,7 @@ void FillTraceRowWithoutValue(
   row.Viscosity = record.Viscosity;
   row.SurfaceStrength = record.SurfaceStrength;
   row.Energy = work.Add(record);
+  row.DataTime = record.DataTime;
   row.Contact = static_cast<unsigned char>(record.Contact);
   row.Unfinished = record.IsUnfinished ? 1 : 0;
   row.Renewed = record.IsRenewed ? 1 : 0;

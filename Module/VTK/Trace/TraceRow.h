@@ -38,6 +38,7 @@ struct TraceRow
   double Viscosity;
   double SurfaceStrength;
   double Energy; ///< J
+  double DataTime;
   unsigned char Contact;
   unsigned char Unfinished;
   unsigned char Renewed;

@@ -417,7 +417,7 @@ TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
     }
     ++compared;
     const Vector3 world{ 3.0 + spacing.X * x.X, 1.5 + spacing.Y * x.Y, 2.0 + spacing.Z * x.Z };
-    const Surface surface = Law::FindSurface(model, world, memory);
+    const Surface surface = Law::FindSurface(model, model.Baked->At(0.0), world, memory);
     const Vector3 gradient{ expected.Gradient.X / spacing.X, expected.Gradient.Y / spacing.Y,
       expected.Gradient.Z / spacing.Z };
     ASSERT_TRUE(surface.IsWall);

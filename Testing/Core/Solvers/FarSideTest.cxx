@@ -45,7 +45,7 @@ public:
   {
     const Vector3 reach = { 0.0, 0.0, isDescending ? -Radius : Radius };
     return FindFarSide(
-      this->Field, { 3.2, 3.7, Middle + distance }, reach, Radius, 0.0, isDescending);
+      FieldAtTime(this->Field), { 3.2, 3.7, Middle + distance }, reach, Radius, 0.0, isDescending);
   }
 
   double Value(double distance) const { return this->Field.Value({ 3.2, 3.7, Middle + distance }); }
@@ -153,7 +153,8 @@ TEST(FarSide, IsThatOfTheKernelOnADistanceFieldOfCoarseVoxels)
     const FieldSampler field(volume.View, kernel);
     const bool isBall = i % 4 < 2;
     const Vector3 reach = (isBall ? -Radius : Radius) * outward;
-    const FarValues far = FindFarSide(field, at, reach, Radius, slope * Radius, isBall);
+    const FarValues far =
+      FindFarSide(FieldAtTime(field), at, reach, Radius, slope * Radius, isBall);
     ASSERT_GT(far.Evenness, 0.7) << distance << " voxels from the point, noise " << noise;
   }
 }
@@ -194,7 +195,7 @@ TEST(FarSide, IsFiniteWhateverTheSamplesAre)
     const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
     const Vector3 index = { 9.0 * uniform() - 1.0, 9.0 * uniform() - 1.0, 66.0 * uniform() - 1.0 };
     const Vector3 reach = { uniform() - 0.5, uniform() - 0.5, uniform() - 0.5 };
-    const FarValues far = FindFarSide(field, index, reach, Radius, 0.0, i % 2 == 0);
+    const FarValues far = FindFarSide(FieldAtTime(field), index, reach, Radius, 0.0, i % 2 == 0);
     ASSERT_TRUE(std::isfinite(far.Ahead) && std::isfinite(far.Behind));
     ASSERT_GE(far.Evenness, 0.0);
     ASSERT_LE(far.Evenness, 1.0 + 1e-12);

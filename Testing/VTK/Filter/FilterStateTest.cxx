@@ -21,6 +21,7 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetServoRate(), 1000.0);
   EXPECT_EQ(filter->GetMetersPerWorldUnit(), 0.001);
   EXPECT_EQ(filter->GetForceFieldDamping(), 0.0);
+  EXPECT_EQ(filter->GetTimeUnitsPerSecond(), 1.0);
   EXPECT_FALSE(filter->GetSameShape());
   EXPECT_EQ(filter->GetCouplingStiffness(), 500.0);
   EXPECT_EQ(filter->GetMaximumForce(), 0.0);
@@ -58,6 +59,7 @@ TEST(FilterState, EverySetterModifiesOnChangeOnly)
     { "LocalSurfaceShape", [&] { filter->SetLocalSurfaceShapeToQuadric(); } },
     { "LocalSurfaceRate", [&] { filter->SetLocalSurfaceRate(30.0); } },
     { "RecoveryTime", [&] { filter->SetRecoveryTime(0.05); } },
+    { "TimeUnitsPerSecond", [&] { filter->SetTimeUnitsPerSecond(2.0); } },
     { "SameShape", [&] { filter->SameShapeOn(); } },
     { "CouplingStiffness", [&] { filter->SetCouplingStiffness(300.0); } },
     { "MaximumForce", [&] { filter->SetMaximumForce(3.0); } },
@@ -138,8 +140,8 @@ TEST(FilterState, PrintsEveryMember)
     filter->Print(text);
     for (const char* const member :
       { "Property:", "Method:", "Solver:", "GradientEstimator:", "KernelRadius:", "ServoRate:",
-        "MetersPerWorldUnit:", "ForceFieldGain:", "ForceFieldDamping:", "SameShape:",
-        "CouplingStiffness:", "MaximumForce:", "MaximumStiffness:" })
+        "MetersPerWorldUnit:", "ForceFieldGain:", "ForceFieldDamping:", "TimeUnitsPerSecond:",
+        "SameShape:", "CouplingStiffness:", "MaximumForce:", "MaximumStiffness:" })
     {
       EXPECT_NE(text.str().find(member), std::string::npos) << member;
     }

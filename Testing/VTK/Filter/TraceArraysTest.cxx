@@ -33,7 +33,7 @@ protected:
 
 using Texts = std::vector<std::string>;
 
-/// As the class documentation of vtkVolumeHapticsFilter lists them, without Label.
+/// As the class documentation of vtkVolumeHapticsFilter lists them, without Label and DataTime.
 const Texts All = { "Time", "Tip", "Force", "NormalForce", "FrictionForce", "DragForce", "Normal",
   "Value", "GradientMagnitude", "SurfaceValue", "MediumValue", "Stiffness", "Friction", "Viscosity",
   "SurfaceStrength", "Contact", "Unfinished", "Renewed", "Energy" };
@@ -43,7 +43,7 @@ TEST_F(TraceArrays, AreAllByDefault)
 {
   EXPECT_EQ(this->Filter->GetTraceArrays(), "all");
   EXPECT_EQ(this->Names(), All);
-  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 1);
+  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 2);
 }
 
 TEST_F(TraceArrays, TheChosenOnesAreTheSameToTheBit)

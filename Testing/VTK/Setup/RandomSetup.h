@@ -39,6 +39,7 @@ public:
     f->SetLocalSurfaceRate(this->Draw(100.0));
     f->SetRecoveryTime(this->Draw(0.5));
     f->SetContactAlignmentToEdge();
+    f->SetTimeUnitsPerSecond(this->Draw(9.0));
     f->SameShapeOn();
     f->SetCouplingStiffness(this->Draw(1000.0));
     f->SetGeometryFromBoth();

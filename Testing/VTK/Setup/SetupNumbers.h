@@ -45,8 +45,8 @@ inline Numbers Everything(Scene& s)
     f->GetForceShading() ? 1.0 : 0.0, 1.0 * f->GetLocalSurfaceShape(), f->GetLocalSurfaceRate(),
     f->GetRecoveryTime(), 1.0 * f->GetContactAlignment(), 1.0 * f->GetMaterialPlacement(),
     1.0 * f->GetGeometry(), f->GetSameShape() ? 1.0 : 0.0, f->GetCouplingStiffness(),
-    f->GetMaximumForce(), f->GetMaximumStiffness(), 1.0 * p->GetComponent(),
-    1.0 * p->GetSurfaceSide(), p->GetVisibilityFrom() == v ? 1.0 : 0.0,
+    f->GetTimeUnitsPerSecond(), f->GetMaximumForce(), f->GetMaximumStiffness(),
+    1.0 * p->GetComponent(), 1.0 * p->GetSurfaceSide(), p->GetVisibilityFrom() == v ? 1.0 : 0.0,
     1.0 * v->GetInterpolationType(), 1.0 * v->GetIndependentComponents() };
   for (vtkPiecewiseFunction* function : s.Materials())
   {

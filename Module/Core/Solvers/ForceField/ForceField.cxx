@@ -23,9 +23,10 @@ Vector3 FindFieldDamping(
 
 void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
 {
+  const FieldAtTime field = model.Baked->At(state.DataTime);
   const Vector3 index = model.DeviceToIndex(record.Tip);
-  const Surface surface = Law::FindFieldSurface(model, index);
-  Law::ReadMaterials(model, index, surface, state.Labels, record);
+  const Surface surface = Law::FindFieldSurface(model, field, index);
+  Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = record.Tip;
   if (!state.Enabled)
   {

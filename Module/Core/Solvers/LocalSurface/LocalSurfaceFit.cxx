@@ -37,6 +37,7 @@ class IsoSurfaceFinder
 public:
   IsoSurfaceFinder(const HapticModel& model, const LocalSurfaceRequest& request) noexcept
     : Model(model)
+    , Field(model.Baked->At(request.DataTime))
     , Request(request)
     , IndexToWorld(model.Baked->IndexToWorld)
     , WorldToIndex(Inverse(model.Baked->IndexToWorld))
@@ -87,20 +88,18 @@ public:
 private:
   double Excess(const Vector3& x) const noexcept
   {
-    return this->Model.Baked->Field.Value(this->WorldToIndex(x)) -
-      this->Model.Baked->Settings.IsoValue;
+    return this->Field.Value(this->WorldToIndex(x)) - this->Model.Baked->Settings.IsoValue;
   }
 
   /** Unit, into the structure; false without a gradient. */
   bool FindNormal(const Vector3& x, Vector3& normal) const noexcept
   {
     const Vector3 index = this->WorldToIndex(x);
-    if (!this->Model.Baked->Field.IsInside(index))
+    if (!this->Field.IsInside(index))
     {
       return false;
     }
-    const Vector3 gradient =
-      this->GradientToWorld * this->Model.Baked->Field.Gradient(index).Gradient;
+    const Vector3 gradient = this->GradientToWorld * this->Field.Gradient(index).Gradient;
     const double norm = Norm(gradient);
     // Also false for NaN.
     if (!(norm > 0.0 && std::isfinite(norm)))
@@ -246,6 +245,7 @@ private:
   }
 
   const HapticModel& Model;
+  const FieldAtTime Field;
   const LocalSurfaceRequest& Request;
   const Affine3 IndexToWorld;
   const Affine3 WorldToIndex;

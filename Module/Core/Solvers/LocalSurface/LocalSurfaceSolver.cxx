@@ -279,6 +279,7 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
       result.IsSimulated ? FitLocalSurface(model, local.Request) : *result.Surface;
     Renew(model, found, friction, local, record.Contact);
     Request(model, motion, local);
+    local.Request.DataTime = state.DataTime;
   }
   record.Contact = local.IsHeld && isFelt ? record.Contact : ContactState::Free;
   if (isFelt)

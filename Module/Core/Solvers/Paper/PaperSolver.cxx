@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Paper/PaperSolver.h"
 
+#include "Core/Solvers/CarriedProxy.h"
 #include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/ServoState.h"
 
@@ -43,14 +44,22 @@ Vector3 Advance(const Vector3& start, const SplitLag& lag, TickRecord& record) n
 void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
 {
   const Vector3& tip = record.Tip;
+  CarriedProxy carried;
+  if (model.Baked->IsMoving() && state.Enabled)
+  {
+    carried = CarryProxy(model, state);
+    record.WallWork = carried.Work;
+  }
   const Vector3 position = state.Enabled ? state.Proxy : tip;
   const Vector3 lag = tip - position;
+  const FieldAtTime field = model.Baked->At(state.DataTime);
   const Vector3 index = model.DeviceToIndex(position);
-  Surface surface = Law::FindSurface(model, index, state.Labels);
+  Surface surface =
+    carried.IsChanged ? carried.There : Law::FindSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
   // Before the materials, so that the processor has it by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
-  Law::ReadMaterials(model, index, surface, state.Labels, record);
+  Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = state.Enabled ? Advance(position, split, record) : tip;
 }
 

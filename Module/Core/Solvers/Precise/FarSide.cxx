@@ -102,7 +102,7 @@ double FindEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
 
 } // namespace
 
-FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vector3& reach,
+FarValues FindFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
   double radius, double rise, bool isDescending) noexcept
 {
   const double part = radius / (FarSide::StepsPerRadius * Norm(reach));

@@ -60,7 +60,7 @@
 #ifndef FarSide_h
 #define FarSide_h
 
-#include "Core/Field/FieldSampler.h"
+#include "Core/Field/FieldAtTime.h"
 #include "Core/Solvers/PreciseState.h"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ inline double FindEvenShare(const FarValues& far) noexcept
  * `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along `reach`; it
  * falls if it is descending.
  */
-FarValues FindFarSide(const FieldSampler& field, const Vector3& index, const Vector3& reach,
+FarValues FindFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
   double radius, double rise, bool isDescending) noexcept;
 
 /**

@@ -73,6 +73,15 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
   }
 }
 
+void PreciseFollower::TakeOver(const CarriedProxy& carried) noexcept
+{
+  const Vector3 lag = this->State.ReachedTip - this->Proxy;
+  this->State.Here = this->Field.Look(this->Proxy, carried.There, lag, this->FindTouched(lag),
+    this->State.CachedSampleDistance + carried.Voxels);
+  this->State.CachedSampleDistance = 0.0;
+  this->Refresh(Norm(lag));
+}
+
 void PreciseFollower::Write(TickRecord& record) const noexcept
 {
   static_cast<MaterialPoint&>(record) = this->State.Here;

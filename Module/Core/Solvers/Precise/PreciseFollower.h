@@ -7,6 +7,7 @@
 #ifndef PreciseFollower_h
 #define PreciseFollower_h
 
+#include "Core/Solvers/CarriedProxy.h"
 #include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/Precise/PreciseSurroundings.h"
 #include "Core/Solvers/ServoState.h"
@@ -19,7 +20,7 @@ class PreciseFollower
 {
 public:
   PreciseFollower(const HapticModel& model, ServoState& state) noexcept
-    : Field(model, state.Labels)
+    : Field(model, state.DataTime, state.Labels)
     , IsTwoSided(model.Baked->Settings.Side == SurfaceSide::Both)
     , IsOfWalls(model.Baked->Settings.Geometry == SurfaceGeometry::Labels)
     , Proxy(state.Proxy)
@@ -27,6 +28,8 @@ public:
   {
   }
 
+  /** The volume moves, and the proxy was carried along. */
+  void TakeOver(const CarriedProxy& carried) noexcept;
   /** Moves the tip straight to a position, and makes the proxy follow it. */
   void Follow(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Precise/PreciseSolver.h"
 
+#include "Core/Solvers/CarriedProxy.h"
 #include "Core/Solvers/Precise/PreciseFollower.h"
 
 namespace VolumeHaptics
@@ -15,7 +16,20 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }
+  CarriedProxy carried;
+  if (model.Baked->IsMoving() && state.Enabled)
+  {
+    const Vector3 before = state.Proxy;
+    carried = CarryProxy(model, state);
+    const Vector3& tip = state.Precise.ReachedTip;
+    state.Precise.Spring.Stretch(Norm(tip - before), Norm(tip - state.Proxy));
+    record.WallWork = carried.Work;
+  }
   PreciseFollower follower(model, state);
+  if (carried.IsChanged)
+  {
+    follower.TakeOver(carried);
+  }
   follower.Follow(record.Tip);
   follower.Write(record);
   record.IsUnfinished = follower.IsUnfinished();

@@ -85,9 +85,16 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
 PrecisePoint PreciseSurroundings::Look(
   const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched, double voxels) noexcept
 {
+  const Vector3 index = this->Model.DeviceToIndex(proxy);
+  return this->Look(
+    proxy, Law::FindSurface(this->Model, this->Field, index, this->Labels), lag, touched, voxels);
+}
+
+PrecisePoint PreciseSurroundings::Look(const Vector3& proxy, Surface surface, const Vector3& lag,
+  const TouchedMaterial& touched, double voxels) noexcept
+{
   ++this->Looks;
   const Vector3 index = this->Model.DeviceToIndex(proxy);
-  Surface surface = Law::FindSurface(this->Model, index, this->Labels);
   const bool isDescending = Law::Orient(this->Model, lag, surface);
   PrecisePoint point;
   // Before the values: their sampling hides the lookup's latency.
@@ -101,21 +108,20 @@ PrecisePoint PreciseSurroundings::Look(
   if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
     point.SurfaceStrength > 0.0)
   {
-    const FieldSampler& field = this->Model.Baked->Field;
     const double even = FarSide::FindEvenShare(point.Far);
     if (this->Model.Baked->Settings.Placement == MaterialPlacement::Kernel)
     {
-      point.SurfaceStrength *= AtEdge(point, field.Value(index), isDescending);
+      point.SurfaceStrength *= AtEdge(point, this->Field.Value(index), isDescending);
     }
     else if (even < 1.0)
     {
       const double edge =
-        GradedStrength(point, field.Value(index), this->FindRise(surface), isDescending);
+        GradedStrength(point, this->Field.Value(index), this->FindRise(surface), isDescending);
       // An even ramp has no middle: it holds as with the kernel's values.
       MaterialPoint ramp;
       if (even > 0.0)
       {
-        const ValuePair nearby = field.Values(index, surface.Reach);
+        const ValuePair nearby = this->Field.Values(index, surface.Reach);
         Law::SetMaterials(this->Model, index, surface, distinct, nearby, this->Labels, ramp);
       }
       point.SurfaceStrength = edge + even * (ramp.SurfaceStrength - edge);
@@ -137,7 +143,7 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& s
   const double share = distinctness * surface.Fade;
   if (baked.Settings.Placement == MaterialPlacement::Kernel || surface.IsWall || share <= 0.0)
   {
-    return baked.Field.Values(index, surface.Reach);
+    return this->Field.Values(index, surface.Reach);
   }
   const PrecisePoint* const before = touched.Point;
   const bool isAlike = before && Dot(before->Normal, surface.Normal) > 0.0;
@@ -151,11 +157,11 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& s
   {
     const double rise = this->FindRise(surface);
     point.Far =
-      FindFarSide(baked.Field, index, surface.Reach, baked.Kernel.Radius, rise, isDescending);
+      FindFarSide(this->Field, index, surface.Reach, baked.Kernel.Radius, rise, isDescending);
     const double edge = share * (1.0 - FarSide::FindEvenShare(point.Far));
     if (edge < 1.0)
     {
-      const ValuePair nearby = baked.Field.Values(index, surface.Reach);
+      const ValuePair nearby = this->Field.Values(index, surface.Reach);
       point.Far.Ahead = nearby.Ahead + edge * (point.Far.Ahead - nearby.Ahead);
       point.Far.Behind = nearby.Behind + edge * (point.Far.Behind - nearby.Behind);
     }
@@ -163,7 +169,7 @@ ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& s
   if (FarSide::FindEvenShare(point.Far) >= 1.0)
   {
     point.FarLasts = lasts;
-    return baked.Field.Values(index, surface.Reach);
+    return this->Field.Values(index, surface.Reach);
   }
   if (!isAlike || !IsSameEdge(*before, point.Far))
   {

@@ -56,8 +56,9 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 class PreciseSurroundings
 {
 public:
-  PreciseSurroundings(const HapticModel& model, LabelMemory& labels) noexcept
+  PreciseSurroundings(const HapticModel& model, double dataTime, LabelMemory& labels) noexcept
     : Model(model)
+    , Field(model.Baked->At(dataTime))
     , Labels(labels)
   {
   }
@@ -68,6 +69,9 @@ public:
    */
   PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
     double voxels) noexcept;
+  /** As above, if the surface through the proxy is known. */
+  PrecisePoint Look(const Vector3& proxy, Surface surface, const Vector3& lag,
+    const TouchedMaterial& touched, double voxels) noexcept;
   /** Whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
 
@@ -128,6 +132,7 @@ private:
     PrecisePoint& point) const noexcept;
 
   const HapticModel& Model;
+  const FieldAtTime Field;
   LabelMemory& Labels;
   int Looks = 0;
 };

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/CarriedProxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int MostCarrySteps = 3;
+/** Voxels. */
+constexpr double LongestCarry = 0.25;
+/** After a step as short as this (voxels), Newton's method has converged. */
+constexpr double ShortCarry = 0.01;
+
+/** The volume at the proxy before the motion and after it. */
+struct Change
+{
+  FieldSample Now;
+  double LevelBefore;
+  double LevelNow;
+  bool IsNone;
+};
+
+/** PRECISE holds its proxy on levels of the estimator's own value, PAPER reads V. */
+bool HasOwnLevels(const HapticModel& model) noexcept
+{
+  return model.Baked->Settings.Solver == HapticSolver::Precise;
+}
+
+Change FindChange(const HapticModel& model, const ServoState& state, const Vector3& index) noexcept
+{
+  const BakedVolume& baked = *model.Baked;
+  const FieldAtTime before = baked.At(state.CarriedTo);
+  const FieldAtTime now = baked.At(state.DataTime);
+  FieldSample old;
+  Change change;
+  if (now.HasFramesOf(before))
+  {
+    // Each frame is read once.
+    const FieldAtTime::FramePair pair = now.ReadFrames(index);
+    change.Now = now.Blend(pair);
+    old = before.Blend(pair);
+  }
+  else
+  {
+    change.Now = now.Gradient(index);
+    old = before.Gradient(index);
+  }
+  const bool isOwn = HasOwnLevels(model);
+  change.LevelBefore = isOwn ? old.Value : before.Value(index);
+  change.LevelNow = isOwn ? change.Now.Value : now.Value(index);
+  change.IsNone =
+    change.LevelBefore == change.LevelNow && IsIdentical(old.Gradient, change.Now.Gradient);
+  return change;
+}
+
+/** Whether a surface of the scalars holds the proxy or could, as far as the last tick tells. */
+bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
+{
+  return surface.Fade > 0.0 && !surface.IsWall && state.SurfaceStrength > 0.0 &&
+    state.Stiffness > HapticModel::MinimumStiffness;
+}
+
+/** The step (m) of Newton's method along the gradient; not inward past the tip. */
+double FindCarry(const HapticModel& model, const Surface& surface, double rise, const Vector3& lag,
+  bool isHeld) noexcept
+{
+  const double slope = surface.GradientMagnitude * model.WorldUnitsPerMeter;
+  const double longest = LongestCarry / model.MostVoxelsPerMeter;
+  const double wanted = rise / slope;
+  const double step = std::isnan(wanted) ? 0.0 : std::clamp(wanted, -longest, longest);
+  const bool isTwoSided = model.Baked->Settings.Side == SurfaceSide::Both;
+  if (isTwoSided && !isHeld)
+  {
+    return step; // the side that comes is the structure
+  }
+  const double push = Dot(lag, surface.Normal);
+  return Law::IsDescending(model, lag, surface.Normal) ? std::max(step, std::min(push, 0.0))
+                                                       : std::min(step, std::max(push, 0.0));
+}
+
+} // namespace
+
+CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
+{
+  CarriedProxy carried;
+  Vector3 index = model.DeviceToIndex(state.Proxy);
+  if (state.CarriedTo == state.DataTime || !model.Baked->Field.IsInside(index))
+  {
+    return carried;
+  }
+  const Change change = FindChange(model, state, index);
+  if (change.IsNone)
+  {
+    return carried;
+  }
+  carried.IsChanged = true;
+  const FieldAtTime field = model.Baked->At(state.DataTime);
+  carried.There = model.Baked->FeelsLabels() ? Law::FindSurface(model, field, index, state.Labels)
+                                             : Law::MakeFieldSurface(model, index, change.Now);
+  const Vector3 start = state.Proxy;
+  const bool isHeld = state.Precise.IsHeld && HasOwnLevels(model);
+  const double target = isHeld ? state.Precise.Level : change.LevelBefore;
+  double level = change.LevelNow;
+  for (int i = 0; i < MostCarrySteps && IsSurfaceThere(state, carried.There); ++i)
+  {
+    const Vector3 lag = state.PreviousTip - state.Proxy;
+    const double step = FindCarry(model, carried.There, target - level, lag, isHeld);
+    state.Proxy += step * carried.There.Normal;
+    carried.There.Value += step * carried.There.GradientMagnitude * model.WorldUnitsPerMeter;
+    if (std::abs(step) * model.MostVoxelsPerMeter <= ShortCarry)
+    {
+      break;
+    }
+    index = model.DeviceToIndex(state.Proxy);
+    const FieldSample sample = field.Gradient(index);
+    level = HasOwnLevels(model) ? sample.Value : field.Value(index);
+    carried.There = Law::MakeFieldSurface(model, index, sample);
+  }
+  const Vector3 motion = state.Proxy - start;
+  carried.Voxels = Norm(model.DeviceToIndex.Linear * motion);
+  const Vector3 lag = state.PreviousTip - start;
+  carried.Work = 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
+  return carried;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Carries the proxy along with a volume that moves.
+ *
+ * The material law knows the tip's motion only: a wall that comes would sweep through a resting
+ * hand unfelt. So before each tick the proxy x_p goes along with the surface, which is a level of
+ * V(x, t):
+ *
+ *   V(x_p, t + dt) = L,
+ *
+ * where L is the level of the surface that holds the proxy (PreciseState::Level); or V(x_p, t),
+ * where none holds it but one could, because T_N W_d > 0. Then the law follows, with the tip where
+ * it is: beyond T_N W_d the proxy slips through the surface, so that a wall never pushes more
+ * strongly than it holds, and outward the proxy is free.
+ *
+ * The proxy moves along the gradient, by Newton's method: along the surface, values do not tell how
+ * the volume moves. It does not move inward past the tip, since a surface pushes and never pulls.
+ * Surfaces that labels make stand still.
+ */
+#ifndef CarriedProxy_h
+#define CarriedProxy_h
+
+#include "Core/Model/HapticModel.h"
+#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Solvers/ServoState.h"
+
+namespace VolumeHaptics
+{
+
+/** The volume at the proxy after it was carried. */
+struct CarriedProxy
+{
+  bool IsChanged = false; ///< the volume has changed at the proxy; else the rest is not known
+  double Voxels = 0.0;    ///< the length of the motion
+  double Work = 0.0;      ///< J, of the wall against the spring
+  Surface There;          ///< through the proxy, with an ascending normal
+};
+
+/**
+ * Moves state.Proxy from data time state.CarriedTo to state.DataTime. For a volume that moves, and
+ * a state that is enabled.
+ */
+CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif
