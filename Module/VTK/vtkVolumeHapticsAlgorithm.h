@@ -210,8 +210,8 @@ public:
   ///@{
   /**
    * The data time that passes in a second of the hand: time steps of the image's source per second
-   * if these are whole numbers. Default 1; negative, time runs backwards. 0 takes one time step,
-   * that which the pipeline asks for, as if the volume did not move.
+   * if these are whole numbers, -1e9 to 1e9. Negative, time runs backwards. 0 takes one time step,
+   * that which the pipeline asks for, as if the volume did not move. Default 1.
    */
   vtkSetClampMacro(TimeUnitsPerSecond, double, -1e9, 1e9);
   vtkGetMacro(TimeUnitsPerSecond, double);
