@@ -116,7 +116,7 @@ allow(${explorer}/Scene ${exploration})
 allow(${explorer}/Report ${exploration} ${chart} ${writer})
 allow(${explorer}/Live ${exploration} ${explorer}/Scene ${writer})
 
-set(solvers ForceField LocalSurface Paper Precise SurfaceProxy)
+set(solvers ForceField LocalSurface Paper Precise Primitives SurfaceProxy)
 foreach (solver IN LISTS solvers)
   set(others ${solvers})
   list(REMOVE_ITEM others ${solver})

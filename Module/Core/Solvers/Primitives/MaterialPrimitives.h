@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The material law of MaterialLaw.h as primitives.
+ *
+ * With N the normal into the structure and F = k (y - c) the spring:
+ *
+ *   PLANE  -N, T_N W_d     eq. 12: the surface
+ *   LINE   N,  mu f_N      eqs. 8 to 10: friction, with f_N the force that the plane takes of F
+ *   POINT  R               eq. 14: the drag
+ *
+ * Their composition in this order is the paper's order of steps. The law stays what the solvers use
+ * for surfaces: it needs no set. The tests compare both.
+ */
+#ifndef MaterialPrimitives_h
+#define MaterialPrimitives_h
+
+#include "Core/Solvers/MaterialPoint.h"
+#include "Core/Solvers/Primitives/Primitive.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+/** Adds the surface, friction and drag of a material point for a spring from `anchor` to `tip`. */
+inline void AddMaterial(const MaterialPoint& point, double k, const Vector3& anchor,
+  const Vector3& tip, PrimitiveSet& set) noexcept
+{
+  const double push = k * Dot(tip - anchor, point.Normal);
+  const double normalForce = std::clamp(push, 0.0, std::max(point.SurfaceStrength, 0.0));
+  set.Add({ PrimitiveKind::Plane, -point.Normal, anchor, point.SurfaceStrength });
+  set.Add({ PrimitiveKind::Line, point.Normal, anchor, point.Friction * normalForce });
+  set.Add({ PrimitiveKind::Point, {}, anchor, point.Viscosity });
+}
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/Primitives/Primitive.h"
+
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A strength as it counts: 0 for one that is none. */
+double UsableStrength(const Primitive& primitive) noexcept
+{
+  const double s = primitive.Strength;
+  if (!(s > 0.0) || (primitive.Kind == PrimitiveKind::Force && std::isinf(s)))
+  {
+    return 0.0; // NaN, too; and no hand is to be pushed without limit
+  }
+  return std::fmin(s, PrimitiveSet::MostStrength);
+}
+
+/** The direction with unit length; false if it has none. */
+bool Normalise(Vector3& direction) noexcept
+{
+  const double largest =
+    std::fmax(std::abs(direction.X), std::fmax(std::abs(direction.Y), std::abs(direction.Z)));
+  if (!IsFinite(direction) || !(largest > 0.0))
+  {
+    return false;
+  }
+  // So that no square overflows, or vanishes. A tiny number's reciprocal may be infinite.
+  direction = { direction.X / largest, direction.Y / largest, direction.Z / largest };
+  direction = (1.0 / Norm(direction)) * direction;
+  return true;
+}
+
+bool IsNearEnough(const Vector3& anchor) noexcept
+{
+  constexpr double most = PrimitiveSet::FarthestAnchor;
+  // False for NaN, too.
+  return std::abs(anchor.X) <= most && std::abs(anchor.Y) <= most && std::abs(anchor.Z) <= most;
+}
+
+} // namespace
+
+bool PrimitiveSet::Add(const Primitive& primitive) noexcept
+{
+  if (this->Size >= Most)
+  {
+    return false;
+  }
+  Primitive& added = this->Items[this->Size++];
+  added = primitive;
+  added.Strength = UsableStrength(primitive);
+  const bool hasDirection = primitive.Kind == PrimitiveKind::Point || Normalise(added.Direction);
+  const bool hasAnchor = primitive.Kind == PrimitiveKind::Force || IsNearEnough(primitive.Anchor);
+  if (!hasDirection || !hasAnchor)
+  {
+    added.Strength = 0.0;
+  }
+  return true;
+}
+
+double PrimitiveSet::SumStrengths() const noexcept
+{
+  double sum = 0.0;
+  for (const Primitive& primitive : *this)
+  {
+    sum += primitive.Strength;
+  }
+  return sum;
+}
+
+} // namespace VolumeHaptics
