@@ -39,6 +39,7 @@ struct Scene
   HapticModelDescription Description;
   std::vector<char> Samples;
   std::vector<char> LaterSamples;
+  std::vector<float> Displacements;
   std::vector<char> LabelSamples;
 };
 
@@ -108,6 +109,15 @@ void DealFrames(Dealer& dealer, Scene& scene)
   if (dealer.Choose(2) == 1)
   {
     d.Frames.push_back({ dealer.Between(1.001, 2.0), d.View, nullptr });
+  }
+  if (dealer.Choose(2) == 1)
+  {
+    // Numbers of all sizes, and what is no number.
+    const std::int64_t* const n = d.View.Dimensions;
+    scene.Displacements.resize(static_cast<std::size_t>(3 * n[0] * n[1] * n[2]));
+    dealer.Fill(reinterpret_cast<char*>(scene.Displacements.data()),
+      scene.Displacements.size() * sizeof(float));
+    d.Frames.front().Displacements = { scene.Displacements.data(), ScalarType::Float32 };
   }
 }
 

@@ -6,12 +6,17 @@
  *
  *   V(x) = (1 - share) V_a(x) + share V_b(x)
  *
- * and its gradient alike. Where both frames have the same samples, the values are those of either
- * frame, to the bit. A volume that does not move has one frame.
+ * and its gradient alike; or, if it is known where the material goes (DisplacementField.h),
+ *
+ *   V(x) = (1 - share) V_a(X) + share V_b(X + u(X)),   X + share u(X) = x.
+ *
+ * Where both frames have the same samples, the values are those of either
+ * frame, to the bit, unless the material goes elsewhere. A volume that does not move has one frame.
  */
 #ifndef FieldAtTime_h
 #define FieldAtTime_h
 
+#include "Core/Field/DisplacementField.h"
 #include "Core/Field/FieldSampler.h"
 
 namespace VolumeHaptics
@@ -25,23 +30,38 @@ public:
     : First(field)
   {
   }
-  /** @param share of the second frame, 0 to 1 */
-  FieldAtTime(const FieldSampler& first, const FieldSampler& second, double share) noexcept
+  /**
+   * @param share of the second frame, 0 to 1
+   * @param motion of the material from the first frame to the second one; null if it is not known
+   */
+  FieldAtTime(const FieldSampler& first, const FieldSampler& second, double share,
+    const DisplacementField* motion = nullptr) noexcept
     : First(share < 1.0 ? first : second)
     , Second(share > 0.0 && share < 1.0 ? &second : nullptr)
     , Share(share)
+    , Motion(motion)
   {
   }
 
   // As those of FieldSampler.
   double Value(const Vector3& index) const noexcept
   {
+    if (this->FollowsMaterial())
+    {
+      const MaterialPlace at = this->Motion->Find(index, this->Share);
+      return this->Blend(this->First.Value(this->First.Nearest(at.First)),
+        this->Second->Value(this->First.Nearest(at.Second)));
+    }
     const double value = this->First.Value(index);
     return this->Second ? this->Blend(value, this->Second->Value(index)) : value;
   }
 
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
+    if (this->FollowsMaterial())
+    {
+      return this->ValuesOfMaterial(index, offset);
+    }
     const ValuePair values = this->First.Values(index, offset);
     if (!this->Second)
     {
@@ -57,7 +77,10 @@ public:
   }
 
   ///@{
-  /** Two instants between the same frames may share what is read of them. */
+  /**
+   * Two instants between the same frames may share what is read of them, unless the material goes
+   * elsewhere in between.
+   */
   struct FramePair
   {
     FieldSample First;
@@ -65,10 +88,17 @@ public:
   };
   bool HasFramesOf(const FieldAtTime& other) const noexcept
   {
-    return this->Second && this->Second == other.Second && &this->First == &other.First;
+    return this->Second && !this->Motion && this->Second == other.Second &&
+      &this->First == &other.First;
   }
   FramePair ReadFrames(const Vector3& index) const noexcept
   {
+    if (this->FollowsMaterial())
+    {
+      const MaterialPlace at = this->Motion->Find(index, this->Share);
+      return { ReadMaterial(this->First, at.First, at.FirstSlope),
+        ReadMaterial(*this->Second, at.Second, at.SecondSlope) };
+    }
     return { this->First.Gradient(index), this->Second->Gradient(index) };
   }
   FieldSample Blend(const FramePair& pair) const noexcept
@@ -82,6 +112,33 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
 private:
+  /** Whether each frame is read at a place of its own. */
+  bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
+
+  /** A frame at the place that stands for another one, with the gradient there. */
+  static FieldSample ReadMaterial(
+    const FieldSampler& frame, const Vector3& place, const Matrix3& slope) noexcept
+  {
+    const Vector3 inside = frame.Nearest(place);
+    const FieldSample sample = frame.Gradient(inside);
+    // Beyond the border, the value does not change.
+    const Vector3 gradient{ inside.X == place.X ? sample.Gradient.X : 0.0,
+      inside.Y == place.Y ? sample.Gradient.Y : 0.0,
+      inside.Z == place.Z ? sample.Gradient.Z : 0.0 };
+    return { sample.Value, Transpose(slope) * gradient };
+  }
+
+  /** The offset turns and stretches with the material. */
+  ValuePair ValuesOfMaterial(const Vector3& index, const Vector3& offset) const noexcept
+  {
+    const MaterialPlace at = this->Motion->Find(index, this->Share);
+    const ValuePair first =
+      this->First.Values(this->First.Nearest(at.First), at.FirstSlope * offset);
+    const ValuePair second =
+      this->Second->Values(this->First.Nearest(at.Second), at.SecondSlope * offset);
+    return { this->Blend(first.Ahead, second.Ahead), this->Blend(first.Behind, second.Behind) };
+  }
+
   double Blend(double first, double second) const noexcept
   {
     return first + this->Share * (second - first);
@@ -90,6 +147,7 @@ private:
   const FieldSampler& First;
   const FieldSampler* const Second = nullptr; ///< null if the instant is that of a frame
   const double Share = 0.0;
+  const DisplacementField* const Motion = nullptr; ///< null if it is not known
 };
 
 } // namespace VolumeHaptics

@@ -114,6 +114,15 @@ public:
       index.Y <= last[1] && index.Z <= last[2];
   }
 
+  /** The index within that box that is nearest to an index; along an axis that is NaN, 0. */
+  Vector3 Nearest(const Vector3& index) const noexcept
+  {
+    const double* const last = this->Border;
+    return { index.X > 0.0 ? std::min(index.X, last[0]) : 0.0,
+      index.Y > 0.0 ? std::min(index.Y, last[1]) : 0.0,
+      index.Z > 0.0 ? std::min(index.Z, last[2]) : 0.0 };
+  }
+
   /**
    * The distance (voxels) of an index from the volume's nearest border, along that border's axis.
    */

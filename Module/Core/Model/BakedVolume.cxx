@@ -61,13 +61,21 @@ std::unique_ptr<const LabelWalls> MakeWalls(
   return std::make_unique<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1);
 }
 
+/** In a tick; the servo has time for no more. */
+constexpr int MostFramesFollowed = 4;
+
 std::vector<FieldFrame> MakeFrames(const HapticModelDescription& d, const GradientKernel& kernel)
 {
   std::vector<FieldFrame> frames;
   frames.reserve(d.Frames.size());
   for (const VolumeFrame& frame : d.Frames)
   {
-    frames.push_back({ frame.Time, FieldSampler(frame.View, kernel), frame.Samples });
+    frames.push_back({ frame.Time, FieldSampler(frame.View, kernel), frame.Samples, {},
+      frame.DisplacementSamples });
+    if (frame.Displacements.Data)
+    {
+      frames.back().Motion.emplace(frame.Displacements, frame.View, d.IndexToWorld.Linear);
+    }
   }
   return frames;
 }
@@ -110,7 +118,36 @@ FieldAtTime BakedVolume::BlendFrames(double time) const noexcept
   const FieldFrame& before = this->Frames[frame];
   const FieldFrame& after = this->Frames[frame + 1];
   const double share = (time - before.Time) / (after.Time - before.Time);
-  return { before.Field, after.Field, std::clamp(share, 0.0, 1.0) };
+  return { before.Field, after.Field, std::clamp(share, 0.0, 1.0),
+    before.Motion ? &*before.Motion : nullptr };
+}
+
+Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept
+{
+  const auto within = [this](double time)
+  { return std::clamp(time, this->Frames.front().Time, this->Frames.back().Time); };
+  const double end = within(to);
+  const double begin = within(from);
+  Vector3 at = index;
+  std::size_t frame = this->FindFrame(begin);
+  // At a frame that time leaves backwards.
+  frame -= end < begin && begin == this->Frames[frame].Time && frame > 0 ? 1 : 0;
+  double time = begin;
+  for (int i = 0; i < MostFramesFollowed && time != end; ++i)
+  {
+    const FieldFrame& before = this->Frames[frame];
+    const FieldFrame& after = this->Frames[frame + 1];
+    const double next = std::clamp(end, before.Time, after.Time);
+    const double length = after.Time - before.Time;
+    if (before.Motion)
+    {
+      const MaterialPlace place = before.Motion->Find(at, (time - before.Time) / length);
+      at = this->Field.Nearest(at + ((next - time) / length) * (place.Second - place.First));
+    }
+    time = next;
+    frame = end > time ? frame + 1 : (frame > 0 ? frame - 1 : 0);
+  }
+  return at;
 }
 
 GradientKernel BakedVolume::MakeKernel(const HapticModelDescription& d)

@@ -14,6 +14,7 @@
 #include "Core/Model/LabelWalls.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace VolumeHaptics
@@ -25,6 +26,9 @@ struct FieldFrame
   double Time; ///< data time, in the units of the data
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
+  /** Where its material goes until the next frame, if that is known. */
+  std::optional<DisplacementField> Motion;
+  std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
 };
 
 /** The part of a model that does not depend on the device's placement. Immutable. */
@@ -60,6 +64,11 @@ struct BakedVolume
   }
   /** The number of the frame that a data time follows, and to which At blends the next one. */
   std::size_t FindFrame(double time) const noexcept;
+  /**
+   * Where the material at an index at a data time is at another one, within the volume; the same
+   * index where that is not known. It is followed through four frames at most.
+   */
+  Vector3 FollowMaterial(const Vector3& index, double from, double to) const noexcept;
 
   const ForbiddenZone* GetZone() const noexcept
   {

@@ -7,6 +7,7 @@
 #ifndef HapticModelDescription_h
 #define HapticModelDescription_h
 
+#include "Core/Field/DisplacementField.h"
 #include "Core/Field/GradientKernel.h"
 #include "Core/Field/VolumeView.h"
 #include "Core/Math/PiecewiseTable.h"
@@ -40,6 +41,9 @@ struct VolumeFrame
   double Time = 0.0; ///< data time, in the units of the data
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
+  /** To the next frame, on the points of View; none if it is not known, or there is no next one. */
+  DisplacementView Displacements = {};
+  std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps them alive
 };
 
 /** Everything that a model is baked from. */

@@ -16,6 +16,12 @@ constexpr double LongestCarry = 0.25;
 /** After a step as short as this (voxels), Newton's method has converged. */
 constexpr double ShortCarry = 0.01;
 
+/**
+ * Levels and gradients whose relative difference is less than this are the same material's:
+ * displacements in single precision are no more precise.
+ */
+constexpr double SameMaterial = 1e-6;
+
 /** The volume at the proxy before the motion and after it. */
 struct Change
 {
@@ -31,14 +37,26 @@ bool HasOwnLevels(const HapticModel& model) noexcept
   return model.Baked->Settings.Solver == HapticSolver::Precise;
 }
 
-Change FindChange(const HapticModel& model, const ServoState& state, const Vector3& index) noexcept
+/** Whether a sample is that of the same material after a motion, but for rounding. */
+bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double levelB) noexcept
+{
+  const double slope = std::abs(a.Gradient.X) + std::abs(a.Gradient.Y) + std::abs(a.Gradient.Z);
+  const Vector3 turned = b.Gradient - a.Gradient;
+  return Norm(turned) <= SameMaterial * slope &&
+    std::abs(levelB - levelA) <= SameMaterial * (slope + std::abs(levelA));
+}
+
+/** @param index of the proxy, before and after it went along with the material */
+Change FindChange(const HapticModel& model, const ServoState& state, const Vector3& from,
+  const Vector3& index) noexcept
 {
   const BakedVolume& baked = *model.Baked;
   const FieldAtTime before = baked.At(state.CarriedTo);
   const FieldAtTime now = baked.At(state.DataTime);
   FieldSample old;
   Change change;
-  if (now.HasFramesOf(before))
+  const bool isShifted = !IsIdentical(from, index);
+  if (now.HasFramesOf(before) && !isShifted)
   {
     // Each frame is read once.
     const FieldAtTime::FramePair pair = now.ReadFrames(index);
@@ -48,14 +66,23 @@ Change FindChange(const HapticModel& model, const ServoState& state, const Vecto
   else
   {
     change.Now = now.Gradient(index);
-    old = before.Gradient(index);
+    old = before.Gradient(from);
   }
   const bool isOwn = HasOwnLevels(model);
-  change.LevelBefore = isOwn ? old.Value : before.Value(index);
+  change.LevelBefore = isOwn ? old.Value : before.Value(from);
   change.LevelNow = isOwn ? change.Now.Value : now.Value(index);
-  change.IsNone =
-    change.LevelBefore == change.LevelNow && IsIdentical(old.Gradient, change.Now.Gradient);
+  change.IsNone = isShifted
+    ? IsSame(old, change.Now, change.LevelBefore, change.LevelNow)
+    : change.LevelBefore == change.LevelNow && IsIdentical(old.Gradient, change.Now.Gradient);
   return change;
+}
+
+/** J, that a motion of the proxy adds to the spring. */
+double FindWork(const ServoState& state, const Vector3& start) noexcept
+{
+  const Vector3 motion = state.Proxy - start;
+  const Vector3 lag = state.PreviousTip - start;
+  return 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
 }
 
 /** Whether a surface of the scalars holds the proxy or could, as far as the last tick tells. */
@@ -93,7 +120,20 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
   {
     return carried;
   }
-  const Change change = FindChange(model, state, index);
+  const Vector3 from = index;
+  const Vector3 start = state.Proxy;
+  if (!model.Baked->FeelsLabels())
+  {
+    index = model.Baked->FollowMaterial(from, state.CarriedTo, state.DataTime);
+  }
+  if (!IsIdentical(index, from))
+  {
+    carried.Shift = Inverse(model.DeviceToIndex.Linear) * (index - from);
+    state.Proxy += carried.Shift;
+    state.Precise.ReachedTip += carried.Shift;
+    carried.Work = FindWork(state, start);
+  }
+  const Change change = FindChange(model, state, from, index);
   if (change.IsNone)
   {
     return carried;
@@ -102,7 +142,6 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
   const FieldAtTime field = model.Baked->At(state.DataTime);
   carried.There = model.Baked->FeelsLabels() ? Law::FindSurface(model, field, index, state.Labels)
                                              : Law::MakeFieldSurface(model, index, change.Now);
-  const Vector3 start = state.Proxy;
   const bool isHeld = state.Precise.IsHeld && HasOwnLevels(model);
   const double target = isHeld ? state.Precise.Level : change.LevelBefore;
   double level = change.LevelNow;
@@ -121,10 +160,9 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
     level = HasOwnLevels(model) ? sample.Value : field.Value(index);
     carried.There = Law::MakeFieldSurface(model, index, sample);
   }
-  const Vector3 motion = state.Proxy - start;
+  const Vector3 motion = state.Proxy - start - carried.Shift;
   carried.Voxels = Norm(model.DeviceToIndex.Linear * motion);
-  const Vector3 lag = state.PreviousTip - start;
-  carried.Work = 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
+  carried.Work = FindWork(state, start);
   return carried;
 }
 

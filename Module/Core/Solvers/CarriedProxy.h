@@ -16,8 +16,13 @@
  * strongly than it holds, and outward the proxy is free.
  *
  * The proxy moves along the gradient, by Newton's method: along the surface, values do not tell how
- * the volume moves. It does not move inward past the tip, since a surface pushes and never pulls.
- * Surfaces that labels make stand still.
+ * the volume moves. If displacements do (BakedVolume::FollowMaterial), proxy and reached tip first
+ * go along with the material, wherever they are; so a volume that moves as a whole is felt as the
+ * tip's opposite motion: surfaces take a hand along that friction holds, and a medium drags it. The
+ * level then only corrects what the displacements leave.
+ *
+ * By the level, the proxy does not move inward past the tip, since a surface pushes and never
+ * pulls. Surfaces that labels make stand still, and where they are felt, so does the material.
  */
 #ifndef CarriedProxy_h
 #define CarriedProxy_h
@@ -32,15 +37,16 @@ namespace VolumeHaptics
 /** The volume at the proxy after it was carried. */
 struct CarriedProxy
 {
-  bool IsChanged = false; ///< the volume has changed at the proxy; else the rest is not known
-  double Voxels = 0.0;    ///< the length of the motion
+  Vector3 Shift;          ///< with the material, m
+  bool IsChanged = false; ///< the volume has changed at the proxy; else Voxels and There are void
+  double Voxels = 0.0;    ///< the length of the motion by the level
   double Work = 0.0;      ///< J, of the wall against the spring
   Surface There;          ///< through the proxy, with an ascending normal
 };
 
 /**
- * Moves state.Proxy from data time state.CarriedTo to state.DataTime. For a volume that moves, and
- * a state that is enabled.
+ * Moves state.Proxy (and with the material state.Precise.ReachedTip) from data time state.CarriedTo
+ * to state.DataTime. For a volume that moves, and a state that is enabled.
  */
 CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept;
 

@@ -22,7 +22,11 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
     const Vector3 before = state.Proxy;
     carried = CarryProxy(model, state);
     const Vector3& tip = state.Precise.ReachedTip;
-    state.Precise.Spring.Stretch(Norm(tip - before), Norm(tip - state.Proxy));
+    if (carried.IsChanged)
+    {
+      const Vector3 lag = tip - before - carried.Shift;
+      state.Precise.Spring.Stretch(Norm(lag), Norm(tip - state.Proxy));
+    }
     record.WallWork = carried.Work;
   }
   PreciseFollower follower(model, state);

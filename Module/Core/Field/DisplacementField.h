@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where the material of a volume that moves goes from one frame to the next.
+ *
+ * With u(X) the displacement of what is at X in the first frame, it is at X + u(X) in the second
+ * one, and at
+ *
+ *   x = X + share u(X)
+ *
+ * in between. Given x, X is found by Newton's method from X = x, with u and its derivatives at X:
+ * so u is read at the place that the material came from, not at x. After a step of e voxels, X is
+ * off by |u''| e^2 / 2, with |u''| the second derivatives of u. There are three steps at most, and
+ * none after one of 0.01 voxel: nothing remains where u is linear (a rigid motion, or an even
+ * stretch), and 2e-6 voxel of a breath that moves by 5 voxels a frame and comes and goes over 100.
+ * Where the displacements fold the volume, u is read at x.
+ *
+ * Between the samples, u is the smoothing cubic B-spline of them, as it has to have derivatives
+ * without steps: normals turn with them. It reproduces linear displacements, and rounds others off
+ * by h^2/6 of their second derivatives, h being the distance of the samples.
+ */
+#ifndef DisplacementField_h
+#define DisplacementField_h
+
+#include "Core/Field/VolumeView.h"
+#include "Core/Math/Vector3.h"
+
+namespace VolumeHaptics
+{
+
+/**
+ * Displacements on the points of a volume: three numbers of Float32 or Float64 for each point, one
+ * after the other, in world units along the world's axes.
+ */
+struct DisplacementView
+{
+  const void* Data = nullptr; ///< of the first point; null if there are none
+  ScalarType Type = ScalarType::Float64;
+};
+
+/** The material of the first frame, the second one, and an instant in between, at one place. */
+struct MaterialPlace
+{
+  Vector3 First;  ///< X, an index
+  Vector3 Second; ///< X + u(X), an index
+  ///@{
+  /** Derivatives of both with respect to the place in between. */
+  Matrix3 FirstSlope;
+  Matrix3 SecondSlope;
+  ///@}
+};
+
+/** Borrows the displacements. */
+class DisplacementField
+{
+public:
+  /** Of the points of a volume, the linear part of whose map from index to world is given. */
+  DisplacementField(
+    const DisplacementView& displacements, const VolumeView& volume, const Matrix3& indexToWorld);
+
+  /** For a place (an index) at a share of the time between the frames, 0 to 1. */
+  MaterialPlace Find(const Vector3& index, double share) const noexcept;
+
+private:
+  /** u at an index, in index steps, and its derivatives. */
+  struct Sample
+  {
+    Vector3 Value;
+    Matrix3 Slope; ///< a row for each component of Value
+  };
+  Sample Read(const Vector3& index) const noexcept;
+  template <typename T>
+  Sample ReadAs(const Vector3& index) const noexcept;
+
+  DisplacementView Displacements;
+  std::int64_t First[3];
+  std::int64_t Dimensions[3];
+  Matrix3 WorldToIndex;
+};
+
+} // namespace VolumeHaptics
+
+#endif
