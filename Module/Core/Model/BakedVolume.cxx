@@ -7,6 +7,7 @@
 #include "Core/Model/UniqueNumber.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace VolumeHaptics
 {
@@ -50,7 +51,7 @@ std::shared_ptr<const BakedLabels> MakeLabels(const HapticModelDescription& d)
   return labels;
 }
 
-std::unique_ptr<const LabelWalls> MakeWalls(
+std::shared_ptr<const LabelWalls> MakeWalls(
   const HapticModelDescription& d, const BakedLabels* labels)
 {
   if (!labels || d.Settings.Geometry == SurfaceGeometry::Scalars)
@@ -58,23 +59,45 @@ std::unique_ptr<const LabelWalls> MakeWalls(
     return nullptr;
   }
   // The default radius of 2 makes a scale of 1.4 voxels.
-  return std::make_unique<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1);
+  return std::make_shared<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1);
 }
 
 /** In a tick; the servo has time for no more. */
 constexpr int MostFramesFollowed = 4;
 
-std::vector<FieldFrame> MakeFrames(const HapticModelDescription& d, const GradientKernel& kernel)
+FrameSeries MakeSeries(const HapticModelDescription& d)
+{
+  const std::vector<VolumeFrame>& frames = d.Frames;
+  if (frames.size() < 2 || d.Series.LoopInterval > 0.0)
+  {
+    return d.Series;
+  }
+  const bool isLoop = frames.back().Time == frames.front().Time;
+  const std::size_t count = frames.size() - (isLoop ? 1 : 0);
+  const double first = frames.front().Time;
+  const double last = frames[count - 1].Time;
+  return { first, last, (last - first) / static_cast<double>(count - 1) };
+}
+
+std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const FrameSeries& series,
+  const Matrix3& indexToWorld, const GradientKernel& kernel)
 {
   std::vector<FieldFrame> frames;
-  frames.reserve(d.Frames.size());
-  for (const VolumeFrame& frame : d.Frames)
+  frames.reserve(given.size());
+  for (const VolumeFrame& frame : given)
   {
-    frames.push_back({ frame.Time, FieldSampler(frame.View, kernel), frame.Samples, {},
-      frame.DisplacementSamples });
-    if (frame.Displacements.Data)
+    if (!frames.empty())
     {
-      frames.back().Motion.emplace(frame.Displacements, frame.View, d.IndexToWorld.Linear);
+      FieldFrame& last = frames.back();
+      // The first frame follows the last one.
+      last.Interval = frame.Time > last.Time ? frame.Time - last.Time : series.LoopInterval;
+    }
+    frames.push_back({ frame.Time, 0.0, FieldSampler(frame.View, kernel), frame.Samples, {},
+      frame.DisplacementSamples });
+    // On the way from the last frame to the first one, nobody knows where the material goes.
+    if (frame.Displacements.Data && frame.Time < series.Last)
+    {
+      frames.back().Motion.emplace(frame.Displacements, frame.View, indexToWorld);
     }
   }
   return frames;
@@ -85,7 +108,8 @@ std::vector<FieldFrame> MakeFrames(const HapticModelDescription& d, const Gradie
 BakedVolume::BakedVolume(const HapticModelDescription& d)
   : Kernel(MakeKernel(d))
   , Field(d.View, this->Kernel)
-  , Frames(MakeFrames(d, this->Kernel))
+  , Series(MakeSeries(d))
+  , Frames(MakeFrames(d.Frames, this->Series, d.IndexToWorld.Linear, this->Kernel))
   , Materials({ MakeStiffness(d), d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })
   , Distinctness({ d.Material.Distinctness, d.Material.GradientVisibility })
@@ -100,14 +124,37 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
 {
 }
 
+BakedVolume::BakedVolume(const BakedVolume& other, const std::vector<VolumeFrame>& frames)
+  : Kernel(other.Kernel)
+  , Field(frames.front().View, this->Kernel)
+  , Series(other.Series)
+  , Frames(MakeFrames(frames, this->Series, other.IndexToWorld.Linear, this->Kernel))
+  , Materials(other.Materials)
+  , Distinctness(other.Distinctness)
+  , IndexToWorld(other.IndexToWorld)
+  , LargestSpacing(other.LargestSpacing)
+  , Settings(other.Settings)
+  , Samples(frames.front().Samples)
+  , Mesh(other.Mesh)
+  , Labels(other.Labels)
+  , Walls(other.Walls)
+  , Number(other.Number)
+{
+}
+
 std::size_t BakedVolume::FindFrame(double time) const noexcept
 {
+  // Below this time are the frames that follow the last one of the series.
+  const double front = this->Frames.front().Time;
+  const double turn = front < this->Frames.back().Time ? -HUGE_VAL : front;
+  const auto isBefore = [turn, time](double other)
+  { return (time < turn) == (other < turn) ? time < other : other < turn; };
   // Not the last one: it has no next one.
   std::size_t frame = 0;
   for (std::size_t above = this->Frames.size() - 1; above - frame > 1;)
   {
     const std::size_t middle = (frame + above) / 2;
-    (time < this->Frames[middle].Time ? above : frame) = middle;
+    (isBefore(this->Frames[middle].Time) ? above : frame) = middle;
   }
   return frame;
 }
@@ -117,15 +164,27 @@ FieldAtTime BakedVolume::BlendFrames(double time) const noexcept
   const std::size_t frame = this->FindFrame(time);
   const FieldFrame& before = this->Frames[frame];
   const FieldFrame& after = this->Frames[frame + 1];
-  const double share = (time - before.Time) / (after.Time - before.Time);
+  // A window may end where the series begins again.
+  const bool isPast = time < before.Time && after.Time < before.Time;
+  const double share = isPast ? 1.0 : (time - before.Time) / before.Interval;
   return { before.Field, after.Field, std::clamp(share, 0.0, 1.0),
     before.Motion ? &*before.Motion : nullptr };
 }
 
 Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept
 {
-  const auto within = [this](double time)
-  { return std::clamp(time, this->Frames.front().Time, this->Frames.back().Time); };
+  const double front = this->Frames.front().Time;
+  const double back = this->Frames.back().Time;
+  const bool isWindowOfLoop = back <= front;
+  const bool isOverEnd =
+    std::fmax(from, to) > this->Series.Last && std::abs(to - from) > 0.5 * this->Series.GetPeriod();
+  if (isWindowOfLoop && (isOverEnd || (from < front) != (to < front)))
+  {
+    // From the end of the loop to its beginning, within a tick.
+    return index;
+  }
+  const auto within = [&](double time)
+  { return isWindowOfLoop ? time : std::clamp(time, front, back); };
   const double end = within(to);
   const double begin = within(from);
   Vector3 at = index;
@@ -133,12 +192,13 @@ Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to
   // At a frame that time leaves backwards.
   frame -= end < begin && begin == this->Frames[frame].Time && frame > 0 ? 1 : 0;
   double time = begin;
-  for (int i = 0; i < MostFramesFollowed && time != end; ++i)
+  for (int i = 0; i < MostFramesFollowed && time != end && frame + 1 < this->Frames.size(); ++i)
   {
     const FieldFrame& before = this->Frames[frame];
     const FieldFrame& after = this->Frames[frame + 1];
-    const double next = std::clamp(end, before.Time, after.Time);
-    const double length = after.Time - before.Time;
+    const double length = before.Interval;
+    const double stop = after.Time > before.Time ? after.Time : before.Time + length;
+    const double next = std::clamp(end, before.Time, stop);
     if (before.Motion)
     {
       const MaterialPlace place = before.Motion->Find(at, (time - before.Time) / length);

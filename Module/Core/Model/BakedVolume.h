@@ -10,6 +10,7 @@
 #include "Core/Field/FieldAtTime.h"
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/BakedLabels.h"
+#include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/LabelWalls.h"
 
@@ -23,7 +24,8 @@ namespace VolumeHaptics
 /** A volume that moves, at an instant. */
 struct FieldFrame
 {
-  double Time; ///< data time, in the units of the data
+  double Time;     ///< data time, in the units of the data
+  double Interval; ///< data time to the next frame; 0: there is none
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
   /** Where its material goes until the next frame, if that is known. */
@@ -35,6 +37,8 @@ struct FieldFrame
 struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
+  /** Another window of the series of a volume that moves. Bakes nothing again. */
+  BakedVolume(const BakedVolume& other, const std::vector<VolumeFrame>& frames);
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
 
@@ -43,7 +47,11 @@ struct BakedVolume
 
   const GradientKernel Kernel;
   const FieldSampler Field; ///< the first frame, if there are several
-  /** By ascending time; empty if the volume does not move. */
+  const FrameSeries Series; ///< of which Frames are a window
+  /**
+   * By ascending time, but those that follow the last one of the series; empty if the volume does
+   * not move.
+   */
   const std::vector<FieldFrame> Frames;
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
@@ -54,13 +62,17 @@ struct BakedVolume
   const std::shared_ptr<const SurfaceMesh> Mesh;   ///< null without one
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   /** Null if all surfaces are those of the scalars. */
-  const std::unique_ptr<const LabelWalls> Walls;
+  const std::shared_ptr<const LabelWalls> Walls;
 
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
   /** The volume at a data time; before the first frame and after the last one, it stands still. */
   FieldAtTime At(double time) const noexcept
   {
     return this->IsMoving() ? this->BlendFrames(time) : FieldAtTime(this->Field);
+  }
+  FrameWindow GetWindow() const noexcept
+  {
+    return { this->Series, this->Frames.front().Time, this->Frames.back().Time };
   }
   /** The number of the frame that a data time follows, and to which At blends the next one. */
   std::size_t FindFrame(double time) const noexcept;

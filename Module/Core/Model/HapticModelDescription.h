@@ -12,6 +12,7 @@
 #include "Core/Field/VolumeView.h"
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Math/Vector3.h"
+#include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticSettings.h"
 
 #include <cstdint>
@@ -53,9 +54,11 @@ struct HapticModelDescription
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
    * Of a volume that moves, two at least, by ascending time; View is that of the first one, and all
-   * have its geometry.
+   * have its geometry. After the last frame of the series, the first one may follow once more.
    */
   std::vector<VolumeFrame> Frames;
+  /** That of the frames if they are a window; with a LoopInterval of 0, they are all of it. */
+  FrameSeries Series;
   Affine3 IndexToWorld;  ///< not singular
   Affine3 DeviceToWorld; ///< a similarity, world units per metre
   ForceCaps DeviceCaps;  ///< the user's are in Settings

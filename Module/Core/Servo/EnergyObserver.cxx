@@ -34,8 +34,10 @@ void EnergyObserver::Excuse() noexcept
   this->HasPeak = false;
 }
 
-void EnergyObserver::NoteSent(const Vector3& force) noexcept
+void EnergyObserver::NoteSent(const Vector3& force, double wallWork) noexcept
 {
+  this->Energy -= wallWork;
+  this->WallWork += std::abs(wallWork);
   this->SentSum += force;
   this->SentCount += 1.0;
 }
@@ -98,8 +100,9 @@ bool EnergyObserver::CountCycle(const Instant& from, const Instant& to, double l
 {
   const double path = to.Path - from.Path;
   const bool isQuick = to.Time - from.Time <= LongestCycle;
-  const bool isSwing = path >= LeastPath && Norm(to.Tip - from.Tip) <= 0.5 * path;
   const Cycle cycle = { from.Energy - low, to.Energy - low };
+  const bool isDriven = to.WallWork - from.WallWork > MostDriven * cycle.Given;
+  const bool isSwing = path >= LeastPath && Norm(to.Tip - from.Tip) <= 0.5 * path && !isDriven;
   if (!isQuick || !isSwing || cycle.Given < LeastShare * this->Largest)
   {
     this->Count = 0;

@@ -11,7 +11,9 @@
  *   E = sum of F.dx,
  *
  * with the force F that was sent, held until the next one, and the measured motion dx. It needs to
- * know nothing of the wall. Tell it every force that was sent, and each measurement.
+ * know nothing of the wall, unless the wall moves by itself: the work of the wall on the spring may
+ * reach the hand rightly, and is not counted in E. Tell it every force that was sent, and each
+ * measurement.
  *
  * Cycles
  * ------
@@ -36,7 +38,9 @@
  * - end near the place at which they began, by less than half of their path: a tip that is drawn
  *   over a rippled surface moves on;
  * - are longer than LeastPath, which the steps of an encoder make by themselves;
- * - give back at least LeastShare of the largest in the row: taps do not go on by themselves.
+ * - give back at least LeastShare of the largest in the row: taps do not go on by themselves;
+ * - are not driven by a wall that moves to and fro: its work is at most MostDriven of what they
+ *   give back.
  *
  * The port *gives energy* if the last Cycles of a row
  *
@@ -79,6 +83,7 @@ public:
   static constexpr double LeastPath = 1e-3;     ///< m, there and back
   static constexpr double LeastSwing = 2e-5;    ///< J
   static constexpr double LeastShare = 0.7;
+  static constexpr double MostDriven = 0.5;
   static constexpr double LeastLasting = 0.95;
   static constexpr double LeastReturn = 0.95;
   static constexpr double LeastEnergy = 2e-3; ///< J
@@ -98,10 +103,15 @@ public:
    */
   bool Observe(const Vector3& tip, double time) noexcept;
 
-  /** In every tick: the force (N) until the next one, without any that only takes energy. */
-  void NoteSent(const Vector3& force) noexcept;
+  /**
+   * In every tick: the force (N) until the next one, without any that only takes energy, and the
+   * work (J) of a wall that moves.
+   */
+  void NoteSent(const Vector3& force, double wallWork = 0.0) noexcept;
 
-  /** The energy (J) that the port has given since Reset; below zero, the hand has put it in. */
+  /**
+   * The energy (J) that the port itself has given since Reset; below zero, the hand has put it in.
+   */
   double GetEnergy() const noexcept { return this->Energy; }
   /** The cycles of the row. */
   std::size_t GetCount() const noexcept { return this->Count; }
@@ -111,10 +121,14 @@ private:
   {
     double Time = 0.0; ///< s
     Vector3 Tip;
-    double Energy = 0.0; ///< J
-    double Path = 0.0;   ///< m
+    double Energy = 0.0;   ///< J
+    double Path = 0.0;     ///< m
+    double WallWork = 0.0; ///< J
   };
-  Instant Now() const noexcept { return { this->Time, this->Tip, this->Energy, this->Path }; }
+  Instant Now() const noexcept
+  {
+    return { this->Time, this->Tip, this->Energy, this->Path, this->WallWork };
+  }
   bool FollowEnergy() noexcept;
   bool CountCycle(const Instant& from, const Instant& to, double low) noexcept;
   bool IsGiving(std::size_t cycles, double leastGain) const noexcept;
@@ -124,7 +138,8 @@ private:
   Vector3 Tip;
   double Path = 0.0;
   double Energy = 0.0;
-  Vector3 SentSum; ///< N, of all ticks since the last measurement
+  double WallWork = 0.0; ///< J, of either sign: their sum without it
+  Vector3 SentSum;       ///< N, of all ticks since the last measurement
   double SentCount = 0.0;
   double Force = 0.0; ///< N, that was sent last
 

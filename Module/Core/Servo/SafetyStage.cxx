@@ -174,7 +174,9 @@ Vector3 SafetyStage::Damp(const Vector3& wall, const SafetyInput& input, const S
     this->Energy.Excuse();
   }
   this->LastShare = gate.GetShare();
-  this->Energy.NoteSent(wall);
+  const double whole = Norm(input.Force);
+  const double felt = whole > 0.0 ? std::min(1.0, Norm(wall) / whole) : 0.0;
+  this->Energy.NoteSent(wall, felt * input.WallWork);
   const double share = std::min(1.0, StatedRoundTrip / std::max(input.Period, input.RoundTrip));
   const double before = Norm(this->LastCommand);
   const double most =

@@ -63,12 +63,14 @@ struct SafetyInput
   double Stiffness = 0.0; ///< N/m, of the spring that pulls with the force; 0 if there is none
   double Stretch = 0.0;   ///< m, of that spring; its pull may have been clamped already
   Vector3 Drag;           ///< N, the part of the force that only takes energy, if known
-  bool IsNew = false;     ///< the force changed for another reason than the motion of the tip
-  Vector3 Tip;            ///< m
-  double Period = 1e-3;   ///< s, nominal, for the slew limit and the ramp
-  double Elapsed = 0.0;   ///< s since the last tick, measured
-  bool Fresh = false;     ///< the tip was measured for this tick
-  bool Alive = false;     ///< the tip is known to be where it was: see DeviceSample
+  /** J, at the whole force: of a surface that moves, on the spring that pulls the hand. */
+  double WallWork = 0.0;
+  bool IsNew = false;   ///< the force changed for another reason than the motion of the tip
+  Vector3 Tip;          ///< m
+  double Period = 1e-3; ///< s, nominal, for the slew limit and the ramp
+  double Elapsed = 0.0; ///< s since the last tick, measured
+  bool Fresh = false;   ///< the tip was measured for this tick
+  bool Alive = false;   ///< the tip is known to be where it was: see DeviceSample
   /**
    * s, in which a fresh tip has come here, by the device's own times; 0 if these are not known.
    * Without them it is the time since the last fresh one.

@@ -142,6 +142,7 @@ void ServoLoop::FollowCommands() noexcept
     this->StatisticsStart = 0;
   }
   this->Limits.Update();
+  this->ClockOrders.Update();
 }
 
 void ServoLoop::Attend() noexcept
@@ -163,6 +164,7 @@ void ServoLoop::TickOnce(std::int64_t woken, std::int64_t start, double elapsed)
 {
   const double period = static_cast<double>(this->Period) / ServoClock::NanosecondsPerSecond;
   const DeviceSample sample = this->ReadDevice(woken, period);
+  this->FollowDataClock(period);
   this->PlaceProxy(sample, elapsed);
   this->Touch(sample, period);
   this->SendForce(sample, period, elapsed);
@@ -190,6 +192,23 @@ DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
     this->Gate.NoteNotReady();
   }
   return sample;
+}
+
+void ServoLoop::FollowDataClock(double period) noexcept
+{
+  const HapticModel* const model = this->Current->Model.get();
+  if (model && model->Baked->IsMoving())
+  {
+    const DataClock::Leap leap =
+      this->Clock.Follow(*model->Baked, this->ClockOrders.Read(), period, this->State);
+    this->IsModelNew = this->IsModelNew || leap != DataClock::Leap::None;
+    this->IsContactNew = this->IsContactNew || leap == DataClock::Leap::Away;
+  }
+  else
+  {
+    this->Clock.Rest();
+  }
+  this->Snapshot.Clock = this->Clock.GetReport();
 }
 
 void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
@@ -309,6 +328,8 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.Elapsed = elapsed;
   input.Fresh = sample.Fresh;
   input.Alive = sample.Alive;
+  // If data are missing, no tick was computed.
+  input.WallWork = s.Awaiting ? 0.0 : s.Record.WallWork;
   input.MotionTime = this->MotionTime;
   input.RoundTrip = this->Timing.GetRoundTrip();
   input.IsNew = std::exchange(this->IsForceNew, false);

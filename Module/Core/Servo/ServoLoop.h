@@ -9,6 +9,7 @@
  * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
  * - another one brings the samples around the tip into memory (SampleKeeper.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
+ * - orders to the clock of a volume that moves come through a triple buffer (DataClock.h);
  * - commands (arm, disarm, fade out, stop), limits and the time of the owner's last call are single
  *   atomics.
  *
@@ -19,6 +20,7 @@
 #ifndef ServoLoop_h
 #define ServoLoop_h
 
+#include "Core/Servo/DataClock.h"
 #include "Core/Servo/DeviceBackend.h"
 #include "Core/Servo/ForceGate.h"
 #include "Core/Servo/LocalSurfaceFitter.h"
@@ -64,7 +66,8 @@ struct ServoSnapshot
   double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
   std::uint32_t Orders = 0;                ///< that the tick has seen: see ServoLoop::GetOrders
   DeviceState Device = DeviceState::Running;
-  SignVerdict Signs; ///< of the check since RequireConfirmation
+  SignVerdict Signs;     ///< of the check since RequireConfirmation
+  DataClockReport Clock; ///< of a volume that moves
 
   bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
   GateReason GetFault() const noexcept { return FindFault(this->Gate, this->Reason); }
@@ -199,6 +202,7 @@ public:
   }
 
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
+  void SetDataClock(const DataClockOrders& orders) noexcept { this->ClockOrders.Write(orders); }
 
   bool ReadState() noexcept { return this->Latest.Update(); }
   const ServoSnapshot& GetState() const noexcept { return this->Latest.Read(); }
@@ -317,6 +321,7 @@ private:
    */
   void TickOnce(std::int64_t woken, std::int64_t start, double elapsed) noexcept;
   DeviceSample ReadDevice(std::int64_t woken, double period) noexcept;
+  void FollowDataClock(double period) noexcept;
   void PlaceProxy(const DeviceSample& sample, double elapsed) noexcept;
   void Touch(const DeviceSample& sample, double period) noexcept;
   Vector3 Confirm(const DeviceSample& sample, double elapsed) noexcept;
@@ -344,6 +349,7 @@ private:
   std::atomic<unsigned> ConfirmAxes{ 0 };     // of RequireConfirmation, until the loop has seen it
   std::atomic<double> ConfirmForce{ 0.0 };
   TripleBuffer<SafetyLimits> Limits;
+  TripleBuffer<DataClockOrders> ClockOrders;
   TripleBuffer<ServoSnapshot> Latest;
   TraceRing<ServoSnapshot> Trace;
 
@@ -353,6 +359,7 @@ private:
   bool IsModelNew = false;   ///< since the last tick
   bool IsForceNew = false;   ///< in this tick, for another reason than the motion of the tip
   bool IsContactNew = false; ///< the proxy has to begin at the tip, since the model is new
+  DataClock Clock;
   ResidentServo Servo;
   bool HasSample = false; ///< a fresh sample has come since the start
   ForceGate Gate;

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Servo/DataClock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A tick passes no more ends of the series and of intervals than this; the rest is lost. */
+constexpr int MostTurns = 8;
+
+} // namespace
+
+void DataClock::Rest() noexcept
+{
+  const std::uint32_t places = this->Report.Places;
+  this->Report = {};
+  this->Report.Places = places;
+  this->Number = 0;
+}
+
+DataClock::Leap DataClock::Follow(const BakedVolume& volume, const DataClockOrders& orders,
+  double period, ServoState& state) noexcept
+{
+  const FrameWindow window = volume.GetWindow();
+  const bool isNew = this->Number != volume.Number;
+  this->Number = volume.Number;
+  double time = state.DataTime;
+  Leap leap = Leap::None;
+  if (!this->HasTime || !window.Has(time))
+  {
+    // Another volume, or the frames at another place.
+    const double first = window.Series.First;
+    time = !this->HasTime && window.Has(first) ? first : window.Front;
+    leap = Leap::Away;
+  }
+  this->HasTime = true;
+  this->Report = {};
+  this->Report.IsMoving = true;
+  this->Report.Places = orders.Places;
+  if (orders.Places != this->Places)
+  {
+    const Leap within = this->FollowPlace(window, orders, time);
+    leap = leap == Leap::Away ? leap : within;
+  }
+  this->IsReturning = this->IsReturning && orders.Mode == Playback::PingPong;
+  if (orders.Plays && !this->Report.IsWaiting)
+  {
+    this->Advance(window, orders, std::abs(orders.Rate) * period, time);
+  }
+  this->Report.IsBackward = this->IsBackward(orders);
+  state.DataTime = time;
+  if (isNew)
+  {
+    // A surface of another volume carries nothing.
+    state.CarriedTo = time;
+  }
+  return leap;
+}
+
+DataClock::Leap DataClock::FollowPlace(
+  const FrameWindow& window, const DataClockOrders& orders, double& time) noexcept
+{
+  const double place = std::clamp(orders.Place, window.Series.First, window.Series.Last);
+  if (!window.Has(place))
+  {
+    this->Report.IsWaiting = true;
+    this->Report.Wanted = place;
+    return Leap::None;
+  }
+  this->Places = orders.Places;
+  const bool isElsewhere = time != place;
+  time = place;
+  return isElsewhere ? Leap::Within : Leap::None;
+}
+
+void DataClock::Advance(
+  const FrameWindow& window, const DataClockOrders& orders, double way, double& time) noexcept
+{
+  const FrameSeries& series = window.Series;
+  for (int i = 0; i < MostTurns && way > 0.0; ++i)
+  {
+    const bool isBackward = this->IsBackward(orders);
+    const double end = isBackward ? series.First : series.Last;
+    if (time == end && orders.Mode == Playback::PingPong)
+    {
+      this->IsReturning = !this->IsReturning;
+      continue;
+    }
+    if (time == end && orders.Mode == Playback::Once)
+    {
+      return;
+    }
+    const double from = time == end && isBackward ? series.First + series.GetPeriod() : time;
+    const bool isBetween = from > series.Last || (from == series.Last && !isBackward);
+    const double turn = isBackward ? series.Last : series.First + series.GetPeriod();
+    const double toStop = std::abs((isBetween ? turn : end) - from);
+    const double there = isBackward ? window.GetBehind(time) : window.GetAhead(time);
+    const double step = std::min({ way, toStop, there });
+    way -= step;
+    if (step < toStop)
+    {
+      time = isBackward ? from - step : from + step;
+    }
+    else
+    {
+      // The other end, after the interval between the last frame and the first one.
+      time = isBetween ? (isBackward ? series.Last : series.First) : end;
+    }
+    if (step == there || !window.Has(time))
+    {
+      time = isBackward ? window.Front : window.Back;
+    }
+    if (there < toStop && way > 0.0)
+    {
+      this->Report.IsWaiting = true;
+      this->Report.Wanted = time;
+      return;
+    }
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The servo's clock of a volume that moves.
+ *
+ * While it plays, data time advances in every tick by
+ *
+ *   Rate * period,
+ *
+ * and holds otherwise. Orders change how fast and in which direction it goes on, never where it is:
+ * the volume does not step. Only Place moves it to another time, which the volume takes as it takes
+ * a new model.
+ *
+ * At the end of the series
+ * - Once holds;
+ * - Loop goes on to the first frame, through the interval in which the last one is blended into it;
+ * - PingPong turns around.
+ *
+ * A time between the last frame and the first one stays there if the mode is no longer Loop, and
+ * goes on to the frame that is next.
+ *
+ * A model may have a window of the series only (FrameSeries.h). If the next frame has not come when
+ * it is needed, time holds at the end of the window and goes on from there: it never jumps. So does
+ * it if the frames at another Place have not come.
+ */
+#ifndef DataClock_h
+#define DataClock_h
+
+#include "Core/Model/BakedVolume.h"
+#include "Core/Solvers/ServoState.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+enum class Playback : std::uint8_t
+{
+  Once,
+  Loop,
+  PingPong
+};
+
+/** The owner's orders. */
+struct DataClockOrders
+{
+  Playback Mode = Playback::Once;
+  bool Plays = false;
+  double Rate = 1.0;        ///< data time in a second
+  double Place = 0.0;       ///< a data time to go to; beyond the series, the nearest one of it
+  std::uint32_t Places = 0; ///< changes whenever Place was set
+};
+
+/** What the clock tells after a tick. */
+struct DataClockReport
+{
+  bool IsMoving = false;    ///< there is a volume that moves
+  bool IsWaiting = false;   ///< frames have not come: time holds
+  bool IsBackward = false;  ///< time runs backward, or would
+  double Wanted = 0.0;      ///< the data time whose frames are wanted, if it waits for them
+  std::uint32_t Places = 0; ///< of the orders that it follows; then it is at their Place or waits
+};
+
+class DataClock
+{
+public:
+  enum class Leap : std::uint8_t
+  {
+    None,
+    Within, ///< to another time of the model: the force may leap
+    Away    ///< from a time that the model does not have
+  };
+  /**
+   * Before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to begin at
+   * the tip.
+   */
+  Leap Follow(const BakedVolume& volume, const DataClockOrders& orders, double period,
+    ServoState& state) noexcept;
+  /** Before a tick without a volume that moves. */
+  void Rest() noexcept;
+
+  const DataClockReport& GetReport() const noexcept { return this->Report; }
+
+private:
+  Leap FollowPlace(const FrameWindow& window, const DataClockOrders& orders, double& time) noexcept;
+  void Advance(
+    const FrameWindow& window, const DataClockOrders& orders, double way, double& time) noexcept;
+  bool IsBackward(const DataClockOrders& orders) const noexcept
+  {
+    return (orders.Rate < 0.0) != this->IsReturning;
+  }
+
+  DataClockReport Report;
+  std::uint64_t Number = 0; ///< BakedVolume::Number of the last tick
+  std::uint32_t Places = 0; ///< of the Place where it has been
+  bool HasTime = false;
+  bool IsReturning = false; ///< PingPong, on the way back
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,420 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The servo's clock of a volume that moves, tick by tick: against folds of a time by repeated
+ * reflection and subtraction, and against the closed form of a wall that moves as a whole.
+ *
+ * The wall is V = 100 (z - h(t)): blended linearly, it is at h(t), with h linear between frames.
+ */
+
+#include "Core/Servo/DataClock.h"
+#include "Core/Servo/ServoTick.h"
+#include "Rigs/CoreScene.h"
+#include "Rigs/GatedStage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+using namespace coretest;
+
+namespace
+{
+constexpr double ClockPeriod = 1e-3; // s
+constexpr double ClockStiffness = 500.0;
+
+/// Frames at uneven times, and how high (mm) the wall is in each.
+struct HighWall
+{
+  HighWall(std::vector<double> times, const std::vector<double>& heights)
+    : Times(std::move(times))
+    , Heights(heights)
+  {
+    for (std::size_t i = 0; i < this->Times.size(); ++i)
+    {
+      const double height = heights[i];
+      TestVolume& frame =
+        this->Volumes.emplace_back(ScalarType::Float64, std::array<std::int64_t, 3>{ 9, 9, 24 });
+      frame.Fill<double>([height](std::int64_t, std::int64_t, std::int64_t z)
+        { return 100.0 * (double(z) - height); });
+      this->Frames.push_back({ this->Times[i], frame.View, nullptr });
+    }
+  }
+
+  /// `count` frames from frame `first` on; after the last one comes the first one.
+  std::vector<VolumeFrame> Pick(std::size_t first, std::size_t count) const
+  {
+    std::vector<VolumeFrame> frames;
+    for (std::size_t i = first; i < first + count; ++i)
+    {
+      frames.push_back(this->Frames[i % this->Frames.size()]);
+    }
+    return frames;
+  }
+
+  HapticModelDescription Describe() const
+  {
+    HapticModelDescription d = coretest::Describe(this->Volumes.front());
+    d.Frames = this->Pick(0, this->Frames.size() + 1);
+    d.Material.Stiffness = ConstantPolyline(ClockStiffness);
+    d.Material.SurfaceStrength = ConstantPolyline(4.0);
+    return d;
+  }
+
+  double GetMean() const
+  {
+    return (this->Times.back() - this->Times.front()) / double(this->Times.size() - 1);
+  }
+  double GetPeriod() const { return this->Times.back() - this->Times.front() + this->GetMean(); }
+
+  /// The height (mm) at a time of the loop, by searching all intervals.
+  double At(double time) const
+  {
+    for (std::size_t i = 0; i < this->Times.size(); ++i)
+    {
+      const bool isLast = i + 1 == this->Times.size();
+      const double end = isLast ? this->Times[0] + this->GetPeriod() : this->Times[i + 1];
+      if (time >= this->Times[i] && time <= end)
+      {
+        const double share = (time - this->Times[i]) / (end - this->Times[i]);
+        return this->Heights[i] + share * (this->Heights[isLast ? 0 : i + 1] - this->Heights[i]);
+      }
+    }
+    return std::nan("");
+  }
+
+  const std::vector<double> Times;
+  const std::vector<double> Heights;
+  std::list<TestVolume> Volumes;
+  std::vector<VolumeFrame> Frames;
+};
+
+HighWall MakeUneven()
+{
+  return { { 2.0, 3.0, 4.5, 5.0, 6.0 }, { 0.0, 0.8, 1.6, 0.4, 0.2 } };
+}
+
+/// A servo without a loop: the clock and the tick.
+class ClockedHand
+{
+public:
+  explicit ClockedHand(std::shared_ptr<const HapticModel> model)
+    : Model(std::move(model))
+  {
+  }
+  explicit ClockedHand(const HapticModelDescription& d)
+    : ClockedHand(std::make_shared<const HapticModel>(d))
+  {
+  }
+
+  void Publish(std::vector<VolumeFrame> frames)
+  {
+    const auto baked = std::make_shared<const BakedVolume>(*this->Model->Baked, frames);
+    const auto next =
+      std::make_shared<const HapticModel>(baked, this->Model->DeviceToWorld, ForceCaps{});
+    CarryState(*this->Model, *next, this->State);
+    this->Model = next;
+  }
+
+  DataClock::Leap Step(const Vector3& tip)
+  {
+    const DataClock::Leap leap =
+      this->Clock.Follow(*this->Model->Baked, this->Orders, ClockPeriod, this->State);
+    this->State.Enabled = this->State.Enabled && leap != DataClock::Leap::Away;
+    VolumeHaptics::Tick(*this->Model, this->State, tip, this->Record);
+    return leap;
+  }
+
+  double GetTime() const { return this->State.DataTime; }
+  const DataClockReport& GetReport() const { return this->Clock.GetReport(); }
+
+  std::shared_ptr<const HapticModel> Model;
+  DataClock Clock;
+  DataClockOrders Orders;
+  ServoState State;
+  TickRecord Record;
+};
+
+/// Where a time that passed the ends of the series is, by turning or going round at each end.
+double FoldSlowly(const HighWall& wall, double time, Playback mode)
+{
+  const double first = wall.Times.front();
+  const double last = wall.Times.back();
+  if (mode == Playback::Once)
+  {
+    return std::clamp(time, first, last);
+  }
+  while (mode == Playback::Loop && time >= first + wall.GetPeriod())
+  {
+    time -= wall.GetPeriod();
+  }
+  while (mode == Playback::Loop && time < first)
+  {
+    time += wall.GetPeriod();
+  }
+  while (mode == Playback::PingPong && (time < first || time > last))
+  {
+    time = time < first ? 2.0 * first - time : 2.0 * last - time;
+  }
+  return time;
+}
+
+const Vector3 RestingTip{ 0.004, 0.004, 0.012 };
+} // namespace
+
+TEST(DataClock, FoldsTimeAtTheEndsOfTheSeries)
+{
+  const HighWall wall = MakeUneven();
+  for (const Playback mode : { Playback::Once, Playback::Loop, Playback::PingPong })
+  {
+    for (const double rate : { 1.7, -2.3, 40.0 })
+    {
+      ClockedHand hand(wall.Describe());
+      hand.Orders = { mode, false, rate, 2.7, 1 };
+      hand.Step(RestingTip);
+      EXPECT_EQ(hand.GetTime(), 2.7);
+      hand.Orders.Plays = true;
+      for (int i = 1; i < 9000; ++i)
+      {
+        hand.Step(RestingTip);
+        const double expected = FoldSlowly(wall, 2.7 + rate * ClockPeriod * i, mode);
+        const double off = std::abs(hand.GetTime() - expected);
+        // On the two sides of the loop's end, times are the same.
+        ASSERT_LT(std::min(off, std::abs(off - wall.GetPeriod())), 1e-8)
+          << "tick " << i << " of mode " << static_cast<int>(mode) << " at " << rate;
+        ASSERT_EQ(hand.Record.DataTime, hand.GetTime());
+      }
+    }
+  }
+}
+
+TEST(DataClock, BeginsHeldAtTheFirstFrame)
+{
+  ClockedHand hand(MakeUneven().Describe());
+  for (int i = 0; i < 3; ++i)
+  {
+    hand.Step(RestingTip);
+    EXPECT_EQ(hand.GetTime(), 2.0);
+  }
+  EXPECT_TRUE(hand.GetReport().IsMoving);
+  EXPECT_FALSE(hand.GetReport().IsWaiting);
+}
+
+TEST(DataClock, AWindowIsTheWholeToTheBit)
+{
+  const HighWall wall = MakeUneven();
+  const HapticModel whole(wall.Describe());
+  for (std::size_t first = 0; first < 5; ++first)
+  {
+    for (const std::size_t count : { 2, 3 })
+    {
+      const BakedVolume window(*whole.Baked, wall.Pick(first, count));
+      const FrameWindow times = window.GetWindow();
+      int inside = 0;
+      for (double t = 2.0; t < 7.0; t += 0.013)
+      {
+        if (times.Has(t))
+        {
+          const Vector3 at{ 3.3, 4.4, 5.5 };
+          ASSERT_EQ(window.At(t).Value(at), whole.Baked->At(t).Value(at)) << t;
+          ASSERT_NEAR(window.At(t).Value(at), 100.0 * (5.5 - wall.At(t)), 1e-9) << t;
+          ++inside;
+        }
+      }
+      EXPECT_GT(inside, 30);
+    }
+  }
+}
+
+/// Windows of two or three frames, whose next one comes late or in time.
+TEST(DataClock, HoldsWhileFramesAreLateAndNeverJumps)
+{
+  const HighWall wall = MakeUneven();
+  for (const double rate : { 3.0, -3.0 })
+  {
+    for (const int late : { 0, 120 })
+    {
+      ClockedHand hand(wall.Describe());
+      hand.Orders = { Playback::Loop, true, rate, 2.0, 1 };
+      std::size_t first = rate > 0.0 ? 0 : 4; // of a pair
+      hand.Publish(wall.Pick(first, 2));
+      int waited = 0;
+      int missing = 0;
+      double before = 2.0;
+      double travelled = 0.0;
+      for (int i = 0; i < 6000; ++i)
+      {
+        const DataClock::Leap leap = hand.Step(RestingTip);
+        ASSERT_TRUE(i == 0 || leap == DataClock::Leap::None);
+        const double step = std::abs(hand.GetTime() - before);
+        const double way = std::min(step, std::abs(step - wall.GetPeriod()));
+        ASSERT_LE(way, 3.0 * ClockPeriod * (1.0 + 1e-9)) << "tick " << i;
+        travelled += way;
+        before = hand.GetTime();
+        const bool waits = hand.GetReport().IsWaiting;
+        waited += waits ? 1 : 0;
+        missing = waits ? missing + 1 : 0;
+        if (waits)
+        {
+          EXPECT_EQ(hand.GetReport().Wanted, hand.GetTime());
+        }
+        if (missing > late)
+        {
+          first = (first + (rate > 0.0 ? 1 : 4)) % 5;
+          hand.Publish(wall.Pick(first, 2));
+        }
+      }
+      const double all = 3.0 * ClockPeriod * 6000;
+      EXPECT_NEAR(travelled, all - 3.0 * ClockPeriod * waited, 0.1);
+      EXPECT_EQ(waited > 200, late > 0);
+    }
+  }
+}
+
+TEST(DataClock, OrdersStepNeitherTimeNorForce)
+{
+  const HighWall wall = MakeUneven();
+  ClockedHand hand(wall.Describe());
+  std::mt19937 random(7);
+  const auto pick = [&random](double low, double high)
+  { return std::uniform_real_distribution<double>(low, high)(random); };
+  // The wall's fastest motion (mm in a unit of data time).
+  const double fastest = 1.2 / 0.5;
+  hand.Step({ 0.004, 0.004, 0.0115 });
+  for (int i = 0; i < 50; ++i)
+  {
+    hand.Step({ 0.004, 0.004, 0.0115 + 1e-5 * i });
+  }
+  hand.Orders.Plays = true;
+  hand.Step(RestingTip);
+  int turns = 0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    if (i % 61 == 0)
+    {
+      hand.Orders.Mode = static_cast<Playback>(random() % 3);
+      hand.Orders.Plays = random() % 4 != 0;
+      hand.Orders.Rate = pick(-6.0, 6.0);
+      ++turns;
+    }
+    const double time = hand.GetTime();
+    const double force = hand.Record.Force.Z;
+    ASSERT_EQ(hand.Step(RestingTip), DataClock::Leap::None);
+    const double step = std::abs(hand.GetTime() - time);
+    const double most = std::abs(hand.Orders.Rate) * ClockPeriod * (1.0 + 1e-9);
+    ASSERT_LE(std::min(step, std::abs(step - wall.GetPeriod())), most) << "tick " << i;
+    // k |v_n| dt, and what a level is found to.
+    ASSERT_LE(std::abs(hand.Record.Force.Z - force), ClockStiffness * 1e-3 * fastest * most + 1e-3)
+      << "tick " << i;
+  }
+  EXPECT_GT(turns, 300);
+}
+
+TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsFramesCome)
+{
+  const HighWall wall = MakeUneven();
+  ClockedHand hand(wall.Describe());
+  hand.Orders = { Playback::Once, false, 1.0, 4.0, 1 };
+  hand.Step(RestingTip);
+  hand.Orders.Place = 4.8;
+  hand.Orders.Places = 2;
+  EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::Within);
+  EXPECT_EQ(hand.GetTime(), 4.8);
+  EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::None);
+
+  hand.Publish(wall.Pick(2, 2)); // 4.5 to 5
+  hand.Orders = { Playback::Once, true, 1.0, 2.2, 3 };
+  for (int i = 0; i < 20; ++i)
+  {
+    EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::None);
+    EXPECT_EQ(hand.GetTime(), 4.8);
+    EXPECT_TRUE(hand.GetReport().IsWaiting);
+    EXPECT_EQ(hand.GetReport().Wanted, 2.2);
+  }
+  hand.Publish(wall.Pick(0, 2));
+  EXPECT_EQ(hand.Step(RestingTip), DataClock::Leap::Away);
+  EXPECT_NEAR(hand.GetTime(), 2.2, 1.1 * ClockPeriod);
+  EXPECT_EQ(Norm(hand.Record.Force), 0.0); // a new contact
+  EXPECT_FALSE(hand.GetReport().IsWaiting);
+
+  hand.Orders = { Playback::Once, false, 1.0, 99.0, 4 };
+  hand.Publish(wall.Pick(3, 3));
+  hand.Step(RestingTip);
+  EXPECT_EQ(hand.GetTime(), 6.0);
+}
+
+/// A wall that beats by 1.6 mm, felt through the safety stage by hands that rest, yield and press.
+TEST(DataClock, AWallThatBeatsGivesItsWorkAndNoFault)
+{
+  const HighWall wall({ 0.0, 0.25, 0.5, 0.75 }, { 0.0, 0.8, 1.6, 0.8 });
+  std::mt19937 random(11);
+  std::normal_distribution<double> tremble(0.0, 1.0);
+  double largest = 0.0;
+  double reached = 0.0;
+  for (int session = 0; session < 24; ++session)
+  {
+    const bool isStill = session % 3 == 0;
+    // Beats in a second; the quickest ones as a loop that swings by itself.
+    const double rate = session % 8 == 7 ? 18.0 : 0.5 + 0.25 * (session % 8);
+    ClockedHand hand(wall.Describe());
+    hand.Orders = { Playback::Loop, true, rate, 0.0, 0 };
+    rigs::GatedStage stage;
+    SafetyLimits limits;
+    limits.MaximumForce = 4.0;
+    // What holds force back, or brings it later, moves energy by itself.
+    const bool isLimited = session % 2 != 0;
+    limits.MaximumForceRate = isLimited ? 2.0 : 500.0;
+    limits.RampTime = isLimited ? 0.5 : 0.0;
+    limits.MovesTip = true;
+    stage.Arm();
+    SafetyInput input;
+    input.Elapsed = input.Period;
+    input.Fresh = true;
+    Vector3 tip{ 0.004, 0.004, 0.0118 };
+    Vector3 sent;
+    double speed = 0.0;
+    double goal = tip.Z;
+    double aim = tip.Z;
+    double given = 0.0;    // J, to the hand
+    double fromWall = 0.0; // J
+    double pushed = 0.0;   // J, from the wall when it came
+    double most = 0.0;     // J, that the hand got beyond the work of the wall
+    for (int i = 0; i < 6000; ++i)
+    {
+      // 80 g at a spring of 150 N/m with damping, that the hand moves slowly to and fro.
+      goal = i % 700 == 0 ? 0.0125 + 5e-4 * tremble(random) : goal;
+      aim += 0.005 * (goal - aim);
+      const double force = sent.Z - 150.0 * (tip.Z - aim) - 4.0 * speed;
+      speed += isStill ? 0.0 : force / 0.08 * ClockPeriod;
+      const double way = isStill ? (i < 100 ? 1e-5 : 0.0) : speed * ClockPeriod;
+      given += sent.Z * way;
+      tip.Z += way;
+      hand.Step(tip);
+      input.Force = hand.Record.Force;
+      input.Tip = tip;
+      input.Stiffness = hand.Record.Stiffness;
+      input.Stretch = Norm(hand.Record.Proxy - tip);
+      input.WallWork = hand.Record.WallWork;
+      sent = stage.Apply(input, limits);
+      fromWall += hand.Record.WallWork;
+      pushed += std::max(0.0, hand.Record.WallWork);
+      most = std::max(most, given - (isLimited ? pushed : fromWall));
+      largest = std::max(largest, Norm(sent));
+      ASSERT_EQ(stage.Gate.GetFault(), GateReason::None)
+        << "session " << session << " tick " << i << ", fault "
+        << static_cast<int>(stage.Gate.GetFault());
+    }
+    // A tick is a finite step: k dx^2 / 2 in each, of some 2e-5 m.
+    EXPECT_LE(most, 3e-5) << "session " << session;
+    reached = std::max(reached, given);
+  }
+  EXPECT_GT(largest, 0.7);
+  EXPECT_GT(reached, 2e-4); // walls did push hands away
+}
