@@ -2,33 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Field/FieldSampler.h"
 
+#include "Core/Field/WholeData.h"
+
 namespace VolumeHaptics
 {
-namespace
-{
-
-std::int64_t SizeOf(ScalarType type)
-{
-  constexpr std::int64_t sizes[] = { 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
-  return sizes[static_cast<int>(type)];
-}
-
-/**
- * The address of the whole volume's first sample. Computed as a number, since there may be no
- * memory at it.
- */
-const void* WholeData(const VolumeView& view)
-{
-  std::int64_t elements = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    elements += view.First[axis] * view.Stride[axis];
-  }
-  const auto bytes = static_cast<std::uintptr_t>(elements * SizeOf(view.Type));
-  return reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(view.Data) - bytes);
-}
-
-} // namespace
 
 FieldFunctions SelectBaselineFunctions(const VolumeView&, GradientEstimator, int taps);
 #ifdef VOLUME_HAPTICS_HAS_AVX2

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Vectors and tensors of a volume that stands somewhere in the world.
+ *
+ *   VectorField field(view, indexToWorld);
+ *   Vector3 v;
+ *   Matrix3 jacobian;
+ *   field.Read(index, v, jacobian);
+ *
+ * Everything is in world axes, and derivatives are per world unit. The components of the array are
+ * along the world's axes, as ParaView takes them, or along the image's (VectorAxes::Image): with D
+ * the image's direction matrix, a vector is then D v, and a tensor is D T D^T.
+ */
+#ifndef VectorField_h
+#define VectorField_h
+
+#include "Core/Field/VectorSampler.h"
+
+namespace VolumeHaptics
+{
+
+/** The axes along which the components of an array stand. */
+enum class VectorAxes : std::uint8_t
+{
+  World,
+  Image
+};
+
+/** Borrows the samples. */
+class VectorField
+{
+public:
+  VectorField() = default;
+  VectorField(const VectorView& view, const Affine3& indexToWorld,
+    VectorAxes axes = VectorAxes::World, InstructionSet instructions = DetectInstructionSet());
+
+  /** Whether there are vectors, or tensors: 3 components, or 6 or 9. */
+  bool HasVectors() const noexcept { return this->Sampler.GetComponents() == 3; }
+  bool HasTensors() const noexcept { return this->Sampler.IsValid() && !this->HasVectors(); }
+
+  ///@{
+  /**
+   * The vector at a continuous index, and its Jacobian: row c is the gradient of component c. False
+   * outside the volume, where samples are not finite, and if there are no vectors; both are 0 then.
+   */
+  bool Read(const Vector3& index, Vector3& vector) const noexcept;
+  bool Read(const Vector3& index, Vector3& vector, Matrix3& jacobian) const noexcept;
+  ///@}
+
+  /**
+   * The tensor at a continuous index: of 6 components (XX YY ZZ XY YZ XZ, as VTK has them) or the
+   * symmetric part of 9 (row by row). False, and 0, as above.
+   */
+  bool ReadTensor(const Vector3& index, Matrix3& tensor) const noexcept;
+
+  const VectorSampler& GetSampler() const noexcept { return this->Sampler; }
+
+private:
+  VectorSampler Sampler;
+  Matrix3 ToWorld;      ///< of the components
+  Matrix3 WorldToIndex; ///< of displacements
+};
+
+} // namespace VolumeHaptics
+
+#endif

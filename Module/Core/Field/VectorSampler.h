@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Vectors and tensors of a volume at continuous positions, with their derivatives.
+ *
+ *   VectorSampler sampler(view);
+ *   VectorSample sample;
+ *   if (sampler.IsInside(index) && sampler.Sample(index, sample)) { ... sample.Value[0] ... }
+ *
+ * All components are cubic B-splines with the conventions of GradientEstimator::CubicBSpline, and
+ * share one set of weights: three components cost less than twice what one does. Derivatives are
+ * those of the values, to rounding. There is no prefilter: a linear field is reproduced exactly, and
+ * a quadratic one lies higher by a third of half its second derivative (per index step).
+ *
+ * As FieldSampler, this gives the same bits on every processor.
+ */
+#ifndef VectorSampler_h
+#define VectorSampler_h
+
+#include "Core/Field/FieldSampler.h"
+#include "Core/Field/VectorView.h"
+
+namespace VolumeHaptics
+{
+
+/** The components at a position: as many as the view has, the others are not written. */
+struct VectorSample
+{
+  double Value[VectorView::MostComponents] = {};
+  Vector3 Gradient[VectorView::MostComponents]; ///< of each component, per index step
+};
+
+/** The samples as the kernels read them; Data of View.Volume is that of the volume's first one. */
+struct VectorFieldView
+{
+  FieldView View;
+  std::int64_t ComponentStride = 1;
+};
+
+/** False if the sample is not finite. */
+using VectorFunction = bool (*)(
+  const VectorFieldView&, double x, double y, double z, VectorSample&) noexcept;
+
+/** The kernels for one scalar type and one number of components. */
+struct VectorFunctions
+{
+  VectorFunction Value = nullptr;
+  VectorFunction Gradient = nullptr;
+};
+
+/** A volume of vectors or tensors, ready to be sampled. Borrows the samples. */
+class VectorSampler
+{
+public:
+  VectorSampler() = default;
+  /** Of 3, 6 or 9 components; with another number it is not valid. */
+  explicit VectorSampler(
+    const VectorView& view, InstructionSet instructions = DetectInstructionSet());
+
+  bool IsValid() const noexcept { return this->Functions.Value != nullptr; }
+
+  ///@{
+  /**
+   * The components at a continuous index, clamped to the resident samples; with and without their
+   * gradients. False if a sample that counts is not finite; then the sample is of no use.
+   */
+  bool Sample(const Vector3& index, VectorSample& sample) const noexcept
+  {
+    return this->Functions.Gradient(this->View, index.X, index.Y, index.Z, sample);
+  }
+  bool SampleValue(const Vector3& index, VectorSample& sample) const noexcept
+  {
+    return this->Functions.Value(this->View, index.X, index.Y, index.Z, sample);
+  }
+  ///@}
+
+  ///@{
+  /** As those of FieldSampler. False, and negative, for an index that is NaN. */
+  bool IsInside(const Vector3& index) const noexcept
+  {
+    return this->DistanceToBorder(index) >= 0.0;
+  }
+  double DistanceToBorder(const Vector3& index) const noexcept;
+  ///@}
+
+  int GetComponents() const noexcept { return this->Components; }
+
+private:
+  VectorFieldView View;
+  double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
+  int Components = 0;
+  VectorFunctions Functions;
+};
+
+} // namespace VolumeHaptics
+
+#endif

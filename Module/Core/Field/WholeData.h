@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where the samples of a whole volume begin, of which a view may show a region.
+ */
+#ifndef WholeData_h
+#define WholeData_h
+
+#include "Core/Field/VolumeView.h"
+
+namespace VolumeHaptics
+{
+
+inline std::int64_t SizeOf(ScalarType type) noexcept
+{
+  constexpr std::int64_t sizes[] = { 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
+  return sizes[static_cast<int>(type)];
+}
+
+/**
+ * The address of the whole volume's first sample. Computed as a number, since there may be no
+ * memory at it.
+ */
+inline const void* WholeData(const VolumeView& view) noexcept
+{
+  std::int64_t elements = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    elements += view.First[axis] * view.Stride[axis];
+  }
+  const auto bytes = static_cast<std::uintptr_t>(elements * SizeOf(view.Type));
+  return reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(view.Data) - bytes);
+}
+
+} // namespace VolumeHaptics
+
+#endif
