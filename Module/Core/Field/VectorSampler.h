@@ -9,9 +9,10 @@
  *   if (sampler.IsInside(index) && sampler.Sample(index, sample)) { ... sample.Value[0] ... }
  *
  * All components are cubic B-splines with the conventions of GradientEstimator::CubicBSpline, and
- * share one set of weights: three components cost less than twice what one does. Derivatives are
- * those of the values, to rounding. There is no prefilter: a linear field is reproduced exactly, and
- * a quadratic one lies higher by a third of half its second derivative (per index step).
+ * share one set of weights: three components with their gradients take twice as long as one.
+ * Derivatives are those of the values, to rounding. There is no prefilter: a linear field is
+ * reproduced exactly, and a quadratic one lies higher by a sixth of its second derivative (per
+ * index step).
  *
  * As FieldSampler, this gives the same bits on every processor.
  */

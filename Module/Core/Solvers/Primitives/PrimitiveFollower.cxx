@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/Primitives/PrimitiveFollower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The weights of a step's stages, at 0, 1/2 and 3/4 of it. */
+constexpr double StageWeights[3] = { 2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0 };
+constexpr double LeastRate = 0.25;
+constexpr double MostRate = 64.0;
+/** A step of which the middle shows a rate that is so much more begins again. */
+constexpr double RateExcess = 1.01;
+
+/** A proxy on its way to the balance with one tip. */
+class Way
+{
+public:
+  Way(const PrimitiveField& field, double k, const Vector3& from, const Vector3& tip,
+    PrimitiveForces& forces) noexcept
+    : Field(field)
+    , Stiffness(k)
+    , Tip(tip)
+    , Forces(forces)
+    , Place(from)
+  {
+    this->Arrive(from);
+  }
+
+  /** One step; the rate that it has met. */
+  double Step(double rate, double longest) noexcept
+  {
+    const Vector3 from = this->Place;
+    const double before = this->Length;
+    const Vector3 first = (1.0 / before) * this->Rest;
+    double length = std::min(before / rate, longest);
+    Vector3 middle = this->FindRest(from + (0.5 * length) * first);
+    const double met = (before - Dot(middle, first)) / (0.5 * length);
+    const double shorter = before / std::min(met, MostRate);
+    // Also false for NaN.
+    if (met > RateExcess * rate && shorter < length)
+    {
+      length = shorter;
+      middle = this->FindRest(from + (0.5 * length) * first);
+    }
+    const Vector3 second = Along(middle, first);
+    const Vector3 third = Along(this->FindRest(from + (0.75 * length) * second), second);
+    this->Arrive(from +
+      length * (StageWeights[0] * first + StageWeights[1] * second + StageWeights[2] * third));
+    const double next = (before - Dot(this->Rest, third)) / length;
+    return next > LeastRate ? std::min(next, MostRate) : LeastRate;
+  }
+
+  /** What is left, and how long it is (m). */
+  const Vector3& GetRest() const noexcept { return this->Rest; }
+  double GetLength() const noexcept { return this->Length; }
+  const Vector3& GetPlace() const noexcept { return this->Place; }
+  /** At the place. */
+  const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
+
+private:
+  /** The direction of what is left, forwards; or the direction before if nothing is. */
+  static Vector3 Along(const Vector3& rest, const Vector3& before) noexcept
+  {
+    const double length = Norm(rest);
+    return length > 0.0 ? std::copysign(1.0 / length, Dot(rest, before)) * rest : before;
+  }
+
+  Vector3 FindRest(const Vector3& place) noexcept
+  {
+    PrimitiveSet set;
+    this->Field.Find(this->Field.Context, place, set);
+    this->Balance = Minimise(set, this->Stiffness, this->Tip, this->Forces);
+    return this->Balance.Proxy - place;
+  }
+
+  void Arrive(const Vector3& place) noexcept
+  {
+    this->Place = place;
+    this->Rest = this->FindRest(place);
+    this->Length = Norm(this->Rest);
+  }
+
+  const PrimitiveField& Field;
+  const double Stiffness;
+  const Vector3& Tip;
+  PrimitiveForces& Forces;
+  Vector3 Place;
+  Vector3 Rest;
+  double Length = 0.0;
+  PrimitiveBalance Balance;
+};
+
+} // namespace
+
+PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double longestStep,
+  const Vector3& from, const Vector3& tip, PrimitiveMemory& memory) noexcept
+{
+  // Also false for NaN.
+  if (!(longestStep > 0.0) || !IsFinite(from))
+  {
+    memory = {};
+    return { tip, {}, 0, false };
+  }
+  // Of a file, maybe.
+  memory.Rate = memory.Rate > LeastRate ? std::min(memory.Rate, MostRate) : LeastRate;
+  PrimitiveMotion motion;
+  Way way(field, k, from, tip, memory.Forces);
+  const double finished = PrimitiveFollower::FinishedShare * longestStep;
+  while (way.GetLength() > finished && motion.Steps < PrimitiveFollower::MostSteps)
+  {
+    memory.Rate = way.Step(memory.Rate, longestStep);
+    ++motion.Steps;
+  }
+  const bool isThere = way.GetLength() <= finished;
+  motion.Proxy = way.GetPlace();
+  motion.Force = way.GetBalance().Force;
+  motion.IsUnfinished = !isThere || way.GetBalance().IsUnfinished;
+  if (isThere)
+  {
+    motion.Proxy += (1.0 / std::max(memory.Rate, 1.0)) * way.GetRest();
+  }
+  return motion;
+}
+
+} // namespace VolumeHaptics
