@@ -110,6 +110,59 @@ def test_generator_makes_the_same(data, committed, tmp_path):
     assert 19.5 < (noisy - clean)[clean > -500].std() < 20.5
 
 
+def series(folder, name, frames):
+    """The frames with their displacements, [z, y, x, axis]."""
+    images = []
+    for frame in range(frames + 1):
+        reader = vtkXMLGenericDataObjectReader()
+        reader.SetFileName(str(folder / f"{name}{frame:03}.vti"))
+        reader.Update()
+        images.append(reader.GetOutput())
+    text = (folder / f"{name}.pvd").read_text(encoding="utf-8")
+    assert text.count("<DataSet ") == frames + 1 and f'timestep="{1 / frames!r}"' in text
+    return images
+
+
+def check_motion(images, most, moves):
+    """What is at a point of a frame is where its displacement says in the next one."""
+    worst = [0.0, 0.0]
+    for before, after in zip(images, images[1:]):
+        motion = before.GetPointData().GetArray("motion")
+        box = after.GetBounds()
+        for _ in range(400):
+            i = random.randrange(before.GetNumberOfPoints())
+            place = before.GetPoint(i)
+            there = [p + u for p, u in zip(place, motion.GetTuple3(i))]
+            if all(a <= x <= b for a, x, b in zip(box[::2], there, box[1::2])):
+                here = value(before, place)
+                worst = [max(w, abs(value(after, p) - here)) for w, p in zip(worst, (there, place))]
+    assert worst[0] <= most and worst[1] >= moves, worst
+
+
+def test_series_that_move(data, tmp_path):
+    random.seed(2)
+    command = [sys.executable, str(data / "generate.py"), str(tmp_path)]
+    subprocess.run([*command, "--beating", "6"], check=True)
+    beating = series(tmp_path, "Beating", 6)
+    # Interpolation errs by h^2/8 of the second derivatives along the axes, 195 * 0.242 / 1.5^2 at most each.
+    check_motion(beating, 20.0, 60.0)
+    full, small = (array_of(beating[i]).reshape(56, 56, 56) for i in (0, 3))
+    inner = lambda v: (v > 0.5 * (250 + 55)).sum() * 1.5**3  # contrast medium, a ball
+    assert abs(inner(full) / (4 / 3 * math.pi * 16**3) - 1) < 0.02
+    assert abs(inner(small) / (4 / 3 * math.pi * 12**3) - 1) < 0.02
+    muscle = [(v > 0.5 * (55 - 100)).sum() * 1.5**3 - inner(v) for v in (full, small)]
+    assert abs(muscle[1] / muscle[0] - 1) < 0.02  # it keeps its volume
+    subprocess.run([*command, "--breathing", str(data / "Slab.vti"), "--frames", "4"], check=True)
+    breathing = series(tmp_path, "Breathing", 4)
+    check_motion(breathing, 10.0, 100.0)
+    bump = lambda x, a, b: math.sin(math.pi * (x - a) / (b - a)) ** 2
+    for _ in range(300):  # the slab's value tells the height that material came from
+        x, y, z = (random.randint(a, b) for a, b in ((-16, 16), (-16, 16), (-16, 24)))
+        before = value(breathing[2], (x, y, z)) / 100.0
+        depth = 0.15 * 40 * bump(x, -16, 16) * bump(y, -16, 16) * bump(before, -16, 24)
+        assert abs(before - depth - z) < 1e-6, (x, y, z)
+
+
 def test_fields(committed):
     random.seed(1)
     check_field(committed["Slab"], "f8", lambda x, y, z: 100.0 * z, 0.0, 1e-9)
