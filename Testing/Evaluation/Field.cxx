@@ -137,7 +137,7 @@ Volume::Volume(const Field& field, const Sampling& sampling)
   this->View.Type = sampling.Type;
 }
 
-std::unique_ptr<HapticModel> Volume::Bake(const Touching& touching) const
+HapticModelDescription Volume::Describe(const Touching& touching) const
 {
   HapticModelDescription d;
   d.View = this->View;
@@ -152,7 +152,12 @@ std::unique_ptr<HapticModel> Volume::Bake(const Touching& touching) const
   d.Settings.Alignment = touching.Alignment;
   d.Settings.Placement = touching.Placement;
   d.Settings.Side = touching.Side;
-  return std::make_unique<HapticModel>(d);
+  return d;
+}
+
+std::unique_ptr<HapticModel> Volume::Bake(const Touching& touching) const
+{
+  return std::make_unique<HapticModel>(this->Describe(touching));
 }
 
 void MoveTo(Path& path, const Vector3& goal, double step)

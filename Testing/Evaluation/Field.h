@@ -57,6 +57,7 @@ class Volume
 public:
   Volume(const Field& field, const Sampling& sampling);
 
+  VolumeHaptics::HapticModelDescription Describe(const Touching& touching) const;
   std::unique_ptr<VolumeHaptics::HapticModel> Bake(const Touching& touching) const;
 
 private:

@@ -106,11 +106,15 @@ Figures MeasureAngle(const Candidate& candidate, const Effort& effort);
 Figures MeasureAlignment(const Candidate& candidate, const Effort& effort);
 /** Proxy and force on a bumpy ball, with alignment Edge. */
 Figures MeasureBumps(const Candidate& candidate, const Effort& effort);
+/** Force of volumes that move under a tip that rests, against closed forms. */
+Figures MeasureMovingWall(const Candidate& candidate, const Effort& effort);
 /** The cost of a tick. For readers, not for tests. */
 Figures MeasureSpeed(const Candidate& candidate, const Effort& effort);
 
 /** The plots of the report, of both solvers. */
 std::vector<Plot> MakePlots(const Effort& effort);
+/** Of the forces that MeasureMovingWall() compares. */
+std::vector<Plot> PlotMovingWalls();
 
 } // namespace evaluation
 

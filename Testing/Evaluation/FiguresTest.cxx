@@ -87,6 +87,7 @@ const Subject Subjects[] = {
   { "Angle", MeasureAngle, true },
   { "Alignment", MeasureAlignment, true },
   { "Bumps", MeasureBumps, true },
+  { "MovingWall", MeasureMovingWall, true },
 };
 
 INSTANTIATE_TEST_SUITE_P(All, EvaluationFigures,

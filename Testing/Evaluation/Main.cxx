@@ -50,8 +50,9 @@ constexpr std::pair<const char*, GradientEstimator> Estimators[] = {
 Figures MeasureAll(const Candidate& candidate, const Effort& effort)
 {
   Figures all;
-  for (const auto& measure : { MeasureClosedForms, MeasureTracking, MeasureFallThrough,
-         MeasureRipple, MeasureEnergy, MeasureAngle, MeasureAlignment, MeasureBumps, MeasureSpeed })
+  for (const auto& measure :
+    { MeasureClosedForms, MeasureTracking, MeasureFallThrough, MeasureRipple, MeasureEnergy,
+      MeasureAngle, MeasureAlignment, MeasureBumps, MeasureMovingWall, MeasureSpeed })
   {
     const Figures figures = measure(candidate, effort);
     all.insert(all.end(), figures.begin(), figures.end());

@@ -127,7 +127,13 @@ Plot PlotEnergy(const Effort& effort)
 
 std::vector<Plot> MakePlots(const Effort& effort)
 {
-  return { PlotDrift(), PlotLeak(), PlotRipple(), PlotAngle(), PlotEnergy(effort) };
+  std::vector<Plot> plots = { PlotDrift(), PlotLeak(), PlotRipple(), PlotAngle(),
+    PlotEnergy(effort) };
+  for (const Plot& plot : PlotMovingWalls())
+  {
+    plots.push_back(plot);
+  }
+  return plots;
 }
 
 } // namespace evaluation
