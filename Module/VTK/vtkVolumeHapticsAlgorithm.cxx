@@ -49,6 +49,23 @@ vtkMTimeType vtkVolumeHapticsAlgorithm::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::SetDisplacementArrayName(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->DisplacementArrayName != wanted)
+  {
+    this->DisplacementArrayName = wanted;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsAlgorithm::GetDisplacementArrayName()
+{
+  return this->DisplacementArrayName;
+}
+
+//------------------------------------------------------------------------------
 vtkStringArray* vtkVolumeHapticsAlgorithm::GetMethodNames()
 {
   static const vtkSmartPointer<vtkStringArray> names = []

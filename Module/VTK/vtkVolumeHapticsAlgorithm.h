@@ -217,6 +217,57 @@ public:
   vtkGetMacro(TimeUnitsPerSecond, double);
   ///@}
 
+  enum FramesType
+  {
+    TIME_STEPS = 0,
+    COMPONENTS = 1
+  };
+  ///@{
+  /**
+   * What the frames of a volume that moves are. TIME_STEPS (default): those of the image's source,
+   * if it has several. COMPONENTS: those of the touched array, FrameSpacing apart, without a copy.
+   *
+   * vtkNIFTIImageReader gives a 4-D image such components:
+   *
+   *   reader->TimeAsVectorOn();
+   *   reader->Update();
+   *   filter->SetFramesToComponents();
+   *   filter->SetFrameSpacing(reader->GetTimeSpacing());
+   *
+   * With COMPONENTS, time steps of the source are as if there were none, and data time begins at 0.
+   * All components are frames, so that vtkHapticProperty::Component only counts if
+   * TimeUnitsPerSecond is 0. There is no DisplacementArrayName for them.
+   */
+  vtkSetClampMacro(Frames, int, TIME_STEPS, COMPONENTS);
+  vtkGetMacro(Frames, int);
+  void SetFramesToTimeSteps() { this->SetFrames(TIME_STEPS); }
+  void SetFramesToComponents() { this->SetFrames(COMPONENTS); }
+  ///@}
+
+  ///@{
+  /**
+   * The data time from one component of the touched array to the next, if the components are the
+   * frames: 1e-12 to 1e12, in any unit. Default 1.
+   */
+  vtkSetClampMacro(FrameSpacing, double, 1e-12, 1e12);
+  vtkGetMacro(FrameSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The point array of the touched image, in each time step, with where its material goes until the
+   * next one: three components, in world units along the world's axes. Surfaces then move with
+   * their material from step to step, however far, and take along a hand that friction holds.
+   * Empty (default): the steps are blended in place.
+   *
+   * Registration gives such arrays, and so do simulations that move a mesh. The last time step
+   * needs none. An array that is missing in another step, or has other components or numbers that
+   * are not finite, is an error. nullptr stands for the empty name.
+   */
+  void SetDisplacementArrayName(const char* name);
+  std::string GetDisplacementArrayName();
+  ///@}
+
   ///@{
   /**
    * One stiffness everywhere, the CouplingStiffness, instead of the stiffness of the material. A
@@ -419,6 +470,9 @@ protected:
   double ServoRate = 1000.0;
   double MetersPerWorldUnit = 0.001;
   double TimeUnitsPerSecond = 1.0;
+  int Frames = TIME_STEPS;
+  double FrameSpacing = 1.0;
+  std::string DisplacementArrayName;
   bool SameShape = false;
   double CouplingStiffness = 500.0;
   double ForceFieldGain = 0.01;

@@ -6,6 +6,7 @@
 #include "VTK/Baking/HapticHash.h"
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticModelBuilder.h"
+#include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
@@ -276,6 +277,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Surfaces = this->Surfaces.get();
   options.Regions = this->Regions.get();
   options.Frames = std::move(frames);
+  options.Displacements = this->DisplacementArrayName;
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
 }
@@ -488,7 +490,8 @@ int vtkVolumeHapticsFilter::RequestInformation(
 //------------------------------------------------------------------------------
 bool vtkVolumeHapticsFilter::FeelsMotion()
 {
-  return this->TimeUnitsPerSecond != 0.0 && this->GetNumberOfInputConnections(1) > 0;
+  return this->Frames == TIME_STEPS && this->TimeUnitsPerSecond != 0.0 &&
+    this->GetNumberOfInputConnections(1) > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -560,11 +563,70 @@ int vtkVolumeHapticsFilter::RequestData(
 }
 
 //------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::WarnOfFastMotion(
+  vtkImageData* image, const VolumeHaptics::BakedVolume& volume)
+{
+  using namespace VolumeHaptics;
+
+  vtkAlgorithm* const producer = this->GetInputAlgorithm(0, 0);
+  const SeriesKey series = { producer, producer->GetMTime() };
+  if (!this->DisplacementArrayName.empty() || this->LookedAt == series)
+  {
+    return;
+  }
+  this->LookedAt = series;
+  vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image);
+  const int component = this->Frames == COMPONENTS ? 0 : this->GetProperty()->GetComponent();
+  const double noise = FindNoise(image, scalars, volume.Field.GetView(), component).Noise;
+  const std::string warning = DescribeFastMotion(volume, noise);
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::CollectComponents(std::vector<VolumeHaptics::HapticFrame>& frames)
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* const array = this->GetInputArrayToProcess(0, image, association);
+  if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    return true; // BakeImage tells
+  }
+  const char* flaw = nullptr;
+  if (array->GetNumberOfComponents() < 2)
+  {
+    flaw = " has one component, and the components are the frames (SetFramesToComponents). Give it "
+           "one for each frame, for example with vtkNIFTIImageReader::TimeAsVectorOn(), or take "
+           "SetFramesToTimeSteps().";
+  }
+  else if (!this->DisplacementArrayName.empty())
+  {
+    flaw = " has frames that are components (SetFramesToComponents), which have no displacements. "
+           "Give them as time steps, or take SetDisplacementArrayName(\"\").";
+  }
+  if (flaw)
+  {
+    vtkErrorMacro("The input image's "
+      << VolumeHaptics::Printable(VolumeHaptics::DescribeArray(array)) << flaw);
+    return false;
+  }
+  frames = VolumeHaptics::MakeComponentFrames(image, array, this->FrameSpacing);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkVolumeHapticsFilter::CollectTimeSteps(
   const VolumeHaptics::TipPaths& paths, std::vector<VolumeHaptics::HapticFrame>& frames)
 {
   using namespace VolumeHaptics;
 
+  if (this->Frames == COMPONENTS && this->TimeUnitsPerSecond != 0.0)
+  {
+    return this->CollectComponents(frames);
+  }
   const std::vector<double> steps =
     this->FeelsMotion() ? ReadTimeSteps(this->GetInputInformation(0, 0)) : std::vector<double>();
   if (steps.empty())
@@ -572,13 +634,15 @@ bool vtkVolumeHapticsFilter::CollectTimeSteps(
     return true;
   }
   const double last = steps.front() + this->TimeUnitsPerSecond * paths.FindLastTime();
-  frames = CollectFrames(this, steps, last,
+  frames = CollectFrames(
+    this, steps, last,
     [this](vtkImageData* step)
     {
       int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
       vtkDataArray* const array = this->GetInputArrayToProcess(0, step, association);
       return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? array : nullptr;
-    });
+    },
+    this->GetProperty()->GetComponent(), this->DisplacementArrayName);
   if (frames.empty())
   {
     vtkErrorMacro("A time step of the image on input port 0 can't be read: see the errors of its "
@@ -630,6 +694,10 @@ int vtkVolumeHapticsFilter::TouchPath(
     return 0;
   }
 
+  if (model->Baked->IsMoving())
+  {
+    this->WarnOfFastMotion(image, *model->Baked);
+  }
   if (path && !FindLabelHash(path).empty())
   {
     error = CompareLabels(path, this->HashLabels());

@@ -53,13 +53,16 @@
  * vtkHapticRegionSource, which reads the regions by itself, ticks along a path wait for their data
  * instead.
  *
- * If the source of port 0 has several time steps, the volume moves. The steps that the path needs
- * are requested one after the other and kept, and blended linearly between their times. The data
- * time is the first step's at the path's time 0, goes on by TimeUnitsPerSecond, and stops at the
- * last step's. A surface that comes pushes a tip that rests, with T_N W_d at most: before each tick
- * the proxy is carried along the gradient to where its level has gone. What moves along a surface
- * is not felt, since values do not tell it. Blended edges are edges as long as an edge moves by no
- * more than twice its width from step to step.
+ * If the source of port 0 has several time steps, or the components of the touched array are frames
+ * (SetFramesToComponents), the volume moves. The steps that the path needs are requested one after
+ * the other and kept, and blended linearly between their times. The data time is the first step's
+ * at the path's time 0, goes on by TimeUnitsPerSecond, and stops at the last step's. A surface that
+ * comes pushes a tip that rests, with T_N W_d at most: before each tick the proxy is carried along
+ * the gradient to where its level has gone. What moves along a surface is not felt, since values do
+ * not tell it. Blended edges are edges as long as an edge moves by no more than twice its width
+ * from step to step. Neither holds if the steps have an array that tells where their material goes
+ * (DisplacementArrayName): it is blended, and felt, along its way. Without it, edges that move by
+ * more than that get a warning, once for each source.
  *
  * Port 1, optional: vtkPolyData, the path of the tip in world units. Its points are the ticks, in
  * order; with a point array "Time" (s) the path is resampled to ServoRate. It may be one polyline,
@@ -137,10 +140,11 @@
 #include "vtkVolumeHapticsAlgorithm.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
-#include <array>  // for std::array
-#include <memory> // for std::shared_ptr
-#include <string> // for std::string
-#include <vector> // for std::vector
+#include <array>   // for std::array
+#include <memory>  // for std::shared_ptr
+#include <string>  // for std::string
+#include <utility> // for std::pair
+#include <vector>  // for std::vector
 
 class vtkHapticLabelTable;
 class vtkImageData;
@@ -158,6 +162,7 @@ class RegionSeries;
 class TipPaths;
 struct Affine3;
 struct BakedLabels;
+struct BakedVolume;
 struct ForceCaps;
 struct HapticFrame;
 struct TouchedArray;
@@ -245,12 +250,18 @@ private:
   /** The time steps that paths need, if the volume moves. False after an error. */
   bool CollectTimeSteps(
     const VolumeHaptics::TipPaths& paths, std::vector<VolumeHaptics::HapticFrame>& frames);
+  /** Once for each series of frames. */
+  void WarnOfFastMotion(vtkImageData* image, const VolumeHaptics::BakedVolume& volume);
+  bool CollectComponents(std::vector<VolumeHaptics::HapticFrame>& frames);
   int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
     std::string& error, vtkPolyData* recording = nullptr,
     std::vector<VolumeHaptics::HapticFrame>&& frames = {});
 
+  /** A source and its time of change. */
+  using SeriesKey = std::pair<const void*, vtkMTimeType>;
+  SeriesKey LookedAt{ nullptr, 0 };
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;

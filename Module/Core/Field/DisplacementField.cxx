@@ -13,7 +13,7 @@ namespace
 constexpr int SplineTaps = 4;
 constexpr int MostNewtonSteps = 3;
 /** Voxels; no step follows one as short as this. */
-constexpr double ShortStep = 0.01;
+constexpr double ShortNewtonStep = 0.01;
 /** Below this determinant of the map from the first frame, the displacements fold the volume. */
 constexpr double LeastVolume = 0.05;
 
@@ -140,7 +140,7 @@ MaterialPlace DisplacementField::Find(const Vector3& index, double share) const 
     const Vector3 step = place.FirstSlope * (index - first - share * u.Value);
     first += step;
     motion = u.Value + u.Slope * step;
-    isThere = Dot(step, step) < ShortStep * ShortStep;
+    isThere = Dot(step, step) < ShortNewtonStep * ShortNewtonStep;
   }
   // By way of the motion: where there is none, this is the index itself, to the bit.
   place.First = index - share * motion;

@@ -2,25 +2,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticFrames.h"
 
+#include "Core/Field/EdgeMotion.h"
+#include "Core/Model/BakedVolume.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-HapticFrame CopyFrame(vtkImageData* image, vtkDataArray* array, double time)
+/** By which an estimator widens edges (samples). */
+double FindBlur(const GradientKernel& kernel)
 {
-  HapticFrame frame{ time, vtkSmartPointer<vtkImageData>::New(), nullptr };
+  switch (kernel.Estimator)
+  {
+    case GradientEstimator::CentralDifference:
+      return kernel.Radius / std::sqrt(3.0); // a box of two radii
+    case GradientEstimator::Gaussian:
+      return GradientKernel::ScalePerRadius * kernel.Radius;
+    case GradientEstimator::CubicBSpline:
+      break;
+  }
+  return 1.0 / std::sqrt(3.0);
+}
+
+/** In a form that Core reads: tuple after tuple. */
+vtkSmartPointer<vtkDataArray> CopyDisplacements(vtkDataArray* array)
+{
+  const bool isSingle = array->GetDataType() == VTK_FLOAT;
+  const auto copy =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isSingle ? VTK_FLOAT : VTK_DOUBLE));
+  copy->DeepCopy(array);
+  copy->SetName(array->GetName());
+  return copy;
+}
+
+/** The first number of displacements that is not finite; -1 if there is none. */
+template <typename T>
+vtkIdType FindNotFiniteOf(const T* numbers, vtkIdType count)
+{
+  const T* const found =
+    std::find_if(numbers, numbers + count, [](T number) { return !std::isfinite(number); });
+  return found == numbers + count ? -1 : found - numbers;
+}
+vtkIdType FindNotFinite(vtkDataArray* array)
+{
+  const void* const numbers = array->GetVoidPointer(0);
+  return array->GetDataType() == VTK_FLOAT
+    ? FindNotFiniteOf(static_cast<const float*>(numbers), array->GetNumberOfValues())
+    : FindNotFiniteOf(static_cast<const double*>(numbers), array->GetNumberOfValues());
+}
+
+HapticFrame CopyFrame(
+  vtkImageData* image, vtkDataArray* array, double time, const std::string& displacements)
+{
+  HapticFrame frame{ time, vtkSmartPointer<vtkImageData>::New(), nullptr, nullptr };
+  vtkDataArray* const motion =
+    displacements.empty() ? nullptr : image->GetPointData()->GetArray(displacements.c_str());
+  if (motion)
+  {
+    frame.Displacements = CopyDisplacements(motion);
+  }
   frame.Image->CopyStructure(image);
   frame.Image->SetFieldData(image->GetFieldData());
   if (array)
@@ -51,7 +105,7 @@ std::vector<double> ReadTimeSteps(vtkInformation* input)
 }
 
 std::vector<HapticFrame> CollectFrames(vtkAlgorithm* filter, const std::vector<double>& steps,
-  double last, const TouchedArrayOf& getArray)
+  double last, const TouchedArrayOf& getArray, int component, const std::string& displacements)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const auto after = std::lower_bound(steps.begin() + 1, steps.end(), last);
@@ -68,10 +122,105 @@ std::vector<HapticFrame> CollectFrames(vtkAlgorithm* filter, const std::vector<d
       return {};
     }
     vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
-    frames.push_back(CopyFrame(image, getArray(image), *step));
+    frames.push_back(CopyFrame(image, getArray(image), *step, displacements));
+    frames.back().Component = component;
   }
   std::reverse(frames.begin(), frames.end());
   return frames;
+}
+
+std::vector<HapticFrame> MakeComponentFrames(
+  vtkImageData* image, vtkDataArray* array, double spacing)
+{
+  std::vector<HapticFrame> frames;
+  for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+  {
+    frames.push_back({ spacing * component, image, array, nullptr, component });
+  }
+  return frames;
+}
+
+bool ReadDisplacements(
+  const HapticFrame& step, const std::string& name, VolumeFrame& frame, std::string& error)
+{
+  vtkDataArray* const array = step.Displacements;
+  const std::int64_t* const n = frame.View.Dimensions;
+  const std::string cure = " Correct it, or blend the time steps in place with "
+                           "SetDisplacementArrayName(\"\").";
+  std::ostringstream message;
+  message << "The input image at time " << step.Time << " on input port 0 ";
+  if (!array)
+  {
+    message << "has no numeric point array \"" << name
+            << "\" with the displacements to the next time step: all time steps but the last one "
+               "need it.";
+  }
+  else if (array->GetNumberOfComponents() != 3)
+  {
+    message << "has an array \"" << name << "\" of " << array->GetNumberOfComponents()
+            << " components: displacements have three, along the world's axes.";
+  }
+  else if (array->GetNumberOfTuples() != n[0] * n[1] * n[2])
+  {
+    message << "has an array \"" << name << "\" of " << array->GetNumberOfTuples()
+            << " displacements for " << n[0] * n[1] * n[2]
+            << " points: it needs one for each point.";
+  }
+  else if (const vtkIdType wrong = FindNotFinite(array); wrong >= 0)
+  {
+    message << "has a displacement in the array \"" << name << "\", that of point " << wrong / 3
+            << ", which is not finite: give points whose motion is not known the displacement 0, "
+               "or that of points nearby.";
+  }
+  else
+  {
+    array->Register(nullptr);
+    frame.DisplacementSamples = { static_cast<const void*>(array),
+      [array](const void*) { array->UnRegister(nullptr); } };
+    frame.Displacements = { array->GetVoidPointer(0),
+      array->GetDataType() == VTK_FLOAT ? ScalarType::Float32 : ScalarType::Float64 };
+    return true;
+  }
+  error = message.str() + cure;
+  return false;
+}
+
+std::string DescribeFastMotion(const BakedVolume& volume, double noise)
+{
+  const std::vector<FieldFrame>& frames = volume.Frames;
+  constexpr std::size_t mostPairs = 8;
+  const std::size_t step = frames.size() / (mostPairs + 1) + 1;
+  EdgeMotion worst;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i + 1 < frames.size(); i += step)
+  {
+    if (frames[i].Motion)
+    {
+      continue;
+    }
+    const EdgeMotion found = FindEdgeMotion(frames[i].Field.GetView(),
+      frames[i + 1].Field.GetView(), volume.IndexToWorld.Linear, FindBlur(volume.Kernel), noise);
+    if (found.IsFast() &&
+      (worst.Fast == 0 || found.Motion * worst.Width > worst.Motion * found.Width))
+    {
+      worst = found;
+      at = i;
+    }
+  }
+  if (worst.Fast == 0)
+  {
+    return {};
+  }
+  std::ostringstream message;
+  message << "Edges of the image on input port 0 move by about " << worst.Motion
+          << " world units from time " << frames[at].Time << " to time " << frames[at + 1].Time
+          << ", and are only " << worst.Width
+          << " wide, as the kernel smooths them. A blend of frames is a motion up to twice that "
+             "width; beyond, surfaces fade out here and in there. Smooth the image to a width of "
+          << 0.5 * worst.Motion
+          << " or more, for example with vtkImageGaussianSmooth, or give the time steps "
+             "displacements (SetDisplacementArrayName).";
+  return message.str();
 }
 
 } // namespace VolumeHaptics

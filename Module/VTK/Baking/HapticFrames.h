@@ -7,9 +7,12 @@
 #ifndef HapticFrames_h
 #define HapticFrames_h
 
+#include "Core/Model/HapticModelDescription.h"
+
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -19,6 +22,7 @@ class vtkInformation;
 
 namespace VolumeHaptics
 {
+struct BakedVolume;
 
 /** The volume at a time step. */
 struct HapticFrame
@@ -26,6 +30,9 @@ struct HapticFrame
   double Time;                         ///< in the source's units
   vtkSmartPointer<vtkImageData> Image; ///< its geometry and field data
   vtkSmartPointer<vtkDataArray> Array; ///< null if there is none at this time
+  /** vtkFloatArray or vtkDoubleArray of its points; null if there is none at this time. */
+  vtkSmartPointer<vtkDataArray> Displacements;
+  int Component = 0; ///< of Array
 };
 
 /** The time steps of an input, ascending; empty if it has less than two. */
@@ -38,9 +45,31 @@ using TouchedArrayOf = std::function<vtkDataArray*(vtkImageData*)>;
  * Requests the time steps from the first one to that at or after `last` from the source of a
  * filter's input port 0, and copies the array that is touched: a source may write each step to the
  * same memory. The source stays at the first step. Empty if the source fails.
+ * @param component of that array
+ * @param displacements their array's name; empty if there are none
  */
 std::vector<HapticFrame> CollectFrames(vtkAlgorithm* filter, const std::vector<double>& steps,
-  double last, const TouchedArrayOf& getArray);
+  double last, const TouchedArrayOf& getArray, int component, const std::string& displacements);
+
+/** The components of an array as frames, `spacing` apart from data time 0 on. Nothing is copied. */
+std::vector<HapticFrame> MakeComponentFrames(
+  vtkImageData* image, vtkDataArray* array, double spacing);
+
+/**
+ * Gives a frame of a model the displacements of a time step. False, with the reason and the cure in
+ * `error`, if they are missing or no displacements of the frame's points.
+ * @param name of the array
+ */
+bool ReadDisplacements(
+  const HapticFrame& step, const std::string& name, VolumeFrame& frame, std::string& error);
+
+/**
+ * Warns of frames whose edges move by more than twice their width, in a text that names the cures;
+ * empty if there are none, or displacements tell the motion. Looks at eight pairs of frames at
+ * most, which takes some milliseconds each.
+ * @param noise of the samples, their standard deviation
+ */
+std::string DescribeFastMotion(const BakedVolume& volume, double noise);
 
 } // namespace VolumeHaptics
 

@@ -79,14 +79,13 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 
 /** Keeps noise from being felt unless the user has set the gradient of a surface. */
 void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
-  const WholeFacts& whole, HapticModelDescription& d)
+  int component, const WholeFacts& whole, HapticModelDescription& d)
 {
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
   {
-    const double noise = whole.IsThere
-      ? whole.Noise
-      : FindNoise(image, scalars, d.View, property->GetComponent()).Noise;
+    const double noise =
+      whole.IsThere ? whole.Noise : FindNoise(image, scalars, d.View, component).Noise;
     ramp = MakeNoiseRamp(noise, BakedVolume::MakeKernel(d), d.IndexToWorld);
   }
   if (!ramp.empty())
@@ -148,13 +147,13 @@ bool AreAlike(const VolumeView& a, const VolumeView& b)
     std::equal(a.First, a.First + 3, b.First) && std::equal(a.Whole, a.Whole + 3, b.Whole);
 }
 
-bool BakeFrames(const std::vector<HapticFrame>& frames, int component, HapticModelDescription& d,
-  std::string& error)
+bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
 {
+  const std::vector<HapticFrame>& frames = options.Frames;
   if (!frames.empty() && d.Settings.Method == HapticMethod::SurfaceProxy)
   {
     error = "SURFACE_PROXY touches a mesh, which does not move, and the image on input port 0 has "
-            "several time steps. Choose another method, for example with "
+            "several frames. Choose another method, for example with "
             "SetMethodToLocalSurface, or stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
@@ -169,7 +168,7 @@ bool BakeFrames(const std::vector<HapticFrame>& frames, int component, HapticMod
       error = message.str();
       return false;
     }
-    if (!ReadVolume(frame.Image, frame.Array, component, d.KernelRadius, volume, error))
+    if (!ReadVolume(frame.Image, frame.Array, frame.Component, d.KernelRadius, volume, error))
     {
       message << "At time " << frame.Time << ": " << error;
       error = message.str();
@@ -189,6 +188,12 @@ bool BakeFrames(const std::vector<HapticFrame>& frames, int component, HapticMod
     // Samples that are not numbers have one value at all times.
     volume.View.BorderValue = d.View.BorderValue;
     d.Frames.push_back({ frame.Time, volume.View, ShareArray(volume.Holder) });
+    const bool isLast = &frame == &frames.back();
+    if (!options.Displacements.empty() && (frame.Displacements || !isLast) &&
+      !ReadDisplacements(frame, options.Displacements, d.Frames.back(), error))
+    {
+      return false;
+    }
   }
   return true;
 }
@@ -200,7 +205,8 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
 {
   HapticModelDescription d = options.Description;
   HapticVolume volume;
-  const int component = property->GetComponent();
+  const int component =
+    options.Frames.empty() ? property->GetComponent() : options.Frames.front().Component;
   if (!ReadVolume(image, scalars, component, d.KernelRadius, volume, error) ||
     !BakeFunctions(property, d.Material, error))
   {
@@ -230,12 +236,11 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
       setting.Bake(property, d);
     }
   }
-  if (!BakeFrames(options.Frames, component, d, error) ||
-    !BakeSurface(image, scalars, component, options, d, error))
+  if (!BakeFrames(options, d, error) || !BakeSurface(image, scalars, component, options, d, error))
   {
     return nullptr;
   }
-  BakeNoiseRamp(property, image, scalars, whole, d);
+  BakeNoiseRamp(property, image, scalars, component, whole, d);
   const std::string array =
     std::to_string(component) + (scalars->GetName() ? scalars->GetName() : "");
   d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;

@@ -34,6 +34,7 @@ struct HapticModelOptions
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
   RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
   std::vector<HapticFrame> Frames;   ///< of a volume that moves; the image is the first one's
+  std::string Displacements;         ///< the name of their array; empty if they have none
 };
 
 /**

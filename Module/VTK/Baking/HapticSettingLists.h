@@ -38,6 +38,8 @@ inline constexpr SettingChoice GradientEstimatorNames[] = { { "CentralDifference
   { "Gaussian", "Gaussian" }, { "CubicBSpline", "Cubic B-spline" } };
 inline constexpr SettingChoice LocalSurfaceShapeNames[] = { { "Plane", "Plane" },
   { "Quadric", "Quadric" } };
+inline constexpr SettingChoice FramesNames[] = { { "TimeSteps", "Time steps" },
+  { "Components", "Components" } };
 inline constexpr SettingChoice SurfaceSideNames[] = { { "Higher", "Higher" }, { "Lower", "Lower" },
   { "Both", "Both" } };
 
@@ -91,6 +93,13 @@ inline constexpr FilterSetting All[] = {
     "The data time that passes in a second of the hand: time steps of the image's source per "
     "second if these are whole numbers, -1e9 to 1e9. Negative, time runs backwards. 0 takes one "
     "time step, that which the pipeline asks for, as if the volume did not move. Default 1."),
+  HapticChoiceMacro(Frames, Owner::TIME_STEPS, NotBaked,
+    "What the frames of a volume that moves are. Time steps (default): those of the image's "
+    "source, if it has several. Components: those of the touched array, Frame Spacing apart, "
+    "without a copy."),
+  HapticNumberMacro(FrameSpacing, 1e-12, 1e12, 1.0, "", NotBaked,
+    "The data time from one component of the touched array to the next, if the components are the "
+    "frames: 1e-12 to 1e12, in any unit. Default 1."),
   HapticFlagMacro(SameShape, false, &S::SameShape,
     "One stiffness everywhere, the Coupling Stiffness, instead of the stiffness of the material. A "
     "hand that strokes with a constant force then feels the shape that it sees; materials are told "
@@ -137,6 +146,14 @@ inline constexpr FilterText Texts[] = {
     [](Owner* owner) { return owner->GetTraceArrays(); },
     [](Owner* owner, const std::string& text) { owner->SetTraceArrays(text.c_str()); },
     &Owner::CheckTraceArrays },
+  { "DisplacementArrayName", "",
+    "The point array of the touched image, in each time step, with where its material goes until "
+    "the next one: three components, in world units along the world's axes. Surfaces then move "
+    "with their material from step to step, however far, and take along a hand that friction "
+    "holds. Empty (default): the steps are blended in place.",
+    [](Owner* owner) { return owner->GetDisplacementArrayName(); },
+    [](Owner* owner, const std::string& text) { owner->SetDisplacementArrayName(text.c_str()); },
+    [](const std::string&) { return std::string(); } },
 };
 } // namespace FilterSettingRows
 

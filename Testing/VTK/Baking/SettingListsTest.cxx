@@ -198,7 +198,8 @@ TEST(SettingLists, TextsHaveTheirDefaultsAndAreChecked)
   {
     EXPECT_EQ(setting.Get(filter), setting.Default) << setting.Name;
     EXPECT_EQ(setting.Check(setting.Default), "") << setting.Name;
-    EXPECT_NE(setting.Check("no such text"), "") << setting.Name;
+    const bool isAnyName = std::string("DisplacementArrayName") == setting.Name;
+    EXPECT_EQ(setting.Check("no such text").empty(), isAnyName) << setting.Name;
   }
 }
 
@@ -259,7 +260,9 @@ TEST(SettingLists, ParaViewHasTheSameSettings)
     vtkXMLDataElement* const property = paraview.Find(setting.Name);
     ASSERT_NE(property, nullptr);
     EXPECT_STREQ(property->GetName(), "StringVectorProperty");
-    EXPECT_STREQ(property->GetAttribute("default_values"), setting.Default);
+    // VTK's parser has no empty attributes.
+    const char* const standard = property->GetAttribute("default_values");
+    EXPECT_STREQ(standard ? standard : "", setting.Default);
     EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
     EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
   }

@@ -22,6 +22,9 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetMetersPerWorldUnit(), 0.001);
   EXPECT_EQ(filter->GetForceFieldDamping(), 0.0);
   EXPECT_EQ(filter->GetTimeUnitsPerSecond(), 1.0);
+  EXPECT_EQ(filter->GetDisplacementArrayName(), "");
+  EXPECT_EQ(filter->GetFrames(), vtkVolumeHapticsFilter::TIME_STEPS);
+  EXPECT_EQ(filter->GetFrameSpacing(), 1.0);
   EXPECT_FALSE(filter->GetSameShape());
   EXPECT_EQ(filter->GetCouplingStiffness(), 500.0);
   EXPECT_EQ(filter->GetMaximumForce(), 0.0);
@@ -60,6 +63,11 @@ TEST(FilterState, EverySetterModifiesOnChangeOnly)
     { "LocalSurfaceRate", [&] { filter->SetLocalSurfaceRate(30.0); } },
     { "RecoveryTime", [&] { filter->SetRecoveryTime(0.05); } },
     { "TimeUnitsPerSecond", [&] { filter->SetTimeUnitsPerSecond(2.0); } },
+    { "DisplacementArrayName", [&] { filter->SetDisplacementArrayName("motion"); } },
+    { "no DisplacementArrayName", [&] { filter->SetDisplacementArrayName(nullptr); } },
+    { "Frames", [&] { filter->SetFramesToComponents(); } },
+    { "Frames back", [&] { filter->SetFramesToTimeSteps(); } },
+    { "FrameSpacing", [&] { filter->SetFrameSpacing(0.1); } },
     { "SameShape", [&] { filter->SameShapeOn(); } },
     { "CouplingStiffness", [&] { filter->SetCouplingStiffness(300.0); } },
     { "MaximumForce", [&] { filter->SetMaximumForce(3.0); } },

@@ -13,11 +13,14 @@
 #include <vtkImageAlgorithm.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNIFTIImageWriter.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 
@@ -280,4 +283,261 @@ TEST_F(FilterTime, AMeshDoesNotMove)
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(500.0);
   this->ExpectError({ "SURFACE_PROXY", "SetTimeUnitsPerSecond(0)" });
+}
+
+namespace
+{
+/// The frames of FilterTime from time 0 on, as components of one array; or that at a time, five
+/// times. Samples that lie as far apart are summed in the same order.
+vtkSmartPointer<vtkImageData> MakeComponents(int type, double always = -1.0)
+{
+  const auto image = MakeWall(WallAt(10.0), 24, type);
+  const auto frames = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  frames->SetName("frames");
+  frames->SetNumberOfComponents(5);
+  frames->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    const auto wall = MakeWall(WallAt(10.0 + (always < 0.0 ? frame : always)), 24, type);
+    frames->CopyComponent(frame, wall->GetPointData()->GetScalars(), 0);
+  }
+  image->GetPointData()->SetScalars(frames);
+  return image;
+}
+
+class FilterComponents : public FilterTime
+{
+protected:
+  FilterComponents() { this->Filter->SetTimeUnitsPerSecond(4.0); }
+
+  /// The same frames as time steps of this type.
+  vtkSmartPointer<vtkPolyData> FeelSteps(int type)
+  {
+    this->Source->Steps = { 0.0, 1.0, 2.0, 3.0, 4.0 };
+    this->Source->Make = [type](double time) { return MakeComponents(type, time); };
+    this->Source->Modified();
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    this->Filter->SetFramesToTimeSteps();
+    this->Run(1001);
+    return Keep(this->Filter);
+  }
+};
+} // namespace
+
+TEST_F(FilterComponents, AreTimeStepsToTheBit)
+{
+  for (const int type : { VTK_SHORT, VTK_DOUBLE })
+  {
+    const auto steps = this->FeelSteps(type);
+    EXPECT_GT(Get(steps, "Force", 1000), 0.4);
+    const auto image = MakeComponents(type);
+    const long memory = static_cast<long>(image->GetActualMemorySize());
+    this->Filter->SetInputData(image);
+    this->Filter->SetFramesToComponents();
+    this->Property->SetComponent(3); // counts for nothing
+    this->Run(1001);
+    EXPECT_TRUE(IsSame(Keep(this->Filter), steps)) << "type " << type;
+    EXPECT_EQ(static_cast<long>(image->GetActualMemorySize()), memory);
+    // Twice as far apart, at half the speed: the same frames at the same ticks.
+    this->Filter->SetFrameSpacing(2.0);
+    this->Filter->SetTimeUnitsPerSecond(8.0);
+    vtkPolyData* const slow = this->Run(1001);
+    EXPECT_DOUBLE_EQ(Get(slow, "DataTime", 500), 4.0);
+    EXPECT_NEAR(Get(slow, "Force", 700), Get(steps, "Force", 700), 1e-9);
+    this->Filter->SetFrameSpacing(1.0);
+    this->Filter->SetTimeUnitsPerSecond(4.0);
+    this->Property->SetComponent(0);
+  }
+}
+
+TEST_F(FilterComponents, OneComponentStandsStillOnRequest)
+{
+  this->Filter->SetInputData(MakeComponents(VTK_DOUBLE));
+  this->Filter->SetFramesToComponents();
+  this->Filter->SetTimeUnitsPerSecond(0.0);
+  this->Property->SetComponent(4); // 1 mm beyond the tip
+  vtkPolyData* const trace = this->Run(1001);
+  EXPECT_EQ(trace->GetPointData()->GetArray("DataTime"), nullptr);
+  this->Filter->SetInputData(MakeWall(WallAt(14.0)));
+  this->Property->SetComponent(0);
+  const auto fixed = Keep(this->Filter);
+  EXPECT_EQ(Get(this->Run(1001), "Force", 1000), Get(fixed, "Force", 1000));
+}
+
+TEST_F(FilterComponents, OneAloneIsAnError)
+{
+  this->Filter->SetInputData(MakeWall(12.0));
+  this->Filter->SetFramesToComponents();
+  this->ExpectError({ "one component", "TimeAsVectorOn", "SetFramesToTimeSteps()" });
+}
+
+TEST_F(FilterComponents, HaveNoDisplacements)
+{
+  this->Filter->SetInputData(MakeComponents(VTK_DOUBLE));
+  this->Filter->SetFramesToComponents();
+  this->Filter->SetDisplacementArrayName("motion");
+  this->ExpectError({ "\"frames\"", "no displacements", "SetDisplacementArrayName(\"\")" });
+}
+
+TEST_F(FilterComponents, OfANiftiFileAreItsTimes)
+{
+  const auto steps = this->FeelSteps(VTK_SHORT);
+  const std::string file = testing::TempDir() + "FilterComponents.nii";
+  vtkNew<vtkNIFTIImageWriter> writer;
+  writer->SetInputData(MakeComponents(VTK_SHORT));
+  writer->SetTimeDimension(5);
+  writer->SetTimeSpacing(0.25);
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->TimeAsVectorOn();
+  reader->Update();
+  ASSERT_EQ(reader->GetTimeDimension(), 5);
+  this->Filter->SetInputConnection(reader->GetOutputPort());
+  this->Filter->SetFramesToComponents();
+  this->Filter->SetFrameSpacing(reader->GetTimeSpacing());
+  this->Filter->SetTimeUnitsPerSecond(1.0); // seconds
+  vtkPolyData* const trace = this->Run(1001);
+  EXPECT_DOUBLE_EQ(Get(trace, "DataTime", 600), 0.6);
+  for (vtkIdType tick = 0; tick <= 1000; tick += 20)
+  {
+    EXPECT_NEAR(Get(trace, "Force", tick), Get(steps, "Force", tick), 1e-6) << "tick " << tick;
+  }
+  std::remove(file.c_str());
+}
+
+namespace
+{
+/// A wall that leaps by four of its widths from step to step, and tells so in an array "motion".
+class FilterMotion : public FilterTime
+{
+protected:
+  FilterMotion()
+  {
+    this->Source->Steps = { 10.0, 11.0, 12.0 };
+    this->Source->Make = [](double time) { return MakeLeap(time, VTK_DOUBLE); };
+    this->Filter->SetTimeUnitsPerSecond(1.6);
+    this->Filter->SetDisplacementArrayName("motion");
+  }
+
+  static double LeapAt(double time) { return 5.0 + 6.0 * (time - 10.0); }
+
+  static vtkSmartPointer<vtkImageData> MakeLeap(double time, int type, int components = 3)
+  {
+    const auto image = MakeWall(LeapAt(time));
+    const auto motion = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+    motion->SetName("motion");
+    motion->SetNumberOfComponents(components);
+    motion->SetNumberOfTuples(image->GetNumberOfPoints());
+    motion->Fill(0.0);
+    motion->FillComponent(0, 6.0);
+    image->GetPointData()->AddArray(motion);
+    return image;
+  }
+
+  /// One step has another array.
+  void Change(double at, const std::function<void(vtkPointData*)>& change)
+  {
+    this->Source->Make = [=](double time)
+    {
+      const auto image = MakeLeap(time, VTK_DOUBLE);
+      if (time == at)
+      {
+        change(image->GetPointData());
+      }
+      return image;
+    };
+  }
+
+  void ExpectLeap()
+  {
+    vtkPolyData* const trace = this->Run(1001);
+    for (vtkIdType tick = 0; tick <= 1000; ++tick)
+    {
+      const double wall = LeapAt(10.0 + 1.6e-3 * static_cast<double>(tick));
+      EXPECT_NEAR(Get(trace, "Force", tick), 0.001 * K * std::max(0.0, wall - Rest), 0.012)
+        << "tick " << tick;
+    }
+  }
+};
+} // namespace
+
+TEST_F(FilterMotion, AWallThatLeapsIsFeltOnItsWay)
+{
+  this->ExpectLeap();
+  // Without the array, it is where it was until it is where it comes to.
+  this->Filter->SetDisplacementArrayName("");
+  this->Filter->Update(); // with a warning
+  vtkPolyData* const trace = this->Filter->GetOutput();
+  EXPECT_LT(Get(trace, "Force", 800), 0.001 * K * 0.3); // it is 0.68 mm beyond the tip
+}
+
+TEST_F(FilterMotion, ABlendThatIsNoMotionWarnsOnce)
+{
+  this->Run(1001);
+  EXPECT_TRUE(this->Log.Warnings.empty());
+  this->Filter->SetDisplacementArrayName("");
+  this->Filter->Update();
+  ASSERT_EQ(this->Log.Warnings.size(), 1u);
+  const std::string& warning = this->Log.Warnings.front();
+  for (const char* part : { "input port 0", "by about 6", "from time 1", " to time 1", " wide",
+         "to a width of 3", "vtkImageGaussianSmooth", "SetDisplacementArrayName" })
+  {
+    EXPECT_NE(warning.find(part), std::string::npos) << part << " in " << warning;
+  }
+  this->Filter->SetTimeUnitsPerSecond(1.5);
+  this->Filter->Update();
+  EXPECT_EQ(this->Log.Warnings.size(), 1u);
+  this->Source->Modified();
+  this->Filter->Update();
+  EXPECT_EQ(this->Log.Warnings.size(), 2u);
+}
+
+TEST_F(FilterTime, ABlendThatIsAMotionDoesNotWarn)
+{
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  this->Run(1001);
+  EXPECT_TRUE(this->Log.Warnings.empty());
+}
+
+TEST_F(FilterMotion, DisplacementsMayHaveAnyType)
+{
+  for (const int type : { VTK_FLOAT, VTK_INT })
+  {
+    this->Source->Make = [type](double time) { return MakeLeap(time, type); };
+    this->Source->Modified();
+    this->ExpectLeap();
+  }
+}
+
+TEST_F(FilterMotion, TheLastStepNeedsNone)
+{
+  this->Change(12.0, [](vtkPointData* data) { data->RemoveArray("motion"); });
+  this->ExpectLeap();
+}
+
+TEST_F(FilterMotion, AStepWithoutDisplacementsIsAnError)
+{
+  this->Change(11.0, [](vtkPointData* data) { data->RemoveArray("motion"); });
+  this->ExpectError({ "time 11", "\"motion\"", "SetDisplacementArrayName(\"\")" });
+}
+
+TEST_F(FilterMotion, DisplacementsOfTwoComponentsAreAnError)
+{
+  this->Source->Make = [](double time) { return MakeLeap(time, VTK_DOUBLE, 2); };
+  this->ExpectError({ "time 10", "\"motion\"", "2 components", "have three" });
+}
+
+TEST_F(FilterMotion, OtherNumbersOfDisplacementsAreAnError)
+{
+  this->Change(11.0, [](vtkPointData* data) { data->GetArray("motion")->SetNumberOfTuples(1000); });
+  this->ExpectError({ "time 11", "1000 displacements for 13824 points" });
+}
+
+TEST_F(FilterMotion, DisplacementsThatAreNotNumbersAreAnError)
+{
+  this->Change(
+    11.0, [](vtkPointData* data) { data->GetArray("motion")->SetComponent(77, 1, std::nan("")); });
+  this->ExpectError({ "time 11", "\"motion\"", "point 77", "not finite" });
 }

@@ -40,6 +40,9 @@ public:
     f->SetRecoveryTime(this->Draw(0.5));
     f->SetContactAlignmentToEdge();
     f->SetTimeUnitsPerSecond(this->Draw(9.0));
+    f->SetDisplacementArrayName("motion of \"tissue\"");
+    f->SetFramesToComponents();
+    f->SetFrameSpacing(this->Draw(3.0));
     f->SameShapeOn();
     f->SetCouplingStiffness(this->Draw(1000.0));
     f->SetGeometryFromBoth();
