@@ -51,6 +51,19 @@ struct SplineAxis
   }
 };
 
+/** The three components at the taps of a row. */
+constexpr int RowNumbers = 3 * SplineTaps;
+
+Vector3 SumRow(const double (&weights)[SplineTaps], const double (&row)[RowNumbers]) noexcept
+{
+  Vector3 sum;
+  for (int i = 0; i < SplineTaps; ++i)
+  {
+    sum += weights[i] * Vector3{ row[3 * i], row[3 * i + 1], row[3 * i + 2] };
+  }
+  return sum;
+}
+
 Matrix3 PlusIdentity(double share, const Matrix3& m) noexcept
 {
   Matrix3 sum = share * m;
@@ -78,36 +91,38 @@ DisplacementField::Sample DisplacementField::ReadAs(const Vector3& index) const 
   const SplineAxis y(index.Y - static_cast<double>(this->First[1]), this->Dimensions[1]);
   const SplineAxis z(index.Z - static_cast<double>(this->First[2]), this->Dimensions[2]);
   const T* const data = static_cast<const T*>(this->Displacements.Data);
-  Vector3 value;
-  Vector3 slopes[3]; // along each axis
+  // The rows along x, summed over y and z, and with the slopes of either instead of its weights.
+  double rows[RowNumbers] = {};
+  double alongY[RowNumbers] = {};
+  double alongZ[RowNumbers] = {};
   for (int k = 0; k < SplineTaps; ++k)
   {
-    Vector3 inPlane;
-    Vector3 alongX;
-    Vector3 alongY;
     for (int j = 0; j < SplineTaps; ++j)
     {
-      const T* const row =
+      const T* const from =
         data + 3 * this->Dimensions[0] * (y.Points[j] + this->Dimensions[1] * z.Points[k]);
-      Vector3 inRow;
-      Vector3 rowSlope;
+      double row[RowNumbers];
       for (int i = 0; i < SplineTaps; ++i)
       {
-        const T* const u = row + 3 * x.Points[i];
-        const Vector3 point{ static_cast<double>(u[0]), static_cast<double>(u[1]),
-          static_cast<double>(u[2]) };
-        inRow += x.Weights[i] * point;
-        rowSlope += x.Slopes[i] * point;
+        const T* const u = from + 3 * x.Points[i];
+        row[3 * i] = static_cast<double>(u[0]);
+        row[3 * i + 1] = static_cast<double>(u[1]);
+        row[3 * i + 2] = static_cast<double>(u[2]);
       }
-      inPlane += y.Weights[j] * inRow;
-      alongX += y.Weights[j] * rowSlope;
-      alongY += y.Slopes[j] * inRow;
+      const double both = y.Weights[j] * z.Weights[k];
+      const double slopeY = y.Slopes[j] * z.Weights[k];
+      const double slopeZ = y.Weights[j] * z.Slopes[k];
+      for (int n = 0; n < RowNumbers; ++n)
+      {
+        rows[n] += both * row[n];
+        alongY[n] += slopeY * row[n];
+        alongZ[n] += slopeZ * row[n];
+      }
     }
-    value += z.Weights[k] * inPlane;
-    slopes[0] += z.Weights[k] * alongX;
-    slopes[1] += z.Weights[k] * alongY;
-    slopes[2] += z.Slopes[k] * inPlane;
   }
+  const Vector3 value = SumRow(x.Weights, rows);
+  const Vector3 slopes[3] = { SumRow(x.Slopes, rows), SumRow(x.Weights, alongY),
+    SumRow(x.Weights, alongZ) };
   return { this->WorldToIndex * value,
     this->WorldToIndex * Matrix3::FromColumns(slopes[0], slopes[1], slopes[2]) };
 }
