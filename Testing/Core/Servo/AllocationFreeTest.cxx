@@ -5,6 +5,7 @@
  * A tick never allocates, whatever it meets.
  */
 
+#include "Core/Solvers/Primitives/ModePrimitives.h"
 #include "Rigs/AllocationCounter.h"
 #include "Rigs/CoreScene.h"
 
@@ -163,6 +164,39 @@ INSTANTIATE_TEST_SUITE_P(All, AllocationFreeLabels,
   testing::Combine(testing::Values(HapticSolver::Paper, HapticSolver::Precise),
     testing::Values(SurfaceGeometry::Scalars, SurfaceGeometry::Labels, SurfaceGeometry::Both),
     testing::Bool()));
+
+TEST(AllocationFreeModes, NoMotionAllocates)
+{
+  // Random vectors: their primitives are oblique, and turn from voxel to voxel.
+  TestVolume samples(ScalarType::Float32, { 60, 20, 20 });
+  samples.FillRandom(7);
+  ModeDescription description;
+  description.View.Volume = samples.View;
+  description.View.Volume.Dimensions[0] = 20;
+  description.View.Volume.Stride[0] = 3;
+  std::vector<std::unique_ptr<BakedMode>> modes;
+  ModeField field(Affine3{}, { 1000.0 * Matrix3{}, {} });
+  for (const ModeKind kind : { ModeKind::VectorFollow, ModeKind::VectorFront,
+         ModeKind::TwoSidedFront, ModeKind::VortexTube, ModeKind::Shear })
+  {
+    description.Kind = kind;
+    modes.push_back(std::make_unique<BakedMode>(description, Affine3{}));
+    ASSERT_TRUE(field.Add(*modes.back()));
+  }
+  Wanderer wanderer(20.0);
+  PrimitiveMemory memory;
+  PrimitiveMotion motion;
+  double work = 0.0;
+  const std::size_t before = CountAllocations().Calls;
+  for (int i = 0; i < 2000; ++i)
+  {
+    motion =
+      FollowPrimitives(field.GetField(), 500.0, 0.25e-3, motion.Proxy, wanderer.Next(), memory);
+    work += Norm(motion.Force);
+  }
+  EXPECT_EQ(CountAllocations().Calls, before);
+  EXPECT_GT(work, 0.0);
+}
 
 // The counter itself: without these the test above would pass with a broken one.
 TEST(AllocationCounter, SeesNew)

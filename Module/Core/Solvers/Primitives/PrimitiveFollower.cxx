@@ -13,7 +13,7 @@ namespace
 /** The weights of a step's stages, at 0, 1/2 and 3/4 of it. */
 constexpr double StageWeights[3] = { 2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0 };
 constexpr double LeastRate = 0.25;
-constexpr double MostRate = 64.0;
+constexpr double MostRate = 1e12; // a picometre from the axis of a vortex
 /** A step of which the middle shows a rate that is so much more begins again. */
 constexpr double RateExcess = 1.01;
 

@@ -4,7 +4,7 @@
  * @file
  * The motion of a proxy through a field of primitives during a tick.
  *
- * he primitives of a mode are read where the proxy is, so they change along its way: a flow turns,
+ * The primitives of a mode are read where the proxy is, so they change along its way: a flow turns,
  * and strengths rise and fall. With b(x) the balance of the primitives at x (PrimitiveSolver.h),
  * D(x) = b(x) - x is what is left of the motion, and the proxy is at rest where D = 0. One step by
  * D a tick would leave a bent line by its tangent, and drift. So the proxy goes along the lines of

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Eigenvalues and eigenvectors of a symmetric 3x3 matrix, by Jacobi's rotations: exact to rounding
+ * for equal eigenvalues, too, and without allocation.
+ */
+#ifndef SymmetricEigen_h
+#define SymmetricEigen_h
+
+#include "Core/Math/Vector3.h"
+
+namespace VolumeHaptics
+{
+
+struct SymmetricEigen
+{
+  double Value[3] = { 0.0, 0.0, 0.0 }; ///< descending
+  /** Unit vectors, each orthogonal to the others. */
+  Vector3 Direction[3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+};
+
+/** Reads the upper triangle. Of a matrix that is not finite, all values are 0. */
+SymmetricEigen FindEigen(const Matrix3& matrix) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Modes on sampled fields with closed forms: vortices, fronts, shear, and turning fibres.
+ */
+
+#include "Core/Solvers/Primitives/ModePrimitives.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+constexpr double CouplingOf = 500.0; // N/m
+const double HalfTurn = std::acos(-1.0);
+
+/// Components at the points of a grid of spacing h (mm), whose middle is the world's origin.
+class ModeGrid
+{
+public:
+  template <typename F>
+  ModeGrid(int nx, int ny, int nz, double h, int components, F&& f)
+    : Samples(static_cast<std::size_t>(nx) * ny * nz * components)
+    , QuarterVoxel(0.25e-3 * h)
+  {
+    this->Mode.View.Volume.Data = this->Samples.data();
+    const std::int64_t n[3] = { nx, ny, nz };
+    std::int64_t stride = components;
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Mode.View.Volume.Dimensions[a] = n[a];
+      this->Mode.View.Volume.Stride[a] = stride;
+      stride *= n[a];
+    }
+    this->Mode.View.Components = components;
+    this->IndexToWorld = { h * Matrix3{},
+      { -0.5 * h * (nx - 1), -0.5 * h * (ny - 1), -0.5 * h * (nz - 1) } };
+    double* to = this->Samples.data();
+    for (int k = 0; k < nz; ++k)
+    {
+      for (int j = 0; j < ny; ++j)
+      {
+        for (int i = 0; i < nx; ++i, to += components)
+        {
+          f(this->IndexToWorld({ double(i), double(j), double(k) }), to);
+        }
+      }
+    }
+  }
+
+  /// One mode, in a world of millimetres.
+  void Bake(ModeKind kind, const Polyline& first, const Polyline& second = ConstantPolyline(0.0))
+  {
+    this->Mode.Kind = kind;
+    this->Mode.First = first;
+    this->Mode.Second = second;
+    this->Baked = std::make_unique<BakedMode>(this->Mode, this->IndexToWorld);
+    this->Field = std::make_unique<ModeField>(this->IndexToWorld, this->DeviceToWorld);
+    ASSERT_TRUE(this->Field->Add(*this->Baked));
+    this->Motion = {};
+    this->Memory = {};
+  }
+
+  /// The primitives at a place (mm).
+  PrimitiveSet At(const Vector3& place) const
+  {
+    PrimitiveSet set;
+    const PrimitiveField field = this->Field->GetField();
+    field.Find(field.Context, 1e-3 * place, set);
+    return set;
+  }
+
+  /// A tick; mm.
+  void Move(const Vector3& tip)
+  {
+    this->Motion = FollowPrimitives(this->Field->GetField(), CouplingOf, this->QuarterVoxel,
+      this->Motion.Proxy, 1e-3 * tip, this->Memory);
+    const double most = this->At(1e3 * this->Motion.Proxy).SumStrengths();
+    EXPECT_LE(Norm(this->Motion.Force), most * 1.01 + 1e-3);
+  }
+  void StartAt(const Vector3& place) { this->Motion.Proxy = 1e-3 * place; }
+
+  std::vector<double> Samples;
+  double QuarterVoxel;
+  ModeDescription Mode;
+  Affine3 IndexToWorld;
+  Affine3 DeviceToWorld{ 1000.0 * Matrix3{}, {} };
+  std::unique_ptr<BakedMode> Baked;
+  std::unique_ptr<ModeField> Field;
+  PrimitiveMotion Motion;
+  PrimitiveMemory Memory;
+};
+
+Vector3 AtAngle(double radius, double angle)
+{
+  return { radius * std::cos(angle), radius * std::sin(angle), 0.0 };
+}
+
+/// A vortex around z with the speed `speed(r)`.
+template <typename F>
+ModeGrid MakeVortex(F&& speed)
+{
+  return ModeGrid(96, 96, 8, 0.5, 3,
+    [&](const Vector3& x, double* v)
+    {
+      const double r = std::hypot(x.X, x.Y);
+      v[0] = -speed(r) * x.Y / r;
+      v[1] = speed(r) * x.X / r;
+    });
+}
+} // namespace
+
+TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
+{
+  // P5, Lamb-Oseen: curl = 2 exp(-r^2/100 mm^2), and S = 2 N of that.
+  ModeGrid vortex = MakeVortex([](double r) { return 100.0 / r * -std::expm1(-r * r / 100.0); });
+  vortex.Bake(ModeKind::VortexTube, { { 0.0, 0.0 }, { 2.0, 2.0 } });
+  const double radii[4] = { 0.0, 5.0, 10.0, 20.0 };
+  const double tips[4] = { 3.98, 8.115, 11.472, 20.073 };
+  const double forces[4] = { 2.0, 1.5576, 0.7358, 0.0366 };
+  for (int i = 0; i < 4; ++i)
+  {
+    for (const double angle : { 0.3, 2.9 })
+    {
+      vortex.StartAt({});
+      for (int tick = 1; tick <= 400; ++tick)
+      {
+        vortex.Move(AtAngle(tips[i] * tick / 400.0, angle));
+      }
+      EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3 * radii[i], i == 0 ? 1e-4 : 2e-5);
+      EXPECT_NEAR(Norm(vortex.Motion.Force), forces[i], i == 0 ? 0.05 : 0.005 * forces[i] + 1e-4);
+      EXPECT_NEAR(
+        Norm(vortex.Motion.Force - vortex.Field->ForceOf(0, vortex.Memory.Forces)), 0.0, 1e-12);
+    }
+  }
+  // Back in again it is free.
+  for (int tick = 0; tick <= 400; ++tick)
+  {
+    vortex.Move(AtAngle(20.0 - 19.0 * tick / 400.0, 2.9));
+  }
+  EXPECT_LT(Norm(vortex.Motion.Force), 1e-3);
+  EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3, 1e-5);
+}
+
+TEST(ModePrimitives, ARankineVortexEndsAtItsRadius)
+{
+  // P6: curl 2 within 10 mm, none outside.
+  ModeGrid vortex = MakeVortex([](double r) { return r < 10.0 ? r : 100.0 / r; });
+  vortex.Bake(ModeKind::VortexTube, { { 1.0, 0.0 }, { 1.0, 2.0 } });
+  vortex.StartAt({ 0.1, 0.0, 0.0 });
+  double last = 0.0;
+  for (double tip = 0.0; tip < 20.0; tip += 0.01)
+  {
+    vortex.Move({ tip, 0.0, 0.0 });
+    const double r = 1e3 * Norm(vortex.Motion.Proxy);
+    if (tip > 4.2 && r < 9.0)
+    {
+      ASSERT_NEAR(Norm(vortex.Motion.Force), 2.0, 1e-3) << r;
+    }
+    last = Norm(vortex.Motion.Force) > 1.0 ? r : last;
+  }
+  EXPECT_NEAR(last, 10.0, 0.5) << "within the kernel's voxel";
+  EXPECT_LT(Norm(vortex.Motion.Force), 1e-3);
+}
+
+TEST(ModePrimitives, FrontsHoldAcrossAndSlideAlong)
+{
+  // v = x: its fronts are spheres; a linear field, which the sampler reproduces.
+  ModeGrid grid(56, 56, 56, 1.0, 3,
+    [](const Vector3& x, double* v)
+    {
+      v[0] = x.X;
+      v[1] = x.Y;
+      v[2] = x.Z;
+    });
+  grid.Bake(ModeKind::TwoSidedFront, { { 0.0, 0.0 }, { 1.0, 2.0 } });
+  grid.StartAt(AtAngle(20.0, 0.0));
+  for (const double radius : { 18.0, 22.0 })
+  {
+    for (int tick = 0; tick <= 10000; ++tick)
+    {
+      const double angle = 2.0 * HalfTurn * tick / 1000.0;
+      const double c = std::cos(0.5);
+      const Vector3 tip = AtAngle(radius, angle);
+      grid.Move({ tip.X, c * tip.Y, std::sin(0.5) * tip.Y });
+    }
+    EXPECT_NEAR(Norm(grid.Motion.Proxy), 0.020, 1e-6) << "10 turns on the sphere";
+    EXPECT_NEAR(Norm(grid.Motion.Force), 1.0, 1e-3);
+  }
+  // One-sided: outwards, where v points, it is free; inwards it holds.
+  grid.Bake(ModeKind::VectorFront, { { 0.0, 0.0 }, { 1.0, 2.0 } });
+  grid.StartAt({ 15.0, 0.0, 0.0 });
+  grid.Move({ 17.0, 0.0, 0.0 });
+  EXPECT_LT(Norm(grid.Motion.Force), 1e-4);
+  grid.Move({ 15.0, 0.0, 0.0 });
+  EXPECT_NEAR(grid.Motion.Force.X, 1.0, 1e-4);
+}
+
+TEST(ModePrimitives, ShearHasALineAlongItsStretching)
+{
+  ModeGrid grid(10, 10, 10, 2.0, 3, [](const Vector3& x, double* v) { v[0] = 3.0 * x.Y; });
+  grid.Bake(ModeKind::Shear, { { 0.0, 0.0 }, { 10.0, 10.0 } });
+  const PrimitiveSet set = grid.At({ 1.3, -2.0, 0.7 });
+  ASSERT_EQ(set.GetSize(), 1);
+  EXPECT_EQ(set[0].Kind, PrimitiveKind::Line);
+  EXPECT_NEAR(set[0].Strength, 1.5, 1e-12);
+  EXPECT_NEAR(std::abs(Dot(set[0].Direction, { std::sqrt(0.5), std::sqrt(0.5), 0.0 })), 1.0, 1e-14);
+  // Strengths fade within two voxels of the border: 1 mm from it is a quarter of the way.
+  EXPECT_NEAR(grid.At({ 8.0, 0.0, 0.0 })[0].Strength, 0.25 * 1.5, 1e-12);
+  EXPECT_EQ(grid.At({ 9.01, 0.0, 0.0 })[0].Strength, 0.0);
+}
+
+TEST(ModePrimitives, TensorsAreInterpolatedAndNotTheirFibres)
+{
+  // P9: from a1 at the bottom to a2 at the top, linearly in z; eigenvalues 1, 0.2, and 0.1 along z.
+  struct Case
+  {
+    double From, To, Share, Angle, Kept;
+  };
+  for (const Case& of :
+    { Case{ 30.0, 0.0, 0.5, 15.0, 0.866025 }, { 60.0, 20.0, 0.25, 51.380, 0.831 },
+      { 80.0, 0.0, 0.25, 75.287, 0.522 }, { 60.0, -60.0, 0.5, 90.0, 0.5 } })
+  {
+    for (const int components : { 6, 9 })
+    {
+      ModeGrid grid(8, 8, 9, 1.0, components,
+        [&](const Vector3& x, double* t)
+        {
+          const double share = (x.Z + 4.0) / 8.0;
+          double c = 0.0;
+          double s = 0.0;
+          for (const auto& [degrees, weight] :
+            { std::pair{ of.From, 1.0 - share }, std::pair{ of.To, share } })
+          {
+            c += weight * std::cos(2.0 * degrees * HalfTurn / 180.0);
+            s += weight * std::sin(2.0 * degrees * HalfTurn / 180.0);
+          }
+          const double xx = 0.6 + 0.4 * c;
+          const double yy = 0.6 - 0.4 * c;
+          const double xy = 0.4 * s;
+          const double six[6] = { xx, yy, 0.1, xy, 0.0, 0.0 };
+          const double nine[9] = { xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, 0.1 };
+          std::copy_n(components == 6 ? six : nine, components, t);
+        });
+      grid.Bake(
+        ModeKind::TensorFollow, { { 0.0, 0.0 }, { 1.0, 1.0 } }, { { 0.0, 0.0 }, { 1.0, 1.0 } });
+      const PrimitiveSet set = grid.At({ 0.2, -0.3, 8.0 * of.Share - 4.0 });
+      ASSERT_EQ(set.GetSize(), 3);
+      const Vector3& fibre = set[0].Direction;
+      double angle = std::atan2(fibre.Y, fibre.X) * 180.0 / HalfTurn;
+      angle = angle < 0.0 ? angle + 180.0 : angle;
+      EXPECT_NEAR(angle, of.Angle, 1e-3);
+      // Kept share of the anisotropy: l1, l2 = 0.6 +- 0.4 kept, but 0.1 lies below.
+      const double l1 = 0.6 + 0.4 * of.Kept;
+      EXPECT_NEAR(set[0].Strength, 0.8 * of.Kept / l1, 1e-3);
+      EXPECT_NEAR(set[1].Strength, (0.5 - 0.4 * of.Kept) / l1, 1e-3);
+      EXPECT_NEAR(std::abs(set[1].Direction.Z), 1.0, 1e-12);
+      EXPECT_NEAR(Norm(set[1].Direction + set[2].Direction), 0.0, 1e-15);
+    }
+  }
+}
+
+TEST(ModePrimitives, SingularTensorsAndMissingVectorsAreNotFelt)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : { 0.0, -1.0, nan })
+  {
+    ModeGrid tensors(8, 8, 8, 1.0, 6,
+      [&](const Vector3&, double* t)
+      {
+        std::fill_n(t, 6, 0.0);
+        t[0] = t[1] = t[2] = value;
+      });
+    tensors.Bake(ModeKind::TensorFollow, ConstantPolyline(2.0), ConstantPolyline(2.0));
+    EXPECT_EQ(tensors.At({}).SumStrengths(), 0.0);
+    EXPECT_EQ(tensors.At({}).GetSize(), 3) << "and all keep their places";
+    EXPECT_EQ(tensors.At({ 50.0, 0.0, 0.0 }).GetSize(), 3);
+    ModeGrid vectors(
+      8, 8, 8, 1.0, 3, [&](const Vector3&, double* v) { v[0] = value == -1.0 ? 0.0 : value; });
+    for (const ModeKind kind : { ModeKind::VectorFollow, ModeKind::VectorFront,
+           ModeKind::TwoSidedFront, ModeKind::VortexTube, ModeKind::Shear })
+    {
+      vectors.Bake(kind, { { 0.0, 0.0 }, { 1.0, 2.0 } }, { { 0.0, 0.0 }, { 1.0, 2.0 } });
+      EXPECT_EQ(vectors.At({}).SumStrengths(), 0.0);
+      EXPECT_EQ(vectors.At({}).GetSize(), CountPrimitives(kind));
+      vectors.StartAt({});
+      vectors.Move({ 1.0, 0.5, 0.0 });
+      EXPECT_EQ(Norm(vectors.Motion.Force), 0.0);
+    }
+    EXPECT_TRUE(tensors.Field->Add(*tensors.Baked));
+    EXPECT_FALSE(tensors.Field->Add(*tensors.Baked)) << "eight primitives at most";
+    EXPECT_EQ(tensors.Field->GetCount(), 2);
+    // A mode of tensors needs tensors.
+    vectors.Mode.Kind = ModeKind::TensorFollow;
+    EXPECT_FALSE(BakedMode(vectors.Mode, vectors.IndexToWorld).IsValid());
+  }
+}
+
+TEST(ModePrimitives, TurnWithTheirData)
+{
+  // P11: the same array with its components on image axes, in a world that is turned.
+  std::mt19937_64 engine(4);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  ModeGrid grid(12, 12, 12, 1.0, 3,
+    [&](const Vector3& x, double* v)
+    {
+      v[0] = 1.0 + std::sin(0.4 * x.Y);
+      v[1] = std::cos(0.3 * x.Z);
+      v[2] = 0.5 * std::sin(0.5 * x.X);
+    });
+  ModeGrid turned(12, 12, 12, 1.0, 3, [](const Vector3&, double*) {});
+  std::copy(grid.Samples.begin(), grid.Samples.end(), turned.Samples.begin());
+  const Vector3 a{ 0.36, 0.48, -0.8 };
+  const Vector3 b{ -0.8, 0.6, 0.0 };
+  const Matrix3 turn = Matrix3::FromColumns(a, b, Cross(a, b));
+  turned.IndexToWorld = Compose({ turn, {} }, grid.IndexToWorld);
+  turned.Mode.Axes = VectorAxes::Image;
+  for (const ModeKind kind :
+    { ModeKind::VectorFollow, ModeKind::TwoSidedFront, ModeKind::VortexTube, ModeKind::Shear })
+  {
+    grid.Bake(kind, { { 0.0, 0.0 }, { 1.0, 1.5 } }, ConstantPolyline(0.2));
+    turned.Bake(kind, { { 0.0, 0.0 }, { 1.0, 1.5 } }, ConstantPolyline(0.2));
+    double worst = 0.0;
+    Vector3 tip;
+    for (int tick = 0; tick < 2000; ++tick)
+    {
+      tip += 0.2 * Vector3{ uniform(engine), uniform(engine), uniform(engine) } - 0.02 * tip;
+      grid.Move(tip);
+      turned.Move(turn * tip);
+      worst = std::max(worst, Norm(turn * grid.Motion.Force - turned.Motion.Force));
+    }
+    EXPECT_LT(worst, 1e-12) << "mode " << int(kind);
+  }
+}
