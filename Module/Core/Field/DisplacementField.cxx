@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Field/DisplacementField.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace VolumeHaptics
@@ -10,58 +9,22 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int SplineTaps = 4;
 constexpr int MostNewtonSteps = 3;
 /** Voxels; no step follows one as short as this. */
 constexpr double ShortNewtonStep = 0.01;
 /** Below this determinant of the map from the first frame, the displacements fold the volume. */
 constexpr double LeastVolume = 0.05;
 
-/** The taps of a cubic B-spline along an axis, where the samples end at the border. */
-struct SplineAxis
+VectorView MakeVectorView(const DisplacementView& displacements, const VolumeView& volume)
 {
-  std::int64_t Points[SplineTaps];
-  double Weights[SplineTaps];
-  double Slopes[SplineTaps];
-
-  /** @param x an index that counts from the first point, also beyond the points */
-  SplineAxis(double x, std::int64_t points) noexcept
-  {
-    const auto last = static_cast<double>(points - 1);
-    // Also for NaN.
-    const double inside = x > 0.0 ? std::min(x, last) : 0.0;
-    const double base = std::min(std::floor(inside), std::max(last - 1.0, 0.0));
-    const double t = inside - base;
-    const double s = 1.0 - t;
-    constexpr double sixth = 1.0 / 6.0;
-    this->Weights[0] = sixth * s * s * s;
-    this->Weights[1] = sixth * (4.0 - 3.0 * t * t * (1.0 + s));
-    this->Weights[2] = sixth * (4.0 - 3.0 * s * s * (1.0 + t));
-    this->Weights[3] = sixth * t * t * t;
-    const bool isBeyond = inside != x;
-    this->Slopes[0] = isBeyond ? 0.0 : -0.5 * s * s;
-    this->Slopes[1] = isBeyond ? 0.0 : 0.5 * t * (3.0 * t - 4.0);
-    this->Slopes[2] = isBeyond ? 0.0 : -0.5 * s * (3.0 * s - 4.0);
-    this->Slopes[3] = isBeyond ? 0.0 : 0.5 * t * t;
-    for (int tap = 0; tap < SplineTaps; ++tap)
-    {
-      this->Points[tap] =
-        std::clamp(static_cast<std::int64_t>(base) - 1 + tap, std::int64_t{ 0 }, points - 1);
-    }
-  }
-};
-
-/** The three components at the taps of a row. */
-constexpr int RowNumbers = 3 * SplineTaps;
-
-Vector3 SumRow(const double (&weights)[SplineTaps], const double (&row)[RowNumbers]) noexcept
-{
-  Vector3 sum;
-  for (int i = 0; i < SplineTaps; ++i)
-  {
-    sum += weights[i] * Vector3{ row[3 * i], row[3 * i + 1], row[3 * i + 2] };
-  }
-  return sum;
+  VectorView view;
+  view.Volume = volume;
+  view.Volume.Data = displacements.Data;
+  view.Volume.Type = displacements.Type;
+  view.Volume.Stride[0] = view.Components;
+  view.Volume.Stride[1] = view.Volume.Stride[0] * volume.Dimensions[0];
+  view.Volume.Stride[2] = view.Volume.Stride[1] * volume.Dimensions[1];
+  return view;
 }
 
 Matrix3 PlusIdentity(double share, const Matrix3& m) noexcept
@@ -77,60 +40,34 @@ Matrix3 PlusIdentity(double share, const Matrix3& m) noexcept
 
 DisplacementField::DisplacementField(
   const DisplacementView& displacements, const VolumeView& volume, const Matrix3& indexToWorld)
-  : Displacements(displacements)
-  , First{ volume.First[0], volume.First[1], volume.First[2] }
-  , Dimensions{ volume.Dimensions[0], volume.Dimensions[1], volume.Dimensions[2] }
+  : Displacements(MakeVectorView(displacements, volume))
+  , Low{ static_cast<double>(volume.First[0]), static_cast<double>(volume.First[1]),
+    static_cast<double>(volume.First[2]) }
+  , High{ static_cast<double>(volume.Last(0)), static_cast<double>(volume.Last(1)),
+    static_cast<double>(volume.Last(2)) }
   , WorldToIndex(Inverse(indexToWorld))
 {
 }
 
-template <typename T>
-DisplacementField::Sample DisplacementField::ReadAs(const Vector3& index) const noexcept
-{
-  const SplineAxis x(index.X - static_cast<double>(this->First[0]), this->Dimensions[0]);
-  const SplineAxis y(index.Y - static_cast<double>(this->First[1]), this->Dimensions[1]);
-  const SplineAxis z(index.Z - static_cast<double>(this->First[2]), this->Dimensions[2]);
-  const T* const data = static_cast<const T*>(this->Displacements.Data);
-  // The rows along x, summed over y and z, and with the slopes of either instead of its weights.
-  double rows[RowNumbers] = {};
-  double alongY[RowNumbers] = {};
-  double alongZ[RowNumbers] = {};
-  for (int k = 0; k < SplineTaps; ++k)
-  {
-    for (int j = 0; j < SplineTaps; ++j)
-    {
-      const T* const from =
-        data + 3 * this->Dimensions[0] * (y.Points[j] + this->Dimensions[1] * z.Points[k]);
-      double row[RowNumbers];
-      for (int i = 0; i < SplineTaps; ++i)
-      {
-        const T* const u = from + 3 * x.Points[i];
-        row[3 * i] = static_cast<double>(u[0]);
-        row[3 * i + 1] = static_cast<double>(u[1]);
-        row[3 * i + 2] = static_cast<double>(u[2]);
-      }
-      const double both = y.Weights[j] * z.Weights[k];
-      const double slopeY = y.Slopes[j] * z.Weights[k];
-      const double slopeZ = y.Weights[j] * z.Slopes[k];
-      for (int n = 0; n < RowNumbers; ++n)
-      {
-        rows[n] += both * row[n];
-        alongY[n] += slopeY * row[n];
-        alongZ[n] += slopeZ * row[n];
-      }
-    }
-  }
-  const Vector3 value = SumRow(x.Weights, rows);
-  const Vector3 slopes[3] = { SumRow(x.Slopes, rows), SumRow(x.Weights, alongY),
-    SumRow(x.Weights, alongZ) };
-  return { this->WorldToIndex * value,
-    this->WorldToIndex * Matrix3::FromColumns(slopes[0], slopes[1], slopes[2]) };
-}
-
 DisplacementField::Sample DisplacementField::Read(const Vector3& index) const noexcept
 {
-  return this->Displacements.Type == ScalarType::Float32 ? this->ReadAs<float>(index)
-                                                         : this->ReadAs<double>(index);
+  // Also for NaN.
+  const Vector3 inside = Least(Most(index, this->Low), this->High);
+  VectorSample found;
+  if (!this->Displacements.Sample(inside, found))
+  {
+    return {};
+  }
+  Matrix3 slope{ { found.Gradient[0], found.Gradient[1], found.Gradient[2] } };
+  for (Vector3& row : slope.Row)
+  {
+    // Beyond the points, displacements do not change.
+    row.X = inside.X == index.X ? row.X : 0.0;
+    row.Y = inside.Y == index.Y ? row.Y : 0.0;
+    row.Z = inside.Z == index.Z ? row.Z : 0.0;
+  }
+  return { this->WorldToIndex * Vector3{ found.Value[0], found.Value[1], found.Value[2] },
+    this->WorldToIndex * slope };
 }
 
 MaterialPlace DisplacementField::Find(const Vector3& index, double share) const noexcept

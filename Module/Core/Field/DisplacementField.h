@@ -16,15 +16,15 @@
  * stretch), and 2e-6 voxel of a breath that moves by 5 voxels a frame and comes and goes over 100.
  * Where the displacements fold the volume, u is read at x.
  *
- * Between the samples, u is the smoothing cubic B-spline of them, as it has to have derivatives
- * without steps: normals turn with them. It reproduces linear displacements, and rounds others off
- * by h^2/6 of their second derivatives, h being the distance of the samples.
+ * Between the points, u is the smoothing cubic B-spline of VectorSampler, as it has to have
+ * derivatives without steps: normals turn with them. It reproduces linear displacements, and rounds
+ * others off by h^2/6 of their second derivatives, h being the distance of the points. Where
+ * displacements are not finite, they count as 0.
  */
 #ifndef DisplacementField_h
 #define DisplacementField_h
 
-#include "Core/Field/VolumeView.h"
-#include "Core/Math/Vector3.h"
+#include "Core/Field/VectorSampler.h"
 
 namespace VolumeHaptics
 {
@@ -70,12 +70,10 @@ private:
     Matrix3 Slope; ///< a row for each component of Value
   };
   Sample Read(const Vector3& index) const noexcept;
-  template <typename T>
-  Sample ReadAs(const Vector3& index) const noexcept;
 
-  DisplacementView Displacements;
-  std::int64_t First[3];
-  std::int64_t Dimensions[3];
+  VectorSampler Displacements;
+  Vector3 Low;  ///< the smallest index along each axis
+  Vector3 High; ///< the largest one
   Matrix3 WorldToIndex;
 };
 
