@@ -59,6 +59,7 @@ public:
   /** What is left, and how long it is (m). */
   const Vector3& GetRest() const noexcept { return this->Rest; }
   double GetLength() const noexcept { return this->Length; }
+  bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }
   const Vector3& GetPlace() const noexcept { return this->Place; }
   /** At the place. */
   const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
@@ -75,7 +76,9 @@ private:
   {
     PrimitiveSet set;
     this->Field.Find(this->Field.Context, place, set);
-    this->Balance = Minimise(set, this->Stiffness, this->Tip, this->Forces);
+    this->Balance =
+      Minimise(set, this->Stiffness, this->Tip, this->Forces, std::max(this->SweepsLeft, 1));
+    this->SweepsLeft -= this->Balance.Sweeps;
     return this->Balance.Proxy - place;
   }
 
@@ -93,6 +96,7 @@ private:
   Vector3 Place;
   Vector3 Rest;
   double Length = 0.0;
+  int SweepsLeft = PrimitiveSolver::MostSweeps; ///< of the tick
   PrimitiveBalance Balance;
 };
 
@@ -112,7 +116,8 @@ PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double l
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory.Forces);
   const double finished = PrimitiveFollower::FinishedShare * longestStep;
-  while (way.GetLength() > finished && motion.Steps < PrimitiveFollower::MostSteps)
+  while (
+    way.GetLength() > finished && motion.Steps < PrimitiveFollower::MostSteps && !way.IsSpent())
   {
     memory.Rate = way.Step(memory.Rate, longestStep);
     ++motion.Steps;

@@ -11,10 +11,8 @@ namespace
 {
 
 /** N. A sweep that changes no force by more has arrived; and the share of the largest force. */
-constexpr double SettledChange = 1e-12;
+constexpr double SettledChange = 1e-11;
 constexpr double SettledShare = 4e-16;
-/** The sweeps between two attempts to go on along their change. */
-constexpr int SweepsPerJump = 3;
 /** N/m. */
 constexpr double StiffestSpring = 1e9;
 
@@ -151,33 +149,67 @@ public:
     return std::sqrt(square);
   }
 
-  /** Goes on along the changes of the last sweep, if that lowers the energy. */
-  void Jump() noexcept
+  /**
+   * Anderson's acceleration: from the last sweeps, the forces at which a sweep would change nothing
+   * if it were linear. They are taken if their energy is not more.
+   */
+  void Accelerate() noexcept
   {
-    Vector3 change;
-    double slope = 0.0;
+    const int newest = this->Sweeps % Kept;
+    Record& now = this->Past[newest];
     for (int at = 0; at < this->Count; ++at)
     {
-      change += this->Change[at];
-      slope += Dot(this->Spring[at] + this->Sum, this->Change[at]);
+      now.Change[at] = this->Change[at];
+      now.Force[at] = this->Forces[this->Number[at]];
     }
-    const double length = -slope / Dot(change, change);
-    // Also false for NaN.
-    if (!(length > 0.0 && length < LongestJump))
+    if (++this->Sweeps < Kept)
     {
       return;
     }
-    const PrimitiveForces before = this->Forces;
+    // The mixture whose changes are smallest: the newest record and its differences to others.
+    const Record* other[Kept - 1];
+    for (int i = 0; i < Kept - 1; ++i)
+    {
+      other[i] = &this->Past[(newest + 1 + i) % Kept];
+    }
+    Matrix3 squares = { { {}, {}, {} } };
+    Vector3 products;
+    for (int at = 0; at < this->Count; ++at)
+    {
+      const Vector3& change = now.Change[at];
+      const Vector3 a = change - other[0]->Change[at];
+      const Vector3 b = change - other[1]->Change[at];
+      const Vector3 c = change - other[2]->Change[at];
+      squares.Row[0] += { Dot(a, a), Dot(a, b), Dot(a, c) };
+      squares.Row[1] += { Dot(b, a), Dot(b, b), Dot(b, c) };
+      squares.Row[2] += { Dot(c, a), Dot(c, b), Dot(c, c) };
+      products += { Dot(a, change), Dot(b, change), Dot(c, change) };
+    }
+    const double scale = 1.0 / (squares.Row[0].X + squares.Row[1].Y + squares.Row[2].Z);
+    squares = scale * squares;
+    squares.Row[0].X += Regular;
+    squares.Row[1].Y += Regular;
+    squares.Row[2].Z += Regular;
+    const Vector3 share = Inverse(squares) * (scale * products);
+    if (!IsFinite(share))
+    {
+      return;
+    }
     const double energy = this->Energy();
     for (int at = 0; at < this->Count; ++at)
     {
-      Vector3& force = this->Forces[this->Number[at]];
-      force = Nearest(this->Set[this->Number[at]], force + length * this->Change[at]);
+      const Vector3 mixed = now.Force[at] - share.X * (now.Force[at] - other[0]->Force[at]) -
+        share.Y * (now.Force[at] - other[1]->Force[at]) -
+        share.Z * (now.Force[at] - other[2]->Force[at]);
+      this->Forces[this->Number[at]] = Nearest(this->Set[this->Number[at]], mixed);
     }
     this->SumUp();
-    if (!(this->Energy() < energy))
+    if (!(this->Energy() <= energy + EnergyRounding * this->Largest * this->Largest))
     {
-      this->Forces = before;
+      for (int at = 0; at < this->Count; ++at)
+      {
+        this->Forces[this->Number[at]] = now.Force[at];
+      }
       this->SumUp();
     }
   }
@@ -188,7 +220,15 @@ public:
   }
 
 private:
-  static constexpr double LongestJump = 1e12;
+  static constexpr int Kept = 4;
+  static constexpr double Regular = 1e-14;
+  static constexpr double EnergyRounding = 1e-15;
+
+  struct Record
+  {
+    Vector3 Change[PrimitiveSet::Most];
+    Vector3 Force[PrimitiveSet::Most];
+  };
 
   double Energy() const noexcept
   {
@@ -213,6 +253,8 @@ private:
   PrimitiveForces& Forces;
   Vector3 Spring[PrimitiveSet::Most]; ///< b_i: of the spring and the pushes
   Vector3 Change[PrimitiveSet::Most];
+  Record Past[Kept];
+  int Sweeps = 0;
   int Number[PrimitiveSet::Most] = {}; ///< in the set
   int Count = 0;
   Vector3 Sum;
@@ -267,26 +309,26 @@ bool PrimitiveSolver::Compose(const PrimitiveSet& set, double k, const Vector3& 
 }
 
 void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& tip,
-  PrimitiveForces& forces, PrimitiveBalance& balance) noexcept
+  PrimitiveForces& forces, PrimitiveBalance& balance, int mostSweeps) noexcept
 {
   balance = {};
   balance.IsUnfinished = true;
   Dual dual(set, k, tip, forces);
-  while (balance.IsUnfinished && balance.Sweeps < MostSweeps)
+  while (balance.IsUnfinished && balance.Sweeps < mostSweeps)
   {
     balance.IsUnfinished = !dual.IsSettled(dual.Sweep());
     ++balance.Sweeps;
-    if (balance.IsUnfinished && balance.Sweeps % SweepsPerJump == 0)
+    if (balance.IsUnfinished)
     {
-      dual.Jump();
+      dual.Accelerate();
     }
   }
   balance.Force = SumOf(forces);
   balance.Proxy = tip + (1.0 / k) * balance.Force;
 }
 
-PrimitiveBalance Minimise(
-  const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces) noexcept
+PrimitiveBalance Minimise(const PrimitiveSet& set, double k, const Vector3& tip,
+  PrimitiveForces& forces, int mostSweeps) noexcept
 {
   PrimitiveBalance balance;
   if (!(k > 0.0 && k <= StiffestSpring) || !IsNear(tip))
@@ -297,7 +339,7 @@ PrimitiveBalance Minimise(
   }
   if (!PrimitiveSolver::Compose(set, k, tip, forces, balance))
   {
-    PrimitiveSolver::Descend(set, k, tip, forces, balance);
+    PrimitiveSolver::Descend(set, k, tip, forces, balance, mostSweeps);
   }
   return balance;
 }

@@ -35,10 +35,10 @@
  *   l_i = -(projection of k (y - c_i) + sum_{j != i} l_j onto C_i)
  *
  * with C_i the ball of s for a point, the disc across q for a line, and the segment from 0 to s q
- * for a plane. It begins with the forces of the last tick. Directions that are almost parallel make
- * it slow; so each few sweeps it goes on along the change of a sweep, as far as that lowers the
- * dual energy. All l_i are in C_i at any time: even if MostSweeps end it, no force is more than the
- * strengths, and the next tick goes on.
+ * for a plane. It begins with the forces of the last tick. Where the proxy yields a little at a
+ * time, or directions are almost parallel, sweeps alone take long; so Anderson's acceleration mixes
+ * the last four, if that does not raise the dual energy. All l_i are in C_i at any time: even if
+ * the sweeps are spent, no force is more than the strengths, and the next tick goes on.
  */
 #ifndef PrimitiveSolver_h
 #define PrimitiveSolver_h
@@ -74,7 +74,7 @@ bool Compose(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
 
 /** Descent from `forces`, whatever the set. For numbers that Minimise has checked. */
 void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
-  PrimitiveBalance& balance) noexcept;
+  PrimitiveBalance& balance, int mostSweeps = MostSweeps) noexcept;
 } // namespace PrimitiveSolver
 
 /**
@@ -86,8 +86,8 @@ void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
  * If the tip is not finite, or farther away than an anchor may be, or if k is not a positive
  * number, nothing holds: the proxy is the tip.
  */
-PrimitiveBalance Minimise(
-  const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces) noexcept;
+PrimitiveBalance Minimise(const PrimitiveSet& set, double k, const Vector3& tip,
+  PrimitiveForces& forces, int mostSweeps = PrimitiveSolver::MostSweeps) noexcept;
 
 } // namespace VolumeHaptics
 
