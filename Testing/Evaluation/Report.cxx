@@ -25,6 +25,14 @@ std::string Bound(const Figure& figure)
     (figure.Unit.empty() ? "" : " " + figure.Unit);
 }
 
+/** PAPER's value of a figure of PRECISE, which has some more; empty if there is none. */
+std::string FindPaper(const Section& section, const Figure& figure)
+{
+  const auto found = std::find_if(section.Paper.begin(), section.Paper.end(),
+    [&figure](const Figure& other) { return other.Name == figure.Name; });
+  return found == section.Paper.end() ? std::string() : Number(found->Value);
+}
+
 void WritePicture(const std::string& title, const std::string& file, std::ostream& out)
 {
   out << "\n![" << title << "](" << file << ".png)\n";
@@ -55,12 +63,10 @@ bool WriteReport(const Report& report, const std::string& folder)
   {
     out << "\n## " << section.Title << "\n\n| figure | required | PRECISE | | PAPER |\n"
         << "| --- | --- | --- | --- | --- |\n";
-    for (std::size_t i = 0; i < section.Precise.size(); ++i)
+    for (const Figure& figure : section.Precise)
     {
-      const Figure& figure = section.Precise[i];
       out << "| " << figure.Name << " | " << Bound(figure) << " | " << Number(figure.Value) << " | "
-          << Verdict(figure) << " | "
-          << (i < section.Paper.size() ? Number(section.Paper[i].Value) : "") << " |\n";
+          << Verdict(figure) << " | " << FindPaper(section, figure) << " |\n";
     }
   }
   for (const Plot& plot : report.Plots)
@@ -86,10 +92,9 @@ int PrintSection(const Section& section)
 {
   int missed = 0;
   std::printf("\n%-66s %16s %12s %12s\n", section.Title.c_str(), "required", "PRECISE", "PAPER");
-  for (std::size_t i = 0; i < section.Precise.size(); ++i)
+  for (const Figure& figure : section.Precise)
   {
-    const Figure& figure = section.Precise[i];
-    const std::string paper = i < section.Paper.size() ? Number(section.Paper[i].Value) : "";
+    const std::string paper = FindPaper(section, figure);
     std::printf("  %-64s %16s %12s %12s  %s\n", figure.Name.c_str(), Bound(figure).c_str(),
       Number(figure.Value).c_str(), paper.c_str(), Verdict(figure));
     missed += figure.IsReached() || figure.IsTime ? 0 : 1;
