@@ -16,6 +16,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkHapticDevice);
 
@@ -161,6 +162,7 @@ bool vtkHapticDevice::UpdateState()
   const bool isNew = this->Internals->Session.Update(this->Internals->Models.GetPlacement());
   this->Internals->Orders.TellMemoryTrouble();
   this->Internals->Orders.FollowRegion();
+  this->Internals->Orders.FollowFrames();
   if (!wasForbidden && this->IsAtForbiddenLabel())
   {
     this->InvokeEvent(vtkCommand::UserEvent);
@@ -216,6 +218,12 @@ vtkHapticDevicePartMacro(void, BeginLongWork, (const char* what, double expected
   Orders.BeginLongWork(what, expectedSeconds));
 vtkHapticDevicePartMacro(void, EndLongWork, (), Orders.EndLongWork());
 
+vtkHapticDevicePartMacro(void, Play, (), Models.GetPlayback().SetPlays(true));
+vtkHapticDevicePartMacro(void, Hold, (), Models.GetPlayback().SetPlays(false));
+vtkHapticDevicePartMacro(bool, IsPlaying, (), Models.GetPlayback().IsPlaying());
+vtkHapticDevicePartMacro(double, GetDataTime, (), Models.GetPlayback().GetTime());
+vtkHapticDevicePartMacro(bool, IsWaitingForData, (), Models.GetPlayback().IsWaiting());
+
 vtkHapticDevicePartMacro(void, SetVirtualButtons, (int buttons), Tip.SetButtons(buttons));
 
 //------------------------------------------------------------------------------
@@ -250,6 +258,36 @@ void vtkHapticDevice::DrainStates(vtkTable* states, int reader)
 {
   auto& d = *this->Internals;
   d.Session.DrainStates(d.Models.GetPlacement(), states, reader);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetPlayback(int playback)
+{
+  const int mode = std::clamp<int>(playback, ONCE, PING_PONG);
+  if (mode != this->GetPlayback())
+  {
+    this->Internals->Models.GetPlayback().SetMode(static_cast<Playback>(mode));
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticDevice::GetPlayback()
+{
+  return static_cast<int>(this->Internals->Models.GetPlayback().GetMode());
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetDataTime(double time)
+{
+  if (!std::isfinite(time))
+  {
+    vtkErrorMacro("The data time has to be a finite number, in the units of the source's time "
+                  "steps, and is "
+      << time << ": it stays " << this->GetDataTime() << ".");
+    return;
+  }
+  this->Internals->Models.GetPlayback().SetTime(time);
 }
 
 //------------------------------------------------------------------------------
@@ -436,6 +474,8 @@ void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeHaptics: " << d.Models.GetFilter() << "\n";
   os << indent << "DeviceToWorld: " << d.Models.GetDeviceToWorld() << "\n";
   PrintSettings(os, indent, this, DeviceSettings);
+  os << indent << "Playback: " << this->GetPlayback() << "\n";
+  os << indent << "DataTime: " << this->GetDataTime() << "\n";
   const std::string& file = d.Recorder.GetFile();
   os << indent << "Recording: " << (file.empty() ? "(none)" : file.c_str()) << "\n";
 }

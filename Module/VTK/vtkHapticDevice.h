@@ -291,6 +291,45 @@ public:
   void SetVirtualLimits(
     double maximumForce, double maximumStiffness, double maximumDamping, double friction);
 
+  ///@{
+  /**
+   * The time of a volume that moves, which is one whose source has several time steps
+   * (TIME_STEPS). It begins with the first Play or SetDataTime: until then, the time step that the
+   * source shows is felt, and the volume stands still.
+   *
+   * While it plays, data time advances in every tick of the servo by TimeUnitsPerSecond of the
+   * filter for each second, also backwards, and time steps are blended. Play, Hold, another speed
+   * and another end never step the data time nor the force. At the end of the time steps, it holds
+   * (PlaybackToOnce, the default), goes on to the first step through a mean interval in which the
+   * last step is blended to it (PlaybackToLoop), or turns around (PlaybackToPingPong).
+   *
+   * SetDataTime goes to another time, in the units of the source; beyond the time steps, the
+   * nearest one is taken. The volume there is felt as a new one: a force that would leap begins
+   * again at zero. GetDataTime is that of the latest state, or of SetDataTime until it is felt
+   * there; default 0. In the interval after the last step it is above the last step's.
+   *
+   * UpdateState reads the time steps ahead of the servo, three in memory at most while time runs.
+   * If they come too late, data time holds: IsWaitingForData, and GetStatusText tells for which.
+   */
+  void Play();
+  void Hold();
+  bool IsPlaying(); ///< The last order was Play. Default false.
+  enum PlaybackType
+  {
+    ONCE = 0,
+    LOOP = 1,
+    PING_PONG = 2
+  };
+  void SetPlayback(int playback);
+  int GetPlayback();
+  void SetPlaybackToOnce() { this->SetPlayback(ONCE); }
+  void SetPlaybackToLoop() { this->SetPlayback(LOOP); }
+  void SetPlaybackToPingPong() { this->SetPlayback(PING_PONG); }
+  void SetDataTime(double time);
+  double GetDataTime();
+  bool IsWaitingForData();
+  ///@}
+
   /**
    * Take the latest state from the servo; true if it is a new one. The following getters belong to
    * one tick.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
+#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticHash.h"
 #include "VTK/Baking/HapticLabels.h"
@@ -233,7 +234,7 @@ bool vtkVolumeHapticsFilter::BakeLabels(
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
   vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps,
   vtkMatrix4x4* deviceToWorld, std::string& error, vtkPolyData* recording,
-  std::vector<VolumeHaptics::HapticFrame>&& frames)
+  VolumeHaptics::HapticFrames&& frames)
 {
   using namespace VolumeHaptics;
 
@@ -276,7 +277,8 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Description.DeviceCaps = deviceCaps;
   options.Surfaces = this->Surfaces.get();
   options.Regions = this->Regions.get();
-  options.Frames = std::move(frames);
+  options.Frames = std::move(frames.Frames);
+  options.Series = frames.Series;
   options.Displacements = this->DisplacementArrayName;
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
@@ -362,12 +364,13 @@ double vtkVolumeHapticsFilter::EstimateBakeTime()
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
-  double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
+std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(double rate,
+  const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
+  VolumeHaptics::HapticFrames&& frames)
 {
   try
   {
-    return this->BakeInput(rate, deviceCaps, deviceToWorld);
+    return this->BakeInput(rate, deviceCaps, deviceToWorld, std::move(frames));
   }
   catch (const SourceLacksMemory& lack)
   {
@@ -387,9 +390,11 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::Bake(
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeInput(
-  double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld)
+std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeInput(double rate,
+  const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
+  VolumeHaptics::HapticFrames&& frames)
 {
+  const bool isMoving = !frames.Frames.empty();
   std::string error;
   if (vtkHapticRegionSource* const source = FindRegionSource(this))
   {
@@ -416,22 +421,23 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
   };
   VolumeHaptics::Affine3 placement;
   auto model = this->LastBaked.lock();
-  const bool isCurrent =
-    model && getTime() == this->LastBakedTime && model->Baked->Settings.TickPeriod == 1.0 / rate;
+  const bool isCurrent = model && !isMoving && getTime() == this->LastBakedTime &&
+    model->Baked->Settings.TickPeriod == 1.0 / rate;
   if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
   {
     model = std::make_shared<const VolumeHaptics::HapticModel>(*model, placement, deviceCaps);
   }
   else if (error.empty())
   {
-    model = this->BakeImage(image, 1.0 / rate, deviceCaps, deviceToWorld, error);
+    model = this->BakeImage(
+      image, 1.0 / rate, deviceCaps, deviceToWorld, error, nullptr, std::move(frames));
   }
   if (!error.empty())
   {
     vtkErrorMacro(<< VolumeHaptics::Printable(error) << hint);
     return nullptr;
   }
-  this->LastBaked = model;
+  this->LastBaked = isMoving ? nullptr : model;
   // Afterwards: the first bake makes what the property lacks.
   this->LastBakedTime = getTime();
   return model;
@@ -619,36 +625,49 @@ bool vtkVolumeHapticsFilter::CollectComponents(std::vector<VolumeHaptics::Haptic
 
 //------------------------------------------------------------------------------
 bool vtkVolumeHapticsFilter::CollectTimeSteps(
-  const VolumeHaptics::TipPaths& paths, std::vector<VolumeHaptics::HapticFrame>& frames)
+  const VolumeHaptics::TipPaths& paths, VolumeHaptics::HapticFrames& frames)
 {
   using namespace VolumeHaptics;
 
-  if (this->Frames == COMPONENTS && this->TimeUnitsPerSecond != 0.0)
+  const RecordedPath* const recording = paths.GetRecording();
+  const bool isMoving = recording && !recording->DataTimes.empty();
+  if (recording && !isMoving)
   {
-    return this->CollectComponents(frames);
+    return true;
+  }
+  if (!recording && this->Frames == COMPONENTS && this->TimeUnitsPerSecond != 0.0)
+  {
+    return this->CollectComponents(frames.Frames);
   }
   const std::vector<double> steps =
     this->FeelsMotion() ? ReadTimeSteps(this->GetInputInformation(0, 0)) : std::vector<double>();
   if (steps.empty())
   {
-    return true;
-  }
-  const double last = steps.front() + this->TimeUnitsPerSecond * paths.FindLastTime();
-  frames = CollectFrames(
-    this, steps, last,
-    [this](vtkImageData* step)
+    if (isMoving)
     {
-      int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-      vtkDataArray* const array = this->GetInputArrayToProcess(0, step, association);
-      return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? array : nullptr;
-    },
-    this->GetProperty()->GetComponent(), this->DisplacementArrayName);
-  if (frames.empty())
+      vtkErrorMacro("The recording on port 1 is of a volume that moves (it has the point array "
+                    "DataTime), and the image on input port 0 does not. Connect the source of its "
+                    "time steps, with a TimeUnitsPerSecond that is not 0.");
+    }
+    return !isMoving;
+  }
+  const double last = isMoving
+    ? *std::max_element(recording->DataTimes.begin(), recording->DataTimes.end())
+    : steps.front() + this->TimeUnitsPerSecond * paths.FindLastTime();
+  frames.Series = MakeSeries(steps);
+  frames.Frames = CollectFrames(this, steps, last, HapticBaker(this).GetReading());
+  if (isMoving && last > steps.back() && !frames.Frames.empty())
+  {
+    // It went on to the first step.
+    frames.Frames.push_back(frames.Frames.front());
+    frames.Frames.back().Time = steps.front();
+  }
+  if (frames.Frames.empty())
   {
     vtkErrorMacro("A time step of the image on input port 0 can't be read: see the errors of its "
                   "source. SetTimeUnitsPerSecond(0) takes one time step alone.");
   }
-  return !frames.empty();
+  return !frames.Frames.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -676,9 +695,9 @@ int vtkVolumeHapticsFilter::TouchPath(
   }
   const RegionsAlongPath regions(source,
     [&](vtkImageData* region, std::string& flaw)
-    { return this->BakeImage(region, period, ForceCaps{}, nullptr, flaw); });
-  std::vector<HapticFrame> frames;
-  if (path && readable && !recording && !source && !this->CollectTimeSteps(paths, frames))
+    { return this->BakeImage(region, period, ForceCaps{}, nullptr, flaw, nullptr, {}); });
+  HapticFrames frames;
+  if (path && readable && !source && !this->CollectTimeSteps(paths, frames))
   {
     return 0;
   }

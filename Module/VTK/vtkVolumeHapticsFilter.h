@@ -165,6 +165,7 @@ struct BakedLabels;
 struct BakedVolume;
 struct ForceCaps;
 struct HapticFrame;
+struct HapticFrames;
 struct TouchedArray;
 } // namespace VolumeHaptics
 #endif
@@ -230,8 +231,9 @@ private:
 
   ///@{
   /** See HapticBaker. */
-  std::shared_ptr<const VolumeHaptics::HapticModel> Bake(
-    double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
+  std::shared_ptr<const VolumeHaptics::HapticModel> Bake(double rate,
+    const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
+    VolumeHaptics::HapticFrames&& frames);
   const char* PrepareBake();
   bool PrepareLabels();
   bool PrepareSurface();
@@ -243,21 +245,20 @@ private:
   bool BakeLabels(std::shared_ptr<const VolumeHaptics::BakedLabels>& labels, std::string& error);
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
-  std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(
-    double rate, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
+  std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(double rate,
+    const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
+    VolumeHaptics::HapticFrames&& frames);
   /** Whether a path goes through the time steps of port 0, if it has any. */
   bool FeelsMotion();
   /** The time steps that paths need, if the volume moves. False after an error. */
-  bool CollectTimeSteps(
-    const VolumeHaptics::TipPaths& paths, std::vector<VolumeHaptics::HapticFrame>& frames);
+  bool CollectTimeSteps(const VolumeHaptics::TipPaths& paths, VolumeHaptics::HapticFrames& frames);
   /** Once for each series of frames. */
   void WarnOfFastMotion(vtkImageData* image, const VolumeHaptics::BakedVolume& volume);
   bool CollectComponents(std::vector<VolumeHaptics::HapticFrame>& frames);
   int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
     double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
-    std::string& error, vtkPolyData* recording = nullptr,
-    std::vector<VolumeHaptics::HapticFrame>&& frames = {});
+    std::string& error, vtkPolyData* recording, VolumeHaptics::HapticFrames&& frames);
 
   /** A source and its time of change. */
   using SeriesKey = std::pair<const void*, vtkMTimeType>;

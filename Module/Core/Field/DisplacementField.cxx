@@ -40,7 +40,8 @@ Matrix3 PlusIdentity(double share, const Matrix3& m) noexcept
 
 DisplacementField::DisplacementField(
   const DisplacementView& displacements, const VolumeView& volume, const Matrix3& indexToWorld)
-  : Displacements(MakeVectorView(displacements, volume))
+  : Given(displacements)
+  , Displacements(MakeVectorView(displacements, volume))
   , Low{ static_cast<double>(volume.First[0]), static_cast<double>(volume.First[1]),
     static_cast<double>(volume.First[2]) }
   , High{ static_cast<double>(volume.Last(0)), static_cast<double>(volume.Last(1)),

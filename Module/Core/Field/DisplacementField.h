@@ -62,6 +62,8 @@ public:
   /** For a place (an index) at a share of the time between the frames, 0 to 1. */
   MaterialPlace Find(const Vector3& index, double share) const noexcept;
 
+  const DisplacementView& GetView() const noexcept { return this->Given; }
+
 private:
   /** u at an index, in index steps, and its derivatives. */
   struct Sample
@@ -71,6 +73,7 @@ private:
   };
   Sample Read(const Vector3& index) const noexcept;
 
+  DisplacementView Given;
   VectorSampler Displacements;
   Vector3 Low;  ///< the smallest index along each axis
   Vector3 High; ///< the largest one

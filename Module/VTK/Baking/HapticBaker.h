@@ -3,13 +3,20 @@
 #ifndef HapticBaker_h
 #define HapticBaker_h
 
+#include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+
 #include <array>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -35,7 +42,31 @@ public:
   std::shared_ptr<const HapticModel> Bake(
     double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const
   {
-    return this->Filter->Bake(rate, deviceCaps, deviceToWorld);
+    return this->Filter->Bake(rate, deviceCaps, deviceToWorld, {});
+  }
+
+  /**
+   * The same with frames of a volume that moves, whose source is at the first of these time steps.
+   */
+  std::shared_ptr<const HapticModel> BakeFrames(double rate, const ForceCaps& deviceCaps,
+    vtkMatrix4x4* deviceToWorld, std::vector<HapticFrame>&& frames,
+    const std::vector<double>& steps) const
+  {
+    return this->Filter->Bake(
+      rate, deviceCaps, deviceToWorld, { std::move(frames), MakeSeries(steps) });
+  }
+
+  /** How a time step is read. */
+  FrameReading GetReading() const
+  {
+    const auto getArray = [filter = this->Filter](vtkImageData* step)
+    {
+      int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+      vtkDataArray* const array = filter->GetInputArrayToProcess(0, step, association);
+      return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? array : nullptr;
+    };
+    return { getArray, this->Filter->GetProperty()->GetComponent(),
+      this->Filter->GetDisplacementArrayName() };
   }
 
   /**

@@ -104,26 +104,44 @@ std::vector<double> ReadTimeSteps(vtkInformation* input)
   return steps.size() > 1 ? steps : std::vector<double>();
 }
 
-std::vector<HapticFrame> CollectFrames(vtkAlgorithm* filter, const std::vector<double>& steps,
-  double last, const TouchedArrayOf& getArray, int component, const std::string& displacements)
+FrameSeries MakeSeries(const std::vector<double>& steps)
+{
+  const double first = steps.front();
+  const double last = steps.back();
+  return { first, last, (last - first) / static_cast<double>(steps.size() - 1) };
+}
+
+bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, HapticFrame& frame)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const auto after = std::lower_bound(steps.begin() + 1, steps.end(), last);
-  const auto end = after == steps.end() ? after : after + 1;
   // Not CONTINUE_EXECUTING: if a source fails, VTK's executive then repeats the request for ever.
   const int port = filter->GetInputConnection(0, 0)->GetIndex();
   auto* const source = Pipeline::SafeDownCast(filter->GetInputExecutive(0, 0));
+  source->GetOutputInformation(port)->Set(Pipeline::UPDATE_TIME_STEP(), step);
+  vtkImageData* const image =
+    source->Update(port) ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
+  if (!image)
+  {
+    return false;
+  }
+  frame = CopyFrame(image, reading.GetArray(image), step, reading.Displacements);
+  frame.Component = reading.Component;
+  return true;
+}
+
+std::vector<HapticFrame> CollectFrames(
+  vtkAlgorithm* filter, const std::vector<double>& steps, double last, const FrameReading& reading)
+{
+  const auto after = std::lower_bound(steps.begin() + 1, steps.end(), last);
+  const auto end = after == steps.end() ? after : after + 1;
   std::vector<HapticFrame> frames;
   for (auto step = std::make_reverse_iterator(end); step != steps.rend(); ++step)
   {
-    source->GetOutputInformation(port)->Set(Pipeline::UPDATE_TIME_STEP(), *step);
-    if (!source->Update(port))
+    frames.emplace_back();
+    if (!ReadFrame(filter, *step, reading, frames.back()))
     {
       return {};
     }
-    vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
-    frames.push_back(CopyFrame(image, getArray(image), *step, displacements));
-    frames.back().Component = component;
   }
   std::reverse(frames.begin(), frames.end());
   return frames;

@@ -35,21 +35,43 @@ struct HapticFrame
   int Component = 0; ///< of Array
 };
 
+/** Some frames of a series; none if the volume does not move. */
+struct HapticFrames
+{
+  std::vector<HapticFrame> Frames;
+  FrameSeries Series;
+};
+
 /** The time steps of an input, ascending; empty if it has less than two. */
 std::vector<double> ReadTimeSteps(vtkInformation* input);
 
+/** The series of time steps, two at least. */
+FrameSeries MakeSeries(const std::vector<double>& steps);
+
 /** The point array of an image that is touched; null if there is none. */
 using TouchedArrayOf = std::function<vtkDataArray*(vtkImageData*)>;
+
+/** The arrays of a time step that are read. */
+struct FrameReading
+{
+  TouchedArrayOf GetArray;
+  int Component;             ///< of that array
+  std::string Displacements; ///< the name of their array; empty if there are none
+};
+
+/**
+ * Requests a time step from the source of a filter's input port 0, and copies the array that is
+ * touched: a source may write each step to the same memory. False if the source fails.
+ */
+bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, HapticFrame& frame);
 
 /**
  * Requests the time steps from the first one to that at or after `last` from the source of a
  * filter's input port 0, and copies the array that is touched: a source may write each step to the
  * same memory. The source stays at the first step. Empty if the source fails.
- * @param component of that array
- * @param displacements their array's name; empty if there are none
  */
-std::vector<HapticFrame> CollectFrames(vtkAlgorithm* filter, const std::vector<double>& steps,
-  double last, const TouchedArrayOf& getArray, int component, const std::string& displacements);
+std::vector<HapticFrame> CollectFrames(
+  vtkAlgorithm* filter, const std::vector<double>& steps, double last, const FrameReading& reading);
 
 /** The components of an array as frames, `spacing` apart from data time 0 on. Nothing is copied. */
 std::vector<HapticFrame> MakeComponentFrames(

@@ -157,40 +157,15 @@ bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, st
             "SetMethodToLocalSurface, or stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
+  // Of a part of the series, the last one needs no displacements.
+  FrameSeries series = d.Series;
+  series.Last = frames.empty() ? 0.0 : frames.back().Time;
+  series.First = frames.empty() ? 0.0 : std::min(series.First, frames.front().Time);
+  const FrameShape shape{ d.View, d.IndexToWorld, series, d.KernelRadius, options.Displacements };
   for (const HapticFrame& frame : frames)
   {
-    HapticVolume volume;
-    std::ostringstream message;
-    if (!frame.Array)
-    {
-      message << "The input image on input port 0 has no point array to touch at time "
-              << frame.Time << ". Give all time steps the same array.";
-      error = message.str();
-      return false;
-    }
-    if (!ReadVolume(frame.Image, frame.Array, frame.Component, d.KernelRadius, volume, error))
-    {
-      message << "At time " << frame.Time << ": " << error;
-      error = message.str();
-      return false;
-    }
-    if (!AreAlike(volume.View, d.View) || !IsIdentical(volume.IndexToWorld, d.IndexToWorld))
-    {
-      const std::int64_t* const n = volume.View.Dimensions;
-      message << "The input image at time " << frame.Time << " has another geometry than at time "
-              << frames.front().Time << " (" << n[0] << " x " << n[1] << " x " << n[2]
-              << " points): all time steps need the same extent, origin, spacing and direction. "
-                 "Resample them to one geometry, for example with vtkImageReslice, or stop time "
-                 "with SetTimeUnitsPerSecond(0).";
-      error = message.str();
-      return false;
-    }
-    // Samples that are not numbers have one value at all times.
-    volume.View.BorderValue = d.View.BorderValue;
-    d.Frames.push_back({ frame.Time, volume.View, ShareArray(volume.Holder) });
-    const bool isLast = &frame == &frames.back();
-    if (!options.Displacements.empty() && (frame.Displacements || !isLast) &&
-      !ReadDisplacements(frame, options.Displacements, d.Frames.back(), error))
+    d.Frames.emplace_back();
+    if (!MakeVolumeFrame(frame, shape, d.Frames.back(), error))
     {
       return false;
     }
@@ -199,6 +174,43 @@ bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, st
 }
 
 } // namespace
+
+bool MakeVolumeFrame(
+  const HapticFrame& read, const FrameShape& shape, VolumeFrame& frame, std::string& error)
+{
+  HapticVolume volume;
+  std::ostringstream message;
+  if (!read.Array)
+  {
+    message << "The input image on input port 0 has no point array to touch at time " << read.Time
+            << ". Give all time steps the same array.";
+    error = message.str();
+    return false;
+  }
+  if (!ReadVolume(read.Image, read.Array, read.Component, shape.KernelRadius, volume, error))
+  {
+    message << "At time " << read.Time << ": " << error;
+    error = message.str();
+    return false;
+  }
+  if (!AreAlike(volume.View, shape.View) || !IsIdentical(volume.IndexToWorld, shape.IndexToWorld))
+  {
+    const std::int64_t* const n = volume.View.Dimensions;
+    message << "The input image at time " << read.Time << " has another geometry than at time "
+            << shape.Series.First << " (" << n[0] << " x " << n[1] << " x " << n[2]
+            << " points): all time steps need the same extent, origin, spacing and direction. "
+               "Resample them to one geometry, for example with vtkImageReslice, or stop time "
+               "with SetTimeUnitsPerSecond(0).";
+    error = message.str();
+    return false;
+  }
+  // Samples that are not numbers have one value at all times.
+  volume.View.BorderValue = shape.View.BorderValue;
+  frame = { read.Time, volume.View, ShareArray(volume.Holder) };
+  const bool isMoved = read.Displacements || read.Time < shape.Series.Last;
+  return shape.Displacements.empty() || !isMoved ||
+    ReadDisplacements(read, shape.Displacements, frame, error);
+}
 
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
   vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
@@ -214,6 +226,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   }
   const WholeFacts& whole = volume.Whole;
   d.View = volume.View;
+  d.Series = options.Series;
   d.IndexToWorld = volume.IndexToWorld;
   const std::int64_t* const n = d.View.Dimensions;
   const std::int64_t needed = PointsNeeded(d.KernelRadius);
@@ -241,6 +254,12 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     return nullptr;
   }
   BakeNoiseRamp(property, image, scalars, component, whole, d);
+  if (!d.Frames.empty())
+  {
+    // The source may write the next step to the memory of the image.
+    d.View = d.Frames.front().View;
+    d.Samples = d.Frames.front().Samples;
+  }
   const std::string array =
     std::to_string(component) + (scalars->GetName() ? scalars->GetName() : "");
   d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;

@@ -33,9 +33,27 @@ struct HapticModelOptions
   HapticSurface* Surfaces = nullptr; ///< for HapticMethod::SurfaceProxy
   vtkPolyData* Surface = nullptr;    ///< or else the isosurface
   RegionSeries* Regions = nullptr;   ///< earlier models, if the image may be a region
-  std::vector<HapticFrame> Frames;   ///< of a volume that moves; the image is the first one's
+  std::vector<HapticFrame> Frames;   ///< of a volume that moves; the image is at its first step
   std::string Displacements;         ///< the name of their array; empty if they have none
+  FrameSeries Series;                ///< of which Frames are a part
 };
+
+/** The shape that all frames of a volume have. */
+struct FrameShape
+{
+  VolumeView View; ///< the samples don't matter
+  Affine3 IndexToWorld;
+  FrameSeries Series; ///< frames before its end need displacements
+  int KernelRadius;
+  std::string Displacements; ///< the name of their array; empty if there are none
+};
+
+/**
+ * The frame of a model. False, with the reason and the cure in `error`, if it has another shape or
+ * can't be touched.
+ */
+bool MakeVolumeFrame(
+  const HapticFrame& read, const FrameShape& shape, VolumeFrame& frame, std::string& error);
 
 /**
  * Bakes a model that keeps the scalar array alive. If the input can't be touched, returns null, and

@@ -138,6 +138,7 @@ bool DeviceOrders::Start()
   try
   {
     this->Session.Start(device->GetServoRate(), this->MakeLimits(), std::move(model), placement);
+    this->Models.GetPlayback().Begin();
   }
   catch (const std::bad_alloc&)
   {
@@ -211,6 +212,26 @@ void DeviceOrders::Follow()
   {
     this->Publish();
   }
+}
+
+void DeviceOrders::FollowFrames()
+{
+  const vtkSmartPointer<vtkHapticDevice> device(this->Device);
+  TickCollector* const ticks = this->Session.GetTicks();
+  if (ticks && this->Models.LacksFrames())
+  {
+    this->Publish();
+  }
+  else if (ticks)
+  {
+    // Observers of a source may have stopped the servo.
+    std::shared_ptr<const HapticModel> model = this->Models.FollowFrames();
+    if (model && ticks == this->Session.GetTicks())
+    {
+      ticks->Publish(std::move(model));
+    }
+  }
+  this->Session.NoteFrames(this->Models.GetPlayback().Describe());
 }
 
 void DeviceOrders::FollowRegion()

@@ -47,6 +47,8 @@ public:
   void EndPreparing();
   /** Publishes another region of the volume when it has come: see vtkHapticRegionSource. */
   void FollowRegion();
+  /** Publishes the next frames of a volume that moves: see DataPlayback. */
+  void FollowFrames();
   /** Sends the device's limits to the running servo. */
   void SendLimits();
 

@@ -175,6 +175,7 @@ void DeviceSession::Stop()
     ReleaseServo(this->Servo.get());
     this->Servo.reset();
     this->RegionStatus.clear();
+    this->FramesStatus.clear();
     this->State.Gate = GateState::Disarmed;
     this->State.Reason = GateReason::Ordered;
     this->State.Share = 0.0;
@@ -412,6 +413,7 @@ DeviceStatus DeviceSession::GetStatus() const
                              : " (" + std::to_string(static_cast<int>(percent * share)) + " %).");
   }
   status.BackgroundWork += this->RegionStatus.empty() ? "" : " " + this->RegionStatus;
+  status.BackgroundWork += this->FramesStatus.empty() ? "" : " " + this->FramesStatus;
   if (this->Servo)
   {
     status.State = &this->State;

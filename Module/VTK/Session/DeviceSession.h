@@ -140,6 +140,8 @@ public:
   void NoteBackgroundWork(const std::string& what, double share);
   /** For the status, the news of a volume that is read by regions; empty if nothing is awaited. */
   void NoteRegion(const std::string& status) { this->RegionStatus = status; }
+  /** The same of the frames of a volume that moves. */
+  void NoteFrames(const std::string& status) { this->FramesStatus = status; }
   /** Whether the device is open and, as far as is known now, can be felt. */
   bool IsReady() const
   {
@@ -218,6 +220,7 @@ private:
   RoundTripInUse RoundTrip;
   std::map<std::string, double> BackgroundWorks; // with the share that is done
   std::string RegionStatus;
+  std::string FramesStatus;
   std::vector<Work> Works;
   std::set<int> Readers; ///< numbers of AddReader
 };

@@ -16,9 +16,10 @@ namespace VolumeHaptics
 {
 
 /**
- * When a filter, or its image, surface or label image, last changed; 0 without a filter.
+ * When a filter, or its image, surface or label image, last changed; 0 without a filter. If the
+ * time steps of the image are requested one after the other, the image's own changes don't count.
  */
-inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter)
+inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {
   if (!filter)
   {
@@ -29,7 +30,9 @@ inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter)
   {
     vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0);
     vtkDataObject* const data = filter->GetInputDataObject(port, 0);
-    time = std::max({ time, source ? source->GetMTime() : 0, data ? data->GetMTime() : 0 });
+    const bool isStep = isMoving && port == 0;
+    time =
+      std::max({ time, source ? source->GetMTime() : 0, data && !isStep ? data->GetMTime() : 0 });
   }
   return time;
 }

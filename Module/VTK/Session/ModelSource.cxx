@@ -18,6 +18,7 @@ namespace VolumeHaptics
 ModelSource::ModelSource(vtkHapticDevice* device, const DeviceSession& session)
   : Device(device)
   , Session(session)
+  , Playback(session)
 {
 }
 
@@ -65,8 +66,19 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
     const LongWork work(this->Device, "the surface is meshed",
       this->Device->IsRunning() ? HapticBaker(filter).EstimateTime() : 0.0);
     const ForceCaps caps = this->Session.FindCaps(rate);
-    model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
-    this->MadeTime = FindChangeTime(filter);
+    const bool isCurrent = this->IsUpToDate();
+    const bool isMoving = this->Playback.IsFelt(filter);
+    if (isMoving)
+    {
+      model = this->Playback.Make(filter, rate, caps, this->DeviceToWorld, isCurrent);
+    }
+    else
+    {
+      this->Playback.Forget();
+      model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
+    }
+    this->IsMadeOfFrames = isMoving;
+    this->MadeTime = FindChangeTime(filter, isMoving);
   }
   return !filter || model;
 }
@@ -104,7 +116,18 @@ bool ModelSource::FollowRegion(std::string& status)
 
 bool ModelSource::IsUpToDate() const
 {
-  return this->MadeTime == FindChangeTime(this->Filter);
+  return this->MadeTime == FindChangeTime(this->Filter, this->IsMadeOfFrames);
+}
+
+std::shared_ptr<const HapticModel> ModelSource::FollowFrames()
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  return this->Playback.Follow(filter);
+}
+
+bool ModelSource::LacksFrames() const
+{
+  return !this->IsMadeOfFrames && this->IsUpToDate() && this->Playback.IsFelt(this->Filter);
 }
 
 Affine3 ModelSource::GetPlacement() const

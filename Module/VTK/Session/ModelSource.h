@@ -7,6 +7,7 @@
 #ifndef ModelSource_h
 #define ModelSource_h
 
+#include "VTK/Session/DataPlayback.h"
 #include "VTK/Session/DeviceSession.h"
 
 #include "vtkMatrix4x4.h"
@@ -62,6 +63,16 @@ public:
    */
   bool FollowRegion(std::string& status);
 
+  ///@{
+  /**
+   * Time steps of a volume that moves. FollowFrames returns a model with the next window, if there
+   * is one; LacksFrames tells whether the volume is to move and the last model does not.
+   */
+  DataPlayback& GetPlayback() { return this->Playback; }
+  std::shared_ptr<const HapticModel> FollowFrames();
+  bool LacksFrames() const;
+  ///@}
+
   /** See vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 
@@ -74,7 +85,9 @@ private:
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   const char* Awaited = nullptr;
-  vtkMTimeType MadeTime = 0; ///< change time of the filter and its input when Make was called
+  DataPlayback Playback;
+  bool IsMadeOfFrames = false; ///< the last Make was of a volume that moves
+  vtkMTimeType MadeTime = 0;   ///< change time of the filter and its input when Make was called
 };
 
 } // namespace VolumeHaptics

@@ -3,6 +3,7 @@
 #include "VTK/Trace/HapticTraceColumns.h"
 
 #include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/TraceArrayChoice.h"
 #include "VTK/Trace/TraceRow.h"
 
 namespace VolumeHaptics
@@ -81,6 +82,7 @@ const std::vector<TraceColumn>& GetRecordingColumns()
     {
       add(column);
     }
+    add({ DataTimeColumn, "", Float64, 1, offsetof(TraceRow, DataTime) });
     add({ "Proxy", " (world)", Float64, 3, offsetof(TraceRow, Proxy) });
     return all;
   }();

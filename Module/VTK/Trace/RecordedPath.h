@@ -19,9 +19,10 @@ struct RecordedPath
   std::vector<Vector3> Tips; ///< in device space
   std::vector<double> Times; ///< s, of every tick
   std::vector<Affine3> Placements;
-  std::vector<int> PlacementOf; ///< per tick
-  std::vector<bool> Enabled;    ///< per tick
-  std::vector<bool> Renewed;    ///< per tick
+  std::vector<int> PlacementOf;  ///< per tick
+  std::vector<bool> Enabled;     ///< per tick
+  std::vector<bool> Renewed;     ///< per tick
+  std::vector<double> DataTimes; ///< per tick; empty if the volume did not move
   ServoState InitialState;
   double TickPeriod = 0.0;     ///< s, of the recorded servo
   std::vector<ForceCaps> Caps; ///< of the recorded device, per placement

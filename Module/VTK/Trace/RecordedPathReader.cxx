@@ -6,6 +6,7 @@
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticTuples.h"
 #include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -148,6 +149,11 @@ void RecordedPathReader::ReadTicks()
   vtkDataArray* const placement = this->FindOfTicks(RecordingNames::Placement, 1);
   vtkDataArray* const times = this->FindOfTicks("Time", 1);
   const auto isFlag = [](double flag) { return flag == 0.0 || flag == 1.0; };
+  // Older recordings, and those of files that a user has made smaller, lack it.
+  vtkDataArray* const dataTimes = this->Path->GetPointData()->GetArray(DataTimeColumn)
+    ? this->FindOfTicks(DataTimeColumn, 1)
+    : nullptr;
+  bool isMoving = false;
   const auto placements = static_cast<double>(this->Result.Placements.size());
   double last = -HUGE_VAL;
   for (vtkIdType i = 0; this->Flaw.empty() && i < this->Ticks; ++i)
@@ -171,6 +177,15 @@ void RecordedPathReader::ReadTicks()
     this->Result.Enabled.push_back(enabled->GetComponent(i, 0) != 0.0);
     this->Result.Renewed.push_back(renewed->GetComponent(i, 0) != 0.0);
     this->Result.Times.push_back(time);
+    const double dataTime = dataTimes ? dataTimes->GetComponent(i, 0) : 0.0;
+    this->Require(std::isfinite(dataTime), DataTimeColumn, i, "finite");
+    this->Result.DataTimes.push_back(dataTime);
+    isMoving = isMoving || dataTime != 0.0;
+  }
+  if (!isMoving)
+  {
+    // At a data time of 0, the volume was that of the first time step, or did not move at all.
+    this->Result.DataTimes.clear();
   }
 }
 

@@ -65,6 +65,10 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   {
     this->State.Enabled = false;
   }
+  if (!recording.DataTimes.empty())
+  {
+    this->State.DataTime = recording.DataTimes[i];
+  }
   // A surface counts from the tick in which the result of the slow loop came.
   LocalSurface surface;
   LocalSurfaceResult result;

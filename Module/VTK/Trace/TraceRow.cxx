@@ -85,7 +85,7 @@ void FillTraceRowWithoutValue(
   row.Viscosity = record.Viscosity;
   row.SurfaceStrength = record.SurfaceStrength;
   row.Energy = work.Add(record);
-  row.DataTime = record.DataTime;
+  row.DataTime = model.Baked->IsMoving() ? record.DataTime : 0.0;
   row.Contact = static_cast<unsigned char>(record.Contact);
   row.Unfinished = record.IsUnfinished ? 1 : 0;
   row.Renewed = record.IsRenewed ? 1 : 0;

@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/DataPlayback.h"
+
+#include "Core/Servo/ServoClock.h"
+#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Baking/HapticFrames.h"
+#include "VTK/Baking/HapticModelBuilder.h"
+#include "VTK/Baking/HapticPlacement.h"
+#include "VTK/Files/HapticFiles.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A series of as many steps is in memory as a whole. */
+constexpr std::size_t MostSteps = 3;
+/** How long (ns) memory is waited for that a reader of states may hold. */
+constexpr std::int64_t MostWait = 200000000;
+
+bool HasTimeSteps(vtkVolumeHapticsFilter* filter)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* const input =
+    filter->GetNumberOfInputConnections(0) > 0 ? filter->GetInputInformation(0, 0) : nullptr;
+  return input && input->Has(Pipeline::TIME_STEPS()) && input->Length(Pipeline::TIME_STEPS()) > 1;
+}
+
+} // namespace
+
+void DataPlayback::SetPlays(bool on)
+{
+  this->Orders.Plays = on;
+  this->IsMoving = this->IsMoving || on;
+  this->Send();
+}
+
+void DataPlayback::SetMode(Playback mode)
+{
+  this->Orders.Mode = mode;
+  this->Send();
+}
+
+void DataPlayback::SetTime(double time)
+{
+  this->Orders.Place = time;
+  ++this->Orders.Places;
+  this->IsMoving = true;
+  this->Send();
+}
+
+void DataPlayback::Begin()
+{
+  if (this->HasTime)
+  {
+    this->Orders.Place = this->GetTime();
+    ++this->Orders.Places;
+  }
+  this->Send();
+}
+
+void DataPlayback::Send()
+{
+  if (ServoLoop* const loop = this->Session.GetLoop())
+  {
+    loop->SetDataClock(this->Orders);
+    this->Sent = this->Orders;
+  }
+}
+
+bool DataPlayback::IsAtPlace() const
+{
+  const DataClockReport& report = this->Session.GetState().Clock;
+  const bool isPending =
+    report.Places != this->Orders.Places || (report.IsWaiting && report.Wanted != this->Time);
+  return this->Orders.Places == 0 || !(isPending || !this->HasTime);
+}
+
+double DataPlayback::GetTime() const
+{
+  return this->IsAtPlace() ? this->Time : this->Orders.Place;
+}
+
+bool DataPlayback::IsWaiting() const
+{
+  return this->Window && this->Session.IsRunning() && this->Session.GetState().Clock.IsWaiting;
+}
+
+std::string DataPlayback::Describe() const
+{
+  if (!this->IsWaiting())
+  {
+    return {};
+  }
+  const DataClockReport& report = this->Session.GetState().Clock;
+  const Need need = this->FindNeed(report.Wanted, report.IsBackward);
+  const std::size_t missing = this->Has(need.First) ? this->After(need.First) : need.First;
+  std::ostringstream text;
+  text << "The volume is waiting for the frame at data time " << this->Steps[missing]
+       << (missing == this->Failed ? ", which can't be read: see the errors." : ".");
+  return text.str();
+}
+
+bool DataPlayback::IsFelt(vtkVolumeHapticsFilter* filter) const
+{
+  return this->IsMoving && filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
+    filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS && HasTimeSteps(filter);
+}
+
+bool DataPlayback::IsWhole() const
+{
+  return this->Steps.size() <= MostSteps;
+}
+
+bool DataPlayback::Has(std::size_t step) const
+{
+  const std::size_t offset = (step + this->Steps.size() - this->First) % this->Steps.size();
+  return offset < this->Window->Frames.size();
+}
+
+DataPlayback::Need DataPlayback::FindNeed(double time, bool isBackward) const
+{
+  const std::size_t count = this->Steps.size();
+  const bool isLoop = this->Orders.Mode == Playback::Loop;
+  const auto above = std::upper_bound(this->Steps.begin(), this->Steps.end(), time);
+  std::size_t first =
+    above == this->Steps.begin() ? 0 : static_cast<std::size_t>(above - this->Steps.begin()) - 1;
+  const bool isOnStep = this->Steps[first] == time;
+  const bool isBetween = time > this->Steps.back();
+  if (isOnStep && isBackward && (first > 0 || isLoop))
+  {
+    first = this->Before(first);
+  }
+  else if (first + 1 == count && !isBetween && !(isLoop && !isBackward))
+  {
+    first = count - 2;
+  }
+  const bool isLoopEnd = first + 1 == count; // the interval from the last step to the first one
+  const std::size_t ahead = this->After(this->After(first));
+  const std::size_t behind = this->Before(first);
+  const bool hasAhead = isLoop || isLoopEnd || first + 2 < count;
+  const bool hasBehind = isLoop || isLoopEnd || first > 0;
+  // Time may turn around where it can't go on.
+  const bool takesAhead = isBackward ? !hasBehind : hasAhead;
+  return { first, takesAhead ? ahead : behind };
+}
+
+bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame)
+{
+  std::string error;
+  try
+  {
+    HapticFrame read;
+    if (!ReadFrame(filter, this->Steps[step], HapticBaker(filter).GetReading(), read))
+    {
+      error = "A time step of the image on input port 0 can't be read: see the errors of its "
+              "source. SetTimeUnitsPerSecond(0) takes one time step alone.";
+    }
+    else
+    {
+      const FieldFrame& like = this->Window->Frames.front();
+      const FrameShape shape{ like.Field.GetView(), this->Window->IndexToWorld,
+        this->Window->Series, filter->GetKernelRadius(), filter->GetDisplacementArrayName() };
+      MakeVolumeFrame(read, shape, frame, error);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = "There is not enough memory for a time step of the image on input port 0: three of "
+            "them are needed. Use a smaller image, or stop time with SetTimeUnitsPerSecond(0).";
+  }
+  if (!error.empty())
+  {
+    this->Failed = step;
+    vtkErrorWithObjectMacro(filter, << Printable(error));
+    return false;
+  }
+  return true;
+}
+
+std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* filter, double rate,
+  const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent)
+{
+  std::string error;
+  Affine3 placement = ScaledPlacement(filter->GetMetersPerWorldUnit());
+  if (isCurrent && this->Window && rate == this->Rate &&
+    (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
+  {
+    return std::make_shared<const HapticModel>(this->Window, placement, caps);
+  }
+  this->Window.reset();
+  this->GivenUp.clear();
+  this->Failed = None;
+  vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
+  source->UpdateInformation();
+  this->Steps = ReadTimeSteps(filter->GetInputInformation(0, 0));
+  const std::size_t count = this->Steps.size();
+  if (count < 2)
+  {
+    return HapticBaker(filter).Bake(rate, caps, deviceToWorld);
+  }
+  const double time = this->HasTime || this->Orders.Places > 0 ? this->GetTime() : this->Steps[0];
+  const bool isBackward = filter->GetTimeUnitsPerSecond() < 0.0;
+  this->First = this->IsWhole() ? 0 : this->FindNeed(time, isBackward).First;
+  const std::size_t frames = this->IsWhole() ? count + 1 : 2;
+  std::vector<HapticFrame> read(frames);
+  const FrameReading reading = HapticBaker(filter).GetReading();
+  for (std::size_t i = 0; i < frames; ++i)
+  {
+    const std::size_t step = (this->First + i) % count;
+    bool isRead = true;
+    try
+    {
+      isRead = i == count || ReadFrame(filter, this->Steps[step], reading, read[i]);
+    }
+    catch (const std::bad_alloc&)
+    {
+      isRead = false;
+    }
+    if (!isRead)
+    {
+      vtkErrorWithObjectMacro(filter,
+        "A time step of the image on input port 0 can't be read: see "
+        "the errors of its source, which may lack memory. "
+        "SetTimeUnitsPerSecond(0) takes one time step alone.");
+      return nullptr;
+    }
+  }
+  if (this->IsWhole())
+  {
+    read.back() = read.front();
+  }
+  // What is the same at all times comes from the first step, as it does along paths.
+  const FrameReading nothing{ [](vtkImageData*) { return nullptr; }, 0, {} };
+  HapticFrame first;
+  if (!ReadFrame(filter, this->Steps.front(), nothing, first))
+  {
+    return nullptr; // the source has told why
+  }
+  auto model =
+    HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps);
+  this->Window = model ? model->Baked : nullptr;
+  this->Rate = rate;
+  return model;
+}
+
+bool DataPlayback::IsMemoryFree() const
+{
+  return ServoClock::Now() - this->GivenUpAt > MostWait ||
+    std::all_of(this->GivenUp.begin(), this->GivenUp.end(),
+      [](const std::weak_ptr<const void>& frame) { return frame.expired(); });
+}
+
+/** Frames of the window, by the number of a step in the series. */
+std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count)
+{
+  std::vector<VolumeFrame> frames;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t step = (first + i) % this->Steps.size();
+    const std::size_t offset = (step + this->Steps.size() - this->First) % this->Steps.size();
+    const FieldFrame& frame = this->Window->Frames[offset];
+    frames.push_back({ frame.Time, frame.Field.GetView(), frame.Samples });
+    if (frame.Motion)
+    {
+      frames.back().Displacements = frame.Motion->GetView();
+      frames.back().DisplacementSamples = frame.DisplacementSamples;
+    }
+  }
+  return frames;
+}
+
+std::shared_ptr<const HapticModel> DataPlayback::Show(
+  std::size_t first, std::vector<VolumeFrame>&& frames)
+{
+  this->GivenUp.clear();
+  for (const FieldFrame& frame : this->Window->Frames)
+  {
+    if (std::none_of(frames.begin(), frames.end(),
+          [&frame](const VolumeFrame& other) { return other.Samples == frame.Samples; }))
+    {
+      this->GivenUp.emplace_back(frame.Samples);
+    }
+  }
+  this->GivenUpAt = ServoClock::Now();
+  const HapticModel* const last = this->Session.GetTicks()->GetLatestModel();
+  this->Window = std::make_shared<const BakedVolume>(*this->Window, frames);
+  this->First = first;
+  return std::make_shared<const HapticModel>(
+    this->Window, last->DeviceToWorld, this->Session.FindCaps(this->Session.GetRate()));
+}
+
+std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* filter)
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  const HapticModel* const felt = ticks ? ticks->GetLatestModel() : nullptr;
+  if (!felt || !filter)
+  {
+    return nullptr;
+  }
+  this->Orders.Rate = filter->GetTimeUnitsPerSecond();
+  if (this->Orders.Rate != this->Sent.Rate)
+  {
+    this->Send();
+  }
+  const ServoSnapshot& state = this->Session.GetState();
+  const DataClockReport& report = state.Clock;
+  if (!report.IsMoving || !this->Window || felt->Baked != this->Window)
+  {
+    return nullptr;
+  }
+  this->Time = state.Record.DataTime;
+  this->HasTime = true;
+  if (this->IsWhole())
+  {
+    return nullptr;
+  }
+  const double wanted = report.IsWaiting ? report.Wanted : this->Time;
+  const Need need = this->FindNeed(wanted, report.IsBackward);
+  const std::size_t second = this->After(need.First);
+  const bool hasPair = this->Has(need.First) && this->Has(second);
+  const std::size_t begin = need.Next == this->Before(need.First) ? need.Next : need.First;
+  if (this->Window->Frames.size() > 2)
+  {
+    if (hasPair && this->First == begin)
+    {
+      return nullptr;
+    }
+    // The pair in which time is now; a third frame comes only when its memory is free.
+    const Need now = this->FindNeed(this->Time, report.IsBackward);
+    const bool isThere = this->Has(now.First) && this->Has(this->After(now.First));
+    const std::size_t first = isThere ? now.First
+      : report.IsBackward             ? this->First
+                                      : this->After(this->First);
+    return this->Show(first, this->Keep(first, 2));
+  }
+  const auto isGood = [this](std::size_t step) { return step != this->Failed; };
+  if (!this->IsMemoryFree())
+  {
+    return nullptr;
+  }
+  VolumeFrame frame;
+  if (hasPair)
+  {
+    if (!isGood(need.Next) || !this->Read(filter, need.Next, frame))
+    {
+      return nullptr;
+    }
+    std::vector<VolumeFrame> frames = this->Keep(need.First, 2);
+    frames.insert(begin == need.First ? frames.end() : frames.begin(), frame);
+    return this->Show(begin, std::move(frames));
+  }
+  std::vector<VolumeFrame> frames;
+  for (const std::size_t step : { need.First, second })
+  {
+    if (this->Has(step))
+    {
+      frames.push_back(this->Keep(step, 1).front());
+    }
+    else if (isGood(step) && this->Read(filter, step, frame))
+    {
+      frames.push_back(frame);
+    }
+    else
+    {
+      return nullptr;
+    }
+  }
+  return this->Show(need.First, std::move(frames));
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Plays the time steps of a filter's image to the servo.
+ *
+ * The servo has a window of two or three time steps (FrameSeries.h), and its clock goes through
+ * them (DataClock.h). Here, on the owner's thread, the next step is read ahead of the servo's time,
+ * and a new window is published, with the tables of the last one. While time runs, three steps are
+ * in memory at most: one that is no longer needed is given up first. A series of up to three steps
+ * is published whole.
+ */
+#ifndef DataPlayback_h
+#define DataPlayback_h
+
+#include "Core/Model/HapticModel.h"
+#include "Core/Servo/DataClock.h"
+#include "VTK/Session/DeviceSession.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkMatrix4x4;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+class DataPlayback
+{
+public:
+  explicit DataPlayback(const DeviceSession& session)
+    : Session(session)
+  {
+  }
+
+  ///@{
+  /** The orders: see vtkHapticDevice. The first Play or SetTime begins the motion. */
+  void SetPlays(bool on);
+  void SetMode(Playback mode);
+  void SetTime(double time);
+  bool IsPlaying() const { return this->Orders.Plays; }
+  Playback GetMode() const { return this->Orders.Mode; }
+  ///@}
+
+  /** The data time of the latest state; that of SetTime until it is there. */
+  double GetTime() const;
+  /** Whether time holds since frames have not come. */
+  bool IsWaiting() const;
+  /** The frames that it waits for, as a sentence; empty if for none. */
+  std::string Describe() const;
+
+  /** Whether the time steps of a filter's image are to be felt, if it has any. */
+  bool IsFelt(vtkVolumeHapticsFilter* filter) const;
+  /**
+   * A model of the window at the time; null after an error of the filter. If neither the filter nor
+   * the volume has changed (`isCurrent`), nothing is read or baked again.
+   */
+  std::shared_ptr<const HapticModel> Make(vtkVolumeHapticsFilter* filter, double rate,
+    const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent);
+  /** The servo's model is no longer one of the last window. */
+  void Forget() { this->Window.reset(); }
+
+  /** Has a servo that has just been started go on at the time of the last one. */
+  void Begin();
+  /**
+   * To be called often: tells the servo the filter's rate, and follows its time. A model with the
+   * next window, if there is one.
+   */
+  std::shared_ptr<const HapticModel> Follow(vtkVolumeHapticsFilter* filter);
+
+private:
+  /** A pair of neighbouring steps, by the number of the first one, and the step that comes next. */
+  struct Need
+  {
+    std::size_t First;
+    std::size_t Next;
+  };
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  std::size_t After(std::size_t step) const { return (step + 1) % this->Steps.size(); }
+  std::size_t Before(std::size_t step) const
+  {
+    return (step + this->Steps.size() - 1) % this->Steps.size();
+  }
+  bool IsWhole() const;
+  bool Has(std::size_t step) const;
+  Need FindNeed(double time, bool isBackward) const;
+  bool IsMemoryFree() const;
+  std::vector<VolumeFrame> Keep(std::size_t first, std::size_t count);
+  bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame);
+  std::shared_ptr<const HapticModel> Show(std::size_t first, std::vector<VolumeFrame>&& frames);
+  bool IsAtPlace() const;
+  void Send();
+
+  const DeviceSession& Session;
+  DataClockOrders Orders;
+  DataClockOrders Sent;
+  bool IsMoving = false; ///< Play or SetTime was called
+  bool HasTime = false;  ///< Time is that of the servo
+  double Time = 0.0;
+  std::vector<double> Steps;
+  std::shared_ptr<const BakedVolume> Window;
+  std::size_t First = 0; ///< step of the window's first frame
+  double Rate = 0.0;     ///< Hz, for which the window was baked
+  std::vector<std::weak_ptr<const void>> GivenUp;
+  std::int64_t GivenUpAt = 0; ///< ns
+  std::size_t Failed = None;  ///< a step that can't be read
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A device in a volume that moves: a wall comes towards a tip that rests, and the force is the
+ * spring's to where the wall is, which is known at all times. Recordings of it replay to the bit.
+ */
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkDataArray.h>
+#include <vtkImageAlgorithm.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+using namespace devicetest;
+
+namespace
+{
+constexpr double WallStiffness = 500.0;
+constexpr double TipRests = 12.0;
+
+/// At 9 at time 10, and comes by 1 a step.
+double FindWall(double time)
+{
+  return 9.0 + time - 10.0;
+}
+
+vtkSmartPointer<vtkImageData> MakeWallStep(double time, int n = 24, int type = VTK_DOUBLE)
+{
+  return MakeImage(n, type,
+    [time](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - FindWall(time)) / 1.5)); });
+}
+
+/// Steps of the wall, all of them in the same memory, as some readers give them.
+class WallSteps : public vtkImageAlgorithm
+{
+public:
+  static WallSteps* New();
+  vtkTypeMacro(WallSteps, vtkImageAlgorithm);
+
+  std::vector<double> Steps{ 10.0, 11.0, 12.0, 13.0, 14.0 };
+  std::function<vtkSmartPointer<vtkImageData>(double)> Make = [](double time)
+  { return MakeWallStep(time); };
+  double FailsAt = std::numeric_limits<double>::quiet_NaN();
+
+protected:
+  WallSteps() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* const info = outputs->GetInformationObject(0);
+    const int extent[] = { 0, 23, 0, 23, 0, 23 };
+    info->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
+    info->Set(Pipeline::TIME_STEPS(), this->Steps.data(), static_cast<int>(this->Steps.size()));
+    const double range[] = { this->Steps.front(), this->Steps.back() };
+    info->Set(Pipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* const info = outputs->GetInformationObject(0);
+    const double time = info->Has(Pipeline::UPDATE_TIME_STEP())
+      ? info->Get(Pipeline::UPDATE_TIME_STEP())
+      : this->Steps.front();
+    if (time == this->FailsAt)
+    {
+      return 0;
+    }
+    const auto made = this->Make(time);
+    vtkImageData* const output = vtkImageData::GetData(info);
+    vtkDataArray* const array = made->GetPointData()->GetScalars();
+    if (this->Memory && this->Memory->GetDataSize() == array->GetDataSize() &&
+      this->Memory->GetDataType() == array->GetDataType())
+    {
+      for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      {
+        this->Memory->SetTuple1(i, array->GetTuple1(i));
+      }
+      this->Memory->Modified();
+      made->GetPointData()->SetScalars(this->Memory);
+    }
+    else
+    {
+      this->Memory = array;
+    }
+    output->ShallowCopy(made);
+    return 1;
+  }
+
+private:
+  vtkSmartPointer<vtkDataArray> Memory;
+};
+vtkStandardNewMacro(WallSteps);
+
+class PlaybackOfSteps : public DeviceTest
+{
+protected:
+  PlaybackOfSteps()
+  {
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    this->Filter->SetMaterialPlacementToKernel();
+    this->Filter->GetProperty()->GetSurfaceStrength()->RemoveAllPoints();
+    this->Filter->GetProperty()->GetSurfaceStrength()->AddPoint(0.0, 3.0);
+  }
+
+  void Rest()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    this->Device->SetVirtualTip(TipRests, 11.5, 11.5);
+    ASSERT_TRUE(this->Device->Start());
+    ASSERT_TRUE(this->WaitTicks(2));
+  }
+
+  /// While states come, for some time (s) of the servo.
+  void Watch(double seconds, const std::function<void()>& look)
+  {
+    const double end = this->Device->GetTime() + seconds;
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        if (this->Device->UpdateState())
+        {
+          look();
+        }
+        return this->Device->GetTime() >= end;
+      }));
+  }
+
+  void ExpectFilterError(const std::string& words)
+  {
+    ASSERT_EQ(this->FilterLog.Errors.size(), 1U);
+    EXPECT_NE(this->FilterLog.Errors[0].find(words), std::string::npos)
+      << this->FilterLog.Errors[0];
+    this->FilterLog.Errors.clear();
+  }
+
+  void ExpectForceOfTheWall()
+  {
+    const double time = this->Device->GetDataTime();
+    // A blend of two edges that are a voxel apart is off by 0.02 of their width at most.
+    EXPECT_NEAR(this->Device->GetComputedForce()[0],
+      0.001 * WallStiffness * std::max(0.0, FindWall(time) - TipRests), 0.02)
+      << "at " << time;
+  }
+
+  vtkNew<WallSteps> Source;
+};
+} // namespace
+
+TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
+{
+  this->Filter->SetTimeUnitsPerSecond(8.0);
+  this->Device->SetPlaybackToPingPong();
+  this->Rest();
+  EXPECT_FALSE(this->Device->IsPlaying());
+  this->Device->Play();
+  double most = 0.0;
+  double last = 10.0;
+  double least = 14.0;
+  this->Watch(2.5,
+    [&]
+    {
+      const double time = this->Device->GetDataTime();
+      if (time == 0.0)
+      {
+        return; // not felt yet
+      }
+      EXPECT_LE(10.0, time);
+      EXPECT_LE(time, 14.0);
+      this->ExpectForceOfTheWall();
+      most = std::max(most, this->Device->GetComputedForce()[0]);
+      least = time < last ? std::min(least, time) : least;
+      last = time;
+    });
+  EXPECT_GT(most, 0.4);
+  EXPECT_LT(least, 11.0); // it came back
+  this->Device->Hold();
+  ASSERT_TRUE(this->WaitTicks(20));
+  const double held = this->Device->GetDataTime();
+  ASSERT_TRUE(this->WaitTicks(50));
+  EXPECT_EQ(this->Device->GetDataTime(), held);
+  EXPECT_FALSE(this->Device->IsWaitingForData());
+}
+
+TEST_F(PlaybackOfSteps, TheVolumeStandsStillUntilItIsPlayed)
+{
+  this->Rest();
+  ASSERT_TRUE(this->WaitTicks(20));
+  EXPECT_EQ(this->Device->GetDataTime(), 0.0);
+  EXPECT_EQ(this->Device->GetPlayback(), vtkHapticDevice::ONCE);
+  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+}
+
+TEST_F(PlaybackOfSteps, GoesToAnyTimeAndFeelsTheWallThere)
+{
+  this->Rest();
+  for (const double time : { 13.6, 10.5, 12.0, 99.0, 11.0 })
+  {
+    this->Device->SetDataTime(time);
+    EXPECT_EQ(this->Device->GetDataTime(), time);
+    const double there = std::min(time, 14.0);
+    ASSERT_TRUE(this->WaitTicks(5));
+    ASSERT_TRUE(this->Wait(
+      [&] { return this->Device->GetDataTime() == there && !this->Device->IsWaitingForData(); }))
+      << time;
+    EXPECT_LE(this->Device->GetComputedForce()[0], 0.52);
+  }
+  this->Device->SetDataTime(std::numeric_limits<double>::quiet_NaN());
+  this->ExpectError("The data time has to be a finite number");
+  EXPECT_EQ(this->Device->GetDataTime(), 11.0);
+}
+
+TEST_F(PlaybackOfSteps, WaitsForAStepThatCantBeReadAndTells)
+{
+  this->Filter->SetTimeUnitsPerSecond(20.0);
+  this->Source->FailsAt = 12.0;
+  this->Rest();
+  this->Device->Play();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsWaitingForData(); }));
+  this->Source->FailsAt = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_TRUE(this->WaitTicks(50));
+  EXPECT_EQ(this->Device->GetDataTime(), 11.0);
+  EXPECT_NE(
+    this->Device->GetStatusText().find("waiting for the frame at data time 12"), std::string::npos)
+    << this->Device->GetStatusText();
+  this->ExpectFilterError("can't be read");
+  // Once it can be read, publishing goes on from there.
+  ASSERT_TRUE(this->Device->Publish());
+  this->Filter->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 14.0; }));
+  EXPECT_FALSE(this->Device->IsWaitingForData());
+}
+
+TEST_F(PlaybackOfSteps, StepsOfAnotherShapeAreRefusedAndOthersOfAnotherTypeAreFelt)
+{
+  this->Filter->SetTimeUnitsPerSecond(20.0);
+  this->Source->Make = [](double time)
+  {
+    return time == 12.0 ? MakeWallStep(time, 24, VTK_FLOAT)
+                        : MakeWallStep(time, time == 14.0 ? 20 : 24);
+  };
+  this->Rest();
+  this->Device->Play();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsWaitingForData(); }));
+  ASSERT_TRUE(this->WaitTicks(10));
+  EXPECT_EQ(this->Device->GetDataTime(), 13.0);
+  this->ExpectForceOfTheWall();
+  this->ExpectFilterError("has another geometry");
+}
+
+TEST_F(PlaybackOfSteps, ARecordingReplaysToTheBit)
+{
+  this->Filter->SetTimeUnitsPerSecond(9.0);
+  this->Device->SetPlaybackToLoop();
+  this->Rest();
+  this->Device->Play();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 10.5; }));
+  const std::string file = this->File("Playback.vtp");
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  double time = 10.0;
+  int loops = 0;
+  bool isBack = false;
+  this->Watch(1.5,
+    [&]
+    {
+      const double now = this->Device->GetDataTime();
+      loops += now < time ? 1 : 0;
+      time = now;
+      if (loops > 0 && !isBack)
+      {
+        this->Device->SetVirtualTip(TipRests - 1.0, 11.0, 12.0);
+        this->Device->SetDataTime(13.2);
+        isBack = true;
+      }
+    });
+  EXPECT_GT(loops, 1);
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->Device->Close();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* const recording = reader->GetOutput();
+  const vtkIdType ticks = recording->GetNumberOfPoints();
+  ASSERT_GT(ticks, 1000);
+  this->Filter->SetPathData(recording);
+  this->Filter->Update();
+  vtkPolyData* const trace = this->Filter->GetOutput();
+  ASSERT_EQ(trace->GetNumberOfPoints(), ticks);
+  double strongest = 0.0;
+  double latest = 0.0;
+  for (vtkIdType tick = 0; tick < ticks; ++tick)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_EQ(Get(trace, "Force", tick, c), Get(recording, "Force", tick, c)) << tick;
+    }
+    ASSERT_EQ(Get(trace, "DataTime", tick), Get(recording, "DataTime", tick)) << tick;
+    strongest = std::max(strongest, Get(trace, "Force", tick));
+    latest = std::max(latest, Get(trace, "DataTime", tick));
+  }
+  EXPECT_GT(strongest, 0.3);
+  EXPECT_GT(latest, 14.0); // between the last step and the first one
+}
