@@ -12,8 +12,8 @@
 # scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five minutes, the
 # benchmarks print their ratios, and the evaluation its whole table.
 #
-# Without --full, it ends within 25 minutes: on a machine that is so slow that the tests of ParaView, the sanitizers or
-# the fuzzer would not end by then, it says loudly that it leaves them out.
+# Without --full, it ends within 25 minutes: on a machine that is so slow that the wheel, ParaView's plugin, the
+# sanitizers or the fuzzer would not end by then, it says loudly that it leaves them out.
 #
 # Tests of devices, screens and packages wait more than they compute: while they run, the next ones are built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -108,11 +108,14 @@ finish()
 }
 
 # usage: fits PERCENT NAME
-# Whether so much of the time of the build, which tells how fast the machine is, is left before 23 minutes are over.
-# With --full there is time enough.
+# Whether a part of this run ends before 23 minutes are over, and plans it if so. PERCENT is its time as a share of that
+# of the first build, which tells how fast the machine is. With --full there is time enough.
+planned=0 # seconds
 fits()
 {
-  if [ $full = yes ] || [ $((SECONDS + build_seconds * $1 / 100)) -lt $((23 * 60)) ]; then
+  local cost=$((build_seconds * $1 / 100))
+  if [ $full = yes ] || [ $((SECONDS + planned + cost)) -lt $((23 * 60)) ]; then
+    planned=$((planned + cost))
     return
   fi
   echo "!!!! SKIPPED: $2, for which this machine is too slow: $((SECONDS / 60)) minutes are over; see --full !!!!" >&2
@@ -146,7 +149,6 @@ build_wheel()
   CXXFLAGS="-Wall -Wextra -Werror" "$root/CMake/wheel/build.sh" "$wheel_dir" /usr/bin/python3
 }
 
-start wheel build_wheel
 paraview=yes
 if require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
   libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev \
@@ -165,20 +167,17 @@ build_seconds=$SECONDS
 build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
   -DVolumeHaptics_BUILD_BENCHMARKS="$benchmarks" -DCMAKE_UNITY_BUILD=$unity "$cache"
 build_seconds=$((SECONDS - build_seconds))
-[ $paraview = no ] || start paraview build_paraview
+planned=$((build_seconds * 110 / 100)) # its tests
+wheel=no
+if fits 55 "the wheel"; then
+  wheel=yes
+  start wheel build_wheel
+fi
 
 # Those with a device in real time wait more than they compute. What fails is told at the end, too.
 echo "== Tests with devices"
 status=0
 run_tests "$build_dir" "$((3 * jobs))" -L '^device$' || status=$?
-
-wheel=0
-finish wheel || wheel=$?
-if [ $wheel -eq 3 ]; then
-  echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it is not tested !!!!" >&2
-elif [ $wheel -ne 0 ]; then
-  exit $wheel
-fi
 
 if [ $full = yes ]; then
   echo "== Benchmarks"
@@ -188,13 +187,36 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
+planned=$((planned - build_seconds * 50 / 100)) # those that ran
+if [ $paraview = yes ] && ! fits 75 "ParaView's plugin"; then
+  paraview=no
+fi
+[ $paraview = no ] || start paraview build_paraview
+
 # Some of the others wait, too.
 echo "== Tests"
-run_tests "$build_dir" "$((2 * jobs))" -LE "^($left_out)\$" || status=$?
+run_tests "$build_dir" "$((2 * jobs))" -LE "^($left_out|wheel)\$" || status=$?
 
-[ $paraview = no ] || finish paraview
+if [ $wheel = yes ]; then
+  built=0
+  finish wheel || built=$?
+  if [ $built -eq 3 ]; then
+    echo "!!!! SKIPPED: the wheel could not be built for want of the above, so it is not tested !!!!" >&2
+  elif [ $built -ne 0 ]; then
+    exit $built
+  else
+    echo "== Tests of the wheel"
+    run_tests "$build_dir" "$((2 * jobs))" -L '^wheel$' -LE "^($left_out)\$" || status=$?
+  fi
+fi
+
+planned=0
 sanitize=no
-if fits 70 "the address and undefined-behaviour sanitizers"; then
+if [ $paraview = yes ]; then
+  finish paraview
+  planned=$((build_seconds * 40 / 100)) # the tests of ParaView's plugin
+fi
+if fits 50 "the address and undefined-behaviour sanitizers"; then
   sanitize=yes
   if [ $full = yes ]; then
     start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON
@@ -202,12 +224,13 @@ if fits 70 "the address and undefined-behaviour sanitizers"; then
     start sanitize build asan "$build_dir-sanitize" VolumeHapticsSanitizerTests
   fi
 fi
-if [ $paraview = yes ] && fits 60 "the tests of ParaView's plugin"; then
+if [ $paraview = yes ]; then
   echo "== Tests of ParaView's plugin in $plugin_dir"
   run_tests "$plugin_dir" "$((jobs + 1))" -L '^paraview$' -LE "^($left_out)\$" || status=$?
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
 fi
 
+planned=0
 if [ $sanitize = yes ]; then
   finish sanitize
   echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
