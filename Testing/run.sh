@@ -12,8 +12,8 @@
 # scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five minutes, the
 # benchmarks print their ratios, and the evaluation its whole table.
 #
-# Without --full, it ends within 25 minutes: on a machine that is so slow that the wheel, ParaView's plugin, the
-# sanitizers or the fuzzer would not end by then, it says loudly that it leaves them out.
+# Without --full, it ends within 25 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
+# clang-tidy, the sanitizers or the fuzzer would not end by then, it says loudly that it leaves them out.
 #
 # Tests of devices, screens and packages wait more than they compute: while they run, the next ones are built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -38,12 +38,12 @@ source "$root/Data/head-ct.sh"
 require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xvfb xauth \
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev ccache libboost-dev nlohmann-json3-dev \
   libpulse-dev pulseaudio libumockdev-dev umockdev python3-pytest python3-zarr openbox xdotool wmctrl x11-utils \
-  python3-venv python3-dev libgl-dev debian-archive-keyring clang libclang-rt-14-dev dbus libdbus-1-3 python3-gi
+  python3-venv python3-dev libgl-dev debian-archive-keyring clang clang-tidy-14 libclang-rt-14-dev dbus libdbus-1-3 python3-gi
 
 jobs=$(nproc)
 benchmarks=OFF
 left_out='device|full' # labels of tests that ran before, or do not run
-lint=(format columns spelling python shell documents tidy)
+tidy=tidy
 fuzz_options=-O0
 # Unity builds compile in half the time. With --full, all sources are also compiled as users do, one by one.
 unity=ON
@@ -51,7 +51,7 @@ if [ $full = yes ]; then
   unity=OFF
   benchmarks=ON
   left_out=device
-  lint+=(analyze)
+  tidy="tidy analyze"
   fuzz_options=-O1
 fi
 wheel_dir=$(dirname "$build_dir")/wheel
@@ -160,7 +160,7 @@ else
   paraview=no
   echo "!!!! SKIPPED: ParaView could not be installed, so its plugin is neither built nor tested !!!!" >&2
 fi
-"$root/Testing/lint.sh" "${lint[@]}"
+"$root/Testing/lint.sh" format columns spelling python shell documents
 
 echo "== Building in $build_dir"
 build_seconds=$SECONDS
@@ -210,12 +210,18 @@ if [ $wheel = yes ]; then
   fi
 fi
 
-planned=0
-sanitize=no
+later=0 # seconds, of the tests of ParaView's plugin
 if [ $paraview = yes ]; then
   finish paraview
-  planned=$((build_seconds * 40 / 100)) # the tests of ParaView's plugin
+  later=$((build_seconds * 40 / 100))
 fi
+planned=$later
+if fits 20 "clang-tidy"; then
+  # shellcheck disable=SC2086 # words
+  "$root/Testing/lint.sh" $tidy || status=$?
+fi
+planned=$later
+sanitize=no
 if fits 50 "the address and undefined-behaviour sanitizers"; then
   sanitize=yes
   if [ $full = yes ]; then
