@@ -187,7 +187,8 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
-planned=$((planned - build_seconds * 50 / 100)) # those that ran
+# Of the planned tests, 50 % of the build's time have run; the sanitizers, which go before ParaView's plugin, take 70 %.
+planned=$((planned + build_seconds * (70 - 50) / 100))
 if [ $paraview = yes ] && ! fits 75 "ParaView's plugin"; then
   paraview=no
 fi
