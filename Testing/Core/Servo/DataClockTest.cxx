@@ -197,7 +197,8 @@ TEST(DataClock, FoldsTimeAtTheEndsOfTheSeries)
 
 TEST(DataClock, BeginsHeldAtTheFirstFrame)
 {
-  ClockedHand hand(MakeUneven().Describe());
+  const HighWall wall = MakeUneven();
+  ClockedHand hand(wall.Describe());
   for (int i = 0; i < 3; ++i)
   {
     hand.Step(RestingTip);
