@@ -7,15 +7,13 @@
  */
 
 #include "Rigs/ApiRig.h"
+#include "Rigs/TimeSource.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
-#include <vtkImageAlgorithm.h>
 #include <vtkInformation.h>
-#include <vtkInformationVector.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNIFTIImageWriter.h>
-#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
@@ -34,67 +32,6 @@ vtkSmartPointer<vtkImageData> MakeWall(double wall, int n = 24, int type = VTK_D
   return MakeImage(
     n, type, [wall](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - wall) / 1.5)); });
 }
-
-/// The wall of a time step, as a reader gives it: into the same memory each time.
-class TimeSource : public vtkImageAlgorithm
-{
-public:
-  static TimeSource* New();
-  vtkTypeMacro(TimeSource, vtkImageAlgorithm);
-
-  std::vector<double> Steps;
-  std::function<vtkSmartPointer<vtkImageData>(double)> Make;
-  std::vector<double> Asked;
-  double FailsAt = std::numeric_limits<double>::quiet_NaN();
-
-protected:
-  TimeSource() { this->SetNumberOfInputPorts(0); }
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    using Pipeline = vtkStreamingDemandDrivenPipeline;
-    vtkInformation* const info = outputs->GetInformationObject(0);
-    info->Set(Pipeline::WHOLE_EXTENT(), this->Make(this->Steps.front())->GetExtent(), 6);
-    info->Set(Pipeline::TIME_STEPS(), this->Steps.data(), static_cast<int>(this->Steps.size()));
-    const double range[] = { this->Steps.front(), this->Steps.back() };
-    info->Set(Pipeline::TIME_RANGE(), range, 2);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    using Pipeline = vtkStreamingDemandDrivenPipeline;
-    vtkInformation* const info = outputs->GetInformationObject(0);
-    const double time = info->Has(Pipeline::UPDATE_TIME_STEP())
-      ? info->Get(Pipeline::UPDATE_TIME_STEP())
-      : this->Steps.front();
-    this->Asked.push_back(time);
-    if (time == this->FailsAt)
-    {
-      return 0;
-    }
-    const auto made = this->Make(time);
-    vtkDataArray* const array = made->GetPointData()->GetScalars();
-    if (this->Memory && array && this->Memory->GetDataSize() == array->GetDataSize() &&
-      this->Memory->GetDataType() == array->GetDataType())
-    {
-      std::memcpy(this->Memory->GetVoidPointer(0), array->GetVoidPointer(0),
-        static_cast<std::size_t>(array->GetDataSize()) * array->GetDataTypeSize());
-      made->GetPointData()->SetScalars(this->Memory);
-    }
-    else if (array)
-    {
-      this->Memory = array;
-    }
-    vtkImageData* const output = vtkImageData::GetData(info);
-    output->ShallowCopy(made);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    return 1;
-  }
-
-private:
-  vtkSmartPointer<vtkDataArray> Memory;
-};
-vtkStandardNewMacro(TimeSource);
 
 constexpr double K = 500.0;
 constexpr double Rest = 12.0;

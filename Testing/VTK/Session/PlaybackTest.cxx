@@ -7,13 +7,11 @@
  */
 
 #include "Rigs/DeviceRig.h"
+#include "Rigs/TimeSource.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
-#include <vtkImageAlgorithm.h>
 #include <vtkInformation.h>
-#include <vtkInformationVector.h>
-#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -42,74 +40,13 @@ vtkSmartPointer<vtkImageData> MakeWallStep(double time, int n = 24, int type = V
     [time](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - FindWall(time)) / 1.5)); });
 }
 
-/// Steps of the wall, all of them in the same memory, as some readers give them.
-class WallSteps : public vtkImageAlgorithm
-{
-public:
-  static WallSteps* New();
-  vtkTypeMacro(WallSteps, vtkImageAlgorithm);
-
-  std::vector<double> Steps{ 10.0, 11.0, 12.0, 13.0, 14.0 };
-  std::function<vtkSmartPointer<vtkImageData>(double)> Make = [](double time)
-  { return MakeWallStep(time); };
-  double FailsAt = std::numeric_limits<double>::quiet_NaN();
-
-protected:
-  WallSteps() { this->SetNumberOfInputPorts(0); }
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    using Pipeline = vtkStreamingDemandDrivenPipeline;
-    vtkInformation* const info = outputs->GetInformationObject(0);
-    const int extent[] = { 0, 23, 0, 23, 0, 23 };
-    info->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-    info->Set(Pipeline::TIME_STEPS(), this->Steps.data(), static_cast<int>(this->Steps.size()));
-    const double range[] = { this->Steps.front(), this->Steps.back() };
-    info->Set(Pipeline::TIME_RANGE(), range, 2);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    using Pipeline = vtkStreamingDemandDrivenPipeline;
-    vtkInformation* const info = outputs->GetInformationObject(0);
-    const double time = info->Has(Pipeline::UPDATE_TIME_STEP())
-      ? info->Get(Pipeline::UPDATE_TIME_STEP())
-      : this->Steps.front();
-    if (time == this->FailsAt)
-    {
-      return 0;
-    }
-    const auto made = this->Make(time);
-    vtkImageData* const output = vtkImageData::GetData(info);
-    vtkDataArray* const array = made->GetPointData()->GetScalars();
-    if (this->Memory && this->Memory->GetDataSize() == array->GetDataSize() &&
-      this->Memory->GetDataType() == array->GetDataType())
-    {
-      for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-      {
-        this->Memory->SetTuple1(i, array->GetTuple1(i));
-      }
-      this->Memory->Modified();
-      made->GetPointData()->SetScalars(this->Memory);
-    }
-    else
-    {
-      this->Memory = array;
-    }
-    output->ShallowCopy(made);
-    return 1;
-  }
-
-private:
-  vtkSmartPointer<vtkDataArray> Memory;
-};
-vtkStandardNewMacro(WallSteps);
-
 class PlaybackOfSteps : public DeviceTest
 {
 protected:
   PlaybackOfSteps()
   {
+    this->Source->Steps = { 10.0, 11.0, 12.0, 13.0, 14.0 };
+    this->Source->Make = [](double time) { return MakeWallStep(time); };
     this->Filter->SetInputConnection(this->Source->GetOutputPort());
     this->Filter->SetMaterialPlacementToKernel();
     this->Filter->GetProperty()->GetSurfaceStrength()->RemoveAllPoints();
@@ -156,7 +93,7 @@ protected:
       << "at " << time;
   }
 
-  vtkNew<WallSteps> Source;
+  vtkNew<apitest::TimeSource> Source;
 };
 } // namespace
 
