@@ -14,8 +14,8 @@ namespace VolumeHaptics
 
 inline std::int64_t SizeOf(ScalarType type) noexcept
 {
-  constexpr std::int64_t sizes[] = { 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
-  return sizes[static_cast<int>(type)];
+  return WithSampleType(
+    type, [](auto sample) { return static_cast<std::int64_t>(sizeof(sample)); });
 }
 
 /**

@@ -94,7 +94,7 @@ std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const 
     }
     frames.push_back({ frame.Time, 0.0, FieldSampler(frame.View, kernel), frame.Samples, {},
       frame.DisplacementSamples });
-    // On the way from the last frame to the first one, nobody knows where the material goes.
+    // How the material gets from the last frame back to the first one is not known.
     if (frame.Displacements.Data && frame.Time < series.Last)
     {
       frames.back().Motion.emplace(frame.Displacements, frame.View, indexToWorld);

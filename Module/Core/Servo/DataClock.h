@@ -52,7 +52,7 @@ struct DataClockOrders
   std::uint32_t Places = 0; ///< changes whenever Place was set
 };
 
-/** What the clock tells after a tick. */
+/** The report of the clock after a tick. */
 struct DataClockReport
 {
   bool IsMoving = false;    ///< there is a volume that moves

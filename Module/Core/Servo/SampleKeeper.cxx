@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Servo/SampleKeeper.h"
 
+#include "Core/Field/WholeData.h"
 #include "Core/Model/HapticModel.h"
 #include "Core/Regions/Residency.h"
 #include "Core/Servo/ModelExchange.h"
@@ -68,8 +69,7 @@ bool FindSamplePages(const VolumeView& view, const SampleBox& box, std::size_t p
 {
   pages.clear();
   const auto data = reinterpret_cast<std::uintptr_t>(view.Data);
-  const std::int64_t sampleSize = WithSampleType(
-    view.Type, [](auto sample) { return static_cast<std::int64_t>(sizeof(sample)); });
+  const std::int64_t sampleSize = SizeOf(view.Type);
   const auto addressOf = [&](std::int64_t i, std::int64_t j, std::int64_t k)
   {
     return data +

@@ -56,7 +56,7 @@ public:
     return next > LeastRate ? std::min(next, MostRate) : LeastRate;
   }
 
-  /** What is left, and how long it is (m). */
+  /** The part of the lag that is still to go, and its length (m). */
   const Vector3& GetRest() const noexcept { return this->Rest; }
   double GetLength() const noexcept { return this->Length; }
   bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }

@@ -31,7 +31,7 @@
 namespace VolumeHaptics
 {
 
-/** What a proxy finds at a place. Borrows the context. */
+/** The primitives as a function of the place. Borrows the context. */
 struct PrimitiveField
 {
   /** Adds the primitives at a place (m) to an empty set, mostly with that place as their anchor. */
@@ -40,7 +40,7 @@ struct PrimitiveField
   const void* Context = nullptr;
 };
 
-/** What a tick passes to the next one. */
+/** The state that a tick passes to the next one. */
 struct PrimitiveMemory
 {
   PrimitiveForces Forces{}; ///< of each primitive, in the order in which the field adds them

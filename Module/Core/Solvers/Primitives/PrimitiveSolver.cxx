@@ -289,7 +289,7 @@ bool PrimitiveSolver::Compose(const PrimitiveSet& set, double k, const Vector3& 
     balance.Force = push;
     return true;
   }
-  // What is left of the spring's force.
+  // The part of the spring's force that no primitive holds yet.
   Vector3 rest = k * (tip - first->Anchor) + push;
   for (const PrimitiveKind kind :
     { PrimitiveKind::Plane, PrimitiveKind::Line, PrimitiveKind::Point })
