@@ -293,9 +293,10 @@ public:
 
   ///@{
   /**
-   * The time of a volume that moves, which is one whose source has several time steps
-   * (TIME_STEPS). It begins with the first Play or SetDataTime: until then, the time step that the
-   * source shows is felt, and the volume stands still.
+   * The time of a volume that moves: its source has several time steps (TIME_STEPS), or its
+   * components are its frames (SetFramesToComponents of the filter). It begins with the first Play
+   * or SetDataTime: until then, the time step that the source shows is felt, or the component of
+   * the property, and the volume stands still.
    *
    * While it plays, data time advances in every tick of the servo by TimeUnitsPerSecond of the
    * filter for each second, also backwards, and time steps are blended. Play, Hold, another speed
@@ -310,6 +311,7 @@ public:
    *
    * UpdateState reads the time steps ahead of the servo, three in memory at most while time runs.
    * If they come too late, data time holds: IsWaitingForData, and GetStatusText tells for which.
+   * Components are felt where they are, without a copy.
    */
   void Play();
   void Hold();

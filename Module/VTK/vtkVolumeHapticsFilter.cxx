@@ -108,6 +108,22 @@ bool UpdateSources(vtkAlgorithm* filter)
   return hasRun;
 }
 
+double FindLastDataTime(const VolumeHaptics::RecordedPath& recording)
+{
+  return *std::max_element(recording.DataTimes.begin(), recording.DataTimes.end());
+}
+
+/** If a recording went on from the last frame to the first one, the first one follows again. */
+void AddLoop(
+  const VolumeHaptics::RecordedPath& recording, std::vector<VolumeHaptics::HapticFrame>& frames)
+{
+  if (!frames.empty() && FindLastDataTime(recording) > frames.back().Time)
+  {
+    const VolumeHaptics::HapticFrame first = frames.front();
+    frames.push_back(first);
+  }
+}
+
 /// If a source threw, VTK's executive thinks that it still runs, and refuses it from then on.
 const char* const FailedSource = " A source of this filter failed: see its errors. If memory ran "
                                  "out in it before, VTK can't run it again: connect a "
@@ -596,7 +612,7 @@ bool vtkVolumeHapticsFilter::CollectComponents(std::vector<VolumeHaptics::Haptic
 {
   vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* const array = this->GetInputArrayToProcess(0, image, association);
+  vtkDataArray* const array = image ? this->GetInputArrayToProcess(0, image, association) : nullptr;
   if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     return true; // BakeImage tells
@@ -635,9 +651,14 @@ bool vtkVolumeHapticsFilter::CollectTimeSteps(
   {
     return true;
   }
-  if (!recording && this->Frames == COMPONENTS && this->TimeUnitsPerSecond != 0.0)
+  if (this->Frames == COMPONENTS && this->TimeUnitsPerSecond != 0.0)
   {
-    return this->CollectComponents(frames.Frames);
+    const bool areThere = this->CollectComponents(frames.Frames);
+    if (isMoving)
+    {
+      AddLoop(*recording, frames.Frames);
+    }
+    return areThere;
   }
   const std::vector<double> steps =
     this->FeelsMotion() ? ReadTimeSteps(this->GetInputInformation(0, 0)) : std::vector<double>();
@@ -651,16 +672,13 @@ bool vtkVolumeHapticsFilter::CollectTimeSteps(
     }
     return !isMoving;
   }
-  const double last = isMoving
-    ? *std::max_element(recording->DataTimes.begin(), recording->DataTimes.end())
-    : steps.front() + this->TimeUnitsPerSecond * paths.FindLastTime();
+  const double last = isMoving ? FindLastDataTime(*recording)
+                               : steps.front() + this->TimeUnitsPerSecond * paths.FindLastTime();
   frames.Series = MakeSeries(steps);
   frames.Frames = CollectFrames(this, steps, last, HapticBaker(this).GetReading());
-  if (isMoving && last > steps.back() && !frames.Frames.empty())
+  if (isMoving)
   {
-    // It went on to the first step.
-    frames.Frames.push_back(frames.Frames.front());
-    frames.Frames.back().Time = steps.front();
+    AddLoop(*recording, frames.Frames);
   }
   if (frames.Frames.empty())
   {

@@ -56,6 +56,15 @@ public:
       rate, deviceCaps, deviceToWorld, { std::move(frames), MakeSeries(steps) });
   }
 
+  /**
+   * The components of the touched array as frames, after its source has run; none if Bake() tells
+   * what is missing. False after an error.
+   */
+  bool CollectComponents(std::vector<HapticFrame>& frames) const
+  {
+    return this->Filter->CollectComponents(frames);
+  }
+
   /** How a time step is read. */
   FrameReading GetReading() const
   {

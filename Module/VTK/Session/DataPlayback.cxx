@@ -9,6 +9,8 @@
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Files/HapticFiles.h"
 
+#include "vtkAlgorithmOutput.h"
+#include "vtkExecutive.h"
 #include "vtkHapticProperty.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
@@ -36,6 +38,28 @@ bool HasTimeSteps(vtkVolumeHapticsFilter* filter)
   vtkInformation* const input =
     filter->GetNumberOfInputConnections(0) > 0 ? filter->GetInputInformation(0, 0) : nullptr;
   return input && input->Has(Pipeline::TIME_STEPS()) && input->Length(Pipeline::TIME_STEPS()) > 1;
+}
+
+/** Whether the source of the image runs. */
+bool IsUpdated(vtkVolumeHapticsFilter* filter)
+{
+  try
+  {
+    vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
+    return !source ||
+      source->GetExecutive()->Update(filter->GetInputConnection(0, 0)->GetIndex()) != 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
+  }
+}
+
+void TellUnread(vtkVolumeHapticsFilter* filter)
+{
+  vtkErrorWithObjectMacro(filter,
+    "A frame of the image on input port 0 can't be read: see the errors of its source, which may "
+    "lack memory. SetTimeUnitsPerSecond(0) takes one frame alone.");
 }
 
 } // namespace
@@ -116,12 +140,12 @@ std::string DataPlayback::Describe() const
 bool DataPlayback::IsFelt(vtkVolumeHapticsFilter* filter) const
 {
   return this->IsMoving && filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
-    filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS && HasTimeSteps(filter);
+    (filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS || HasTimeSteps(filter));
 }
 
 bool DataPlayback::IsWhole() const
 {
-  return this->Steps.size() <= MostSteps;
+  return this->AreComponents || this->Steps.size() <= MostSteps;
 }
 
 bool DataPlayback::Has(std::size_t step) const
@@ -203,19 +227,64 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   this->Window.reset();
   this->GivenUp.clear();
   this->Failed = None;
-  vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
-  source->UpdateInformation();
+  this->AreComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  std::vector<HapticFrame> read;
+  if (!(this->AreComponents ? this->ReadComponents(filter, read) : this->ReadSteps(filter, read)))
+  {
+    return nullptr;
+  }
+  if (read.empty())
+  {
+    return HapticBaker(filter).Bake(rate, caps, deviceToWorld);
+  }
+  auto model =
+    HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps);
+  this->Window = model ? model->Baked : nullptr;
+  this->Rate = rate;
+  return model;
+}
+
+/** All of them; none if there is no image, which the baker tells. */
+bool DataPlayback::ReadComponents(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames)
+{
+  if (!IsUpdated(filter))
+  {
+    TellUnread(filter);
+    return false;
+  }
+  if (!HapticBaker(filter).CollectComponents(frames))
+  {
+    return false;
+  }
+  this->Steps.clear();
+  for (const HapticFrame& frame : frames)
+  {
+    this->Steps.push_back(frame.Time);
+  }
+  this->First = 0;
+  if (!frames.empty())
+  {
+    const HapticFrame first = frames.front();
+    frames.push_back(first);
+  }
+  return true;
+}
+
+/** The window at the time; none if there is one time step. */
+bool DataPlayback::ReadSteps(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& read)
+{
+  filter->GetInputAlgorithm(0, 0)->UpdateInformation();
   this->Steps = ReadTimeSteps(filter->GetInputInformation(0, 0));
   const std::size_t count = this->Steps.size();
   if (count < 2)
   {
-    return HapticBaker(filter).Bake(rate, caps, deviceToWorld);
+    return true;
   }
   const double time = this->HasTime || this->Orders.Places > 0 ? this->GetTime() : this->Steps[0];
   const bool isBackward = filter->GetTimeUnitsPerSecond() < 0.0;
   this->First = this->IsWhole() ? 0 : this->FindNeed(time, isBackward).First;
   const std::size_t frames = this->IsWhole() ? count + 1 : 2;
-  std::vector<HapticFrame> read(frames);
+  read.resize(frames);
   const FrameReading reading = HapticBaker(filter).GetReading();
   for (std::size_t i = 0; i < frames; ++i)
   {
@@ -231,11 +300,8 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
     }
     if (!isRead)
     {
-      vtkErrorWithObjectMacro(filter,
-        "A time step of the image on input port 0 can't be read: see "
-        "the errors of its source, which may lack memory. "
-        "SetTimeUnitsPerSecond(0) takes one time step alone.");
-      return nullptr;
+      TellUnread(filter);
+      return false;
     }
   }
   if (this->IsWhole())
@@ -245,15 +311,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   // What is the same at all times comes from the first step, as it does along paths.
   const FrameReading nothing{ [](vtkImageData*) { return nullptr; }, 0, {} };
   HapticFrame first;
-  if (!ReadFrame(filter, this->Steps.front(), nothing, first))
-  {
-    return nullptr; // the source has told why
-  }
-  auto model =
-    HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps);
-  this->Window = model ? model->Baked : nullptr;
-  this->Rate = rate;
-  return model;
+  return ReadFrame(filter, this->Steps.front(), nothing, first); // else the source has told why
 }
 
 bool DataPlayback::IsMemoryFree() const

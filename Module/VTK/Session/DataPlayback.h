@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plays the time steps of a filter's image to the servo.
+ * Plays the frames of a volume that moves to the servo: time steps of a filter's image, or
+ * components of it.
  *
  * The servo has a window of two or three time steps (FrameSeries.h), and its clock goes through
  * them (DataClock.h). Here, on the owner's thread, the next step is read ahead of the servo's time,
  * and a new window is published, with the tables of the last one. While time runs, three steps are
  * in memory at most: one that is no longer needed is given up first. A series of up to three steps
- * is published whole.
+ * is published whole; and so are components, which are in memory anyway.
  */
 #ifndef DataPlayback_h
 #define DataPlayback_h
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Servo/DataClock.h"
+#include "VTK/Baking/HapticFrames.h"
 #include "VTK/Session/DeviceSession.h"
 
 #include <memory>
@@ -51,7 +53,7 @@ public:
   /** The frames that it waits for, as a sentence; empty if for none. */
   std::string Describe() const;
 
-  /** Whether the time steps of a filter's image are to be felt, if it has any. */
+  /** Whether the frames of a filter's image are to be felt, if it has any. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
   /**
    * A model of the window at the time; null after an error of the filter. If neither the filter nor
@@ -85,6 +87,8 @@ private:
     return (step + this->Steps.size() - 1) % this->Steps.size();
   }
   bool IsWhole() const;
+  bool ReadComponents(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames);
+  bool ReadSteps(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames);
   bool Has(std::size_t step) const;
   Need FindNeed(double time, bool isBackward) const;
   bool IsMemoryFree() const;
@@ -101,6 +105,7 @@ private:
   bool HasTime = false;  ///< Time is that of the servo
   double Time = 0.0;
   std::vector<double> Steps;
+  bool AreComponents = false; ///< the frames of the window
   std::shared_ptr<const BakedVolume> Window;
   std::size_t First = 0; ///< step of the window's first frame
   double Rate = 0.0;     ///< Hz, for which the window was baked

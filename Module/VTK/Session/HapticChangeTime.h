@@ -17,7 +17,8 @@ namespace VolumeHaptics
 
 /**
  * When a filter, or its image, surface or label image, last changed; 0 without a filter. If the
- * time steps of the image are requested one after the other, the image's own changes don't count.
+ * time steps of a moving image are requested one after the other, the image's own changes don't
+ * count.
  */
 inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {
@@ -30,7 +31,8 @@ inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving
   {
     vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0);
     vtkDataObject* const data = filter->GetInputDataObject(port, 0);
-    const bool isStep = isMoving && port == 0;
+    const bool isStep =
+      isMoving && port == 0 && filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS;
     time =
       std::max({ time, source ? source->GetMTime() : 0, data && !isStep ? data->GetMTime() : 0 });
   }

@@ -93,7 +93,87 @@ protected:
       << "at " << time;
   }
 
+  /// Frames at 10 to 14, or less: recorded in a loop with a leap in it.
+  void ExpectThatARecordingReplaysToTheBit(double first)
+  {
+    this->Filter->SetTimeUnitsPerSecond(9.0);
+    this->Device->SetPlaybackToLoop();
+    this->Rest();
+    this->Device->Play();
+    ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > first + 0.5; }));
+    const std::string file = this->File("Playback.vtp");
+    ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+    double time = first;
+    int loops = 0;
+    bool isBack = false;
+    this->Watch(1.5,
+      [&]
+      {
+        const double now = this->Device->GetDataTime();
+        loops += now < time ? 1 : 0;
+        time = now;
+        if (loops > 0 && !isBack)
+        {
+          this->Device->SetVirtualTip(TipRests - 1.0, 11.0, 12.0);
+          this->Device->SetDataTime(first + 3.2);
+          isBack = true;
+        }
+      });
+    EXPECT_GT(loops, 1);
+    ASSERT_TRUE(this->Device->StopRecording());
+    this->Device->Close();
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    vtkPolyData* const recording = reader->GetOutput();
+    const vtkIdType ticks = recording->GetNumberOfPoints();
+    ASSERT_GT(ticks, 1000);
+    this->Filter->SetPathData(recording);
+    this->Filter->Update();
+    vtkPolyData* const trace = this->Filter->GetOutput();
+    ASSERT_EQ(trace->GetNumberOfPoints(), ticks);
+    double strongest = 0.0;
+    double latest = 0.0;
+    for (vtkIdType tick = 0; tick < ticks; ++tick)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        ASSERT_EQ(Get(trace, "Force", tick, c), Get(recording, "Force", tick, c)) << tick;
+      }
+      ASSERT_EQ(Get(trace, "DataTime", tick), Get(recording, "DataTime", tick)) << tick;
+      strongest = std::max(strongest, Get(trace, "Force", tick));
+      latest = std::max(latest, Get(trace, "DataTime", tick));
+    }
+    EXPECT_GT(strongest, 0.3);
+    EXPECT_GT(latest, first + 4.0); // between the last step and the first one
+  }
+
   vtkNew<apitest::TimeSource> Source;
+};
+
+/// The same steps as components, at times from 0 on.
+class PlaybackOfComponents : public PlaybackOfSteps
+{
+protected:
+  PlaybackOfComponents()
+  {
+    this->Frames->ShallowCopy(this->Source->Make(10.0));
+    const auto array =
+      vtk::TakeSmartPointer(this->Frames->GetPointData()->GetScalars()->NewInstance());
+    array->SetName("frames");
+    array->SetNumberOfComponents(5);
+    array->SetNumberOfTuples(this->Frames->GetNumberOfPoints());
+    for (int i = 0; i < 5; ++i)
+    {
+      array->CopyComponent(i, this->Source->Make(10.0 + i)->GetPointData()->GetScalars(), 0);
+    }
+    this->Frames->GetPointData()->SetScalars(array);
+    this->Filter->SetInputData(0, this->Frames);
+    this->Filter->SetFramesToComponents();
+    this->Filter->SetFrameSpacing(1.0);
+  }
+
+  vtkNew<vtkImageData> Frames;
 };
 } // namespace
 
@@ -201,54 +281,59 @@ TEST_F(PlaybackOfSteps, StepsOfAnotherShapeAreRefusedAndOthersOfAnotherTypeAreFe
 
 TEST_F(PlaybackOfSteps, ARecordingReplaysToTheBit)
 {
-  this->Filter->SetTimeUnitsPerSecond(9.0);
+  this->ExpectThatARecordingReplaysToTheBit(10.0);
+}
+
+TEST_F(PlaybackOfComponents, ARecordingReplaysToTheBit)
+{
+  this->ExpectThatARecordingReplaysToTheBit(0.0);
+}
+
+TEST_F(PlaybackOfComponents, PushAHandThatRestsWithoutACopy)
+{
+  this->Filter->SetTimeUnitsPerSecond(8.0);
   this->Device->SetPlaybackToLoop();
   this->Rest();
+  vtkDataArray* const array = this->Frames->GetPointData()->GetScalars();
+  const int users = array->GetReferenceCount();
   this->Device->Play();
-  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 10.5; }));
-  const std::string file = this->File("Playback.vtp");
-  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
-  double time = 10.0;
-  int loops = 0;
-  bool isBack = false;
-  this->Watch(1.5,
+  double most = 0.0;
+  this->Watch(1.2,
     [&]
     {
-      const double now = this->Device->GetDataTime();
-      loops += now < time ? 1 : 0;
-      time = now;
-      if (loops > 0 && !isBack)
+      const double time = this->Device->GetDataTime();
+      if (time > 0.0 && time <= 4.0)
       {
-        this->Device->SetVirtualTip(TipRests - 1.0, 11.0, 12.0);
-        this->Device->SetDataTime(13.2);
-        isBack = true;
+        EXPECT_NEAR(this->Device->GetComputedForce()[0],
+          0.001 * WallStiffness * std::max(0.0, FindWall(10.0 + time) - TipRests), 0.02)
+          << "at " << time;
       }
+      most = std::max(most, this->Device->GetComputedForce()[0]);
     });
-  EXPECT_GT(loops, 1);
-  ASSERT_TRUE(this->Device->StopRecording());
-  this->Device->Close();
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkPolyData* const recording = reader->GetOutput();
-  const vtkIdType ticks = recording->GetNumberOfPoints();
-  ASSERT_GT(ticks, 1000);
-  this->Filter->SetPathData(recording);
-  this->Filter->Update();
-  vtkPolyData* const trace = this->Filter->GetOutput();
-  ASSERT_EQ(trace->GetNumberOfPoints(), ticks);
-  double strongest = 0.0;
-  double latest = 0.0;
-  for (vtkIdType tick = 0; tick < ticks; ++tick)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      ASSERT_EQ(Get(trace, "Force", tick, c), Get(recording, "Force", tick, c)) << tick;
-    }
-    ASSERT_EQ(Get(trace, "DataTime", tick), Get(recording, "DataTime", tick)) << tick;
-    strongest = std::max(strongest, Get(trace, "Force", tick));
-    latest = std::max(latest, Get(trace, "DataTime", tick));
-  }
-  EXPECT_GT(strongest, 0.3);
-  EXPECT_GT(latest, 14.0); // between the last step and the first one
+  EXPECT_GT(most, 0.4);
+  // Each frame, and the first one behind the last one, is the array itself.
+  EXPECT_GE(array->GetReferenceCount(), users + 5);
+  EXPECT_FALSE(this->Device->IsWaitingForData());
+}
+
+TEST_F(PlaybackOfComponents, ChangesOfTheImageArePublished)
+{
+  this->Filter->SetTimeUnitsPerSecond(1e-3);
+  this->Device->SetDataTime(3.0);
+  this->Rest();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 3.0; }));
+  EXPECT_TRUE(this->Device->IsPublished());
+  this->Frames->GetPointData()->GetScalars()->Modified();
+  EXPECT_FALSE(this->Device->IsPublished());
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->Device->IsPublished());
+}
+
+TEST_F(PlaybackOfComponents, OneAloneIsAnError)
+{
+  this->Filter->SetInputData(0, MakeWallStep(10.0));
+  this->Rest();
+  this->Device->Play();
+  ASSERT_TRUE(this->WaitTicks(20));
+  this->ExpectFilterError("has one component, and the components are the frames");
 }
