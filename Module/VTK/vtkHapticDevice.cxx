@@ -223,6 +223,10 @@ vtkHapticDevicePartMacro(void, Hold, (), Models.GetPlayback().SetPlays(false));
 vtkHapticDevicePartMacro(bool, IsPlaying, (), Models.GetPlayback().IsPlaying());
 vtkHapticDevicePartMacro(double, GetDataTime, (), Models.GetPlayback().GetTime());
 vtkHapticDevicePartMacro(bool, IsWaitingForData, (), Models.GetPlayback().IsWaiting());
+vtkHapticDevicePartMacro(double, GetPlaybackSpeed, (), Models.GetPlayback().GetSpeed());
+vtkHapticDevicePartMacro(bool, HasFrames, (), Models.HasFrames());
+vtkHapticDevicePartMacro(vtkImageData*, GetFrameImage, (), Models.GetFrameImage());
+vtkHapticDevicePartMacro(double, GetFrameTime, (), Models.GetFrameTime());
 
 vtkHapticDevicePartMacro(void, SetVirtualButtons, (int buttons), Tip.SetButtons(buttons));
 
@@ -275,6 +279,24 @@ void vtkHapticDevice::SetPlayback(int playback)
 int vtkHapticDevice::GetPlayback()
 {
   return static_cast<int>(this->Internals->Models.GetPlayback().GetMode());
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetPlaybackSpeed(double factor)
+{
+  constexpr double most = 1e6;
+  if (!std::isfinite(factor))
+  {
+    vtkErrorMacro("The playback speed has to be a finite number, and is "
+      << factor << ": it stays " << this->GetPlaybackSpeed() << ".");
+    return;
+  }
+  const double clamped = std::clamp(factor, -most, most);
+  if (clamped != this->GetPlaybackSpeed())
+  {
+    this->Internals->Models.GetPlayback().SetSpeed(clamped);
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -475,6 +497,7 @@ void vtkHapticDevice::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DeviceToWorld: " << d.Models.GetDeviceToWorld() << "\n";
   PrintSettings(os, indent, this, DeviceSettings);
   os << indent << "Playback: " << this->GetPlayback() << "\n";
+  os << indent << "PlaybackSpeed: " << this->GetPlaybackSpeed() << "\n";
   os << indent << "DataTime: " << this->GetDataTime() << "\n";
   const std::string& file = d.Recorder.GetFile();
   os << indent << "Recording: " << (file.empty() ? "(none)" : file.c_str()) << "\n";

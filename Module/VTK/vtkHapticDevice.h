@@ -66,6 +66,7 @@
 #include <string> // for std::string
 
 class vtkMatrix4x4;
+class vtkImageData;
 class vtkTable;
 class vtkVolumeHapticsFilter;
 
@@ -330,6 +331,28 @@ public:
   void SetDataTime(double time);
   double GetDataTime();
   bool IsWaitingForData();
+  ///@}
+
+  ///@{
+  /**
+   * How many times as fast as by the filter's TimeUnitsPerSecond a volume that moves is played;
+   * less than 0, backwards. Unlike that setting, it needs no Publish. -1e6 to 1e6, default 1.
+   */
+  void SetPlaybackSpeed(double factor);
+  double GetPlaybackSpeed();
+  ///@}
+
+  ///@{
+  /**
+   * What a volume that moves looks like where it is felt: the frame that is nearest to GetDataTime,
+   * as an image whose scalars are the touched array of that time step, or the component that is the
+   * frame; and its time. Until the frame changes it is the same image; its samples must not be
+   * changed. vtkInteractorStyleHaptic shows it by itself. nullptr, if HasFrames is false: no volume
+   * that moves is felt.
+   */
+  bool HasFrames();
+  vtkImageData* GetFrameImage();
+  double GetFrameTime();
   ///@}
 
   /**

@@ -46,6 +46,32 @@ double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
 }
+
+/** A line on the time of a volume that moves; empty without one. */
+std::string DescribeTime(vtkHapticDevice* device)
+{
+  if (!device->HasFrames())
+  {
+    return {};
+  }
+  static const char* const ends[] = { "once", "in a loop", "to and fro" };
+  std::ostringstream text;
+  text << "\nTime " << std::setprecision(4) << device->GetDataTime() << ", shown "
+       << device->GetFrameTime() << ", ";
+  if (device->IsPlaying())
+  {
+    text << "played " << ends[device->GetPlayback()];
+    if (device->GetPlaybackSpeed() != 1.0)
+    {
+      text << ", speed " << device->GetPlaybackSpeed();
+    }
+  }
+  else
+  {
+    text << "held";
+  }
+  return text.str();
+}
 } // namespace
 
 struct vtkHapticHeadUpDisplay::vtkInternals
@@ -231,7 +257,8 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
        << device->GetMissedTicks() << " missed\n"
        << std::setprecision(2) << vtkMath::Norm(device->GetForce()) << " N, "
        << contacts[device->GetContact() & 3] << "\n"
-       << (tissue.empty() ? "" : tissue + ", ") << "value " << std::setprecision(0) << value;
+       << (tissue.empty() ? "" : tissue + ", ") << "value " << std::setprecision(0) << value
+       << DescribeTime(device);
   return text.str();
 }
 

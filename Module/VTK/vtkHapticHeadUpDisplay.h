@@ -7,7 +7,7 @@
  * The plot shows the normal, friction and drag force of the last seconds and, in grey, the whole
  * force that was sent to the hand; its title is the method. The text shows the device's status, or
  * its fault; the rate of the servo and the ticks it has missed; the force, the contact and the
- * touched tissue.
+ * touched tissue; and of a volume that moves, its time and that of the frame that is nearest.
  *
  *   display->SetDevice(device);
  *   display->AddTissue("bone", 300.0, 3000.0);

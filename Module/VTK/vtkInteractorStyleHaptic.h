@@ -43,6 +43,17 @@
  *               filter's KernelRadius with it
  *   Backspace   drop the proposal
  *
+ * Keys of a volume that moves (vtkHapticDevice::Play), where there is one:
+ *
+ *   space       play, and hold
+ *   Left, Right hold, and go to the frame before and after
+ *   , and .     half and double the speed
+ *   b           the end of the frames: hold there (once), go on with the first (loop), turn back
+ *
+ * Volumes of the renderer that show the felt image (by their mapper's input, or its scalars) then
+ * show the frame that is nearest to what is felt, for as long as the style has the device; the
+ * head-up display tells its time. The mapper has another input meanwhile.
+ *
  * Mouse events over the function editor go to the editor.
  *
  * If the force ends for long work (vtkHapticDevice::BeginLongWork), the style renders first, so

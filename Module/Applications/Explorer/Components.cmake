@@ -12,6 +12,7 @@ set(Explore_VTK_COMPONENTS
   IOCore
   IOImage
   IOXML
+  IOXMLParser
   ImagingCore
   ImagingMorphological
   InteractionStyle
@@ -62,7 +63,8 @@ set(Explore_SOURCES
   Volume/LabelLoader.cxx
   Volume/VolumeChecks.cxx
   Volume/VolumeLoader.cxx
-  Volume/VolumeOrientation.cxx)
+  Volume/VolumeOrientation.cxx
+  Volume/VolumeSeries.cxx)
 
 # The sound of --sound. PulseAudio's library is used if it is found.
 include("${CMAKE_CURRENT_LIST_DIR}/../../UseLibrary.cmake")

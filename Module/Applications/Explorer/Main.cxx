@@ -12,12 +12,15 @@
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "Applications/Explorer/View/Display.h"
 #include "Applications/Explorer/Volume/LabelLoader.h"
+#include "Applications/Explorer/Volume/VolumeSeries.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <exception>
 #include <iostream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -104,7 +107,9 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
 int Run(const Explore::Options& options)
 {
   std::cout << "Reading " << options.VolumePath << std::endl;
-  Explore::Volume volume = Explore::LoadVolume(options.VolumePath);
+  std::vector<std::string> paths{ options.VolumePath };
+  paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
+  Explore::Volume volume = Explore::LoadVolumes(paths);
   if (!options.Labels.empty())
   {
     Explore::LoadLabels(volume, options.Labels, options.Materials);

@@ -249,7 +249,7 @@ Options ParseOptions(int argc, char* argv[])
     }
     else
     {
-      throw InputError(word, "is a second volume", "name one; quote names with blanks");
+      options.MorePaths.push_back(word);
     }
   }
   if (options.VolumePath.empty() && !options.Help && !options.CheckDisplay)
@@ -276,7 +276,10 @@ dense inside, drags it there, and says what a hand would feel. Then, if there is
 window in which the mouse, or a device, touches the volume. Without a display, or with --pictures, writes
 pictures, the trace and a summary.
 
-VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
+VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices. A volume that moves is several of these
+         files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
+         names; a .pvd file with times (s); or a NIfTI file with several times. The window plays it: space holds,
+         arrows go from frame to frame, comma and period change the speed. Files without times are 1/10 s apart
 
   --pictures DIR    no window, and where the results go (default explore-pictures):
                     explore.png force.png trace.vtp trace.csv summary.txt

@@ -18,6 +18,7 @@ struct Options
   bool CheckDisplay = false; // test the display and do nothing else
   bool Live = false;         // in real time through the servo loop, too
   std::string VolumePath;
+  std::vector<std::string> MorePaths; // further frames of a volume that moves
   std::string Labels;                 // file of a segmentation
   std::vector<std::string> Materials; // files of tables for it
   std::string Folder = "explore-pictures";

@@ -159,15 +159,25 @@ std::size_t BakedVolume::FindFrame(double time) const noexcept
   return frame;
 }
 
+double BakedVolume::FindShare(std::size_t frame, double time) const noexcept
+{
+  const FieldFrame& before = this->Frames[frame];
+  // A window may end where the series begins again.
+  const bool isPast = time < before.Time && this->Frames[frame + 1].Time < before.Time;
+  return isPast ? 1.0 : std::clamp((time - before.Time) / before.Interval, 0.0, 1.0);
+}
+
+std::size_t BakedVolume::FindNearestFrame(double time) const noexcept
+{
+  const std::size_t frame = this->FindFrame(time);
+  return this->FindShare(frame, time) < 0.5 ? frame : frame + 1;
+}
+
 FieldAtTime BakedVolume::BlendFrames(double time) const noexcept
 {
   const std::size_t frame = this->FindFrame(time);
   const FieldFrame& before = this->Frames[frame];
-  const FieldFrame& after = this->Frames[frame + 1];
-  // A window may end where the series begins again.
-  const bool isPast = time < before.Time && after.Time < before.Time;
-  const double share = isPast ? 1.0 : (time - before.Time) / before.Interval;
-  return { before.Field, after.Field, std::clamp(share, 0.0, 1.0),
+  return { before.Field, this->Frames[frame + 1].Field, this->FindShare(frame, time),
     before.Motion ? &*before.Motion : nullptr };
 }
 

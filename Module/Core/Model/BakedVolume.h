@@ -76,6 +76,8 @@ struct BakedVolume
   }
   /** The number of the frame that a data time follows, and to which At blends the next one. */
   std::size_t FindFrame(double time) const noexcept;
+  /** The number of the frame that is nearest to a data time. */
+  std::size_t FindNearestFrame(double time) const noexcept;
   /**
    * Where the material at an index at a data time is at another one, within the volume; the same
    * index where that is not known. It is followed through four frames at most.
@@ -96,6 +98,8 @@ struct BakedVolume
 
 private:
   FieldAtTime BlendFrames(double time) const noexcept;
+  /** Of the frame after this one, at a data time. */
+  double FindShare(std::size_t frame, double time) const noexcept;
 };
 
 } // namespace VolumeHaptics

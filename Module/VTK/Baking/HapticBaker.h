@@ -65,6 +65,26 @@ public:
     return this->Filter->CollectComponents(frames);
   }
 
+  /** The data times of the frames of the image; empty if it has less than two. */
+  std::vector<double> FindFrameTimes() const
+  {
+    if (this->Filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS)
+    {
+      return this->Filter->GetNumberOfInputConnections(0) > 0
+        ? ReadTimeSteps(this->Filter->GetInputInformation(0, 0))
+        : std::vector<double>();
+    }
+    auto* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
+    vtkDataArray* const array = image ? this->GetReading().GetArray(image) : nullptr;
+    const int count = array ? array->GetNumberOfComponents() : 0;
+    std::vector<double> times;
+    for (int i = 0; count > 1 && i < count; ++i)
+    {
+      times.push_back(i * this->Filter->GetFrameSpacing());
+    }
+    return times;
+  }
+
   /** How a time step is read. */
   FrameReading GetReading() const
   {

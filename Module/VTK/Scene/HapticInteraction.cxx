@@ -35,6 +35,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Workspace(Scene, std::move(calls.ArmsAfterClutch))
   , Touch(Scene, Window, Workspace)
   , Publisher(Scene)
+  , Playback(Scene)
 {
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
@@ -62,6 +63,7 @@ void HapticInteraction::LeaveDevice()
     device->RemoveObserver(this->WorkObserver);
     device->RemoveReader(this->Reader);
     this->Workspace.LeaveDevice();
+    this->ShownFrames.Restore();
   }
 }
 
@@ -298,7 +300,7 @@ bool HapticInteraction::PressKey(const std::string& key)
   {
     scene.Editor->DropProposal();
   }
-  else
+  else if (!this->Playback.Press(key))
   {
     return false;
   }
@@ -443,10 +445,18 @@ bool HapticInteraction::UpdateHaptics()
   }
   this->Publisher.Update(isPlaced);
 
+  if (renderer && scene.Device == device)
+  {
+    this->ShownFrames.Find(renderer, device);
+  }
   bool isNew = device->UpdateState();
   if (scene.Device != device || !device->IsRunning())
   {
     return false;
+  }
+  if (this->ShownFrames.Show(device))
+  {
+    this->Frames.NoteEvent();
   }
   // Another style with this device may have taken the state already.
   const double before = std::exchange(this->Updated, device->GetTime());
@@ -496,7 +506,7 @@ void HapticInteraction::CheckShownVolumes()
   vtkImageData* const image = this->Scene.FindImage();
   if (renderer && image)
   {
-    for (const std::string& warning : this->Volumes.Check(renderer, image))
+    for (const std::string& warning : this->Volumes.Check(renderer, image, this->ShownFrames))
     {
       vtkWarningWithObjectMacro(this->Scene.Style, << warning);
     }

@@ -8,9 +8,11 @@
 #define HapticInteraction_h
 
 #include "VTK/Scene/FilterPublisher.h"
+#include "VTK/Scene/HapticShownFrames.h"
 #include "VTK/Scene/HapticShownVolumes.h"
 #include "VTK/Scene/HapticStateWatch.h"
 #include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/PlaybackKeys.h"
 #include "VTK/Scene/SceneFrames.h"
 #include "VTK/Scene/TouchMode.h"
 #include "VTK/Scene/TouchedScene.h"
@@ -103,6 +105,8 @@ private:
   const char* GetEditorWork() const;
 
   FilterPublisher Publisher;
+  PlaybackKeys Playback;
+  HapticShownFrames ShownFrames;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
   int Reader = 0;       ///< the number of this reader of the device's states

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticShownVolumes.h"
 
+#include "VTK/Scene/HapticShownFrames.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
@@ -130,7 +132,8 @@ bool HasTransferFunction2D(vtkVolumeProperty* property)
 
 } // namespace
 
-std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkImageData* image)
+std::vector<std::string> HapticShownVolumes::Check(
+  vtkRenderer* renderer, vtkImageData* image, const HapticShownFrames& pictures)
 {
   std::vector<std::string> warnings;
   std::vector<Known> now;
@@ -147,7 +150,7 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
     const auto known = std::find_if(this->All.begin(), this->All.end(),
       [volume](const Known& one) { return one.Volume.GetPointer() == volume; });
     const unsigned int before = known == this->All.end() ? 0 : known->Differences;
-    const unsigned int differences = this->FindDifferences(volume, image);
+    const unsigned int differences = this->FindDifferences(volume, image, pictures);
     std::string text;
     for (const Difference& one : Differences)
     {
@@ -164,13 +167,17 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
   return warnings;
 }
 
-unsigned int HapticShownVolumes::FindDifferences(vtkVolume* volume, vtkImageData* image)
+unsigned int HapticShownVolumes::FindDifferences(
+  vtkVolume* volume, vtkImageData* image, const HapticShownFrames& pictures)
 {
   auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   auto* const shown =
     mapper ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  if (!shown || (shown != image && (!scalars || shown->GetPointData()->GetScalars() != scalars)))
+  const bool isFelt = shown == image ||
+    (shown && scalars && shown->GetPointData()->GetScalars() == scalars) ||
+    pictures.IsPicture(shown);
+  if (!shown || !isFelt)
   {
     return 0;
   }

@@ -21,6 +21,8 @@ class vtkVolume;
 namespace VolumeHaptics
 {
 
+class HapticShownFrames;
+
 /**
  * Remembers its warnings, so that each difference is reported once as long as it lasts.
  */
@@ -30,9 +32,10 @@ public:
   /**
    * A warning for each visible volume of a renderer that shows an image, or another one with the
    * same scalars, in a way that is not felt. It names the differences that are new since the last
-   * call, and the cures.
+   * call, and the cures. The pictures of a volume that moves show the image, too.
    */
-  std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image);
+  std::vector<std::string> Check(
+    vtkRenderer* renderer, vtkImageData* image, const HapticShownFrames& pictures);
 
 private:
   struct Known
@@ -40,7 +43,8 @@ private:
     vtkWeakPointer<vtkVolume> Volume;
     unsigned int Differences;
   };
-  unsigned int FindDifferences(vtkVolume* volume, vtkImageData* image);
+  unsigned int FindDifferences(
+    vtkVolume* volume, vtkImageData* image, const HapticShownFrames& pictures);
   bool HasBlanks(vtkImageData* image);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
 

@@ -10,6 +10,7 @@
 #include "VTK/Files/HapticFiles.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkHapticProperty.h"
 #include "vtkInformation.h"
@@ -141,6 +142,21 @@ bool DataPlayback::IsFelt(vtkVolumeHapticsFilter* filter) const
 {
   return this->IsMoving && filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
     (filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS || HasTimeSteps(filter));
+}
+
+HapticFrame DataPlayback::GetShown(vtkVolumeHapticsFilter* filter) const
+{
+  if (!this->Window || !this->HasTime)
+  {
+    return { this->Time, nullptr, nullptr, nullptr };
+  }
+  const std::size_t nearest = this->Window->FindNearestFrame(this->Time);
+  const FieldFrame& frame = this->Window->Frames[nearest];
+  // See ShareArray of the model's builder.
+  auto* const array = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
+  const int component = this->AreComponents ? static_cast<int>(nearest % this->Steps.size())
+                                            : filter->GetProperty()->GetComponent();
+  return { frame.Time, nullptr, array, nullptr, component };
 }
 
 bool DataPlayback::IsWhole() const
@@ -281,7 +297,7 @@ bool DataPlayback::ReadSteps(vtkVolumeHapticsFilter* filter, std::vector<HapticF
     return true;
   }
   const double time = this->HasTime || this->Orders.Places > 0 ? this->GetTime() : this->Steps[0];
-  const bool isBackward = filter->GetTimeUnitsPerSecond() < 0.0;
+  const bool isBackward = this->Speed * filter->GetTimeUnitsPerSecond() < 0.0;
   this->First = this->IsWhole() ? 0 : this->FindNeed(time, isBackward).First;
   const std::size_t frames = this->IsWhole() ? count + 1 : 2;
   read.resize(frames);
@@ -368,7 +384,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
   {
     return nullptr;
   }
-  this->Orders.Rate = filter->GetTimeUnitsPerSecond();
+  this->Orders.Rate = this->Speed * filter->GetTimeUnitsPerSecond();
   if (this->Orders.Rate != this->Sent.Rate)
   {
     this->Send();

@@ -42,6 +42,8 @@ public:
   void SetPlays(bool on);
   void SetMode(Playback mode);
   void SetTime(double time);
+  void SetSpeed(double factor) { this->Speed = factor; }
+  double GetSpeed() const { return this->Speed; }
   bool IsPlaying() const { return this->Orders.Plays; }
   Playback GetMode() const { return this->Orders.Mode; }
   ///@}
@@ -52,6 +54,9 @@ public:
   bool IsWaiting() const;
   /** The frames that it waits for, as a sentence; empty if for none. */
   std::string Describe() const;
+
+  /** The frame that is nearest to the servo's time; without an image. No array: there is none. */
+  HapticFrame GetShown(vtkVolumeHapticsFilter* filter) const;
 
   /** Whether the frames of a filter's image are to be felt, if it has any. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
@@ -104,6 +109,7 @@ private:
   bool IsMoving = false; ///< Play or SetTime was called
   bool HasTime = false;  ///< Time is that of the servo
   double Time = 0.0;
+  double Speed = 1.0; ///< times the filter's rate
   std::vector<double> Steps;
   bool AreComponents = false; ///< the frames of the window
   std::shared_ptr<const BakedVolume> Window;

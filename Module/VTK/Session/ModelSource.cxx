@@ -130,6 +130,25 @@ bool ModelSource::LacksFrames() const
   return !this->IsMadeOfFrames && this->IsUpToDate() && this->Playback.IsFelt(this->Filter);
 }
 
+bool ModelSource::HasFrames() const
+{
+  return this->Filter && this->Playback.GetShown(this->Filter).Array;
+}
+
+vtkImageData* ModelSource::GetFrameImage()
+{
+  auto* const shape =
+    vtkImageData::SafeDownCast(this->Filter ? this->Filter->GetInputDataObject(0, 0) : nullptr);
+  const HapticFrame frame = shape ? this->Playback.GetShown(this->Filter) : HapticFrame{};
+  if (!frame.Array)
+  {
+    this->Shown.Clear();
+    return nullptr;
+  }
+  const bool isComponent = this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  return this->Shown.Show(frame, isComponent, shape);
+}
+
 Affine3 ModelSource::GetPlacement() const
 {
   const TickCollector* const ticks = this->Session.GetTicks();

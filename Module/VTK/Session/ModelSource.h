@@ -9,6 +9,7 @@
 
 #include "VTK/Session/DataPlayback.h"
 #include "VTK/Session/DeviceSession.h"
+#include "VTK/Session/FrameImage.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
@@ -71,6 +72,11 @@ public:
   DataPlayback& GetPlayback() { return this->Playback; }
   std::shared_ptr<const HapticModel> FollowFrames();
   bool LacksFrames() const;
+  /** Whether the servo's model has frames of a volume that moves. */
+  bool HasFrames() const;
+  /** The image and the time of the frame that is nearest to the servo's time; null without one. */
+  vtkImageData* GetFrameImage();
+  double GetFrameTime() const { return this->Playback.GetShown(this->Filter).Time; }
   ///@}
 
   /** See vtkHapticDevice::GetMethodText. */
@@ -86,6 +92,7 @@ private:
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   const char* Awaited = nullptr;
   DataPlayback Playback;
+  FrameImage Shown;
   bool IsMadeOfFrames = false; ///< the last Make was of a volume that moves
   vtkMTimeType MadeTime = 0;   ///< change time of the filter and its input when Make was called
 };

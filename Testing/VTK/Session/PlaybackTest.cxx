@@ -100,7 +100,7 @@ protected:
     this->Device->SetPlaybackToLoop();
     this->Rest();
     this->Device->Play();
-    ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > first + 0.5; }));
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > first + 0.5; }));
     const std::string file = this->File("Playback.vtp");
     ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
     double time = first;

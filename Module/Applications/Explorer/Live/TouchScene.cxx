@@ -65,6 +65,9 @@ Keys
   p  propose functions, again: take them    Backspace  drop the proposal
   l  materials of labels: click on a label, drag its sliders
   o  sound on, off, with --sound
+Keys of a volume that moves
+  space  play, hold   Left Right  a frame back, on   ,  .  half, double speed
+  b  at the end: hold, go on with the first frame, turn back
   + -  workspace      Home  home a device     q  close
 )";
 } // namespace
@@ -98,6 +101,13 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   touch.Style->SetHeadUpDisplay(touch.Display);
   touch.Style->SetFunctionEditor(touch.Editor);
   touch.Style->SetDefaultRenderer(touch.Scene.Renderer);
+  if (vtkHapticFrameSource* const frames = exploration.Input.Frames)
+  {
+    frames->Update();
+    filter->SetInputConnection(0, frames->GetOutputPort());
+    touch.Device->SetPlaybackToLoop();
+    touch.Device->Play();
+  }
 }
 
 void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,

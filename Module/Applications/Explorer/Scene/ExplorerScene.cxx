@@ -181,7 +181,9 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   scene.Renderer->SetBackground2(0.24, 0.29, 0.36);
 
   AddLights(scene.Renderer); // before anything renders, or VTK adds one of its own
-  AddVolume(scene, exploration.Body, analysis, options);
+  // A volume that moves is shown as it is felt.
+  const bool isMoving = exploration.Input.Frames != nullptr;
+  AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, analysis, options);
   if (!options.Interactive)
   {
     AddTrail(scene.Renderer, scene.Overlay, exploration.Trace, analysis.MetersPerWorldUnit,

@@ -20,6 +20,7 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -29,7 +30,7 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-constexpr const char* KNOWN = ".vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices";
+constexpr const char* KNOWN = ".vti .mhd .mha .nii .nii.gz .nrrd .pvd, or a folder of DICOM slices";
 
 bool EndsWith(const std::string& text, const std::string& ending)
 {
@@ -101,6 +102,13 @@ void ApplyNiftiScale(double slope, double intercept, Volume& volume)
   }
   double range[2];
   scalars->GetRange(range, 0);
+  for (int c = 1; c < scalars->GetNumberOfComponents(); ++c)
+  {
+    double other[2];
+    scalars->GetRange(other, c);
+    range[0] = std::min(range[0], other[0]);
+    range[1] = std::max(range[1], other[1]);
+  }
   using Short = std::numeric_limits<short>;
   const bool isShort = slope == 1.0 && intercept == std::round(intercept) &&
     scalars->GetDataTypeMax() <= std::numeric_limits<int>::max() &&
@@ -120,9 +128,10 @@ void ApplyNiftiScale(double slope, double intercept, Volume& volume)
   volume.Notes.push_back(note.str());
 }
 
-Volume ReadNifti(const std::string& path)
+Volume ReadNifti(const std::string& path, bool timesAreComponents)
 {
   vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetTimeAsVector(timesAreComponents);
   Volume volume{ Run(reader.Get(), path, "NIfTI"), {}, "NIfTI", {}, {}, {} };
   ApplyNiftiScale(reader->GetRescaleSlope(), reader->GetRescaleIntercept(), volume);
   vtkMatrix4x4* matrix = reader->GetSFormMatrix();
@@ -147,7 +156,12 @@ Volume ReadNifti(const std::string& path)
   return volume;
 }
 
-Volume ReadFile(const std::string& path)
+bool IsNifti(const std::string& lower)
+{
+  return EndsWith(lower, ".nii") || EndsWith(lower, ".nii.gz");
+}
+
+Volume ReadFile(const std::string& path, bool timesAreComponents)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
   if (EndsWith(lower, ".vti"))
@@ -158,9 +172,9 @@ Volume ReadFile(const std::string& path)
   {
     return ReadMetaImage(path);
   }
-  if (EndsWith(lower, ".nii") || EndsWith(lower, ".nii.gz"))
+  if (IsNifti(lower))
   {
-    return ReadNifti(path);
+    return ReadNifti(path, timesAreComponents);
   }
   if (EndsWith(lower, ".nrrd"))
   {
@@ -178,7 +192,7 @@ Volume ReadFile(const std::string& path)
 
 namespace Explore
 {
-Volume ReadVolume(const std::string& path)
+Volume ReadVolume(const std::string& path, bool timesAreComponents)
 {
   if (!vtksys::SystemTools::PathExists(path))
   {
@@ -200,12 +214,34 @@ Volume ReadVolume(const std::string& path)
     {
       throw InputError(path, "is empty (0 bytes)", "copy or download it again");
     }
-    volume = ReadFile(path);
+    volume = ReadFile(path, timesAreComponents);
   }
   std::string folder = path;
   vtksys::SystemTools::ConvertToUnixSlashes(folder);
   volume.Name = vtksys::SystemTools::GetFilenameName(folder);
   return volume;
+}
+
+double FindNiftiSpacing(const std::string& path, double unknown)
+{
+  vtkNew<vtkNIFTIImageReader> reader;
+  const MessageCapture capture; // the volume's reader tells what is wrong
+  if (!IsNifti(vtksys::SystemTools::LowerCase(path)) || !reader->CanReadFile(path.c_str()))
+  {
+    return 0.0;
+  }
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  if (reader->GetTimeDimension() < 2)
+  {
+    return 0.0;
+  }
+  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // of the NIfTI header
+  const int unit = reader->GetNIFTIHeader()->GetXYZTUnits() & 56;
+  const double scale = unit == milliseconds ? 1e-3 : unit == microseconds ? 1e-6 : 1.0;
+  const double spacing = scale * reader->GetTimeSpacing();
+  const bool isKnown = (unit == 0 || unit == seconds || scale < 1.0) && spacing > 0.0;
+  return isKnown && std::isfinite(spacing) ? spacing : unknown;
 }
 
 Volume LoadVolume(const std::string& path)

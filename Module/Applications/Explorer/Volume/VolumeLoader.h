@@ -3,6 +3,7 @@
 #ifndef Explore_VolumeLoader_h
 #define Explore_VolumeLoader_h
 
+#include "vtkHapticFrameSource.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -25,11 +26,18 @@ struct Volume
   // A segmentation, if there is one, with the geometry of its own file.
   vtkSmartPointer<vtkImageData> Labels;
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
+  // If it moves: all frames, at times in seconds, the first of which is the image.
+  vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
 };
 
 /// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
-/// axes of any direction.
-Volume ReadVolume(const std::string& path);
+/// axes of any direction. The times of a NIfTI file are its components if wanted, else the first
+/// one is read.
+Volume ReadVolume(const std::string& path, bool timesAreComponents = false);
+
+/// The time (s) from one volume to the next of a NIfTI file that has several; `unknown` if it does
+/// not tell. 0 for any other file.
+double FindNiftiSpacing(const std::string& path, double unknown);
 
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd or a folder of DICOM slices. Throws InputError for
 /// anything else, with the fault and the cure.

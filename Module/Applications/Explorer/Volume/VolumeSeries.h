@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeSeries_h
+#define Explore_VolumeSeries_h
+
+#include "Applications/Explorer/Volume/VolumeLoader.h"
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// Reads a volume as LoadVolume does, or one that moves: several files, a folder of volumes or of
+/// folders of DICOM slices, in the order of their names and the numbers in them; a .pvd file; or a
+/// NIfTI file with several times. All frames are in memory. Its image is the first frame. Throws
+/// InputError.
+Volume LoadVolumes(const std::vector<std::string>& paths);
+} // namespace Explore
+
+#endif

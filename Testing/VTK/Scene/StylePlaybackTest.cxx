@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A volume that moves in a scene: what is seen is what is felt, and keys play it.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkHapticFrameSource.h>
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkVolume.h>
+
+#include <cmath>
+
+using namespace scenetest;
+
+namespace
+{
+/// Its samples tell its number.
+vtkSmartPointer<vtkImageData> MakeNumbered(int number, int components = 1)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(12, 12, 12);
+  image->AllocateScalars(VTK_SHORT, components);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      image->GetPointData()->GetScalars()->SetComponent(i, c, 100.0 * (number + c) + i % 12);
+    }
+  }
+  return image;
+}
+
+class StylePlayback : public StyleTest
+{
+protected:
+  StylePlayback()
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      this->Source->AddFrame(MakeNumbered(i), 2.0 + i);
+    }
+    this->Filter->SetInputConnection(0, this->Source->GetOutputPort());
+    this->Filter->SetTimeUnitsPerSecond(10.0);
+    this->Volume->SetMapper(this->Mapper);
+    this->Renderer->AddVolume(this->Volume);
+    this->Display->SetDevice(this->Device);
+    this->Style->SetHeadUpDisplay(this->Display);
+    this->Device->SetPlaybackToPingPong();
+  }
+  void Start()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Run(2);
+  }
+  vtkImageData* GetShown()
+  {
+    return vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
+  }
+  int GetShownNumber()
+  {
+    return static_cast<int>(
+      this->GetShown()->GetPointData()->GetScalars()->GetComponent(0, 0) / 100.0);
+  }
+  /// The nearest frame, by the data time alone; the first one is at `first`, the next one 1 later.
+  void ExpectWhatIsFelt(double first)
+  {
+    const double number = this->Device->GetDataTime() - first;
+    EXPECT_LE(std::abs(this->GetShownNumber() - number), 0.5 + 1e-9);
+    EXPECT_EQ(this->Device->GetFrameTime(), first + this->GetShownNumber());
+    EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars()->GetNumberOfComponents(), 1);
+  }
+  /// While it is played, until all of some frames were seen.
+  void WatchFrames(double first, std::size_t count)
+  {
+    std::vector<int> seen;
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        this->Style->UpdateHaptics();
+        if (this->Device->HasFrames())
+        {
+          this->ExpectWhatIsFelt(first);
+          if (std::find(seen.begin(), seen.end(), this->GetShownNumber()) == seen.end())
+          {
+            seen.push_back(this->GetShownNumber());
+          }
+        }
+        return seen.size() == count;
+      }));
+  }
+
+  vtkNew<vtkHapticFrameSource> Source;
+  vtkNew<vtkGPUVolumeRayCastMapper> Mapper;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+};
+} // namespace
+
+TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
+{
+  this->Mapper->SetInputConnection(this->Source->GetOutputPort());
+  this->Start();
+  EXPECT_EQ(this->GetShown(), this->Source->GetOutput());
+  EXPECT_FALSE(this->Device->HasFrames());
+  EXPECT_EQ(this->Device->GetFrameImage(), nullptr);
+  EXPECT_EQ(this->Display->GetText().find("Time"), std::string::npos);
+  this->Press("space");
+  this->WatchFrames(2.0, 5);
+  EXPECT_NE(this->Display->GetText().find("played to and fro"), std::string::npos)
+    << this->Display->GetText();
+  this->Press("space");
+  EXPECT_NE(this->Display->GetText().find("held"), std::string::npos);
+  // A crop of the picture is a crop of what is felt.
+  this->Mapper->SetCroppingRegionPlanes(0.0, 5.0, 0.0, 5.0, 0.0, 5.0);
+  this->Mapper->CroppingOn();
+  this->Run(2);
+  ASSERT_EQ(this->Log.Warnings.size(), 1U);
+  EXPECT_NE(this->Log.Warnings[0].find("crops it"), std::string::npos);
+  this->Log.Warnings.clear();
+  this->Style->SetDevice(nullptr);
+  EXPECT_EQ(this->GetShown(), this->Source->GetOutput());
+}
+
+TEST_F(StylePlayback, AnImageWithTheFirstFramesScalarsIsTheSame)
+{
+  vtkNew<vtkImageData> plain;
+  plain->ShallowCopy(this->Source->GetFrame(0));
+  plain->SetOrigin(-3.0, 0.0, 0.0); // a matrix of the volume may place it
+  vtkNew<vtkMatrix4x4> placed;
+  placed->SetElement(0, 3, 3.0);
+  this->Volume->SetUserMatrix(placed);
+  this->Mapper->SetInputData(plain);
+  this->Start();
+  this->Device->Play();
+  this->WatchFrames(2.0, 5);
+  EXPECT_EQ(this->GetShown()->GetOrigin()[0], -3.0);
+  EXPECT_TRUE(this->Log.Warnings.empty());
+  this->Style->SetDevice(nullptr);
+  EXPECT_EQ(this->GetShown(), plain.GetPointer());
+}
+
+TEST_F(StylePlayback, ComponentsAreShownOneByOne)
+{
+  const auto frames = MakeNumbered(0, 5);
+  this->Filter->SetInputData(0, frames);
+  this->Filter->SetFramesToComponents();
+  const auto first = MakeNumbered(0);
+  this->Mapper->SetInputData(first);
+  this->Start();
+  this->Press("space");
+  this->WatchFrames(0.0, 5);
+}
+
+TEST_F(StylePlayback, AVolumeThatShowsSomethingElseIsLeftAlone)
+{
+  const auto other = MakeNumbered(7);
+  this->Mapper->SetInputData(other);
+  this->Start();
+  this->Press("space");
+  ASSERT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->HasFrames();
+    }));
+  this->Run(20);
+  EXPECT_EQ(this->GetShown(), other);
+}
+
+TEST_F(StylePlayback, KeysGoFromFrameToFrame)
+{
+  this->Start();
+  const auto expect = [this](const char* key, double time)
+  {
+    this->Press(key);
+    EXPECT_FALSE(this->Device->IsPlaying());
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        this->Style->UpdateHaptics();
+        return this->Device->HasFrames() && this->Device->GetDataTime() == time &&
+          !this->Device->IsWaitingForData() && this->Device->GetFrameTime() == time;
+      }))
+      << key << " " << time << ", but at " << this->Device->GetDataTime();
+  };
+  expect("Right", 3.0);
+  expect("Right", 4.0);
+  expect("Left", 3.0);
+  expect("Left", 2.0);
+  expect("Left", 6.0);
+  expect("Right", 2.0);
+  this->Device->SetDataTime(4.25);
+  this->Run(2);
+  expect("Left", 4.0);
+}
+
+TEST_F(StylePlayback, KeysChangeTheSpeedAndWhatIsAtTheEnd)
+{
+  this->Start();
+  this->Press("period");
+  EXPECT_EQ(this->Device->GetPlaybackSpeed(), 2.0);
+  this->Device->SetPlaybackSpeed(-0.5);
+  this->Press("comma");
+  EXPECT_EQ(this->Device->GetPlaybackSpeed(), -0.25);
+  for (int i = 0; i < 20; ++i)
+  {
+    this->Press("period");
+  }
+  EXPECT_EQ(this->Device->GetPlaybackSpeed(), -64.0);
+  for (const int playback : { vtkHapticDevice::ONCE, vtkHapticDevice::LOOP,
+         vtkHapticDevice::PING_PONG, vtkHapticDevice::ONCE })
+  {
+    this->Press("b");
+    EXPECT_EQ(this->Device->GetPlayback(), playback);
+  }
+  this->Device->SetPlaybackSpeed(std::nan(""));
+  EXPECT_EQ(this->Device->GetPlaybackSpeed(), -64.0);
+  // A volume that stands still has no such keys.
+  this->Filter->SetInputData(0, this->Ball);
+  this->Press("b");
+  this->Press("space");
+  EXPECT_EQ(this->Device->GetPlayback(), vtkHapticDevice::ONCE);
+  EXPECT_FALSE(this->Device->IsPlaying());
+}
+
+TEST_F(StylePlayback, TheFrameSourceKeepsTheOrderOfTimesAndRefusesWhatIsNone)
+{
+  vtkNew<vtkHapticFrameSource> source;
+  const MessageLog log(source);
+  EXPECT_FALSE(source->AddFrame(nullptr, 0.0));
+  EXPECT_FALSE(source->AddFrame(MakeNumbered(0), std::nan("")));
+  source->Update();
+  ASSERT_EQ(log.Errors.size(), 3U);
+  EXPECT_NE(log.Errors[2].find("There are no frames"), std::string::npos);
+  EXPECT_TRUE(source->AddFrame(MakeNumbered(1), 5.0));
+  EXPECT_TRUE(source->AddFrame(MakeNumbered(0), -1.0));
+  EXPECT_TRUE(source->AddFrame(MakeNumbered(2), 5.0));
+  ASSERT_EQ(source->GetNumberOfFrames(), 2);
+  EXPECT_EQ(source->GetFrameTime(0), -1.0);
+  EXPECT_EQ(source->GetFrame(1)->GetScalarComponentAsDouble(0, 0, 0, 0), 200.0);
+  EXPECT_EQ(source->GetFrame(2), nullptr);
+  for (const double time : { -9.0, -1.0, 4.9, 5.0, 9.0 })
+  {
+    source->UpdateTimeStep(time);
+    EXPECT_EQ(
+      source->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), time < 5.0 ? 0.0 : 200.0);
+  }
+}
