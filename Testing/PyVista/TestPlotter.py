@@ -3,6 +3,7 @@
 """add_haptics() of volumehaptics.pyvista: what is felt in a plotter, and what is stopped with it, off screen."""
 
 import gc
+import time
 
 import numpy as np
 import pytest
@@ -130,3 +131,72 @@ def test_screenshot_shows_the_hand(window, hands):
     hand.plotter.render()
     after = hand.plotter.screenshot()
     assert (before != after).any() and not hand.haptics.closed
+
+
+def ball(radius):
+    """A ball around the origin."""
+    grid = pv.ImageData(dimensions=(33, 33, 33), spacing=(2, 2, 2), origin=(-32, -32, -32))
+    grid["inside"] = 100.0 * (radius - (grid.points.astype(float) ** 2).sum(axis=1) ** 0.5)
+    return grid
+
+
+@pytest.fixture
+def beating(window):
+    """A plotter with the first of four balls that grow by a millimetre each, and the balls."""
+    balls = [ball(radius) for radius in (18.0, 19.0, 20.0, 21.0)]
+    plotter = pv.Plotter(off_screen=True, window_size=(200, 200))
+    plotter.add_volume(balls[0], clim=(-1, 1), opacity=[0, 0, 1, 1], show_scalar_bar=False)
+    yield plotter, balls
+    plotter.close()
+
+
+def wait(haptics, holds):
+    end = time.monotonic() + 30.0
+    while not holds():
+        assert time.monotonic() < end, haptics.device.GetStatusText()
+        haptics.update()
+        time.sleep(0.002)
+
+
+def test_frames_play_and_are_seen(beating):
+    plotter, balls = beating
+    haptics = add_haptics(plotter, balls, [0.0, 0.1, 0.2, 0.3])
+    device, mapper = haptics.device, next(iter(plotter.actors.values())).GetMapper()
+    assert device.IsPlaying() and haptics.frames.GetNumberOfFrames() == 4
+    seen = set()
+
+    def all_are_seen():
+        if device.HasFrames():
+            shown = mapper.GetInputDataObject(0, 0).GetScalarComponentAsDouble(16, 16, 16, 0)
+            assert shown == pytest.approx(1800.0 + 1000.0 * device.GetFrameTime())  # the middle of a ball
+            assert abs(device.GetFrameTime() - device.GetDataTime()) < 0.0501 or device.GetDataTime() > 0.3
+            seen.add(round(shown))
+        return len(seen) == 4
+
+    wait(haptics, all_are_seen)
+    device.Hold()
+    haptics.close()
+
+
+def test_frames_push_a_hand_that_rests(beating):
+    plotter, balls = beating
+    haptics = add_haptics(plotter, balls, times=[0.0, 1.0, 2.0, 3.0], visibility=False, time_units_per_second=10.0)
+    device = haptics.device
+    device.SetVirtualTip(0, 0, 19)
+    device.SetPlaybackToOnce()
+    device.SetDataTime(0.0)
+    wait(haptics, lambda: device.GetDataTime() == 3.0)
+    assert device.GetComputedForce()[2] == pytest.approx(0.5 * 2.0, abs=0.1)  # 500 N/m, 2 mm
+
+
+@pytest.mark.parametrize("frames, times, error", (
+    ([0], None, "two frames at least"),
+    ([0, 1], [0.0, 0.0], "a finite time of its own"),
+    ([0, 1], [0.0], "a finite time of its own"),
+    ([0, "smaller"], None, "the extent, spacing, origin and direction"),
+))
+def test_frames_that_are_none(beating, frames, times, error):
+    plotter, balls = beating
+    smaller = pv.ImageData(dimensions=(9, 9, 9))
+    with pytest.raises(ValueError, match=error):
+        add_haptics(plotter, [smaller if frame == "smaller" else balls[frame] for frame in frames], times)

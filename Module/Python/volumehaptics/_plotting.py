@@ -5,8 +5,10 @@
 from __future__ import annotations
 
 import atexit
+import math
 import warnings
 import weakref
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonCore import VTK_STRING
@@ -17,6 +19,7 @@ from ._labels import Labels, Materials, set_labels
 from ._touch import Errors, configure, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
+    vtkHapticFrameSource,
     vtkHapticHeadUpDisplay,
     vtkHapticRepresentation,
     vtkInteractorStyleHaptic,
@@ -42,6 +45,7 @@ class Haptics:
     style: the vtkInteractorStyleHaptic that has the plotter's mouse and keys.
     representation: the vtkHapticRepresentation, the hand in the scene.
     head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
+    frames: the vtkHapticFrameSource of a volume that moves; None without one.
 
     PyVista's enable_*_style() and a chart that takes the mouse put another style in the place of this one: that
     ends the touch mode and all force. plotter.iren.style = haptics.style brings it back.
@@ -53,6 +57,7 @@ class Haptics:
         self.style = vtkInteractorStyleHaptic()
         self.representation = vtkHapticRepresentation()
         self.head_up_display = vtkHapticHeadUpDisplay()
+        self.frames: vtkHapticFrameSource | None = None
         self.closed = False
         self._owns_device = True
         self._plotter = weakref.ref(plotter)
@@ -189,11 +194,45 @@ def _image_of(volume: Any) -> vtkImageData:
     return image
 
 
+def _geometry(image: vtkImageData) -> tuple[Any, ...]:
+    matrix = image.GetDirectionMatrix()
+    direction = tuple(matrix.GetElement(i, j) for i in range(3) for j in range(3))
+    return image.GetExtent(), image.GetSpacing(), image.GetOrigin(), direction
+
+
+def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapticFrameSource:
+    """Images, a frame each, as the time steps of one volume."""
+    if len(frames) < 2:
+        raise ValueError("a volume that moves has two frames at least. Cure: give one image alone, not in a list")
+    for frame in frames:
+        if not isinstance(frame, vtkImageData):
+            raise TypeError(f"frames are pyvista.ImageData, not {type(frame).__name__}")
+        if _geometry(frame) != _geometry(frames[0]):
+            raise ValueError("all frames need the extent, spacing, origin and direction of the first one. Cure: "
+                             "frame.sample() of the others on one grid")
+    times = [float(time) for time in (range(len(frames)) if times is None else times)]
+    if len(times) != len(frames) or len(set(times)) < len(times) or not all(map(math.isfinite, times)):
+        raise ValueError(f"each of the {len(frames)} frames needs a finite time of its own, and times is {times}")
+    source = vtkHapticFrameSource()
+    for frame, time in sorted(zip(frames, times), key=lambda pair: pair[1]):
+        source.AddFrame(frame, time)
+    source.Update()
+    return source
+
+
+def _shows(actor: vtkVolume, image: vtkImageData) -> bool:
+    shown = actor.GetMapper().GetInputDataObject(0, 0) if actor.GetMapper() else None
+    return isinstance(shown, vtkImageData) and (
+        shown is image or shown.GetPointData().GetScalars() is image.GetPointData().GetScalars() is not None
+    )
+
+
 def add_haptics(
     plotter: pv.Plotter,
-    volume: vtkVolume | vtkImageData | None = None,
-    preset: str | None = None,
+    volume: vtkVolume | vtkImageData | Sequence[vtkImageData] | None = None,
+    preset: str | Sequence[float] | None = None,
     *,
+    times: Sequence[float] | None = None,
     device: str | vtkHapticDevice = "virtual",
     visibility: bool | vtkVolume = True,
     labels: Labels | None = None,
@@ -205,7 +244,11 @@ def add_haptics(
     plotter: a pyvista.Plotter with a window of its own, not shown yet or already. Its active subplot is the one
         that is touched, and that has the mouse.
     volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
-        show it, such as an isosurface. Default: the plotter's only volume.
+        show it, such as an isosurface. Default: the plotter's only volume. Or a list of images of one geometry,
+        the frames of a volume that moves: it plays in a loop at once, and an actor of the first of them shows what
+        is felt; see vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic.
+    times: of frames, in seconds, or in other units with time_units_per_second=...; they may stand in the place of
+        preset: add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
         "propose": what the volume's own edges suggest, as in touch().
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
@@ -232,8 +275,20 @@ def add_haptics(
         raise ValueError("the plotter is closed. Cure: make a new one")
     if plotter in _touchable:
         raise ValueError("the plotter is touchable already. Cure: close() what add_haptics() has returned before")
+    if preset is not None and not isinstance(preset, str):
+        if times is not None:
+            raise TypeError("add_haptics() takes the times of frames once")
+        times, preset = preset, None
     if preset is not None and "property" in settings:
         raise TypeError("add_haptics() takes a preset or a property, not both: call the property's ApplyPreset()")
+    frames = None
+    if isinstance(volume, (list, tuple)):
+        frames = _frames_of(volume, times)
+        first = frames.GetFrame(0)
+        actors = [one for one in plotter.actors.values() if isinstance(one, vtkVolume) and _shows(one, first)]
+        volume = actors[0] if len(actors) == 1 else first
+    elif times is not None:
+        raise TypeError("times are those of frames. Cure: add_haptics(plotter, [first, second, ...], times)")
     volume = _find_volume(plotter) if volume is None else volume
     image = _image_of(volume)
     scalars = image.GetPointData().GetScalars()
@@ -250,6 +305,9 @@ def add_haptics(
     try:
         _prepare(haptics, image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None, settings,
                  labels, materials)
+        if frames is not None:
+            haptics.frames = frames
+            haptics.filter.SetInputConnection(0, frames.GetOutputPort())
         _start(haptics, device)
         length = image.GetLength()
         haptics.representation.SetRadius(SIZE * length)
@@ -257,6 +315,9 @@ def add_haptics(
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
         for text in haptics._check_volumes():
             warnings.warn(text, stacklevel=2)
+        if frames is not None:
+            haptics.device.SetPlaybackToLoop()
+            haptics.device.Play()
     except BaseException:
         haptics.close()  # now: the exception keeps it, in an interactive session until the next one
         raise

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// A volume that moves, in every form that it may have: frames, times and voxels are those that were
+// written, and the window plays them.
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Volume/VolumeSeries.h"
+#include "HeadExploration.h"
+#include "Rigs/Eventually.h"
+
+#include "Applications/Explorer/Live/TouchScene.h"
+
+#include "vtkImageAppendComponents.h"
+#include "vtkNIFTIImageWriter.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <iostream>
+
+namespace
+{
+constexpr int COUNT = 3;
+int failures = 0;
+std::string folder;
+
+void Expect(bool holds, const std::string& what)
+{
+  if (!holds)
+  {
+    std::cerr << what << "\n";
+    ++failures;
+  }
+}
+
+/// The head, with values that tell its frame.
+vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
+{
+  auto frame = vtkSmartPointer<vtkImageData>::New();
+  frame->DeepCopy(head);
+  vtkDataArray* const values = frame->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); i += 2)
+  {
+    values->SetComponent(i, 0, values->GetComponent(i, 0) + number);
+  }
+  return frame;
+}
+
+std::string WriteImage(const std::string& name, vtkImageData* image)
+{
+  const std::string path = folder + "/" + name;
+  vtksys::SystemTools::MakeDirectory(vtksys::SystemTools::GetFilenamePath(path));
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->SetCompressorTypeToNone();
+  writer->Write();
+  return path;
+}
+
+std::string WriteText(const std::string& name, const std::string& content)
+{
+  const std::string path = folder + "/" + name;
+  vtksys::ofstream(path.c_str()) << content;
+  return path;
+}
+
+void ExpectSeries(const std::string& what, const std::vector<std::string>& paths, double begin,
+  double spacing, const std::vector<int>& order = { 0, 1, 2 })
+{
+  const Explore::Volume volume = Explore::LoadVolumes(paths);
+  const int count = static_cast<int>(order.size());
+  const bool isThere = volume.Frames && volume.Frames->GetNumberOfFrames() == count;
+  Expect(isThere, what + " has other frames");
+  for (int i = 0; isThere && i < count; ++i)
+  {
+    vtkImageData* const frame = volume.Frames->GetFrame(i);
+    const double difference = frame->GetPointData()->GetScalars()->GetComponent(0, 0) -
+      volume.Image->GetPointData()->GetScalars()->GetComponent(0, 0);
+    Expect(difference == order[i] - order[0], what + " has its frames in another order");
+    Expect(std::abs(volume.Frames->GetFrameTime(i) - begin - i * spacing) < 1e-6,
+      what + " has other times");
+  }
+  Expect(isThere && volume.Frames->GetFrame(0) == volume.Image, what + " has another image");
+}
+
+void ExpectError(const std::vector<std::string>& paths, const std::string& fault)
+{
+  std::string message = "nothing";
+  try
+  {
+    Explore::LoadVolumes(paths);
+  }
+  catch (const Explore::InputError& error)
+  {
+    message = error.what();
+  }
+  Expect(message.find(fault) != std::string::npos && message.find("Cure: ") != std::string::npos,
+    "should say '" + fault + "', but said: " + message);
+}
+
+/// Frame after frame is felt and seen.
+void ExpectPlaying(const std::vector<std::string>& paths)
+{
+  const Explore::Exploration exploration =
+    Explore::ExploreVolume(Explore::LoadVolumes(paths), Explore::Settings());
+  Explore::TouchScene touch;
+  Explore::SceneOptions options;
+  options.Width = 200;
+  options.Height = 150;
+  options.Interactive = true;
+  options.Mapper = Explore::MapperChoice::CPU;
+  Explore::BuildTouchScene(touch, exploration, options, {});
+  Expect(touch.Device->IsPlaying(), "the window does not play");
+  double latest = 0.0;
+  const bool plays = devicetest::Eventually(
+    [&]
+    {
+      touch.Style->UpdateHaptics();
+      latest = std::max(latest, touch.Device->GetFrameTime());
+      return touch.Device->HasFrames() && latest > 0.15;
+    });
+  Expect(plays, "the window does not get to the last frame");
+  touch.Device->Close();
+}
+} // namespace
+
+int TestExploreSeries(int argc, char* argv[])
+{
+  folder = MakeTestFolder(argc, argv, "TestExploreSeries");
+  const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
+  std::vector<std::string> files;
+  vtkNew<vtkImageAppendComponents> times;
+  // In the order of names without numbers, 10 would come first.
+  const char* const names[COUNT] = { "phases/at2.vti", "phases/at9.vti", "phases/at10.vti" };
+  for (int i = 0; i < COUNT; ++i)
+  {
+    const auto frame = MakeFrame(head, i);
+    files.push_back(WriteImage(names[i], frame));
+    times->AddInputData(frame);
+  }
+  ExpectSeries("a list of files", files, 0.0, 0.1);
+  ExpectSeries("a list in another order", { files[2], files[0] }, 0.0, 0.1, { 2, 0 });
+  ExpectSeries("a folder", { folder + "/phases" }, 0.0, 0.1);
+  ExpectSeries("frames that close the loop", { files[0], files[1], files[2], files[0] }, 0.0, 0.1);
+  const std::string collection = "<VTKFile type=\"Collection\"><Collection>"
+                                 "<DataSet timestep=\"2.5\" file=\"phases/at10.vti\"/>"
+                                 "<DataSet timestep=\"1.5\" file=\"phases/at2.vti\"/>"
+                                 "<DataSet timestep=\"2\" file=\"phases/at9.vti\"/>"
+                                 "</Collection></VTKFile>";
+  ExpectSeries("a collection", { WriteText("head.pvd", collection) }, 1.5, 0.5);
+
+  times->Update();
+  vtkNew<vtkNIFTIImageWriter> writer;
+  const std::string nifti = folder + "/head.nii";
+  writer->SetFileName(nifti.c_str());
+  writer->SetInputConnection(times->GetOutputPort());
+  writer->SetTimeDimension(COUNT);
+  writer->SetTimeSpacing(0.25);
+  writer->Write();
+  ExpectSeries("a NIfTI file", { nifti }, 0.0, 0.25);
+
+  Expect(!Explore::LoadVolumes({ files[1] }).Frames, "one file moves");
+  ExpectError({ WriteText("empty.pvd", "<VTKFile/>") }, "is not a ParaView collection");
+  ExpectError({ WriteText("twice.pvd",
+                "<VTKFile><Collection><DataSet timestep=\"1\" file=\"a.vti\"/>"
+                "<DataSet timestep=\"1\" file=\"b.vti\"/></Collection></VTKFile>") },
+    "several files for one time");
+  vtkNew<vtkImageData> moved;
+  moved->ShallowCopy(head);
+  moved->SetOrigin(1.0, 2.0, 3.0);
+  ExpectError({ files[0], WriteImage("moved.vti", moved) }, "another geometry");
+  ExpectError({ files[0], folder + "/none.vti" }, "no such file");
+  ExpectPlaying(files);
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
