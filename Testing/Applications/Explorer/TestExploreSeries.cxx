@@ -41,7 +41,7 @@ vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
   auto frame = vtkSmartPointer<vtkImageData>::New();
   frame->DeepCopy(head);
   vtkDataArray* const values = frame->GetPointData()->GetScalars();
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); i += 2)
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
     values->SetComponent(i, 0, values->GetComponent(i, 0) + number);
   }

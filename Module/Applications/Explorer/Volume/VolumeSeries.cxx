@@ -182,7 +182,7 @@ void CheckMemory(const std::string& path, vtkImageData* first, std::size_t frame
   constexpr double mebibyte = 1024.0;
   const double needed = static_cast<double>(first->GetActualMemorySize()) * frames / mebibyte;
   vtksys::SystemInformation system;
-  system.QueryMemory();
+  system.RunMemoryCheck();
   const auto free = static_cast<double>(system.GetAvailablePhysicalMemory());
   if (free > 0.0 && needed > free)
   {
