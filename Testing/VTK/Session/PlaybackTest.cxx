@@ -404,7 +404,7 @@ TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
   EXPECT_GT(latest, 13.0);
 }
 
-/// A wall that leaps by 3.5 mm a step, more than twice its width: only displacements make it a wall.
+/// A wall that leaps by 3.5 mm a step, over twice its width: only displacements make it a wall.
 TEST_F(PlaybackOfSteps, StepsAreBlendedAlongTheirDisplacements)
 {
   const auto findWall = [](double time) { return 5.0 + 3.5 * (time - 10.0); };
