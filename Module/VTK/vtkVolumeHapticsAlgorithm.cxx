@@ -6,6 +6,7 @@
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
+#include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
 #include "vtkStringArray.h"
 
@@ -44,8 +45,57 @@ vtkHapticProperty* vtkVolumeHapticsAlgorithm::GetProperty()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkVolumeHapticsAlgorithm::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkHapticMode* const mode : this->Modes)
+  {
+    time = std::max(time, mode->GetMTime());
+  }
   return this->Property ? std::max(time, this->Property->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::AddMode(vtkHapticMode* mode)
+{
+  if (mode && std::find(this->Modes.begin(), this->Modes.end(), mode) == this->Modes.end())
+  {
+    this->Modes.emplace_back(mode);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::RemoveMode(vtkHapticMode* mode)
+{
+  const auto found = std::find(this->Modes.begin(), this->Modes.end(), mode);
+  if (found != this->Modes.end())
+  {
+    this->Modes.erase(found);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::RemoveAllModes()
+{
+  if (!this->Modes.empty())
+  {
+    this->Modes.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsAlgorithm::GetNumberOfModes()
+{
+  return static_cast<int>(this->Modes.size());
+}
+
+//------------------------------------------------------------------------------
+vtkHapticMode* vtkVolumeHapticsAlgorithm::GetMode(int mode)
+{
+  return mode >= 0 && mode < this->GetNumberOfModes()
+    ? this->Modes[static_cast<std::size_t>(mode)].Get()
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -125,8 +175,13 @@ std::string vtkVolumeHapticsAlgorithm::GetMethodText()
 //------------------------------------------------------------------------------
 void vtkVolumeHapticsAlgorithm::NextMethod()
 {
-  const std::size_t now = VolumeHaptics::FindMethodChoice(this->Method, this->Solver);
-  this->Choose((now + 1) % VolumeHaptics::MethodChoices().size());
+  const auto& all = VolumeHaptics::MethodChoices();
+  std::size_t next = VolumeHaptics::FindMethodChoice(this->Method, this->Solver) + 1;
+  if (next < all.size() && all[next].Method == PRIMITIVES && this->Modes.empty())
+  {
+    ++next;
+  }
+  this->Choose(next % all.size());
 }
 
 //------------------------------------------------------------------------------
@@ -252,6 +307,11 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
   }
   VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::FilterSettings);
   VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::FilterTexts);
+  for (vtkHapticMode* const mode : this->Modes)
+  {
+    os << indent << "Mode: " << mode->GetClassName() << "\n";
+    mode->PrintSelf(os, indent.GetNextIndent());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include <string> // for std::string
 #include <vector> // for std::vector
 
+class vtkHapticMode;
 class vtkHapticProperty;
 class vtkStringArray;
 
@@ -36,7 +37,8 @@ public:
     PROXY = 0,
     FORCE_FIELD = 1,
     SURFACE_PROXY = 2,
-    LOCAL_SURFACE = 3
+    LOCAL_SURFACE = 3,
+    PRIMITIVES = 4
   };
 
   ///@{
@@ -45,7 +47,8 @@ public:
    * 14. The others are for comparison. FORCE_FIELD, eq. 1: the gradient pushes, -C1 grad V - C2
    * v, without a proxy. SURFACE_PROXY: a small ball that no triangle of the isosurface at the
    * IsoValue (or of the surface) lets through. LOCAL_SURFACE: a slow loop fits a plane or a
-   * quadric to that isosurface near the proxy, and the servo touches that.
+   * quadric to that isosurface near the proxy, and the servo touches that. PRIMITIVES: modes,
+   * which hold the hand by the vectors, tensors or lines in the volume.
    *
    * C1 is ForceFieldGain and C2 ForceFieldDamping; NormalForce and DragForce are then the
    * magnitudes of the two terms. SURFACE_PROXY is polygonal surface haptics (Ruspini et al. 1997)
@@ -57,14 +60,35 @@ public:
    * these methods is chosen while a servo runs and the hand is inside the isosurface, its depth
    * counts. Up to three kernel radii deep, both hold the hand from outside. Deeper, SURFACE_PROXY
    * holds it from inside, and LOCAL_SURFACE does not hold it.
+   *
+   * PRIMITIVES feels the modes of AddMode(), with a spring of the CouplingStiffness; without modes
+   * the hand is free. The scalars are felt if there is a vtkHapticSurfaceMode. NormalForce is the
+   * magnitude of the whole force, along Normal; the arrays of materials are 0, except Stiffness.
    */
-  vtkSetClampMacro(Method, int, PROXY, LOCAL_SURFACE);
+  vtkSetClampMacro(Method, int, PROXY, PRIMITIVES);
   vtkGetMacro(Method, int);
   void SetMethodToProxy() { this->SetMethod(PROXY); }
   void SetMethodToForceField() { this->SetMethod(FORCE_FIELD); }
   void SetMethodToSurfaceProxy() { this->SetMethod(SURFACE_PROXY); }
   void SetMethodToLocalSurface() { this->SetMethod(LOCAL_SURFACE); }
+  void SetMethodToPrimitives() { this->SetMethod(PRIMITIVES); }
   ///@}
+
+  ///@{
+  /**
+   * The modes of the method PRIMITIVES, at most eight, which are felt together. A mode that is
+   * there already is not added again. All active modes have eight primitives at most: shear, ridge
+   * and one-sided front one each; follow, two-sided front and guide two; vortex, tensor and surface
+   * three.
+   */
+  void AddMode(vtkHapticMode* mode);
+  void RemoveMode(vtkHapticMode* mode);
+  void RemoveAllModes();
+  int GetNumberOfModes();
+  ///@}
+
+  /** A mode by its number, which counts from 0 as in the array ModeForce_i; nullptr beyond. */
+  vtkHapticMode* GetMode(int mode);
 
   enum SolverType
   {
@@ -286,8 +310,8 @@ public:
 
   ///@{
   /**
-   * The stiffness (N/m) with SameShape, 0 or more. MaximumStiffness and the limits of a device cap
-   * it, too. Default 500.
+   * The stiffness (N/m) with SameShape, and of the method PRIMITIVES, 0 or more. MaximumStiffness
+   * and the limits of a device cap it, too. Default 500.
    */
   vtkSetClampMacro(CouplingStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CouplingStiffness, double);
@@ -420,7 +444,7 @@ public:
   /**
    * Method and Solver as one choice, for menus and command lines, in the order of NextMethod():
    * "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy",
-   * "local-surface".
+   * "local-surface", "primitives".
    */
   static vtkStringArray* GetMethodNames();
 
@@ -431,7 +455,10 @@ public:
   /** The name of the method as users see it, such as "Proxy, PRECISE". */
   std::string GetMethodText();
 
-  /** Goes on to the next of GetMethodNames(), and from the last to the first. */
+  /**
+   * Goes on to the next of GetMethodNames(), and from the last to the first. "primitives" is left
+   * out if there are no modes.
+   */
   void NextMethod();
 
 #ifndef __VTK_WRAP__
@@ -439,7 +466,7 @@ public:
   static std::string CheckTraceArrays(const std::string& names);
 #endif
 
-  /** Includes the property and its functions. */
+  /** Includes the property, the modes and their functions. */
   vtkMTimeType GetMTime() override;
 
   /** Print the settings and the property, without the pipeline around them: for recordings. */
@@ -460,6 +487,7 @@ protected:
   unsigned int TraceArrays; // a TraceArrayChoice
 
   vtkSmartPointer<vtkHapticProperty> Property;
+  std::vector<vtkSmartPointer<vtkHapticMode>> Modes;
   int Method = PROXY;
   int Solver = PRECISE;
   int ContactAlignment = EDGE;

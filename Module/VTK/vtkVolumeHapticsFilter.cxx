@@ -29,6 +29,7 @@
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkHapticLabelTable.h"
+#include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkImageData.h"
@@ -255,7 +256,12 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   using namespace VolumeHaptics;
 
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image, association);
+  vtkDataArray* scalars = this->GetInputArrayToProcess(0, image, association);
+  if (!scalars && this->Method == PRIMITIVES)
+  {
+    // Modes need no scalars; only the array Value has these.
+    scalars = FindModeArray(this->Modes, image);
+  }
   if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     const char* const name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
@@ -296,6 +302,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
   options.Frames = std::move(frames.Frames);
   options.Series = frames.Series;
   options.Displacements = this->DisplacementArrayName;
+  options.Modes = this->Modes;
   options.Surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->GetProperty(), options, error);
 }

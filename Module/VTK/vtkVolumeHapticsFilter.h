@@ -119,6 +119,8 @@
  *   Label              at the output point plus r Normal, just inside the surface: the label of the
  *                      nearest voxel, 0 beyond the label image. Only with a label image on port 3
  *   DataTime           of the source; at this tick. Only of a volume that moves
+ *   ModeForce_i (3)    N, world axes; of mode i on the hand, before MaximumForce. Only with the
+ *                      method PRIMITIVES, for all of its modes
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the

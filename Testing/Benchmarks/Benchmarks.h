@@ -34,6 +34,9 @@ void RegisterLabelBenchmarks(const BallVolume& volume);
 /** Whole ticks of the methods that touch an isosurface: a mesh, and what a slow loop fits. */
 void RegisterSurfaceBenchmarks(const BallVolume& volume);
 
+/** Whole ticks of the method PRIMITIVES: one mode, and four whose primitives are oblique. */
+void RegisterModeBenchmarks();
+
 /** The offline filter with its trace, beside its ticks alone; by the tick. */
 void RegisterFilterBenchmarks(const BallVolume& volume);
 

@@ -73,6 +73,7 @@ int main(int argc, char* argv[])
   RegisterFilterBenchmarks(volumes.front());
   RegisterLabelBenchmarks(volumes.front());
   RegisterSurfaceBenchmarks(volumes.front());
+  RegisterModeBenchmarks();
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
   PrintRatios(medians);

@@ -4,6 +4,7 @@
 
 import pydoc
 
+import volumehaptics
 from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
 
 # A name, and words that its documentation has to contain. For Set... the getter must exist, too.
@@ -61,6 +62,9 @@ FILTER_PLAIN = (
     "SetMethodToForceField",
     "SetMethodToSurfaceProxy",
     "SetMethodToLocalSurface",
+    "SetMethodToPrimitives",
+    "AddMode",
+    "RemoveMode",
     "SetLocalSurfaceShapeToPlane",
     "SetLocalSurfaceShapeToQuadric",
     "SetSolverToPaper",
@@ -105,6 +109,17 @@ ARRAYS = {
     "Unfinished": "PRECISE",
     "Renewed": "LOCAL_SURFACE",
     "Energy": "J",
+    "ModeForce_i": "N",
+}
+MODES = {
+    "VectorFollow": ("SetPush",),
+    "VectorFront": ("SetTwoSided",),
+    "Vortex": ("SetAxisStrength",),
+    "Shear": (),
+    "TensorFollow": ("SetSheetStrength",),
+    "Ridge": ("SetPolarityToDark", "SetSnapDistance"),
+    "Guide": ("SetPath", "GetPath"),
+    "Surface": (),
 }
 
 
@@ -144,6 +159,17 @@ def test_filter():
     for constant, value in (("PROXY", 0), ("FORCE_FIELD", 1), ("PAPER", 0), ("PRECISE", 1), ("GAUSSIAN", 1)):
         assert getattr(vtkVolumeHapticsFilter, constant) == value
     assert "volume" in vtkVolumeHapticsFilter.__doc__ and "2002" in vtkVolumeHapticsFilter.__doc__
+
+
+def test_modes():
+    documented = {"SetArrayName": ("components", "Empty (default)"), "SetStrength": ("(N)", "2 N"), "SetActive": ("on",)}
+    for kind, plain in MODES.items():
+        cls = getattr(volumehaptics, f"vtkHaptic{kind}Mode")
+        assert issubclass(cls, volumehaptics.vtkHapticMode)
+        check(cls, documented, plain)
+        haptics = vtkVolumeHapticsFilter()
+        haptics.AddMode(cls())
+        assert haptics.GetMode(0).GetStrength().GetSize() == 0
 
 
 def test_method_names_are_all_documented():

@@ -7,6 +7,7 @@
 #include "Applications/Explorer/View/StereoModes.h"
 
 #include "vtkHapticProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -50,11 +51,26 @@ Value Choose(
   throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
 }
 
-/// The names of the methods, each mapped to itself.
+/// The names of the methods that need nothing beside a volume of scalars.
+vtkSmartPointer<vtkStringArray> MethodNames()
+{
+  auto names = vtkSmartPointer<vtkStringArray>::New();
+  vtkStringArray* const all = vtkVolumeHapticsFilter::GetMethodNames();
+  for (vtkIdType i = 0; i < all->GetNumberOfValues(); ++i)
+  {
+    if (all->GetValue(i) != "primitives")
+    {
+      names->InsertNextValue(all->GetValue(i));
+    }
+  }
+  return names;
+}
+
+/// These, each mapped to itself.
 std::map<std::string, std::string> Methods()
 {
   std::map<std::string, std::string> methods;
-  vtkStringArray* const names = vtkVolumeHapticsFilter::GetMethodNames();
+  const auto names = MethodNames();
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     methods[names->GetValue(i)] = names->GetValue(i);
@@ -268,7 +284,7 @@ Options ParseOptions(int argc, char* argv[])
 std::string HelpText()
 {
   const std::string presets = List(vtkHapticProperty::GetPresetNames(), "\"");
-  const std::string methods = List(vtkVolumeHapticsFilter::GetMethodNames(), "").substr(2);
+  const std::string methods = List(MethodNames(), "").substr(2);
   return R"(Usage: volumehaptics-explore VOLUME [options]
 
 Feels its way over a volume: presses a tip into the outer surface, drags it, presses through to what is

@@ -15,14 +15,20 @@
  * | VortexTube    | held in around a vortex; and along its axis | tube, of omega | axis, same |
  * | Shear         | free in the direction that stretches most   | hold, of rate  |            |
  * | TensorFollow  | free along fibres; or within sheets         | fibre, of c_l  | sheet, c_p |
+ * | Ridge         | drawn to the middle of a vessel, free along | hold, of d     |            |
+ * | Guide         | drawn to a line, free along it              | hold, of dist. |            |
+ * | Surface       | the surfaces of the scalars                 |                |            |
  *
- * with c_l = (l_1 - l_2)/l_1 and c_p = (l_2 - l_3)/l_1. Strengths are in newtons.
+ * with c_l = (l_1 - l_2)/l_1 and c_p = (l_2 - l_3)/l_1. Strengths are in newtons. d is the second
+ * smallest magnitude of the eigenvalues of the scalars' Hessian minus the smallest one, where the
+ * scalars fall to all sides; dist. is the distance from the line, in world units.
  */
 #ifndef BakedMode_h
 #define BakedMode_h
 
 #include "Core/Field/VectorField.h"
 #include "Core/Math/PiecewiseTable.h"
+#include "Core/Model/GuidePath.h"
 
 #include <memory>
 
@@ -36,7 +42,10 @@ enum class ModeKind : std::uint8_t
   TwoSidedFront,
   VortexTube,
   Shear,
-  TensorFollow
+  TensorFollow,
+  Ridge,
+  Guide,
+  Surface
 };
 
 /** Everything that a mode is baked from. */
@@ -48,6 +57,10 @@ struct ModeDescription
   VectorAxes Axes = VectorAxes::World;
   Polyline First = ConstantPolyline(2.0);  ///< N
   Polyline Second = ConstantPolyline(0.0); ///< N
+  bool IsActive = true;                    ///< if not, it adds no primitives, but keeps its number
+  bool IsDark = false;                     ///< Ridge: a vessel is darker than what is around it
+  double SnapDistance = 3.0;               ///< Ridge: within it, the hold is whole (voxels)
+  std::shared_ptr<const GuidePath> Guide;  ///< not null for a Guide
 };
 
 /** A mode as a tick reads it. Immutable. */
@@ -58,20 +71,38 @@ struct BakedMode
     , Field(description.View, indexToWorld, description.Axes)
     , Strengths({ description.First, description.Second })
     , Samples(description.Samples)
+    , IsActive(description.IsActive)
+    , IsDark(description.IsDark)
+    , SnapDistance(description.SnapDistance)
+    , Guide(description.Guide)
   {
   }
 
-  /** Whether the array has the components that the mode is about. */
+  /** Whether the array has the components that the mode is about, if it is about one. */
   bool IsValid() const noexcept
   {
-    return this->Kind == ModeKind::TensorFollow ? this->Field.HasTensors()
-                                                : this->Field.HasVectors();
+    switch (this->Kind)
+    {
+      case ModeKind::TensorFollow:
+        return this->Field.HasTensors();
+      case ModeKind::Guide:
+        return this->Guide != nullptr;
+      case ModeKind::Ridge:
+      case ModeKind::Surface:
+        return true;
+      default:
+        return this->Field.HasVectors();
+    }
   }
 
   const ModeKind Kind;
   const VectorField Field;
   const PiecewiseTable<2> Strengths;
   const std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
+  const bool IsActive;
+  const bool IsDark;
+  const double SnapDistance; ///< voxels
+  const std::shared_ptr<const GuidePath> Guide;
 };
 
 } // namespace VolumeHaptics

@@ -16,11 +16,12 @@ namespace
 
 /**
  * PRECISE holds its proxy on levels of the estimator's own value: the normals must be normal to
- * them. LOCAL_SURFACE looks for levels of V, but depends on how the normals turn, too.
+ * them. LOCAL_SURFACE and the ridges of PRIMITIVES depend on how the normals turn, too.
  */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {
   const bool isPrecise = settings.Method == HapticMethod::LocalSurface ||
+    settings.Method == HapticMethod::Primitives ||
     (settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Precise);
   return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
 }
@@ -60,6 +61,20 @@ std::shared_ptr<const LabelWalls> MakeWalls(
   }
   // The default radius of 2 makes a scale of 1.4 voxels.
   return std::make_shared<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1);
+}
+
+std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
+{
+  std::vector<BakedMode> modes;
+  if (d.Settings.Method == HapticMethod::Primitives)
+  {
+    modes.reserve(d.Modes.size());
+    for (const ModeDescription& mode : d.Modes)
+    {
+      modes.emplace_back(mode, d.IndexToWorld);
+    }
+  }
+  return modes;
 }
 
 /** In a tick; the servo has time for no more. */
@@ -120,6 +135,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Mesh(d.Mesh)
   , Labels(MakeLabels(d))
   , Walls(MakeWalls(d, this->Labels.get()))
+  , Modes(MakeModes(d))
   , Number(d.Number > 0 ? d.Number : MakeUniqueNumber())
 {
 }
@@ -138,6 +154,7 @@ BakedVolume::BakedVolume(const BakedVolume& other, const std::vector<VolumeFrame
   , Mesh(other.Mesh)
   , Labels(other.Labels)
   , Walls(other.Walls)
+  , Modes(other.Modes)
   , Number(other.Number)
 {
 }

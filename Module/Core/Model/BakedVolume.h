@@ -10,6 +10,7 @@
 #include "Core/Field/FieldAtTime.h"
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/BakedLabels.h"
+#include "Core/Model/BakedMode.h"
 #include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/LabelWalls.h"
@@ -63,6 +64,7 @@ struct BakedVolume
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   /** Null if all surfaces are those of the scalars. */
   const std::shared_ptr<const LabelWalls> Walls;
+  const std::vector<BakedMode> Modes; ///< of HapticMethod::Primitives
 
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
   /** The volume at a data time; before the first frame and after the last one, it stands still. */

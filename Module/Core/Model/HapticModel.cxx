@@ -98,13 +98,13 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
 {
 }
 
-std::array<HapticModel::MemoryRange, 9> HapticModel::GetTables() const noexcept
+std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const
 {
   const MaterialTable& materials = this->Baked->Materials;
   const DistinctnessTable& distinctness = this->Baked->Distinctness;
   const BakedLabels* const labels = this->Baked->Labels.get();
   const LabelWalls* const walls = this->Baked->Walls.get();
-  return { MemoryRange{ this, sizeof(*this) },
+  std::vector<MemoryRange> tables = { MemoryRange{ this, sizeof(*this) },
     MemoryRange{ this->Baked.get(), sizeof(BakedVolume) },
     MemoryRange{
       this->Baked->Kernel.Table.data(), this->Baked->Kernel.Table.size() * sizeof(double) },
@@ -116,12 +116,30 @@ std::array<HapticModel::MemoryRange, 9> HapticModel::GetTables() const noexcept
            : MemoryRange{},
     walls ? MemoryRange{ walls, sizeof(*walls) } : MemoryRange{},
     walls ? MemoryRange{ walls->GetTable(), walls->GetTableSize() } : MemoryRange{} };
+  for (const BakedMode& mode : this->Baked->Modes)
+  {
+    tables.push_back({ &mode, sizeof(mode) });
+    tables.push_back(
+      { mode.Strengths.GetMemory(), mode.Strengths.GetMemorySize() - sizeof(mode.Strengths) });
+    if (mode.Guide)
+    {
+      tables.push_back({ mode.Guide->GetSegments(), mode.Guide->GetSegmentsSize() });
+      tables.push_back({ mode.Guide->GetBoxes(), mode.Guide->GetBoxesSize() });
+    }
+  }
+  return tables;
 }
 
 std::size_t HapticModel::GetMemorySize() const noexcept
 {
   const BakedVolume& baked = *this->Baked;
-  return sizeof(*this) + sizeof(baked) + baked.Kernel.Table.capacity() * sizeof(double) +
+  std::size_t modes = 0;
+  for (const BakedMode& mode : baked.Modes)
+  {
+    modes += sizeof(mode) + mode.Strengths.GetMemorySize() - sizeof(mode.Strengths) +
+      (mode.Guide ? mode.Guide->GetSegmentsSize() + mode.Guide->GetBoxesSize() : 0);
+  }
+  return modes + sizeof(*this) + sizeof(baked) + baked.Kernel.Table.capacity() * sizeof(double) +
     baked.Materials.GetMemorySize() - sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() -
     sizeof(baked.Distinctness) + (baked.Mesh ? baked.Mesh->GetMemorySize() : 0) +
     (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0) +

@@ -17,7 +17,7 @@
 #include "Core/Field/ResidentBox.h"
 #include "Core/Model/BakedVolume.h"
 
-#include <array>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -114,7 +114,7 @@ public:
     std::size_t Size = 0; ///< bytes
   };
   /** The tables that every tick reads, without the samples and the mesh. */
-  std::array<MemoryRange, 9> GetTables() const noexcept;
+  std::vector<MemoryRange> GetTables() const;
 
   /** Bytes beyond the image. */
   std::size_t GetMemorySize() const noexcept;

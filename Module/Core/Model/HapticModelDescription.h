@@ -12,6 +12,7 @@
 #include "Core/Field/VolumeView.h"
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Math/Vector3.h"
+#include "Core/Model/BakedMode.h"
 #include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticSettings.h"
 
@@ -68,6 +69,11 @@ struct HapticModelDescription
   HapticSettings Settings;
   std::shared_ptr<const SurfaceMesh> Mesh;   ///< in the world; for HapticMethod::SurfaceProxy
   std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
+  /**
+   * For HapticMethod::Primitives, on the points of View. Of those that are not valid, and those
+   * whose primitives are more than a tick has, nothing is felt.
+   */
+  std::vector<ModeDescription> Modes;
   /**
    * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other
    * frames, with the same material and settings: a servo goes on from one to the other as if it had

@@ -19,7 +19,8 @@ enum class HapticMethod : std::uint8_t
   Proxy,        ///< the paper's section 3
   ForceField,   ///< the paper's eq. 1
   SurfaceProxy, ///< a sphere on the triangles of a mesh; see SurfaceProxy.h
-  LocalSurface  ///< a plane or quadric that a slow loop renews; see LocalSurfaceSolver.h
+  LocalSurface, ///< a plane or quadric that a slow loop renews; see LocalSurfaceSolver.h
+  Primitives    ///< modes for vectors, tensors, ridges and guides; see PrimitivesMethod.h
 };
 
 /** How Proxy advances the proxy in a tick. */
@@ -78,7 +79,7 @@ struct HapticSettings
   MaterialPlacement Placement = MaterialPlacement::FarSide;
   SurfaceSide Side = SurfaceSide::Higher;
   bool SameShape = false;           ///< one stiffness for all materials that have any
-  double CouplingStiffness = 500.0; ///< N/m, with SameShape
+  double CouplingStiffness = 500.0; ///< N/m, with SameShape, and of Primitives
   double TickPeriod = 1e-3;         ///< s
   double TimeUnitsPerSecond = 1.0;  ///< data time that passes in a second of the hand
   ForceCaps Caps;                   ///< of the user; the device has its own: HapticModel::Caps

@@ -5,6 +5,7 @@
 #include "Core/Solvers/ForceField/ForceField.h"
 #include "Core/Solvers/Paper/PaperSolver.h"
 #include "Core/Solvers/Precise/PreciseSolver.h"
+#include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 
 namespace VolumeHaptics
@@ -47,6 +48,10 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   else if (method == HapticMethod::ForceField)
   {
     StepForceField(model, state, record);
+  }
+  else if (method == HapticMethod::Primitives)
+  {
+    StepPrimitives(model, state, record);
   }
   else
   {
@@ -109,6 +114,11 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
     const Vector3 outside = EnterSurface(to, state.Proxy);
     state.Proxy = to.Baked->Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
     StartLocalSurface(to.DeviceToWorld(outside), to.DeviceToWorld(state.PreviousTip), state.Local);
+  }
+  if (isOther || from.Baked->Number != to.Baked->Number)
+  {
+    // Of other primitives.
+    state.Primitives = PrimitiveMemory{};
   }
   // The level means nothing in another volume.
   state.Precise.IsHeld = state.Precise.IsHeld && from.Baked->Number == to.Baked->Number;

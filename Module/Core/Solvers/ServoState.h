@@ -12,6 +12,7 @@
 #include "Core/Model/LabelMemory.h"
 #include "Core/Solvers/LocalState.h"
 #include "Core/Solvers/PreciseState.h"
+#include "Core/Solvers/PrimitiveMemory.h"
 #include "Core/Solvers/TickRecord.h"
 
 namespace VolumeHaptics
@@ -28,6 +29,7 @@ struct ServoState
   bool Enabled = false; ///< if false, the next tick puts the proxy on the tip with no force
   PreciseState Precise;
   LocalState Local;
+  PrimitiveMemory Primitives;
   LabelMemory Labels; ///< only saves time
   /** The data time of the tick: the caller advances it, if the volume moves. */
   double DataTime = 0.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/ServoStateNumbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -109,6 +110,11 @@ void VisitState(State& state, Function&& visit)
   visit(state.Stiffness);
   visit(state.SurfaceStrength);
   visit(state.Local.Request.DataTime);
+  for (auto& force : state.Primitives.Forces)
+  {
+    VisitVector(force, visit);
+  }
+  visit(state.Primitives.Rate);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -117,6 +123,8 @@ constexpr double FarthestPlace = 1e15;
 constexpr double UnitTolerance = 1e-6;
 /** Of newtons, newtons per metre and joules: products of two of them are far below overflow. */
 constexpr double MostOfMaterial = 1e100;
+/** N: a primitive's force is at most half of it. */
+constexpr double MostOfForce = 2e6;
 /** The prediction that a solver learns stays within half of 1. */
 constexpr double MostStatePrediction = 2.0;
 
@@ -161,6 +169,13 @@ bool IsPossible(const LocalState& local)
     IsNear(local.Request.Ahead, FarthestPlace) && IsDirection(local.Request.Normal);
 }
 
+bool IsPossible(const PrimitiveMemory& primitives)
+{
+  return IsAmount(primitives.Rate) &&
+    std::all_of(primitives.Forces.begin(), primitives.Forces.end(),
+      [](const Vector3& force) { return IsNear(force, MostOfForce); });
+}
+
 } // namespace
 
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
@@ -187,7 +202,7 @@ bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept
   VisitState(state, [&](auto& value) { isGood = Read(numbers[i++], value) && isGood; });
   return isGood && IsNear(state.Proxy, FarthestTip) && IsNear(state.PreviousTip, FarthestTip) &&
     IsAmount(state.Stiffness) && IsAmount(state.SurfaceStrength) && IsPossible(state.Precise) &&
-    IsPossible(state.Local);
+    IsPossible(state.Local) && IsPossible(state.Primitives);
 }
 
 } // namespace VolumeHaptics

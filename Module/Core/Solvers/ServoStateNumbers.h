@@ -14,12 +14,12 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 73;
+constexpr int ServoStateSize = 98;
 /**
- * In recordings from before MaterialPlacement, and before volumes that move; the other numbers are
- * 0 then.
+ * In recordings from before MaterialPlacement, before volumes that move, and before primitives; the
+ * other numbers are 0 then.
  */
-constexpr std::array<int, 2> OldServoStateSizes = { 64, 68 };
+constexpr std::array<int, 3> OldServoStateSizes = { 64, 68, 73 };
 
 /** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

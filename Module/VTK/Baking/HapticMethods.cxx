@@ -21,6 +21,7 @@ const std::vector<MethodChoice>& MethodChoices()
     { A::FORCE_FIELD, any, "force-field", MethodNames[A::FORCE_FIELD].Text, false },
     { A::SURFACE_PROXY, any, "surface-proxy", MethodNames[A::SURFACE_PROXY].Text, true },
     { A::LOCAL_SURFACE, any, "local-surface", MethodNames[A::LOCAL_SURFACE].Text, false },
+    { A::PRIMITIVES, any, "primitives", MethodNames[A::PRIMITIVES].Text, false },
   };
   return *choices;
 }

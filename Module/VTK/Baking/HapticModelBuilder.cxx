@@ -157,6 +157,13 @@ bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, st
             "SetMethodToLocalSurface, or stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
+  if (!frames.empty() && d.Settings.Method == HapticMethod::Primitives)
+  {
+    error =
+      "PRIMITIVES feels vectors of one time, and the image on input port 0 has several frames. "
+      "Choose another method, or stop time with SetTimeUnitsPerSecond(0).";
+    return false;
+  }
   // Of a part of the series, the last one needs no displacements.
   FrameSeries series = d.Series;
   series.Last = frames.empty() ? 0.0 : frames.back().Time;
@@ -250,6 +257,11 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     }
   }
   if (!BakeFrames(options, d, error) || !BakeSurface(image, scalars, component, options, d, error))
+  {
+    return nullptr;
+  }
+  if (d.Settings.Method == HapticMethod::Primitives &&
+    !DescribeModes(options.Modes, image, d.View, d.Modes, error))
   {
     return nullptr;
   }

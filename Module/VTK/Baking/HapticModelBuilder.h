@@ -9,6 +9,7 @@
 
 #include "Core/Model/HapticModel.h"
 #include "VTK/Baking/HapticFrames.h"
+#include "VTK/Baking/HapticModes.h"
 
 #include <string>
 #include <vector>
@@ -36,6 +37,7 @@ struct HapticModelOptions
   std::vector<HapticFrame> Frames;   ///< of a volume that moves; the image is at its first step
   std::string Displacements;         ///< the name of their array; empty if they have none
   FrameSeries Series;                ///< of which Frames are a part
+  HapticModeList Modes;              ///< for HapticMethod::Primitives
 };
 
 /** The shape that all frames of a volume have. */

@@ -25,7 +25,7 @@ using PropertyFunction = HapticFunctionSetting<vtkHapticProperty, vtkPiecewiseFu
 
 inline constexpr SettingChoice MethodNames[] = { { "Proxy", "Proxy" },
   { "ForceField", "Force field" }, { "SurfaceProxy", "Surface proxy" },
-  { "LocalSurface", "Local surface" } };
+  { "LocalSurface", "Local surface" }, { "Primitives", "Primitives" } };
 inline constexpr SettingChoice SolverNames[] = { { "Paper", "Paper" }, { "Precise", "Precise" } };
 inline constexpr SettingChoice ContactAlignmentNames[] = { { "Distinctness", "Distinctness" },
   { "Edge", "Edge" } };
@@ -55,7 +55,8 @@ inline constexpr FilterSetting All[] = {
     "14. The others are for comparison. Force field, eq. 1: the gradient pushes, -C1 grad V - C2 "
     "v, without a proxy. Surface proxy: a small ball that no triangle of the isosurface at the Iso "
     "Value (or of the Surface) lets through. Local surface: a slow loop fits a plane or a quadric "
-    "to that isosurface near the proxy, and the servo touches that."),
+    "to that isosurface near the proxy, and the servo touches that. Primitives: modes, which hold "
+    "the hand by the vectors, tensors or lines in the volume."),
   HapticChoiceMacro(Solver, Owner::PRECISE, &S::Solver,
     "How the method Proxy moves the proxy in a tick. Paper: as published, with one look at the "
     "volume, at the proxy's position before the tick. Precise (default): the same law, in balance "
@@ -105,8 +106,8 @@ inline constexpr FilterSetting All[] = {
     "hand that strokes with a constant force then feels the shape that it sees; materials are told "
     "apart by surface strength, friction and drag. Default off."),
   HapticNumberMacro(CouplingStiffness, 0.0, VTK_DOUBLE_MAX, 500.0, "N/m", &S::CouplingStiffness,
-    "The stiffness (N/m) with Same Shape, 0 or more. Maximum Stiffness and the limits of a device "
-    "cap it, too. Default 500."),
+    "The stiffness (N/m) with Same Shape, and of the method Primitives, 0 or more. Maximum "
+    "Stiffness and the limits of a device cap it, too. Default 500."),
   HapticNumberMacro(ForceFieldGain, -LargestNumber, LargestNumber, 0.01, "", &S::ForceFieldGain,
     "C1 of eq. 1 (N per scalar unit per world unit), for the method Force field. Default 0.01."),
   HapticNumberMacro(ForceFieldDamping, 0.0, VTK_DOUBLE_MAX, 0.0, "", &S::ForceFieldDamping,

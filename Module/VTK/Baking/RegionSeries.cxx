@@ -34,11 +34,25 @@ bool IsSameIn(
     [&](const auto& setting) { return !setting.IsSame || setting.IsSame(a, b); });
 }
 
+bool IsSameGuide(const GuidePath* a, const GuidePath* b)
+{
+  return a == b || (a && b && a->IsSame(*b));
+}
+
+bool IsSameMode(const ModeDescription& a, const ModeDescription& b)
+{
+  return a.Kind == b.Kind && a.IsActive == b.IsActive && a.Axes == b.Axes && a.IsDark == b.IsDark &&
+    a.SnapDistance == b.SnapDistance && a.View.Components == b.View.Components &&
+    a.View.Volume.Type == b.View.Volume.Type && IsSameLine(a.First, b.First) &&
+    IsSameLine(a.Second, b.Second) && IsSameGuide(a.Guide.get(), b.Guide.get());
+}
+
 bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)
 {
   return IsSameIn(FilterSettings, a, b) && IsSameIn(PropertySettings, a, b) &&
     a.Settings.TickPeriod == b.Settings.TickPeriod && a.Settings.Caps == b.Settings.Caps &&
-    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface;
+    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface &&
+    std::equal(a.Modes.begin(), a.Modes.end(), b.Modes.begin(), b.Modes.end(), IsSameMode);
 }
 
 } // namespace
@@ -79,6 +93,11 @@ void RegionSeries::Note(const HapticModelDescription& d, const WholeFacts& facts
   // The comparison keeps nothing alive except a surface that the user has connected.
   entry.Description.Samples.reset();
   entry.Description.View.Data = nullptr;
+  for (ModeDescription& mode : entry.Description.Modes)
+  {
+    mode.Samples.reset();
+    mode.View.Volume.Data = nullptr;
+  }
   if (d.Settings.HasIsoSurface)
   {
     entry.Description.Mesh.reset();

@@ -196,17 +196,17 @@ void SetupNode::Text(const char* key, const std::function<std::string()>& get,
   }
 }
 
-void SetupNode::Choice(const char* key, const std::vector<const char*>& names,
+int SetupNode::Choice(const char* key, const std::vector<const char*>& names,
   const std::function<int()>& get, const std::function<void(int)>& set)
 {
+  int chosen = -1;
   if (this->Pass.Writing)
   {
-    const auto chosen = static_cast<std::size_t>(get());
-    (*this->Json)[key] = chosen < names.size() ? names[chosen] : "unknown";
+    const auto given = static_cast<std::size_t>(get());
+    (*this->Json)[key] = given < names.size() ? names[given] : "unknown";
   }
   else if (const auto* value = this->Find(key))
   {
-    int chosen = -1;
     std::string wanted = "one of";
     for (std::size_t i = 0; i < names.size(); ++i)
     {
@@ -216,6 +216,7 @@ void SetupNode::Choice(const char* key, const std::vector<const char*>& names,
     this->Require(key, chosen >= 0, wanted);
     this->Then([set, chosen] { set(chosen); });
   }
+  return chosen;
 }
 
 //------------------------------------------------------------------------------

@@ -61,8 +61,8 @@ public:
   void Text(const char* key, const std::function<std::string()>& get,
     const std::function<void(const std::string&)>& set,
     const std::function<std::string(const std::string&)>& check = {});
-  /** A choice, by name; its value is the index of the name. */
-  void Choice(const char* key, const std::vector<const char*>& names,
+  /** A choice, by name; its value is the index of the name. Returns that read, or -1. */
+  int Choice(const char* key, const std::vector<const char*>& names,
     const std::function<int()>& get, const std::function<void(int)>& set);
   /** A fixed number of numbers. Returns the numbers read, or nothing. */
   NumberRow Row(const char* key, std::size_t size, const std::function<NumberRow()>& get,

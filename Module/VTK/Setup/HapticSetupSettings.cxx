@@ -7,6 +7,8 @@
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Setup/HapticSetupFunctions.h"
 #include "VTK/Setup/HapticSetupLabels.h"
+#include "VTK/Setup/HapticSetupModes.h"
+#include "VTK/Setup/PassSettings.h"
 
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"
@@ -35,51 +37,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-template <typename Owner, std::size_t Size>
-void PassSettings(SetupNode& node, Owner* owner, const HapticSetting<Owner> (&settings)[Size])
-{
-  for (const HapticSetting<Owner>& setting : settings)
-  {
-    const auto get = [owner, get = setting.Get] { return get(owner); };
-    const auto set = [owner, set = setting.Set](double value) { set(owner, value); };
-    switch (setting.Kind)
-    {
-      case SettingKind::Number:
-        node.Number(setting.Name,
-          { setting.Minimum,
-            setting.Maximum < VTK_DOUBLE_MAX ? setting.Maximum : NotNegative().Maximum },
-          get, set);
-        break;
-      case SettingKind::Integer:
-        node.Integer(setting.Name, static_cast<int>(setting.Minimum),
-          static_cast<int>(setting.Maximum), get, set);
-        break;
-      case SettingKind::Flag:
-        node.Flag(setting.Name, get, set);
-        break;
-      case SettingKind::Choice:
-        std::vector<const char*> names;
-        for (int i = 0; i <= static_cast<int>(setting.Maximum); ++i)
-        {
-          names.push_back(setting.Choices[i].Name);
-        }
-        node.Choice(setting.Name, names, get, set);
-        break;
-    }
-  }
-}
-
-template <typename Owner, std::size_t Size>
-void PassSettings(SetupNode& node, Owner* owner, const HapticTextSetting<Owner> (&settings)[Size])
-{
-  for (const HapticTextSetting<Owner>& setting : settings)
-  {
-    node.Text(
-      setting.Name, [=] { return setting.Get(owner); },
-      [=](const std::string& text) { setting.Set(owner, text); }, setting.Check);
-  }
-}
 
 void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
@@ -147,6 +104,7 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterSettings);
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterTexts);
   PassProperty(node, filter, visible);
+  PassModes(node, filter);
   PassLabels(node, filter);
 }
 

@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cstring>
 #include <numeric>
 
@@ -96,6 +97,18 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVo
     this->LabelNumbers = labels->GetPointer(0);
     this->Arrays.emplace_back(labels.Get());
   }
+  const std::size_t modes = std::min(volume.Modes.size(), MostModeForces);
+  for (std::size_t mode = 0; mode < modes; ++mode)
+  {
+    const std::size_t array = GetModeForceArray(mode);
+    if (IsChosen(choice, array))
+    {
+      this->Arrays.push_back(
+        NewArray({ GetTraceArrayName(array), "", ColumnType::Float64, 3, 0 }, ticks));
+      this->ModeNumbers.resize(modes);
+      this->ModeNumbers[mode] = static_cast<double*>(this->Arrays.back()->GetVoidPointer(0));
+    }
+  }
 }
 
 HapticTrace::~HapticTrace() = default;
@@ -121,6 +134,13 @@ void HapticTrace::CloseGaps(const std::vector<Rows>& paths)
   if (this->LabelNumbers)
   {
     move(reinterpret_cast<unsigned char*>(this->LabelNumbers), sizeof(long long));
+  }
+  for (double* const forces : this->ModeNumbers)
+  {
+    if (forces)
+    {
+      move(reinterpret_cast<unsigned char*>(forces), 3 * sizeof(double));
+    }
   }
 }
 

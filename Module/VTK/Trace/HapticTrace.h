@@ -51,6 +51,8 @@ public:
   long long* GetLabels() const { return this->LabelNumbers; }
   /** Whether the values at the proxy are chosen. */
   bool HasValues() const { return this->Values; }
+  /** The forces of each mode, three numbers a tick; null for those that are not chosen. */
+  const std::vector<double*>& GetModeForces() const { return this->ModeNumbers; }
 
   /** Some rows of the trace: the ticks of one path. */
   struct Rows
@@ -74,6 +76,7 @@ private:
   std::vector<TraceMemory> Memory;
   long long* LabelNumbers = nullptr;
   bool Values = false;
+  std::vector<double*> ModeNumbers; ///< none if no mode is chosen
 };
 
 } // namespace VolumeHaptics

@@ -98,6 +98,16 @@ const TickRecord& TipPathWalk::GetRecord() const
   return this->Gate.GetOpening() < 1.0 ? this->Scaled : this->Whole;
 }
 
+ModeForces TipPathWalk::FindModeForces(const HapticModel& model) const
+{
+  ModeForces forces = VolumeHaptics::FindModeForces(model, this->State);
+  for (Vector3& force : forces)
+  {
+    force = this->Gate.GetOpening() * force;
+  }
+  return forces;
+}
+
 double TipPathWalk::GetTime() const
 {
   return this->Tips ? this->Tips->GetTime() : this->Recording->Times[this->Next - 1];

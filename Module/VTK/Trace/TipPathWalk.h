@@ -9,6 +9,7 @@
 
 #include "Core/Servo/ForceGate.h"
 #include "Core/Servo/ResidentServo.h"
+#include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "VTK/Trace/RecordedPath.h"
 #include "VTK/Trace/TipReader.h"
 
@@ -38,6 +39,8 @@ public:
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
   /** The record of the last tick. */
   const TickRecord& GetRecord() const;
+  /** The forces of the modes of the last tick, with its model. */
+  ModeForces FindModeForces(const HapticModel& model) const;
   /** Time of the last tick (s). */
   double GetTime() const;
 

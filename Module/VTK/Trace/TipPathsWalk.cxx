@@ -144,6 +144,7 @@ void TipPathsWalk::Advance()
 void TipPathsWalk::Advance(Runner& runner)
 {
   const bool isRecording = this->Paths.GetRecording() != nullptr;
+  const bool hasModes = !this->Trace.GetModeForces().empty();
   HapticTrace::Rows& rows = this->Rows[runner.Path];
   const vtkIdType ticks = this->GetNextStretch(runner.Path);
   TracePart part(this->Trace, rows.First + rows.Count, runner.Work);
@@ -156,7 +157,15 @@ void TipPathsWalk::Advance(Runner& runner)
       this->Flaw = rows.Count + i;
       return;
     }
-    part.Append(*runner.Model, runner.Walk.GetTime(), record);
+    if (hasModes)
+    {
+      const ModeForces forces = runner.Walk.FindModeForces(*runner.Model);
+      part.Append(*runner.Model, runner.Walk.GetTime(), record, &forces);
+    }
+    else
+    {
+      part.Append(*runner.Model, runner.Walk.GetTime(), record);
+    }
   }
   part.Flush();
   rows.Count += ticks;

@@ -10,17 +10,34 @@
 namespace VolumeHaptics
 {
 
+std::size_t GetModeForceArray(std::size_t mode)
+{
+  return GetTraceColumns().size() + 2 + mode;
+}
+
 std::size_t GetNumberOfTraceArrays()
 {
-  return GetTraceColumns().size() + 2;
+  return GetModeForceArray(MostModeForces);
 }
 
 const char* GetTraceArrayName(std::size_t array)
 {
-  const std::vector<TraceColumn>& columns = GetTraceColumns();
-  return array < columns.size() ? columns[array].Name
-    : array == columns.size()   ? LabelColumn
-                                : DataTimeColumn;
+  // Never destroyed, as the list of columns.
+  static const auto* const names = []
+  {
+    auto* const all = new std::vector<std::string>;
+    for (const TraceColumn& column : GetTraceColumns())
+    {
+      all->push_back(column.Name);
+    }
+    all->insert(all->end(), { LabelColumn, DataTimeColumn });
+    for (std::size_t mode = 0; mode < MostModeForces; ++mode)
+    {
+      all->push_back(ModeForceColumn + std::to_string(mode));
+    }
+    return all;
+  }();
+  return (*names)[array].c_str();
 }
 
 std::size_t FindTraceArray(const std::string& name)

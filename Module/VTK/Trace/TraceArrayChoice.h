@@ -15,14 +15,21 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Of arrays that only traces of volumes with labels, and of volumes that move, have. */
+/**
+ * Of arrays that only traces of volumes with labels, of volumes that move, and of the method
+ * PRIMITIVES have. The number of the mode follows the name of the last ones.
+ */
 constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
+constexpr const char* ModeForceColumn = "ModeForce_";
 ///@}
 
+/** As many as there may be modes. */
+constexpr std::size_t MostModeForces = 8;
+
 /**
- * Bit i stands for column i of GetTraceColumns(), and the bits after the last for the labels and
- * the data time.
+ * Bit i stands for column i of GetTraceColumns(), and the bits after the last for the labels, the
+ * data time, and the force of each mode.
  */
 using TraceArrayChoice = unsigned int;
 constexpr TraceArrayChoice AllTraceArrays = ~TraceArrayChoice(0);
@@ -35,6 +42,8 @@ constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
 ///@{
 /** Number and names of the arrays, in the order of the bits. */
 std::size_t GetNumberOfTraceArrays();
+/** The number of the array of a mode's force. */
+std::size_t GetModeForceArray(std::size_t mode);
 const char* GetTraceArrayName(std::size_t array);
 ///@}
 

@@ -39,8 +39,21 @@ TracePart::TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& wo
 {
 }
 
-void TracePart::Append(const HapticModel& model, double time, const TickRecord& record)
+void TracePart::Append(
+  const HapticModel& model, double time, const TickRecord& record, const ModeForces* forces)
 {
+  const std::vector<double*>& columns = this->Trace.GetModeForces();
+  for (std::size_t mode = 0; forces && mode < columns.size(); ++mode)
+  {
+    if (columns[mode])
+    {
+      const Vector3 force = model.DeviceToWorldRotation * (*forces)[mode];
+      double* const to = columns[mode] + 3 * (this->Next + static_cast<vtkIdType>(this->Filled));
+      to[0] = force.X;
+      to[1] = force.Y;
+      to[2] = force.Z;
+    }
+  }
   TraceRow& row = this->Block[this->Filled];
   if (this->Trace.HasValues())
   {

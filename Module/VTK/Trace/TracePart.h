@@ -7,6 +7,7 @@
 #ifndef TracePart_h
 #define TracePart_h
 
+#include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "VTK/Trace/TraceRow.h"
 
 #include "vtkType.h"
@@ -30,7 +31,9 @@ public:
   /** `work` goes on from one part of a path to the next. */
   TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& work);
 
-  void Append(const HapticModel& model, double time, const TickRecord& record);
+  /** `forces` are those of the modes, on device axes, if the trace has any. */
+  void Append(const HapticModel& model, double time, const TickRecord& record,
+    const ModeForces* forces = nullptr);
   /** Writes the rest of a block. */
   void Flush();
 

@@ -5,7 +5,7 @@
  * A tick never allocates, whatever it meets.
  */
 
-#include "Core/Solvers/Primitives/ModePrimitives.h"
+#include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "Rigs/AllocationCounter.h"
 #include "Rigs/CoreScene.h"
 
@@ -165,37 +165,45 @@ INSTANTIATE_TEST_SUITE_P(All, AllocationFreeLabels,
     testing::Values(SurfaceGeometry::Scalars, SurfaceGeometry::Labels, SurfaceGeometry::Both),
     testing::Bool()));
 
-TEST(AllocationFreeModes, NoMotionAllocates)
+TEST(AllocationFreeModes, NoTickAllocates)
 {
   // Random vectors: their primitives are oblique, and turn from voxel to voxel.
   TestVolume samples(ScalarType::Float32, { 60, 20, 20 });
   samples.FillRandom(7);
-  ModeDescription description;
-  description.View.Volume = samples.View;
-  description.View.Volume.Dimensions[0] = 20;
-  description.View.Volume.Stride[0] = 3;
-  std::vector<std::unique_ptr<BakedMode>> modes;
-  ModeField field(Affine3{}, { 1000.0 * Matrix3{}, {} });
-  for (const ModeKind kind : { ModeKind::VectorFollow, ModeKind::VectorFront,
-         ModeKind::TwoSidedFront, ModeKind::VortexTube, ModeKind::Shear })
+  ModeDescription mode;
+  mode.View.Volume = samples.View;
+  mode.View.Volume.Dimensions[0] = 20;
+  mode.View.Volume.Stride[0] = 3;
+  mode.Guide = std::make_shared<const GuidePath>(
+    std::vector<GuidePath::Line>{ { { 2, 2, 2 }, { 15, 9, 4 }, { 8, 18, 12 } } }, 1.0);
+  using Kinds = std::vector<ModeKind>;
+  for (const Kinds& kinds :
+    { Kinds{ ModeKind::VectorFollow, ModeKind::VortexTube, ModeKind::Ridge, ModeKind::Guide },
+      Kinds{ ModeKind::TwoSidedFront, ModeKind::VectorFront, ModeKind::Shear, ModeKind::Surface } })
   {
-    description.Kind = kind;
-    modes.push_back(std::make_unique<BakedMode>(description, Affine3{}));
-    ASSERT_TRUE(field.Add(*modes.back()));
+    HapticModelDescription d;
+    d.View = mode.View.Volume;
+    d.DeviceToWorld = { 1000.0 * Matrix3{}, {} };
+    d.Settings.Method = HapticMethod::Primitives;
+    for (const ModeKind kind : kinds)
+    {
+      mode.Kind = kind;
+      d.Modes.push_back(mode);
+    }
+    const HapticModel model(d);
+    Wanderer wanderer(20.0);
+    ServoState state;
+    TickRecord record;
+    double work = 0.0;
+    const std::size_t before = CountAllocations().Calls;
+    for (int i = 0; i < 2000; ++i)
+    {
+      Tick(model, state, wanderer.Next(), record);
+      work += Norm(record.Force) + Norm(FindModeForces(model, state)[3]);
+    }
+    EXPECT_EQ(CountAllocations().Calls, before);
+    EXPECT_GT(work, 0.0);
   }
-  Wanderer wanderer(20.0);
-  PrimitiveMemory memory;
-  PrimitiveMotion motion;
-  double work = 0.0;
-  const std::size_t before = CountAllocations().Calls;
-  for (int i = 0; i < 2000; ++i)
-  {
-    motion =
-      FollowPrimitives(field.GetField(), 500.0, 0.25e-3, motion.Proxy, wanderer.Next(), memory);
-    work += Norm(motion.Force);
-  }
-  EXPECT_EQ(CountAllocations().Calls, before);
-  EXPECT_GT(work, 0.0);
 }
 
 // The counter itself: without these the test above would pass with a broken one.

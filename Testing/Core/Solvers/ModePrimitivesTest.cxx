@@ -122,8 +122,8 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
   ModeGrid vortex = MakeVortex([](double r) { return 100.0 / r * -std::expm1(-r * r / 100.0); });
   vortex.Bake(ModeKind::VortexTube, { { 0.0, 0.0 }, { 2.0, 2.0 } });
   const double radii[4] = { 0.0, 5.0, 10.0, 20.0 };
-  const double tips[4] = { 3.98, 8.115, 11.472, 20.073 };
-  const double forces[4] = { 2.0, 1.5576, 0.7358, 0.0366 };
+  const double tips[4] = { 3.98, 8.1152, 11.4715, 20.0733 };
+  const double forces[4] = { 1.99, 1.5576, 0.7358, 0.0366 };
   for (int i = 0; i < 4; ++i)
   {
     for (const double angle : { 0.3, 2.9 })
@@ -133,8 +133,9 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
       {
         vortex.Move(AtAngle(tips[i] * tick / 400.0, angle));
       }
-      EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3 * radii[i], i == 0 ? 1e-4 : 2e-5);
-      EXPECT_NEAR(Norm(vortex.Motion.Force), forces[i], i == 0 ? 0.05 : 0.005 * forces[i] + 1e-4);
+      // On the core line within 0.01 voxel. Elsewhere, strengths are those of a blurred flow.
+      EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3 * radii[i], i == 0 ? 5e-6 : 2e-5);
+      EXPECT_NEAR(Norm(vortex.Motion.Force), forces[i], 0.005 * forces[i] + 1e-4);
       EXPECT_NEAR(
         Norm(vortex.Motion.Force - vortex.Field->ForceOf(0, vortex.Memory.Forces)), 0.0, 1e-12);
     }
@@ -295,7 +296,8 @@ TEST(ModePrimitives, SingularTensorsAndMissingVectorsAreNotFelt)
     }
     EXPECT_TRUE(tensors.Field->Add(*tensors.Baked));
     EXPECT_FALSE(tensors.Field->Add(*tensors.Baked)) << "eight primitives at most";
-    EXPECT_EQ(tensors.Field->GetCount(), 2);
+    EXPECT_EQ(tensors.Field->GetCount(), 3) << "it keeps its number";
+    EXPECT_EQ(tensors.At({}).GetSize(), 6);
     // A mode of tensors needs tensors.
     vectors.Mode.Kind = ModeKind::TensorFollow;
     EXPECT_FALSE(BakedMode(vectors.Mode, vectors.IndexToWorld).IsValid());

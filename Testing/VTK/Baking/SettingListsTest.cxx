@@ -6,11 +6,13 @@
  */
 
 #include "Rigs/SettingChecks.h"
+#include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Trace/HapticPathSettings.h"
 
+#include <vtkHapticShearMode.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkVolumeHapticsFilter.h>
@@ -174,6 +176,9 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceSettings);
   ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceVectors);
   ExpectHeadersBehave<vtkHapticPathSource>(PathVectors);
+  ExpectHeadersBehave<vtkHapticShearMode>(ModeSettings);
+  ExpectHeadersBehave<vtkHapticVectorFrontMode>(FrontModeSettings);
+  ExpectHeadersBehave<vtkHapticRidgeMode>(RidgeModeSettings);
   for (const HardwareVector& setting : HardwareVectors)
   {
     SCOPED_TRACE(setting.Name);
@@ -221,6 +226,9 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   std::vector<std::string> path = Names(PathSettings, PathVectors);
   path.emplace_back("FileName"); // a text
   ExpectRows("vtkHapticPathSource", path);
+  ExpectRows("vtkHapticMode", Names(ModeSettings));
+  ExpectRows("vtkHapticVectorFrontMode", Names(FrontModeSettings));
+  ExpectRows("vtkHapticRidgeMode", Names(RidgeModeSettings));
 }
 
 TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
@@ -241,6 +249,10 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticRegionFilter", RegionFilterVectors);
   ExpectComments("vtkHapticRegionSource", RegionSourceSettings);
   ExpectComments("vtkHapticRegionSource", RegionSourceVectors);
+  ExpectComments("vtkHapticMode", ModeSettings);
+  ExpectComments("vtkHapticMode", ModeTexts);
+  ExpectComments("vtkHapticVectorFrontMode", FrontModeSettings);
+  ExpectComments("vtkHapticRidgeMode", RidgeModeSettings);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)

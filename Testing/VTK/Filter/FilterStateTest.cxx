@@ -104,7 +104,7 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   filter->SetKernelRadius(1000);
   EXPECT_EQ(filter->GetKernelRadius(), 16);
   filter->SetMethod(99);
-  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::LOCAL_SURFACE);
+  EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::PRIMITIVES);
   filter->SetRecoveryTime(-1.0);
   EXPECT_EQ(filter->GetRecoveryTime(), 0.0);
   filter->SetLocalSurfaceRate(0.0);

@@ -9,6 +9,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticSurfaceMode.h>
 #include <vtkStringArray.h>
 
 using namespace scenetest;
@@ -53,6 +54,7 @@ protected:
 
 TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
 {
+  this->Filter->AddMode(vtkNew<vtkHapticSurfaceMode>());
   this->Touch();
   vtkStringArray* const names = vtkVolumeHapticsFilter::GetMethodNames();
   std::vector<std::string> shown;

@@ -3,27 +3,25 @@
 #include "Core/Solvers/Primitives/ModePrimitives.h"
 
 #include "Core/Math/SymmetricEigen.h"
+#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Solvers/Primitives/MaterialPrimitives.h"
 
 #include <algorithm>
 
 namespace VolumeHaptics
-{
-namespace
 {
 
 /** Adds the primitives of a mode. What it cannot read has the strength 0, but keeps its place. */
 class ModeReader
 {
 public:
-  ModeReader(const BakedMode& mode, const Vector3& index, const Matrix3& worldToDevice,
+  ModeReader(const ModeField& field, const BakedMode& mode, const Vector3& index,
     const Vector3& place, PrimitiveSet& set) noexcept
-    : Mode(mode)
+    : Modes(field)
+    , Mode(mode)
     , Index(index)
-    , WorldToDevice(worldToDevice)
     , Place(place)
     , Set(set)
-    , Fade(std::clamp(
-        mode.Field.GetSampler().DistanceToBorder(index) / ModeField::FadeDistance, 0.0, 1.0))
   {
   }
 
@@ -45,12 +43,22 @@ public:
       case ModeKind::TensorFollow:
         this->ReadTensor();
         break;
+      case ModeKind::Ridge:
+        this->ReadRidge();
+        break;
+      case ModeKind::Guide:
+        this->ReadGuide();
+        break;
+      case ModeKind::Surface:
+        this->ReadSurface();
+        break;
     }
   }
 
 private:
   void ReadVector() noexcept
   {
+    this->SetFade(this->Mode.Field.GetSampler().DistanceToBorder(this->Index));
     Vector3 v;
     this->Mode.Field.Read(this->Index, v);
     const double magnitude = Norm(v);
@@ -70,41 +78,178 @@ private:
 
   void ReadVortex() noexcept
   {
+    this->SetFade(this->Mode.Field.GetSampler().DistanceToBorder(this->Index));
     Vector3 v;
     Matrix3 j;
     this->Mode.Field.Read(this->Index, v, j);
     const Vector3 curl{ j.Row[2].Y - j.Row[1].Z, j.Row[0].Z - j.Row[2].X, j.Row[1].X - j.Row[0].Y };
     const double magnitude = Norm(curl);
-    this->Add(PrimitiveKind::Plane, Cross(curl, v), this->StrengthAt(0, magnitude));
+    const double strength = this->StrengthAt(0, magnitude);
+    Vector3 toCore;
+    const double atCore = this->FindCore(v, j, (1.0 / magnitude) * curl, toCore);
+    const Vector3 core = this->Place + this->ToDevice(toCore);
+    this->Add(PrimitiveKind::Plane, Cross(curl, v), (1.0 - atCore) * strength);
+    this->Add(PrimitiveKind::Line, curl, atCore > 0.0 ? atCore * strength : 0.0, core);
     this->Add(PrimitiveKind::Line, curl, this->StrengthAt(1, magnitude));
+  }
+
+  /** The displacement (world) to the core, and the share in which it holds: 0 if it is far. */
+  double FindCore(
+    const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
+  {
+    if (!IsFinite(axis))
+    {
+      return 0.0;
+    }
+    const Vector3 most =
+      std::abs(axis.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
+    const Vector3 aside = Cross(axis, most);
+    const Vector3 a = (1.0 / Norm(aside)) * aside;
+    const Vector3 b = Cross(axis, a);
+    const Vector3 ja = j * a;
+    const Vector3 jb = j * b;
+    const double aa = Dot(a, ja);
+    const double ab = Dot(a, jb);
+    const double ba = Dot(b, ja);
+    const double bb = Dot(b, jb);
+    const double determinant = aa * bb - ab * ba;
+    // Not where the flow is a shear rather than a rotation.
+    if (!(determinant > 0.0))
+    {
+      return 0.0;
+    }
+    const double va = Dot(a, v);
+    const double vb = Dot(b, v);
+    toCore = (-(bb * va - ab * vb) / determinant) * a + (-(aa * vb - ba * va) / determinant) * b;
+    const double away = this->VoxelsOf(toCore);
+    const double share = std::clamp(2.0 - away / ModeField::CoreReach, 0.0, 1.0);
+    return std::isfinite(away) ? share : 0.0;
   }
 
   void ReadShear() noexcept
   {
+    this->SetFade(this->Mode.Field.GetSampler().DistanceToBorder(this->Index));
     Vector3 v;
     Matrix3 j;
     const bool isThere = this->Mode.Field.Read(this->Index, v, j);
-    const Matrix3 turned = Transpose(j);
-    const SymmetricEigen rates = FindEigen({ { 0.5 * (j.Row[0] + turned.Row[0]),
-      0.5 * (j.Row[1] + turned.Row[1]), 0.5 * (j.Row[2] + turned.Row[2]) } });
-    const double strength = isThere ? this->StrengthAt(0, rates.Value[0]) : 0.0;
+    const SymmetricEigen rates = FindEigen(SymmetricPart(j));
+    // A rotation alone stretches in no direction, but for rounding.
+    const double least = LeastShare * (Norm(j.Row[0]) + Norm(j.Row[1]) + Norm(j.Row[2]));
+    const bool stretches = isThere && rates.Value[0] > least;
+    const double strength = stretches ? this->StrengthAt(0, rates.Value[0]) : 0.0;
     this->Add(PrimitiveKind::Line, rates.Direction[0], strength);
   }
 
   void ReadTensor() noexcept
   {
+    this->SetFade(this->Mode.Field.GetSampler().DistanceToBorder(this->Index));
     Matrix3 tensor;
     this->Mode.Field.ReadTensor(this->Index, tensor);
     const SymmetricEigen eigen = FindEigen(tensor);
     const double l1 = eigen.Value[0];
     const double l2 = std::max(eigen.Value[1], 0.0);
     const double l3 = std::max(eigen.Value[2], 0.0);
+    const double linear = (l1 - l2) / l1;
+    const double planar = (l2 - l3) / l1;
     const bool isThere = l1 > 0.0;
-    const double fibre = isThere ? this->StrengthAt(0, (l1 - l2) / l1) : 0.0;
-    const double sheet = isThere ? this->StrengthAt(1, (l2 - l3) / l1) : 0.0;
+    const double fibre = isThere && linear > LeastShare ? this->StrengthAt(0, linear) : 0.0;
+    const double sheet = isThere && planar > LeastShare ? this->StrengthAt(1, planar) : 0.0;
     this->Add(PrimitiveKind::Line, eigen.Direction[0], fibre);
     this->Add(PrimitiveKind::Plane, eigen.Direction[2], sheet);
     this->Add(PrimitiveKind::Plane, -eigen.Direction[2], sheet);
+  }
+
+  void ReadRidge() noexcept
+  {
+    const FieldSampler& scalars = this->Modes.Model->Baked->Field;
+    // The differences need some samples more.
+    this->SetFade(scalars.DistanceToBorder(this->Index) - 1.0);
+    Vector3 toRidge;
+    Vector3 along{ 1.0, 0.0, 0.0 };
+    double strength = 0.0;
+    if (this->Fade > 0.0)
+    {
+      strength = this->FindRidge(scalars, along, toRidge);
+    }
+    this->Add(PrimitiveKind::Line, along, strength, this->Place + this->ToDevice(toRidge));
+  }
+
+  /** The strength (N), the direction, and the displacement (world) to the ridge. */
+  double FindRidge(const FieldSampler& scalars, Vector3& along, Vector3& toRidge) const noexcept
+  {
+    constexpr double half = 0.5; // voxels
+    const auto slope = [&](double x, double y, double z)
+    {
+      const Vector3 ahead = scalars.Gradient(this->Index + Vector3{ x, y, z }).Gradient;
+      const Vector3 behind = scalars.Gradient(this->Index - Vector3{ x, y, z }).Gradient;
+      return (1.0 / (2.0 * half)) * (ahead - behind);
+    };
+    const double sign = this->Mode.IsDark ? -1.0 : 1.0;
+    const Matrix3 worldToIndex = Inverse(this->Modes.Model->Baked->IndexToWorld.Linear);
+    const Matrix3 turned = Transpose(worldToIndex);
+    const Matrix3 ofIndex =
+      Matrix3::FromColumns(slope(half, 0.0, 0.0), slope(0.0, half, 0.0), slope(0.0, 0.0, half));
+    const Vector3 gradient = sign * (turned * scalars.Gradient(this->Index).Gradient);
+    const SymmetricEigen eigen =
+      FindEigen(sign * (turned * (SymmetricPart(ofIndex) * worldToIndex)));
+    // Of a bright line: two that are negative, and one of smaller magnitude.
+    const double h1 = eigen.Value[0];
+    const double h2 = eigen.Value[1];
+    const double h3 = eigen.Value[2];
+    const double measure = -h2 - std::abs(h1);
+    if (!(h2 < 0.0 && measure > 0.0) || !IsFinite(gradient))
+    {
+      return 0.0;
+    }
+    along = eigen.Direction[0];
+    const Vector3& second = eigen.Direction[1];
+    const Vector3& third = eigen.Direction[2];
+    toRidge = (-Dot(second, gradient) / h2) * second + (-Dot(third, gradient) / h3) * third;
+    const double away = this->VoxelsOf(toRidge);
+    const double share = std::clamp(2.0 - away / this->Mode.SnapDistance, 0.0, 1.0);
+    return std::isfinite(away) ? share * this->StrengthAt(0, measure) : 0.0;
+  }
+
+  void ReadGuide() noexcept
+  {
+    const Vector3 world = this->Modes.DeviceToWorld(this->Place);
+    const GuidePlace found = this->Mode.Guide->Find(world);
+    const double strength = this->StrengthAt(0, Norm(world - found.Nearest));
+    this->Add(
+      PrimitiveKind::Line, found.Direction, strength, this->Modes.WorldToDevice(found.Nearest));
+    this->Add(PrimitiveKind::Plane, -found.Outward, found.IsNearEnd ? strength : 0.0,
+      this->Modes.WorldToDevice(found.End));
+  }
+
+  void ReadSurface() noexcept
+  {
+    const HapticModel& model = *this->Modes.Model;
+    const FieldAtTime field(model.Baked->Field);
+    const Vector3 lag = this->Modes.Tip - this->Place;
+    Surface surface = Law::FindSurface(model, field, this->Index, *this->Modes.Memory);
+    Law::Orient(model, lag, surface);
+    MaterialPoint point;
+    Law::ReadMaterials(model, field, this->Index, surface, *this->Modes.Memory, point);
+    if (!Law::IsFelt(point))
+    {
+      point.SurfaceStrength = point.Viscosity = 0.0;
+    }
+    AddMaterial(point, this->Modes.Stiffness, this->Place, this->Modes.Tip, this->Set);
+  }
+
+  /** What differs by less than this share has no direction. */
+  static constexpr double LeastShare = 1e-9;
+
+  static Matrix3 SymmetricPart(const Matrix3& m) noexcept
+  {
+    const Matrix3 turned = Transpose(m);
+    return { { 0.5 * (m.Row[0] + turned.Row[0]), 0.5 * (m.Row[1] + turned.Row[1]),
+      0.5 * (m.Row[2] + turned.Row[2]) } };
+  }
+
+  void SetFade(double voxels) noexcept
+  {
+    this->Fade = std::clamp(voxels / ModeField::FadeDistance, 0.0, 1.0);
   }
 
   double StrengthAt(int channel, double x) const noexcept
@@ -112,21 +257,36 @@ private:
     return std::isfinite(x) ? this->Fade * this->Mode.Strengths(x)[channel] : 0.0;
   }
 
-  /** A direction in the world. */
-  void Add(PrimitiveKind kind, const Vector3& direction, double strength) noexcept
+  /** Of a displacement in the world. */
+  Vector3 ToDevice(const Vector3& displacement) const noexcept
   {
-    this->Set.Add({ kind, this->WorldToDevice * direction, this->Place, strength });
+    return this->Modes.WorldToDevice.Linear * displacement;
+  }
+  double VoxelsOf(const Vector3& displacement) const noexcept
+  {
+    return Norm(this->Modes.DeviceToIndex.Linear * this->ToDevice(displacement));
   }
 
+  ///@{
+  /** A direction in the world; and an anchor (device), or this place. */
+  void Add(PrimitiveKind kind, const Vector3& direction, double strength) noexcept
+  {
+    this->Add(kind, direction, strength, this->Place);
+  }
+  void Add(
+    PrimitiveKind kind, const Vector3& direction, double strength, const Vector3& anchor) noexcept
+  {
+    this->Set.Add({ kind, this->Modes.Turn * direction, anchor, strength });
+  }
+  ///@}
+
+  const ModeField& Modes;
   const BakedMode& Mode;
   const Vector3& Index;
-  const Matrix3& WorldToDevice;
   const Vector3& Place;
   PrimitiveSet& Set;
-  const double Fade;
+  double Fade = 1.0;
 };
-
-} // namespace
 
 int CountPrimitives(ModeKind kind) noexcept
 {
@@ -134,12 +294,15 @@ int CountPrimitives(ModeKind kind) noexcept
   {
     case ModeKind::VectorFront:
     case ModeKind::Shear:
+    case ModeKind::Ridge:
       return 1;
+    case ModeKind::VortexTube:
     case ModeKind::TensorFollow:
+    case ModeKind::Surface:
       return 3;
     case ModeKind::VectorFollow:
     case ModeKind::TwoSidedFront:
-    case ModeKind::VortexTube:
+    case ModeKind::Guide:
       break;
   }
   return 2;
@@ -147,33 +310,52 @@ int CountPrimitives(ModeKind kind) noexcept
 
 ModeField::ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept
   : DeviceToIndex(Compose(Inverse(indexToWorld), deviceToWorld))
-  , WorldToDevice(Transpose(RotationOf(deviceToWorld)))
+  , DeviceToWorld(deviceToWorld)
+  , WorldToDevice(Inverse(deviceToWorld))
+  , Turn(Transpose(RotationOf(deviceToWorld)))
 {
+}
+
+ModeField::ModeField(
+  const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept
+  : DeviceToIndex(model.DeviceToIndex)
+  , DeviceToWorld(model.DeviceToWorld)
+  , WorldToDevice(model.WorldToDevice)
+  , Turn(Transpose(model.DeviceToWorldRotation))
+  , Model(&model)
+  , Memory(&memory)
+  , Stiffness(k)
+  , Tip(tip)
+{
+  for (const BakedMode& mode : model.Baked->Modes)
+  {
+    this->Add(mode);
+  }
 }
 
 bool ModeField::Add(const BakedMode& mode) noexcept
 {
-  const int count = CountPrimitives(mode.Kind);
-  if (!mode.IsValid() || this->Count >= Most || this->Primitives + count > PrimitiveSet::Most)
+  if (this->Count >= Most)
   {
     return false;
   }
-  this->Modes[this->Count++] = &mode;
-  this->Primitives += count;
-  return true;
+  const bool readsScalars = mode.Kind == ModeKind::Ridge || mode.Kind == ModeKind::Surface;
+  const int first = this->First[this->Count];
+  const int count = CountPrimitives(mode.Kind);
+  const bool fits =
+    mode.IsValid() && (this->Model || !readsScalars) && first + count <= PrimitiveSet::Most;
+  const bool isFelt = fits && mode.IsActive;
+  this->Modes[this->Count++] = isFelt ? &mode : nullptr;
+  this->First[this->Count] = first + (isFelt ? count : 0);
+  return fits || !mode.IsActive;
 }
 
 Vector3 ModeField::ForceOf(int mode, const PrimitiveForces& forces) const noexcept
 {
-  int first = 0;
-  for (int i = 0; i < mode; ++i)
-  {
-    first += CountPrimitives(this->Modes[i]->Kind);
-  }
   Vector3 sum;
-  for (int i = 0; i < CountPrimitives(this->Modes[mode]->Kind); ++i)
+  for (int i = this->First[mode]; i < this->First[mode + 1]; ++i)
   {
-    sum += forces[first + i];
+    sum += forces[i];
   }
   return sum;
 }
@@ -184,7 +366,10 @@ void ModeField::Find(const void* context, const Vector3& place, PrimitiveSet& se
   const Vector3 index = field.DeviceToIndex(place);
   for (int i = 0; i < field.Count; ++i)
   {
-    ModeReader(*field.Modes[i], index, field.WorldToDevice, place, set).Read();
+    if (field.Modes[i])
+    {
+      ModeReader(field, *field.Modes[i], index, place, set).Read();
+    }
   }
 }
 

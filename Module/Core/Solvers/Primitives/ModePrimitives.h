@@ -9,9 +9,29 @@
  * | VectorFollow  | LINE v, FORCE v                              |
  * | VectorFront   | PLANE v                                      |
  * | TwoSidedFront | PLANE v, PLANE -v                            |
- * | VortexTube    | PLANE n, LINE omega; n = omega x v           |
+ * | VortexTube    | PLANE n, LINE omega; n = omega x v; the core |
  * | Shear         | LINE along the first eigenvector of J + J^T  |
  * | TensorFollow  | LINE e_1, PLANE e_3, PLANE -e_3              |
+ * | Ridge         | LINE e_1 of the Hessian, through the ridge   |
+ * | Guide         | LINE through the nearest place; PLANE at ends|
+ * | Surface       | PLANE, LINE, POINT of MaterialPrimitives.h   |
+ *
+ * ## The core of a vortex
+ *
+ * v has no direction on the core line, and n turns over there. With J' and v' the parts of Jacobian
+ * and vector across omega, the core is at -J'^-1 v' from a place nearby (Newton's step). Within
+ * CoreReach of it, a LINE through it along omega stands in for the plane, so that the hand comes to
+ * rest on the core itself.
+ *
+ * ## Ridges
+ *
+ * H is the Hessian of the scalars, of differences of gradients half a voxel to either side, and g
+ * their gradient. A ridge goes along e_1, whose eigenvalue has the smallest magnitude; across it,
+ * the scalars fall to all sides (rise, if it is dark), with eigenvalues h_2 and h_3. The ridge is
+ * at -(e_2 (e_2.g)/h_2 + e_3 (e_3.g)/h_3) from the place. Its hold fades between once and twice
+ * SnapDistance.
+ *
+ * ## All modes
  *
  * Strengths fade to 0 over FadeDistance at the border of the volume, so that nothing pops there.
  * Where there is no vector, no direction, or a sample that is not finite, nothing is felt. The
@@ -22,12 +42,14 @@
 #define ModePrimitives_h
 
 #include "Core/Model/BakedMode.h"
+#include "Core/Model/LabelMemory.h"
 #include "Core/Solvers/Primitives/PrimitiveFollower.h"
 
 namespace VolumeHaptics
 {
+class HapticModel;
 
-/** The number of primitives that a mode adds, wherever it is read. */
+/** The number of primitives that an active mode adds, wherever it is read. */
 int CountPrimitives(ModeKind kind) noexcept;
 
 /** Modes in the order in which their primitives are added; borrows them. */
@@ -37,11 +59,24 @@ public:
   static constexpr int Most = PrimitiveSet::Most;
   /** Voxels from the border of the volume. */
   static constexpr double FadeDistance = 2.0;
+  /** Voxels from the core of a vortex. */
+  static constexpr double CoreReach = 0.1;
 
-  /** For a device that is placed in the world: a similarity, world units per metre. */
+  /**
+   * For a device that is placed in the world: a similarity, world units per metre. Without ridges
+   * and surfaces, which have the scalars of a model.
+   */
   ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept;
+  /**
+   * The modes of a model, in their order. Friction and drag of a surface depend on a spring of
+   * stiffness k to a tip (m). Borrows the model and the memory.
+   */
+  ModeField(const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept;
 
-  /** False, without any effect, if its primitives are too many or the mode is not valid. */
+  /**
+   * False if its primitives are too many or the mode is not valid; nothing is felt of it then. One
+   * that is not active always fits.
+   */
   bool Add(const BakedMode& mode) noexcept;
 
   /** Borrows this. */
@@ -52,13 +87,24 @@ public:
   Vector3 ForceOf(int mode, const PrimitiveForces& forces) const noexcept;
 
 private:
+  friend class ModeReader;
+
   static void Find(const void* context, const Vector3& place, PrimitiveSet& set) noexcept;
 
   const BakedMode* Modes[Most] = {};
+  int First[Most + 1] = {}; ///< the number of the first primitive of a mode
   int Count = 0;
-  int Primitives = 0;
   Affine3 DeviceToIndex;
-  Matrix3 WorldToDevice; ///< of directions
+  Affine3 DeviceToWorld;
+  Affine3 WorldToDevice;
+  Matrix3 Turn; ///< of directions, from the world to the device
+  ///@{
+  /** Of ridges and surfaces; null without a model. */
+  const HapticModel* Model = nullptr;
+  LabelMemory* Memory = nullptr;
+  double Stiffness = 0.0;
+  Vector3 Tip;
+  ///@}
 };
 
 } // namespace VolumeHaptics

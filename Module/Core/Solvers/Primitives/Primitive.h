@@ -20,6 +20,7 @@
 #define Primitive_h
 
 #include "Core/Math/Vector3.h"
+#include "Core/Solvers/PrimitiveMemory.h"
 
 #include <array>
 #include <cstdint>
@@ -47,7 +48,7 @@ struct Primitive
 class PrimitiveSet
 {
 public:
-  static constexpr int Most = 8;
+  static constexpr int Most = MostPrimitives;
   /** N. More than this holds as firmly as this does. */
   static constexpr double MostStrength = 1e6;
   /** m. An anchor beyond this is an error. */

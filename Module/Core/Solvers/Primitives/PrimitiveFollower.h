@@ -40,13 +40,6 @@ struct PrimitiveField
   const void* Context = nullptr;
 };
 
-/** The state that a tick passes to the next one. */
-struct PrimitiveMemory
-{
-  PrimitiveForces Forces{}; ///< of each primitive, in the order in which the field adds them
-  double Rate = 1.0;        ///< r above
-};
-
 struct PrimitiveMotion
 {
   Vector3 Proxy; ///< m

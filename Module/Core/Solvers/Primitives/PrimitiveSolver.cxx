@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Primitives/PrimitiveSolver.h"
 
+#include "Core/Solvers/Primitives/PrimitiveNewton.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,11 @@ constexpr double SettledChange = 1e-11;
 constexpr double SettledShare = 4e-16;
 /** N/m. */
 constexpr double StiffestSpring = 1e9;
+///@{
+/** After each of the first sweeps, and then now and then, an exact balance is looked for. */
+constexpr int FirstLooks = 2;
+constexpr int SweepsOfALook = 4;
+///@}
 
 /** False for NaN, too. */
 bool IsNear(const Vector3& tip) noexcept
@@ -214,6 +221,13 @@ public:
     }
   }
 
+  /** See PrimitiveNewton.h. */
+  bool FindExact() noexcept
+  {
+    const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
+    return FindExactBalance(held, this->Forces, this->Sum);
+  }
+
   bool IsSettled(double change) const noexcept
   {
     return change <= SettledChange + SettledShare * this->Largest;
@@ -318,6 +332,11 @@ void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& 
   {
     balance.IsUnfinished = !dual.IsSettled(dual.Sweep());
     ++balance.Sweeps;
+    const bool looks = balance.Sweeps <= FirstLooks || balance.Sweeps % SweepsOfALook == 0;
+    if (balance.IsUnfinished && looks)
+    {
+      balance.IsUnfinished = !dual.FindExact();
+    }
     if (balance.IsUnfinished)
     {
       dual.Accelerate();

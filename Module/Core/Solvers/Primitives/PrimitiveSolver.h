@@ -38,7 +38,8 @@
  * for a plane. It begins with the forces of the last tick. Where the proxy yields a little at a
  * time, or directions are almost parallel, sweeps alone take long; so Anderson's acceleration mixes
  * the last four, if that does not raise the dual energy. All l_i are in C_i at any time: even if
- * the sweeps are spent, no force is more than the strengths, and the next tick goes on.
+ * the sweeps are spent, no force is more than the strengths, and the next tick goes on. After a
+ * sweep or some, it is mostly known which primitives yield; PrimitiveNewton.h then ends this.
  */
 #ifndef PrimitiveSolver_h
 #define PrimitiveSolver_h
@@ -47,9 +48,6 @@
 
 namespace VolumeHaptics
 {
-
-/** The force (N) of each primitive on the hand. */
-using PrimitiveForces = std::array<Vector3, PrimitiveSet::Most>;
 
 struct PrimitiveBalance
 {

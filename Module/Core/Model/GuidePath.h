@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Polylines that guide a hand, with the nearest place on them.
+ *
+ *   GuidePath guide({ { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 10, 0 } } }, 1.0);
+ *   const GuidePlace place = guide.Find(world);
+ *
+ * The direction of a line turns at its corners. A proxy that is held on the line through the
+ * nearest place along that direction rests where the lag is at right angles to it, and a tip may be
+ * outside of a corner, where no segment is at right angles to any lag. So within half of the
+ * rounding from a corner the direction turns steadily from one segment's to the next one's. The
+ * places stay those of the polyline: a proxy on it is not drawn off.
+ */
+#ifndef GuidePath_h
+#define GuidePath_h
+
+#include "Core/Math/Vector3.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The place on the guide that is nearest to a point. */
+struct GuidePlace
+{
+  Vector3 Nearest;
+  Vector3 Direction; ///< unit, along the line
+  bool IsNearEnd = false;
+  ///@{
+  /** If it is on the first or last segment of a line that is not closed. */
+  Vector3 End;
+  Vector3 Outward; ///< unit, at the end
+  ///@}
+};
+
+/** Immutable. */
+class GuidePath
+{
+public:
+  using Line = std::vector<Vector3>;
+
+  /**
+   * Of finite points. Points that repeat the one before are left out; so are lines of one point. A
+   * line that ends where it begins is closed.
+   * @param rounding of corners, in the units of the points
+   */
+  GuidePath(const std::vector<Line>& lines, double rounding);
+
+  bool IsEmpty() const noexcept { return this->Segments.empty(); }
+  /** Whether another one guides alike. */
+  bool IsSame(const GuidePath& other) const noexcept;
+
+  /** The guide must not be empty. A place that is not finite gives any place on it. */
+  GuidePlace Find(const Vector3& place) const noexcept;
+
+  ///@{
+  /** What Find reads, and its size (bytes). */
+  const void* GetSegments() const noexcept { return this->Segments.data(); }
+  std::size_t GetSegmentsSize() const noexcept { return this->Segments.size() * sizeof(Segment); }
+  const void* GetBoxes() const noexcept { return this->Boxes.data(); }
+  std::size_t GetBoxesSize() const noexcept { return this->Boxes.size() * sizeof(Box); }
+  ///@}
+
+private:
+  struct Segment
+  {
+    Vector3 Begin;
+    Vector3 Direction; ///< unit
+    double Length = 0.0;
+    Vector3 AtBegin; ///< the direction in which the line goes through its first point
+    Vector3 AtEnd;
+    double Turn = 0.0; ///< from a corner on, the direction turns over this length
+    bool BeginsLine = false;
+    bool EndsLine = false;
+  };
+  struct Box
+  {
+    Vector3 Low;
+    Vector3 High;
+  };
+  static constexpr std::size_t SegmentsOfALeaf = 4;
+
+  void AddLine(const Line& line, double rounding);
+  void MakeBoxes();
+  /** Of box i of the tree, in which box i has the boxes 2 i + 1 and 2 i + 2. */
+  double SquareDistance(std::size_t box, const Vector3& place) const noexcept;
+
+  std::vector<Segment> Segments;
+  std::vector<Box> Boxes; ///< a complete binary tree; the last ones are leaves
+  std::size_t FirstLeaf = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

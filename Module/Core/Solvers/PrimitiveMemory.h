@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The state of HapticMethod::Primitives from tick to tick: see Primitives/PrimitiveFollower.h.
+ */
+#ifndef PrimitiveMemory_h
+#define PrimitiveMemory_h
+
+#include "Core/Math/Vector3.h"
+
+#include <array>
+
+namespace VolumeHaptics
+{
+
+/** In a tick. */
+constexpr int MostPrimitives = 8;
+
+/** The force (N) of each primitive on the hand. */
+using PrimitiveForces = std::array<Vector3, MostPrimitives>;
+
+/** The state that a tick passes to the next one. */
+struct PrimitiveMemory
+{
+  PrimitiveForces Forces{}; ///< of each primitive, in the order in which the field adds them
+  double Rate = 1.0;        ///< r of the steps
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The exact balance of primitives, once it is known which of them hold and which yield.
+ *
+ * With w the sum of their forces, b_i = k (y - c_i) and the pushes, and all lengths in newtons, the
+ * balance is the minimum of |w|^2 / 2 + sum phi_i(b_i + w) over w alone: three numbers. Each
+ * primitive either
+ *
+ * - holds: b_i + w is on its line, plane or point, a linear condition, and its force is a
+ *   multiplier within its strength;
+ * - yields: its force is its strength, and phi_i is smooth; or
+ * - is a plane that is left: its force is 0.
+ *
+ * If that is known, Newton's method with the conditions of those that hold finds w: in one step if
+ * no line or point yields, and in a few else. If the result contradicts what was assumed, it was
+ * not known.
+ *
+ * More than three conditions are met only if all primitives that hold have one anchor. Then w is
+ * known, and forces that add up to it are not unique. Forces s_i P_i m, with P_i the projection
+ * onto the directions in which primitive i holds, share it by strength.
+ */
+#ifndef PrimitiveNewton_h
+#define PrimitiveNewton_h
+
+#include "Core/Solvers/Primitives/PrimitiveSolver.h"
+
+namespace VolumeHaptics
+{
+
+/** Primitives that are not pushes and have a strength, with b_i of each. */
+struct HeldPrimitives
+{
+  const PrimitiveSet& Set;
+  const int* Number; ///< in the set
+  const Vector3* Spring;
+  int Count;
+};
+
+/**
+ * Whether the forces, which are within the strengths and nearly those of the balance, tell what
+ * holds and what yields. If so, they and their sum become exact; else nothing is written.
+ */
+bool FindExactBalance(const HeldPrimitives& held, PrimitiveForces& forces, Vector3& sum) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif
