@@ -13,8 +13,13 @@ namespace
 constexpr int MostCarrySteps = 3;
 /** Voxels. */
 constexpr double LongestCarry = 0.25;
-/** After a step as short as this (voxels), Newton's method has converged. */
+/**
+ * After a step s as short as this (voxels), Newton's method has converged: what is left is
+ * s^2 / (2 sigma), of an edge of width sigma. A level that holds the proxy is the same in all
+ * ticks, so that the next one corrects that; where none holds it, what is left adds up.
+ */
 constexpr double ShortCarry = 0.01;
+constexpr double ShortCarryToLevel = 0.06;
 
 /**
  * Levels and gradients whose relative difference is less than this are the same material's:
@@ -151,7 +156,7 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
     const double step = FindCarry(model, carried.There, target - level, lag, isHeld);
     state.Proxy += step * carried.There.Normal;
     carried.There.Value += step * carried.There.GradientMagnitude * model.WorldUnitsPerMeter;
-    if (std::abs(step) * model.MostVoxelsPerMeter <= ShortCarry)
+    if (std::abs(step) * model.MostVoxelsPerMeter <= (isHeld ? ShortCarryToLevel : ShortCarry))
     {
       break;
     }

@@ -254,6 +254,77 @@ TEST(MovingVolume, FramesThatAreAlikeAreAVolumeThatStandsStill)
   }
 }
 
+/// V1, V5 and V7 with LOCAL_SURFACE, whose slow loop is up to two periods (33 ms) late: in that
+/// time the surface goes by 0.4 mm, which are 0.2 N.
+TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
+{
+  const Movie ball = MakeBall(0.01);
+  HapticModelDescription description = ball.Describe();
+  description.Settings.Method = HapticMethod::LocalSurface;
+  description.Settings.IsoValue = 500.0; // where the ball's surface is
+  description.Settings.HasIsoSurface = true;
+  RestingHand hand(description, 24.0, 19.0);
+  EXPECT_NEAR(hand.Record.Force.X, 0.5, 0.01);
+  double work = 0.0;
+  double most = 0.0;
+  double before = hand.Record.Force.X;
+  for (double t = Dt; t < 1.0 + 0.5 * Dt; t += Dt)
+  {
+    const double force = hand.Go(t).Force.X;
+    EXPECT_NEAR(force, 0.001 * K * std::max(0.0, BallRadius(t) - 19.0), 0.01 * 1.5 + OfTheVoxels)
+      << "at " << t;
+    EXPECT_LE(std::abs(force - before), 2.0 * 0.001 * K * 4.0 * Pi * Dt) << "at " << t;
+    before = force;
+    work += hand.Record.WallWork;
+    most = std::max(most, work);
+  }
+  EXPECT_NEAR(most, 2.0e-3, 0.06e-3); // k x^2 / 2 at 3 mm, less that at 1 mm
+  EXPECT_NEAR(work, 0.0, 0.06e-3);
+
+  description.Frames.clear();
+  const HapticModel still(description);
+  for (int i = 0; i < 100; ++i)
+  {
+    description.Frames.push_back({ 0.01 * i, description.View, nullptr });
+  }
+  const HapticModel alike(description);
+  ServoState state;
+  ServoState alikeState;
+  TickRecord record;
+  TickRecord alikeRecord;
+  for (int tick = 0; tick < 1000; ++tick)
+  {
+    const double angle = 0.01 * tick;
+    const Vector3 tip{ 0.020 + 0.003 * std::cos(angle), 0.004 * std::sin(2.0 * angle), 0.001 };
+    alikeState.DataTime = 0.001 * tick;
+    Tick(still, state, tip, record);
+    Tick(alike, alikeState, tip, alikeRecord);
+    ASSERT_TRUE(IsIdentical(record.Force, alikeRecord.Force)) << "tick " << tick;
+  }
+}
+
+/// FORCE_FIELD has no proxy: its force is at all times that of the volume as it is then.
+TEST(MovingVolume, AForceFieldPushesAsTheVolumeIs)
+{
+  const Movie wall = MakeWall([](double t) { return 14.0 + 4.0 * t; }, 0.1);
+  HapticModelDescription description = wall.Describe();
+  description.Settings.Method = HapticMethod::ForceField;
+  description.Settings.ForceFieldGain = 0.01;
+  const std::vector<VolumeFrame> frames = description.Frames;
+  RestingHand hand(description, 16.0, 16.0);
+  description.Frames.clear();
+  double strongest = 0.0;
+  for (std::size_t i = 1; i < frames.size(); ++i)
+  {
+    description.View = frames[i].View;
+    RestingHand still(description, 16.0, 16.0);
+    const double expected = still.Go(0.0).Force.X;
+    EXPECT_NEAR(hand.Go(frames[i].Time).Force.X, expected, 1e-12) << "at " << frames[i].Time;
+    strongest = std::max(strongest, expected);
+  }
+  EXPECT_GT(strongest, 0.5);
+}
+
 /// A rigid motion of a flat wall is felt as the opposite motion of the hand.
 TEST(MovingVolume, AWallThatComesIsAHandThatGoes)
 {

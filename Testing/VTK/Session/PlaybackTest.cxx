@@ -11,6 +11,7 @@
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -336,4 +337,144 @@ TEST_F(PlaybackOfComponents, OneAloneIsAnError)
   this->Device->Play();
   ASSERT_TRUE(this->WaitTicks(20));
   this->ExpectFilterError("has one component, and the components are the frames");
+}
+
+/// V2, and time that runs backward: a wall that holds 0.3 N slips through the proxy, and on its way
+/// back lets go over 0.6 mm. V7: going there and back uses up 0.3 N over the 0.4 mm that slipped.
+TEST_F(PlaybackOfSteps, AWallThatSlipsTakesWorkToAndFro)
+{
+  constexpr double strength = 0.3;
+  SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), strength);
+  this->Filter->SetTimeUnitsPerSecond(8.0);
+  this->Rest();
+  this->Device->SetDataTime(10.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 10.0; }));
+  const std::string file = this->File("Slips.vtp");
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  this->Device->Play();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 14.0; }));
+  this->Device->SetPlaybackSpeed(-0.5);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 10.0; }));
+  ASSERT_TRUE(this->Device->StopRecording());
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* const ticks = reader->GetOutput();
+  bool wasThere = false;
+  double work = 0.0;
+  for (vtkIdType i = 1; i < ticks->GetNumberOfPoints(); ++i)
+  {
+    const double time = Get(ticks, "DataTime", i);
+    const double force = Get(ticks, "Force", i, 0);
+    wasThere = wasThere || time == 14.0;
+    const double come = 0.001 * WallStiffness * std::max(0.0, FindWall(time) - TipRests);
+    const double expected = wasThere
+      ? std::max(0.0, strength - 0.001 * WallStiffness * (14.0 - time))
+      : std::min(strength, come);
+    ASSERT_NEAR(force, expected, 0.02) << "at " << time << (wasThere ? " back" : "");
+    work += 0.5 * (force + Get(ticks, "Force", i - 1, 0)) *
+      (FindWall(time) - FindWall(Get(ticks, "DataTime", i - 1)));
+  }
+  EXPECT_TRUE(wasThere);
+  EXPECT_NEAR(work, 0.3 * 0.4, 0.02); // mJ
+}
+
+/// V5: steps that are alike.
+TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
+{
+  this->Source->Make = [](double) { return MakeWallStep(13.5); };
+  this->Filter->SetTimeUnitsPerSecond(20.0);
+  this->Device->SetPlaybackToLoop();
+  this->Rest();
+  this->Device->SetDataTime(10.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 10.0; }));
+  this->Device->SetVirtualTip(12.2, 11.0, 11.7);
+  ASSERT_TRUE(this->WaitTicks(100));
+  const double* const force = this->Device->GetComputedForce();
+  const Point still{ force[0], force[1], force[2] };
+  this->Device->Play();
+  double latest = 0.0;
+  this->Watch(0.5,
+    [&]
+    {
+      const double* const now = this->Device->GetComputedForce();
+      EXPECT_EQ((Point{ now[0], now[1], now[2] }), still) << this->Device->GetDataTime();
+      latest = std::max(latest, this->Device->GetDataTime());
+    });
+  EXPECT_GT(latest, 13.0);
+}
+
+/// A wall that leaps by 3.5 mm a step, over twice its width: only displacements make it a wall.
+TEST_F(PlaybackOfSteps, StepsAreBlendedAlongTheirDisplacements)
+{
+  const auto findWall = [](double time) { return 5.0 + 3.5 * (time - 10.0); };
+  this->Source->Steps = { 10.0, 11.0, 12.0, 13.0 };
+  this->Source->Make = [findWall](double time)
+  {
+    const auto step = MakeWallStep(10.0 + findWall(time) - 9.0);
+    vtkNew<vtkFloatArray> motion;
+    motion->SetName("motion");
+    motion->SetNumberOfComponents(3);
+    motion->SetNumberOfTuples(step->GetNumberOfPoints());
+    motion->FillComponent(0, 3.5);
+    motion->FillComponent(1, 0.0);
+    motion->FillComponent(2, 0.0);
+    step->GetPointData()->AddArray(motion);
+    return step;
+  };
+  this->Filter->SetDisplacementArrayName("motion");
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  this->Rest();
+  this->Device->Play();
+  double most = 0.0;
+  this->Watch(1.0,
+    [&]
+    {
+      const double time = this->Device->GetDataTime();
+      const double deep = time == 0.0 ? 0.0 : std::max(0.0, findWall(time) - TipRests);
+      EXPECT_NEAR(this->Device->GetComputedForce()[0], 0.001 * WallStiffness * deep, 0.03)
+        << "at " << time;
+      most = std::max(most, this->Device->GetComputedForce()[0]);
+    });
+  EXPECT_GT(most, 1.6);
+}
+
+TEST_F(PlaybackOfSteps, AStepWithoutNumbersHoldsNothingAndTimeGoesOn)
+{
+  this->Source->Make = [](double time)
+  {
+    const auto step = MakeWallStep(time);
+    if (time == 12.0)
+    {
+      step->GetPointData()->GetScalars()->FillComponent(
+        0, std::numeric_limits<double>::quiet_NaN());
+    }
+    return step;
+  };
+  this->Filter->SetTimeUnitsPerSecond(8.0);
+  this->Rest();
+  this->Device->Play();
+  double latest = 0.0;
+  this->Watch(1.0,
+    [&]
+    {
+      latest = this->Device->GetDataTime();
+      const double force = this->Device->GetComputedForce()[0];
+      EXPECT_TRUE(std::isfinite(force)) << "at " << latest;
+      EXPECT_LE(std::abs(force), 0.52) << "at " << latest;
+    });
+  EXPECT_EQ(latest, 14.0);
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// The servo goes on with what it has, and the error says what to do.
+TEST_F(PlaybackOfSteps, AMeshThatWouldHaveToMoveIsAnError)
+{
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetIsoValue(500.0);
+  this->Rest();
+  this->Device->Play();
+  ASSERT_TRUE(this->WaitTicks(20));
+  this->ExpectFilterError("SURFACE_PROXY touches a mesh, which does not move");
+  EXPECT_FALSE(this->Device->HasFrames());
 }

@@ -15,6 +15,9 @@ constexpr double LeastSlope = 0.1;
 /** Share of the depth below which the proxy has arrived; share of friction that counts as all. */
 constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
+/** Half the distance over which V's slope is measured, and the longest carry (voxels). */
+constexpr double CarryStep = 0.25;
+constexpr double LongestCarry = 1.0;
 constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
 constexpr int MostSlips = 16;
@@ -156,11 +159,64 @@ Vector3 LagOf(const LocalState& local) noexcept
   return local.IsHeld ? local.Position - local.Tip : Vector3{};
 }
 
-/** Moves the tip and the proxy, with the surface as it is. */
-void Follow(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
-  ContactState& contact) noexcept
+/**
+ * The motion (world) of a surface with a volume that moves: its centre goes along with the material
+ * if displacements tell where that goes, and then along the normal, by Newton's method, to the
+ * level that it had.
+ */
+Vector3 FindCarry(
+  const HapticModel& model, const LocalSurface& surface, double from, double to) noexcept
 {
-  const double follows = MostFollowing * Norm(tip - local.Tip);
+  const BakedVolume& baked = *model.Baked;
+  const Affine3 worldToIndex = Inverse(baked.IndexToWorld);
+  const Vector3 index = worldToIndex(surface.Shape.Centre);
+  if (!baked.Field.IsInside(index))
+  {
+    return {};
+  }
+  const Vector3 there = baked.FollowMaterial(index, from, to);
+  const FieldAtTime now = baked.At(to);
+  const Vector3& normal = surface.Shape.Gradient;
+  const Vector3 along = worldToIndex.Linear * normal; // voxels in a world unit
+  const double voxels = Norm(along);
+  const Vector3 step = (CarryStep / voxels) * along;
+  const double change = now.Value(there) - baked.At(from).Value(index);
+  const ValuePair sides = now.Values(there, step);
+  const double carry = -2.0 * CarryStep * change / (sides.Ahead - sides.Behind);
+  // Also for a slope of 0.
+  const double length = std::isfinite(carry) ? std::clamp(carry, -LongestCarry, LongestCarry) : 0.0;
+  return baked.IndexToWorld.Linear * (there - index) + (length / voxels) * normal;
+}
+
+/**
+ * Carries the surface and the proxy that it holds. Returns how far (world), and writes the work (J)
+ * against the spring.
+ */
+double Carry(const HapticModel& model, double from, double to, double stiffness, LocalState& local,
+  double& work) noexcept
+{
+  if (!model.Baked->IsMoving() || from == to || !local.Surface.IsThere)
+  {
+    return 0.0;
+  }
+  const Vector3 motion = FindCarry(model, local.Surface, from, to);
+  local.Surface.Shape.Centre += motion;
+  if (local.IsHeld)
+  {
+    const Vector3 before = local.Position - local.Tip + local.Fading;
+    local.Position += motion;
+    const Vector3 now = before + motion;
+    const double scale = model.WorldUnitsPerMeter;
+    work = 0.5 * stiffness * (Dot(now, now) - Dot(before, before)) / (scale * scale);
+  }
+  return Norm(motion);
+}
+
+/** Moves the tip and the proxy, with the surface as it is; it was carried that far. */
+void Follow(const HapticModel& model, const Vector3& tip, double carried, double friction,
+  LocalState& local, ContactState& contact) noexcept
+{
+  const double follows = MostFollowing * (Norm(tip - local.Tip) + carried);
   const Vector3 before = LagOf(local);
   local.IsHeld = Hold(tip, friction, local, contact);
   local.Tip = tip;
@@ -268,15 +324,23 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
   }
   const double friction = record.Friction;
   const Vector3 motion = tip - local.Tip;
-  Follow(model, tip, friction, local, record.Contact);
+  const double carried =
+    Carry(model, state.CarriedTo, state.DataTime, record.Stiffness, local, record.WallWork);
+  record.WallWork = isFelt ? record.WallWork : 0.0;
+  Follow(model, tip, carried, friction, local, record.Contact);
   ++local.Age;
   record.IsRenewed = result.IsSimulated
     ? local.Age * settings.TickPeriod * settings.LocalSurfaceRate >= AlmostOne
     : result.Surface != nullptr;
   if (record.IsRenewed)
   {
-    const LocalSurface found =
+    LocalSurface found =
       result.IsSimulated ? FitLocalSurface(model, local.Request) : *result.Surface;
+    const double from = local.Request.DataTime;
+    if (model.Baked->IsMoving() && from != state.DataTime && found.IsThere)
+    {
+      found.Shape.Centre += FindCarry(model, found, from, state.DataTime);
+    }
     Renew(model, found, friction, local, record.Contact);
     Request(model, motion, local);
     local.Request.DataTime = state.DataTime;

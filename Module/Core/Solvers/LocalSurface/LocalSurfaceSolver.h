@@ -16,6 +16,9 @@
  * hand does not feel it at once but fades into it over RecoveryTime. So a surface that comes up
  * under the hand lifts it gently, none lets go at once, and a jump never pulls the hand in.
  *
+ * If the volume moves, the surface goes along with it in every tick, by the level at its centre,
+ * and with the material if displacements tell where that goes; the proxy that it holds goes along.
+ *
  * One surface is known at a time. The hand falls through surfaces that it meets before the slow
  * loop has found them. A plane lags behind a curved surface that the hand slides over: it then
  * takes energy from the hand if the surface is convex, and gives some if it is concave.
