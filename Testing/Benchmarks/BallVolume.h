@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace benchmarks
 {
@@ -62,6 +63,8 @@ struct ModelChoice
   VolumeHaptics::SurfaceGeometry Geometry = VolumeHaptics::SurfaceGeometry::Scalars;
   /** Surfaces of the paper with PRECISE: alignment Distinctness, materials of the kernel. */
   bool IsPlacedAsThePaper = false;
+  /** Of a volume that moves. */
+  std::vector<VolumeHaptics::VolumeFrame> Frames;
 };
 
 /** Materials like those of a CT. */

@@ -4,14 +4,17 @@
  * @file
  * volumehaptics-benchmark [--quick] [Google Benchmark's own options]
  * volumehaptics-benchmark --scale [largest size]
+ * volumehaptics-benchmark --playing [size]
  *
  * Measures what a servo tick costs, beside what else one could do, in repetitions that are shuffled
  * over the whole run, and prints medians and their ratios. Asserts nothing. --quick leaves out the
  * volume of 1 GiB and most repetitions: it shows that everything runs, its figures are rough.
- * --scale measures the calls of an application with volumes of 256^3 up to 2048^3 samples instead.
+ * --scale measures the calls of an application with volumes of 256^3 up to 2048^3 samples instead,
+ * --playing a servo under which frames of 256^3 change 20 times a second, in real time.
  */
 #include "Benchmarks.h"
 #include "Medians.h"
+#include "PlayingBenchmark.h"
 #include "RatioTable.h"
 #include "ScaleBenchmark.h"
 
@@ -26,6 +29,12 @@ int main(int argc, char* argv[])
   {
     constexpr int largest = 2048;
     MeasureScale(argc > 2 ? std::atoi(argv[2]) : largest);
+    return 0;
+  }
+  if (argc > 1 && std::strcmp(argv[1], "--playing") == 0)
+  {
+    constexpr int size = 256;
+    MeasurePlaying(argc > 2 ? std::atoi(argv[2]) : size);
     return 0;
   }
   bool isQuick = false;

@@ -21,6 +21,8 @@ constexpr double PreciseTarget = 4.0;
 constexpr double LabelTarget = 1.25;
 /** PRECISE with its default settings beside the paper's placement and alignment. */
 constexpr double PlacementTarget = 1.25;
+/** PRECISE on a volume that moves, which is a blend of two frames, beside one that stands still. */
+constexpr double BlendTarget = 2.2;
 /** A gradient beside reading its taps, when they are in the cache and when they are not. */
 constexpr double WarmTarget = 2.0;
 constexpr double ColdTarget = 1.3;
@@ -137,6 +139,12 @@ void PrintRatios(const Medians& medians)
   {
     PrintRatio(medians, NameOf("precise_tick", estimator.Name, "slide", "256^3"),
       NameOf("tick", estimator.Name, "slide", "256^3"), PreciseTarget);
+  }
+  PrintTitle("PRECISE between two frames beside one that stands still");
+  for (const Estimator& estimator : GetEstimators())
+  {
+    PrintRatio(medians, NameOf("blended_tick", estimator.Name, "slide", "256^3"),
+      NameOf("precise_tick", estimator.Name, "slide", "256^3"), BlendTarget);
   }
   PrintTitle("Tick of the filter, with its trace, ns; and beside its ticks alone");
   for (const char* const solver : { "PAPER", "PRECISE" })

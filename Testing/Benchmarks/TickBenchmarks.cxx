@@ -37,6 +37,66 @@ void MeasureSlide(benchmark::State& bench, const Scene& scene)
   }
 }
 
+/** A ball that grows and shrinks by 1 mm in 50 ms, as the servo has it: a window of three frames. */
+class Beating
+{
+public:
+  explicit Beating(const BallVolume& volume)
+  {
+    const auto* const from = static_cast<const std::int16_t*>(volume.View.Data);
+    const std::int64_t* const n = volume.View.Dimensions;
+    this->Grown.assign(from, from + n[0] * n[1] * n[2]);
+    for (std::int16_t& sample : this->Grown)
+    {
+      sample = static_cast<std::int16_t>(sample + 10); // the value falls by 10 a mm at the surface
+    }
+    VolumeView grown = volume.View;
+    grown.Data = this->Grown.data();
+    this->Frames = { { 0.0, volume.View, nullptr }, { FrameTime, grown, nullptr },
+      { 2.0 * FrameTime, volume.View, nullptr } };
+  }
+
+  static constexpr double FrameTime = 0.05;
+  std::vector<VolumeFrame> Frames;
+
+private:
+  std::vector<std::int16_t> Grown;
+};
+
+void MeasureBlended(benchmark::State& bench, const Scene& scene)
+{
+  const Beating beating(scene.Volume);
+  ModelChoice choice;
+  choice.Method = scene.Method;
+  choice.Solver = scene.Solver;
+  choice.Frames = beating.Frames;
+  const auto model = MakeModel(scene.Volume, scene.Gradient, choice);
+  const Slide slide(scene.Volume);
+  ServoState state = slide.Start;
+  TickRecord record;
+  Cycle tip(slide.Tips);
+  double step = 0.001;
+  for (auto _ : bench)
+  {
+    // To and fro through the window: no leap of time.
+    step = state.DataTime + step > 2.0 * Beating::FrameTime || state.DataTime + step < 0.0 ? -step
+                                                                                           : step;
+    state.DataTime += step;
+    Tick(*model, state, tip.Next(), record);
+    benchmark::DoNotOptimize(record);
+    if (tip.IsAtStart())
+    {
+      const double time = state.DataTime;
+      state = slide.Start;
+      state.DataTime = state.CarriedTo = time;
+    }
+  }
+  if (bench.iterations() > 1000 && record.Contact != ContactState::Sliding)
+  {
+    bench.SkipWithError("the proxy does not slide");
+  }
+}
+
 void Jump(benchmark::State& bench, const Scene& scene)
 {
   const auto model = MakeModel(scene.Volume, scene.Gradient, { scene.Method });
@@ -69,6 +129,12 @@ void RegisterTickBenchmarks(const BallVolume& volume)
     benchmark::RegisterBenchmark(
       NameOf("precise_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
       Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
+    if (volume.Name == "256^3")
+    {
+      benchmark::RegisterBenchmark(
+        NameOf("blended_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureBlended,
+        Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
+    }
     benchmark::RegisterBenchmark(
       NameOf("placed_as_paper_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
       Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise, true });
