@@ -220,11 +220,19 @@ def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapti
     return source
 
 
-def _shows(actor: vtkVolume, image: vtkImageData) -> bool:
-    shown = actor.GetMapper().GetInputDataObject(0, 0) if actor.GetMapper() else None
-    return isinstance(shown, vtkImageData) and (
-        shown is image or shown.GetPointData().GetScalars() is image.GetPointData().GetScalars() is not None
-    )
+def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageData:
+    """The actor that shows the first frame, or an image of its geometry; without one, the frame."""
+    def shows(actor: Any) -> bool:
+        mapper = actor.GetMapper() if isinstance(actor, vtkVolume) else None
+        shown = mapper.GetInputDataObject(0, 0) if mapper else None
+        return isinstance(shown, vtkImageData) and _geometry(shown) == _geometry(first)
+
+    actors = [actor for actor in plotter.actors.values() if shows(actor)]
+    if len(actors) != 1:
+        return first
+    # PyVista may have given its mapper a copy, which the style would not know as what is felt.
+    actors[0].GetMapper().SetInputDataObject(0, first)
+    return actors[0]
 
 
 def add_haptics(
@@ -284,9 +292,7 @@ def add_haptics(
     frames = None
     if isinstance(volume, (list, tuple)):
         frames = _frames_of(volume, times)
-        first = frames.GetFrame(0)
-        actors = [one for one in plotter.actors.values() if isinstance(one, vtkVolume) and _shows(one, first)]
-        volume = actors[0] if len(actors) == 1 else first
+        volume = _actor_of(plotter, frames.GetFrame(0))
     elif times is not None:
         raise TypeError("times are those of frames. Cure: add_haptics(plotter, [first, second, ...], times)")
     volume = _find_volume(plotter) if volume is None else volume

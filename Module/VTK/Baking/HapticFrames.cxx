@@ -8,6 +8,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
+#include "vtkHapticFrameSource.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
@@ -65,8 +66,9 @@ vtkIdType FindNotFinite(vtkDataArray* array)
     : FindNotFiniteOf(static_cast<const double*>(numbers), array->GetNumberOfValues());
 }
 
-HapticFrame CopyFrame(
-  vtkImageData* image, vtkDataArray* array, double time, const std::string& displacements)
+/** @param isKept its source writes no other step to the memory of the array */
+HapticFrame CopyFrame(vtkImageData* image, vtkDataArray* array, double time,
+  const std::string& displacements, bool isKept)
 {
   HapticFrame frame{ time, vtkSmartPointer<vtkImageData>::New(), nullptr, nullptr };
   vtkDataArray* const motion =
@@ -77,7 +79,11 @@ HapticFrame CopyFrame(
   }
   frame.Image->CopyStructure(image);
   frame.Image->SetFieldData(image->GetFieldData());
-  if (array)
+  if (isKept)
+  {
+    frame.Array = array;
+  }
+  else if (array)
   {
     frame.Array.TakeReference(array->NewInstance());
     frame.Array->DeepCopy(array);
@@ -124,7 +130,9 @@ bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, H
   {
     return false;
   }
-  frame = CopyFrame(image, reading.GetArray(image), step, reading.Displacements);
+  const bool isKept =
+    vtkHapticFrameSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) != nullptr;
+  frame = CopyFrame(image, reading.GetArray(image), step, reading.Displacements, isKept);
   frame.Component = reading.Component;
   return true;
 }

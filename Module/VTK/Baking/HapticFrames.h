@@ -61,7 +61,8 @@ struct FrameReading
 
 /**
  * Requests a time step from the source of a filter's input port 0, and copies the array that is
- * touched: a source may write each step to the same memory. False if the source fails.
+ * touched: a source may write each step to the same memory, but a vtkHapticFrameSource does not.
+ * False if the source fails.
  */
 bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, HapticFrame& frame);
 

@@ -116,6 +116,9 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
     << this->Display->GetText();
   this->Press("space");
   EXPECT_NE(this->Display->GetText().find("held"), std::string::npos);
+  // Nothing is copied.
+  EXPECT_EQ(this->GetShown()->GetPointData()->GetScalars(),
+    this->Source->GetFrame(this->GetShownNumber())->GetPointData()->GetScalars());
   // A crop of the picture is a crop of what is felt.
   this->Mapper->SetCroppingRegionPlanes(0.0, 5.0, 0.0, 5.0, 0.0, 5.0);
   this->Mapper->CroppingOn();

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A ball that beats, and pushes a hand that rests: the servo plays the frames, and what is seen is what is felt."""
+import argparse
+import math
+import time
+
+import gallery
+import numpy as np
+import pyvista as pv
+from volumehaptics.pyvista import add_haptics
+
+RADIUS, STROKE, REST = 20.0, 2.0, 19.0  # mm: the ball's mean radius and its change, and where the hand rests
+FRAMES = 16  # of a beat, which takes a second
+STIFFNESS = 0.5  # N/mm
+
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
+parser.add_argument("--movie", metavar="FILE", help="write a movie of a beat (.ogv), ten times slower")
+chosen = parser.parse_args()
+
+
+def radius(at):
+    return RADIUS + STROKE * math.sin(2.0 * math.pi * at)
+
+
+def frame(at):
+    """The ball at a time (s): an edge of 1.5 mm between 1000 inside and 0 outside."""
+    grid = pv.ImageData(dimensions=(41, 41, 41), spacing=(1.5,) * 3, origin=(-30.0,) * 3)
+    distance = np.linalg.norm(grid.points, axis=1)
+    grid["value"] = (500.0 * (1.0 - np.tanh((distance - radius(at)) / 1.5))).astype(np.float32)
+    return grid
+
+
+times = [i / FRAMES for i in range(FRAMES)]
+frames = [frame(at) for at in times]
+hidden = chosen.picture is not None or chosen.movie is not None
+plotter = gallery.make_plotter("" if hidden else None)
+ball = plotter.add_volume(
+    frames[0], clim=(0, 1000), opacity=[0.0, 0.05, 0.5, 0.6, 0.7], cmap=["#3c4758", "#b13a4c", "#e0977d"], shade=True,
+    opacity_unit_distance=3, show_scalar_bar=False)
+ball.prop.interpolation_type = "linear"
+haptics = add_haptics(plotter, frames, times, visibility=False)
+haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)  # N: the ball holds all of it
+device = haptics.device
+plotter.view_vector((0.3, -1.0, 0.25), (0, 0, 1))
+plotter.camera.zoom(1.2)
+plotter.camera.focal_point = (0.0, 0.0, -6.0)  # above the figures
+plotter.show(interactive_update=True)
+
+device.PlaceVirtualTip(REST, 0.0, 0.0)
+device.Arm()
+
+
+def watch(seconds, see):
+    """For a time, as a program with a timer does it."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end and not haptics.closed:
+        haptics.update()
+        if device.HasFrames() and see():
+            break
+        time.sleep(0.005) if hidden else plotter.update()
+
+
+strongest = 0.0
+
+
+def note():
+    global strongest
+    strongest = max(strongest, np.linalg.norm(device.GetComputedForce()))
+
+
+watch(2.5, note)
+print(f"strongest {strongest:.3f} N of {STIFFNESS * (RADIUS + STROKE - REST):.3f} N")
+
+if chosen.movie:
+    from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
+    from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+    device.SetPlaybackSpeed(0.1)
+    capture = vtkWindowToImageFilter()
+    capture.SetInput(plotter.render_window)
+    capture.ReadFrontBufferOff()
+    writer = vtkOggTheoraWriter()
+    writer.SetFileName(chosen.movie)
+    writer.SetInputConnection(capture.GetOutputPort())
+    writer.SetRate(10)
+    writer.Start()
+
+    def film():
+        plotter.render()
+        capture.Modified()
+        writer.Write()
+        time.sleep(0.05)
+
+    watch(11.0, film)
+    writer.End()
+if chosen.picture:
+    device.SetPlaybackSpeed(0.25)
+    watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # where the ball is largest
+    device.Hold()
+    watch(0.3, lambda: False)
+    plotter.render()
+    plotter.screenshot(chosen.picture)
+elif not chosen.movie:
+    plotter.show()  # press t with the pointer on the ball; space holds
+plotter.close()
