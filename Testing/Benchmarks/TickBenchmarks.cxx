@@ -37,7 +37,7 @@ void MeasureSlide(benchmark::State& bench, const Scene& scene)
   }
 }
 
-/** A ball that grows and shrinks by 1 mm in 50 ms, as the servo has it: a window of three frames. */
+/** A ball that grows and shrinks by 1 mm in 50 ms, in a window of three frames, as a servo has. */
 class Beating
 {
 public:
