@@ -14,9 +14,9 @@
  *   device->Play();
  *
  * The output shares the arrays of the frame at the requested time (UPDATE_TIME_STEP), or of the
- * last one before it. Nothing is copied, not even if it is felt: do not change the arrays meanwhile.
- * All frames need the same extent, spacing, origin and direction; the filter tells if one has
- * others.
+ * last one before it. Nothing is copied, not even if it is felt: do not change the arrays
+ * meanwhile. All frames need the same extent, spacing, origin and direction; the filter tells if
+ * one has others.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticDevice
  */
