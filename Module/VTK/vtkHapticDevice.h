@@ -109,8 +109,10 @@ public:
    * error, if the input can't be touched; the servo then keeps the last snapshot.
    *
    * If labels of a large label image become forbidden, the distances to them are measured in the
-   * background first, and a large isosurface of SURFACE_PROXY is meshed there. Publish returns true
-   * at once, and UpdateState publishes when that is done; see IsPublished.
+   * background first, and a large mesh of SURFACE_PROXY is made there. Publish and Start return
+   * true at once, and UpdateState publishes when that is done; see IsPublished. Meanwhile it
+   * publishes the isosurface around the tip, whose force fades where the tip leaves it before the
+   * next part is there (GetResidency); but not while a recording is under way.
    */
   bool Publish();
   /**
@@ -176,9 +178,10 @@ public:
    *
    * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of
    * AttentionTime (unless that is 0), the force stays on: fading would disturb more than so short a
-   * pause, and the margin of eight allows for a slow computer. Publish calls these by itself
-   * to mesh a large volume, and StopRecording and RecoverRecording to write a long recording. If
-   * the pipeline before the filter takes seconds, the application has to call them.
+   * pause, and the margin of eight allows for a slow computer. Publish calls these by itself for a
+   * large mesh that can't be made in the background, of an array with a memory layout of its own,
+   * and StopRecording and RecoverRecording to write a long recording. If the pipeline before the
+   * filter takes seconds, the application has to call them.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();

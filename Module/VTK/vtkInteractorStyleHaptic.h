@@ -177,8 +177,8 @@ public:
    * Feel the same position with the next method of the device's filter, in the order of
    * vtkVolumeHapticsAlgorithm::GetMethodNames. The servo runs on; a force that grows does so at the
    * device's MaximumForceRate. While the mesh of SURFACE_PROXY is made, the hand feels the previous
-   * method, or no force if the mesh takes long (vtkHapticDevice::BeginLongWork); the head-up
-   * display announces that. If the method can't be felt, for example because IsoValue does not
+   * method, and then the surface around the tip (vtkHapticDevice::Publish); the head-up display
+   * announces that. If the method can't be felt, for example because IsoValue does not
    * occur in the image, this is false, with an error; the previous method stays, and the next call
    * skips the other one.
    */

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsFilter.h"
 
+#include "VTK/Baking/ArrayHash.h"
 #include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticFrames.h"
-#include "VTK/Baking/HapticHash.h"
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticNoise.h"
@@ -13,6 +13,7 @@
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/RegionSeries.h"
+#include "VTK/Baking/SurfaceRegion.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Large/RegionsAlongPath.h"
@@ -138,6 +139,7 @@ vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   : Surfaces(new VolumeHaptics::HapticSurface)
   , Regions(new VolumeHaptics::RegionSeries)
   , Labels(new VolumeHaptics::HapticLabels)
+  , Hashes(new VolumeHaptics::ArrayHash[2])
 {
   this->SetNumberOfInputPorts(4);
   this->SetInputArrayToProcess(
@@ -311,7 +313,7 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
 const char* vtkVolumeHapticsFilter::PrepareBake()
 {
   const bool hasLabels = this->LabelTable && this->GetInputDataObject(3, 0);
-  const bool hasMesh = this->Method == SURFACE_PROXY && !this->GetInputDataObject(2, 0);
+  const bool hasMesh = this->Method == SURFACE_PROXY;
   if (!hasLabels)
   {
     this->Labels->EndPreparing();
@@ -334,7 +336,7 @@ const char* vtkVolumeHapticsFilter::PrepareBake()
   const bool areLabelsReady = !hasLabels || this->PrepareLabels();
   const bool isMeshReady = !hasMesh || this->PrepareSurface();
   return !areLabelsReady ? "the distances to forbidden labels are measured"
-    : !isMeshReady       ? "the surface is meshed"
+    : !isMeshReady       ? VolumeHaptics::MeshingWork
                          : nullptr;
 }
 
@@ -358,7 +360,52 @@ bool vtkVolumeHapticsFilter::PrepareSurface()
   return !scalars ||
     !VolumeHaptics::ReadVolume(image, scalars, component, this->KernelRadius, volume, error) ||
     volume.Whole.IsThere ||
-    this->Surfaces->Prepare({ image, scalars, component, this->IsoValue }, volume.IndexToWorld);
+    this->Surfaces->Prepare(vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0)),
+      { image, scalars, component, this->IsoValue }, volume.IndexToWorld);
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::IsSurfaceAtHand()
+{
+  return this->Method != SURFACE_PROXY || this->PrepareSurface();
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::AwaitSurface()
+{
+  constexpr double piece = 0.02; // s
+  while (!this->IsSurfaceAtHand())
+  {
+    if (!this->Surfaces->WaitFor(piece))
+    {
+      this->UpdateProgress(0.0);
+    }
+    if (VolumeHaptics::MustAbort(this))
+    {
+      this->Surfaces->EndPreparing();
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeRegion(
+  const VolumeHaptics::SurfaceRegion& part, double rate, const VolumeHaptics::ForceCaps& deviceCaps,
+  vtkMatrix4x4* deviceToWorld)
+{
+  try
+  {
+    std::string error;
+    vtkDataArray* const scalars = part.Image->GetPointData()->GetScalars();
+    this->Surfaces->Give(
+      { part.Image, scalars, this->GetProperty()->GetComponent(), this->IsoValue }, part.Mesh);
+    return this->BakeImage(part.Image, 1.0 / rate, deviceCaps, deviceToWorld, error, nullptr, {});
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr; // the whole tells
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -469,17 +516,13 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsFilter::HashScalars()
 {
-  const VolumeHaptics::TouchedArray scalars = this->GetTouched()[0];
-  return scalars.Array ? VolumeHaptics::HashArray(scalars.Array, scalars.Dimensions.data())
-                       : std::string();
+  return this->Hashes[0].Get(this->GetTouched()[0]);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkVolumeHapticsFilter::HashLabels()
 {
-  const VolumeHaptics::TouchedArray labels = this->GetTouched()[1];
-  return labels.Array ? VolumeHaptics::HashArray(labels.Array, labels.Dimensions.data())
-                      : std::string();
+  return this->Hashes[1].Get(this->GetTouched()[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -726,6 +769,11 @@ int vtkVolumeHapticsFilter::TouchPath(
   {
     return 0;
   }
+  // Without a path, input is only checked, and a mesh that takes long is left to the background.
+  if (readable && !source && !(path ? this->AwaitSurface() : this->IsSurfaceAtHand()))
+  {
+    return 1;
+  }
   std::string imageError;
   std::shared_ptr<const HapticModel> model = source
     ? regions.Begin()
@@ -744,7 +792,17 @@ int vtkVolumeHapticsFilter::TouchPath(
   }
   if (path && !FindLabelHash(path).empty())
   {
-    error = CompareLabels(path, this->HashLabels());
+    const std::string hash = this->Hashes[1].Await(this->GetTouched()[1],
+      [this](double)
+      {
+        this->UpdateProgress(0.0);
+        return !MustAbort(this);
+      });
+    if (MustAbort(this))
+    {
+      return 1;
+    }
+    error = CompareLabels(path, hash);
     if (!error.empty())
     {
       vtkErrorMacro(<< error);

@@ -124,9 +124,9 @@
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the
- * output is empty. Input that can't be touched gives one error that names the input and the cure,
- * and an empty output. Long paths report progress and can be aborted; each then ends where it was
- * aborted.
+ * output is empty, and input is only checked; a mesh that takes long is then left to the
+ * background. Input that can't be touched gives one error that names the input and the cure, and an
+ * empty output. Long paths report progress and can be aborted; each then ends where it was aborted.
  *
  * A path is felt as a whole: if the output is requested in pieces, for example on several ranks,
  * piece 0 requests the whole image and is the whole trace; the others request nothing and are
@@ -156,6 +156,7 @@ class vtkMatrix4x4;
 #ifndef __VTK_WRAP__
 namespace VolumeHaptics
 {
+class ArrayHash;
 class HapticBaker;
 class HapticLabels;
 class HapticModel;
@@ -168,6 +169,7 @@ struct BakedVolume;
 struct ForceCaps;
 struct HapticFrame;
 struct HapticFrames;
+struct SurfaceRegion;
 struct TouchedArray;
 } // namespace VolumeHaptics
 #endif
@@ -239,10 +241,17 @@ private:
   const char* PrepareBake();
   bool PrepareLabels();
   bool PrepareSurface();
+  std::shared_ptr<const VolumeHaptics::HapticModel> BakeRegion(
+    const VolumeHaptics::SurfaceRegion& part, double rate,
+    const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
   double EstimateBakeTime();
   std::array<VolumeHaptics::TouchedArray, 2> GetTouched();
   ///@}
 
+  /** Whether baking makes no mesh that takes long; if it does, that is begun in the background. */
+  bool IsSurfaceAtHand();
+  /** Waits for such a mesh; false if the user aborts that. */
+  bool AwaitSurface();
   /** Bakes the labels, if there are any; false after an error. */
   bool BakeLabels(std::shared_ptr<const VolumeHaptics::BakedLabels>& labels, std::string& error);
   bool ReadPlacement(
@@ -270,6 +279,7 @@ private:
   std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
   std::unique_ptr<VolumeHaptics::HapticLabels> Labels;
+  std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // of scalars and labels
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
 #endif
 

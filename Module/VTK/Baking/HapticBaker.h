@@ -6,6 +6,7 @@
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/SurfaceRegion.h"
 #include "VTK/Baking/TouchedArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -20,6 +21,9 @@
 
 namespace VolumeHaptics
 {
+
+/** What HapticBaker::Prepare returns while a mesh is made. */
+inline constexpr char MeshingWork[] = "the surface is meshed";
 
 /**
  * Makes models from a filter and its inputs, for the code that ticks on them: the device, and the
@@ -99,9 +103,19 @@ public:
   }
 
   /**
+   * The same of a part of the image, whose isosurface is there. Nothing is updated. Null if that
+   * can't be touched; there is no error.
+   */
+  std::shared_ptr<const HapticModel> BakeRegion(const SurfaceRegion& part, double rate,
+    const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const
+  {
+    return this->Filter->BakeRegion(part, rate, deviceCaps, deviceToWorld);
+  }
+
+  /**
    * Null if Bake() has all that takes long and can be made in the background: the distances to
-   * forbidden labels, and a large isosurface. If not, its making is under way: a text for the
-   * status, such as "the surface is meshed".
+   * forbidden labels, and a large mesh. If not, its making is under way: a text for the status,
+   * such as MeshingWork.
    */
   const char* Prepare() const { return this->Filter->PrepareBake(); }
   /** Ends what Prepare() began. */

@@ -15,13 +15,17 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -93,13 +97,17 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
   }
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
-    double ids[2] = { 0.0, 0.0 };
-    if (cells->GetNumberOfConnectivityIds() > 0)
+    // The array's own range would be noted in the array, which another thread may read.
+    vtkDataArray* const ids = cells->GetConnectivityArray();
+    const vtkIdType count = cells->GetNumberOfConnectivityIds();
+    double least = 0.0;
+    double most = 0.0;
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      cells->GetConnectivityArray()->GetRange(ids);
+      least = std::min(least, ids->GetComponent(i, 0));
+      most = std::max(most, ids->GetComponent(i, 0));
     }
-    if (ids[0] < 0.0 ||
-      (ids[1] > 0.0 && ids[1] >= static_cast<double>(surface->GetNumberOfPoints())))
+    if (least < 0.0 || (most > 0.0 && most >= static_cast<double>(surface->GetNumberOfPoints())))
     {
       error = "A cell of the surface on input port 2 has a point that does not exist. Correct its "
               "polygons and strips.";
@@ -146,28 +154,37 @@ struct IsoInput
   double Value;
   Affine3 IndexToWorld;
   int Extent[6];
+
+  std::shared_ptr<const SurfaceMesh> MakeMesh() const
+  {
+    return MeshIsoSurface(
+      this->Scalars, this->Extent, this->Component, this->Value, this->IndexToWorld);
+  }
 };
 
-/** Null without points, or if `goesOn`, which is called between the steps, is false. */
-template <typename GoesOn>
-std::shared_ptr<const SurfaceMesh> MeshOf(const IsoInput& iso, GoesOn&& goesOn)
+/**
+ * The same points, cells and normals, with cursors of its own: all that a worker needs. The points
+ * themselves are shared, since other ones around their array would modify that.
+ */
+vtkSmartPointer<vtkPolyData> ShareSurface(vtkPolyData* surface)
 {
-  // Computed in index steps: the geometry of the whole image gives the places in the world.
-  vtkNew<vtkImageData> samples;
-  const int* const e = iso.Extent;
-  samples->SetExtent(e[0], e[1], e[2], e[3], e[4], e[5]);
-  samples->GetPointData()->SetScalars(iso.Scalars);
-  vtkNew<vtkFlyingEdges3D> edges;
-  edges->SetInputData(samples);
-  edges->SetArrayComponent(iso.Component);
-  edges->SetValue(0, iso.Value);
-  edges->ComputeNormalsOn();
-  edges->ComputeGradientsOff();
-  edges->ComputeScalarsOff();
-  edges->Update();
-  return goesOn() && edges->GetOutput()->GetNumberOfPoints() > 0
-    ? MakeMesh(edges->GetOutput(), iso.IndexToWorld, Transpose(Inverse(iso.IndexToWorld.Linear)))
-    : nullptr;
+  auto shared = vtkSmartPointer<vtkPolyData>::New();
+  shared->SetPoints(surface->GetPoints());
+  const vtkNew<vtkCellArray> polygons;
+  polygons->ShallowCopy(surface->GetPolys());
+  shared->SetPolys(polygons);
+  const vtkNew<vtkCellArray> strips;
+  strips->ShallowCopy(surface->GetStrips());
+  shared->SetStrips(strips);
+  shared->GetPointData()->SetNormals(surface->GetPointData()->GetNormals());
+  return shared;
+}
+
+bool MayBeShared(vtkPolyData* surface)
+{
+  vtkDataArray* const normals = surface->GetPointData()->GetNormals();
+  return surface->GetPoints() && surface->GetPoints()->GetData()->HasStandardMemoryLayout() &&
+    (!normals || normals->HasStandardMemoryLayout());
 }
 
 /** Whether the range is that of all scalars; else, in a large volume, of its noise's samples. */
@@ -249,6 +266,33 @@ double EstimateTriangles(const IsoSurface& iso)
 
 } // namespace
 
+std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
+  int component, double value, const Affine3& indexToWorld)
+{
+  // Computed in index steps: the geometry of the whole image gives the places in the world.
+  vtkNew<vtkImageData> samples;
+  samples->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
+  samples->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkFlyingEdges3D> edges;
+  edges->SetInputData(samples);
+  edges->SetArrayComponent(component);
+  edges->SetValue(0, value);
+  edges->ComputeNormalsOn();
+  edges->ComputeGradientsOff();
+  edges->ComputeScalarsOff();
+  edges->Update();
+  return edges->GetOutput()->GetNumberOfPoints() > 0
+    ? MakeMesh(edges->GetOutput(), indexToWorld, Transpose(Inverse(indexToWorld.Linear)))
+    : nullptr;
+}
+
+HapticSurface::Made HapticSurface::Make(vtkPolyData* surface)
+{
+  Made made;
+  made.Mesh = MeshOf(surface, made.Error);
+  return made;
+}
+
 HapticSurface::Key HapticSurface::MakeKey(vtkPolyData* surface, const IsoSurface& iso)
 {
   return surface
@@ -269,18 +313,22 @@ double HapticSurface::EstimateTime(vtkPolyData* surface, const IsoSurface& iso) 
       SecondsPerTriangle * EstimateTriangles(iso);
 }
 
-bool HapticSurface::Prepare(const IsoSurface& iso, const Affine3& indexToWorld)
+bool HapticSurface::Prepare(
+  vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld)
 {
-  const Key key = MakeKey(nullptr, iso);
+  const Key key = MakeKey(surface, iso);
   if (this->Meshing.IsOf(key))
   {
     return !this->Meshing.IsUnderWay();
   }
   // Of a large image, not even some samples are looked at for the estimate.
-  const double reading = SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints());
+  const double reading =
+    surface ? 0.0 : SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints());
   // Arrays of another layout make a copy of their values for their readers, one for all threads.
-  if (this->IsMadeOf(key) || !iso.Scalars->HasStandardMemoryLayout() ||
-    (reading <= ShortMeshing && this->EstimateTime(nullptr, iso) <= ShortMeshing))
+  const bool isShared =
+    surface ? MayBeShared(surface) : iso.Scalars->HasStandardMemoryLayout() != 0;
+  if (this->IsMadeOf(key) || !isShared ||
+    (reading <= ShortMeshing && this->EstimateTime(surface, iso) <= ShortMeshing))
   {
     this->Meshing.Abandon();
     return true;
@@ -290,14 +338,28 @@ bool HapticSurface::Prepare(const IsoSurface& iso, const Affine3& indexToWorld)
     this->Meshing.Abandon();
     return false;
   }
-  const IsoInput input(iso, indexToWorld);
+  std::function<Made()> make;
+  if (surface)
+  {
+    make = [shared = ShareSurface(surface)] { return Make(shared); };
+  }
+  else
+  {
+    make = [input = IsoInput(iso, indexToWorld)] { return Made{ input.MakeMesh(), {} }; };
+  }
   this->Meshing.Follow(key,
-    [input](WorkMonitor& monitor) -> std::optional<MeshPointer>
+    [make = std::move(make)](WorkMonitor& monitor) -> std::optional<Made>
     {
-      MeshPointer mesh = MeshOf(input, [&monitor] { return !monitor.IsCancelled(); });
-      return monitor.IsCancelled() ? std::nullopt : std::optional<MeshPointer>(std::move(mesh));
+      Made made = make();
+      return monitor.IsCancelled() ? std::nullopt : std::optional<Made>(std::move(made));
     });
   return false;
+}
+
+void HapticSurface::Give(const IsoSurface& iso, MeshPointer mesh)
+{
+  this->Given = std::move(mesh);
+  this->GivenOf = MakeKey(nullptr, iso);
 }
 
 std::shared_ptr<const SurfaceMesh> HapticSurface::Get(
@@ -308,23 +370,23 @@ std::shared_ptr<const SurfaceMesh> HapticSurface::Get(
   {
     return this->Mesh;
   }
-  if (surface)
+  if (key == this->GivenOf)
   {
-    this->Mesh = MeshOf(surface, error);
+    return CheckMesh(this->Given, iso, error);
   }
-  else
+  if (this->Meshing.IsOf(key))
   {
-    if (this->Meshing.IsOf(key))
-    {
-      this->Meshing.WaitFor(Forever);
-    }
-    const MeshPointer* const made = this->Meshing.Find(key);
-    this->Mesh = CheckMesh(
-      made ? *made : MeshOf(IsoInput(iso, indexToWorld), [] { return true; }), iso, error);
-    if (this->Meshing.IsOf(key))
-    {
-      this->Meshing.Forget();
-    }
+    this->Meshing.WaitFor(Forever);
+  }
+  const Made* const known = this->Meshing.Find(key);
+  const Made made = known ? *known
+    : surface             ? Make(surface)
+                          : Made{ IsoInput(iso, indexToWorld).MakeMesh(), {} };
+  error = made.Error;
+  this->Mesh = surface ? made.Mesh : CheckMesh(made.Mesh, iso, error);
+  if (this->Meshing.IsOf(key))
+  {
+    this->Meshing.Forget();
   }
   this->MadeOf = key;
   return this->Mesh;

@@ -39,10 +39,20 @@ struct IsoSurface
   bool MayBeEmpty = false; ///< a region may contain no part of the surface
 };
 
+/**
+ * The triangles of an isosurface in samples of an extent, which counts as indexToWorld does; null
+ * if there are none. Any thread may call it: the array has to be of VTK's standard memory layout.
+ */
+std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
+  int component, double value, const Affine3& indexToWorld);
+
 /** Makes meshes, and keeps the last one until its input changes. */
 class HapticSurface
 {
 public:
+  /** Null if there is no such surface. */
+  using MeshPointer = std::shared_ptr<const SurfaceMesh>;
+
   /**
    * The triangles of a surface in the world or, if it is null, of the isosurface
    * (vtkFlyingEdges3D). Null, with the cure in `error`, if there are none or a point is not finite.
@@ -51,12 +61,20 @@ public:
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
   /**
-   * Whether Get() of an isosurface would be quick now. If not, it is meshed in the background. One
-   * surface is meshed at a time: the next one begins when the last one has ended.
+   * Whether Get() would be quick now. If not, the mesh is made in the background. One mesh is made
+   * at a time: the next one begins when the last one has ended.
    */
-  bool Prepare(const IsoSurface& iso, const Affine3& indexToWorld);
+  bool Prepare(vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld);
   /** Ends what Prepare() began, without waiting for it. */
   void EndPreparing() { this->Meshing.Abandon(); }
+  /** Waits until nothing is made, or for some seconds; returns whether nothing is. */
+  bool WaitFor(double seconds) const { return this->Meshing.WaitFor(seconds); }
+
+  /**
+   * A mesh that was made elsewhere, for Get() of this isosurface, which is that of a region. The
+   * last mesh is kept as well.
+   */
+  void Give(const IsoSurface& iso, MeshPointer mesh);
 
   /** How long Get() takes, approximately (s): 0 if the last mesh is still valid. */
   double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
@@ -68,12 +86,21 @@ private:
   static Key MakeKey(vtkPolyData* surface, const IsoSurface& iso);
   bool IsMadeOf(const Key& key) const { return this->Mesh && key == this->MadeOf; }
 
-  /** Null if there is no such surface. */
-  using MeshPointer = std::shared_ptr<const SurfaceMesh>;
+  static constexpr Key NoKey{ nullptr, nullptr, 0, 0.0, 0 };
+
+  /** What a worker makes. */
+  struct Made
+  {
+    MeshPointer Mesh;
+    std::string Error; ///< why there is no mesh of a given surface
+  };
+  static Made Make(vtkPolyData* surface);
 
   MeshPointer Mesh;
-  Key MadeOf{ nullptr, nullptr, 0, 0.0, 0 };
-  KeyedWork<Key, MeshPointer> Meshing;
+  Key MadeOf = NoKey;
+  MeshPointer Given;
+  Key GivenOf = NoKey;
+  KeyedWork<Key, Made> Meshing;
 };
 
 } // namespace VolumeHaptics

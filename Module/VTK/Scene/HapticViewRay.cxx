@@ -9,10 +9,17 @@
 
 #include "vtkBox.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkInteractorObserver.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -22,6 +29,55 @@ namespace
 Vector3 FromArray(const double* v)
 {
   return { v[0], v[1], v[2] };
+}
+
+/** Whether there is something at a position (world), coming from the one before. */
+using Probe = std::function<bool(const Vector3&)>;
+
+/** Feels with the servo's own tick; nothing if the filter can't be touched. */
+Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
+{
+  // The device's placement does not matter here, so the filter's own scale is enough.
+  std::shared_ptr<const HapticModel> model =
+    HapticBaker(filter).Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
+  if (!model)
+  {
+    return nullptr;
+  }
+  return [model = std::move(model), state = ServoState(), record = TickRecord()](
+           const Vector3& tip) mutable
+  {
+    if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
+    {
+      // A position without its data is not felt.
+      state.Enabled = false;
+      return false;
+    }
+    Tick(*model, state, model->WorldToDevice(tip), record);
+    return record.Contact != ContactState::Free;
+  };
+}
+
+/** Sees where the nearest sample passes the value of the isosurface. */
+Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
+{
+  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetTouched()[0].Array;
+  const int component = filter->GetProperty()->GetComponent();
+  const double value = filter->GetIsoValue();
+  return [=, isFirst = true, wasInside = false](const Vector3& tip) mutable
+  {
+    const double at[3] = { tip.X, tip.Y, tip.Z };
+    const vtkIdType point = image->FindPoint(at[0], at[1], at[2]);
+    if (point < 0)
+    {
+      return false;
+    }
+    const bool isInside = scalars->GetComponent(point, component) >= value;
+    const bool passes = !isFirst && isInside != wasInside;
+    isFirst = false;
+    wasInside = isInside;
+    return passes;
+  };
 }
 
 } // namespace
@@ -48,10 +104,19 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position)
 bool FindFirstContact(
   vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position)
 {
-  // The device's placement does not matter here, so the filter's own scale is enough.
-  const auto model = HapticBaker(filter).Bake(filter->GetServoRate(), ForceCaps{}, nullptr);
+  const char* const awaited = HapticBaker(filter).Prepare();
   vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
-  if (!model || !image)
+  const bool isIsoSurface = image && awaited == MeshingWork && !filter->GetInputDataObject(2, 0);
+  Probe probe;
+  if (isIsoSurface)
+  {
+    probe = MakeValueProbe(filter, image);
+  }
+  else if (image && !awaited)
+  {
+    probe = MakeFeelingProbe(filter);
+  }
+  if (!probe)
   {
     return false;
   }
@@ -76,19 +141,10 @@ bool FindFirstContact(
   const double step = 0.25 * SmallestSpacing(image);
   const Vector3 start = ends[0] + (2.0 * reach * enters) * sight;
   const auto steps = static_cast<int>(2.0 * reach * (leaves - enters) / step);
-  ServoState state;
-  TickRecord record;
   for (int i = 0; i <= steps; ++i)
   {
     const Vector3 tip = start + (i * step) * sight;
-    if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
-    {
-      // A position without its data is not felt.
-      state.Enabled = false;
-      continue;
-    }
-    Tick(*model, state, model->WorldToDevice(tip), record);
-    if (record.Contact != ContactState::Free)
+    if (probe(tip))
     {
       position = tip - (2.0 * step) * sight;
       return true;

@@ -24,7 +24,8 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 /**
  * Walks along the line of sight under a pointer, from the entry into the image, with the servo's
  * own tick, up to the first contact. True with the last free position in front of it; false if
- * nothing can be felt along the line.
+ * nothing can be felt along the line. While an isosurface is still being meshed, its samples stand
+ * for it.
  */
 bool FindFirstContact(
   vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position);

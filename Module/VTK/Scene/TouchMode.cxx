@@ -81,7 +81,9 @@ void TouchMode::Begin()
     start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      const LongWork work(device, "the surface is meshed", HapticBaker(filter).EstimateTime());
+      // A mesh that is made in the background is not waited for.
+      const HapticBaker baker(filter);
+      const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
       if (this->IsBeginning)
       {
         FindFirstContact(renderer, pointer, filter, start);

@@ -113,7 +113,9 @@ bool DeviceOrders::Start()
   const int opening = this->Session.GetOpening();
   const double rate = device->GetServoRate();
   std::shared_ptr<const HapticModel> model;
-  if (this->Session.IsOpen() && !this->Models.Make(rate, model))
+  // What takes long comes later: Follow() publishes it.
+  const char* const awaited = this->Session.IsOpen() ? this->Models.Prepare() : nullptr;
+  if (this->Session.IsOpen() && !awaited && !this->Models.Make(rate, model))
   {
     return false;
   }
@@ -139,6 +141,7 @@ bool DeviceOrders::Start()
   {
     this->Session.Start(device->GetServoRate(), this->MakeLimits(), std::move(model), placement);
     this->Models.GetPlayback().Begin();
+    this->NoteAwaited(awaited);
   }
   catch (const std::bad_alloc&)
   {
@@ -160,15 +163,15 @@ bool DeviceOrders::Publish()
 {
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   this->Session.Attend();
-  const TickCollector* const felt = this->Session.GetTicks();
-  const char* const awaited = felt && felt->GetLatestModel() ? this->Models.Prepare() : nullptr;
+  const double rate = this->Session.IsRunning() ? this->Session.GetRate() : device->GetServoRate();
+  const char* const awaited = this->Models.Prepare();
   this->NoteAwaited(awaited);
   if (awaited)
   {
+    this->PublishRegion(rate);
     return true; // Follow() publishes it
   }
   std::shared_ptr<const HapticModel> model;
-  const double rate = this->Session.IsRunning() ? this->Session.GetRate() : device->GetServoRate();
   if (!this->Models.Make(rate, model))
   {
     return false;
@@ -185,6 +188,18 @@ bool DeviceOrders::Publish()
     ticks->Publish(std::move(model));
   }
   return true;
+}
+
+void DeviceOrders::PublishRegion(double rate)
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  if (ticks && !ticks->IsRecording()) // which can't be of a region
+  {
+    if (std::shared_ptr<const HapticModel> model = this->Models.MakeRegion(rate))
+    {
+      ticks->Publish(std::move(model));
+    }
+  }
 }
 
 void DeviceOrders::NoteAwaited(const char* work)

@@ -71,7 +71,9 @@ private:
   /** False, after an error, if the device is not ready or the guard can't be set up. */
   bool LetForceThrough(const std::function<void()>& order);
   void AnnounceDisarmed();
-  /** Notes what Publish() left to the background, for the status; null if nothing. */
+  /** Publishes the surface around the tip, if there is one while the whole is being meshed. */
+  void PublishRegion(double rate);
+  /** Notes what Publish() or Start() left to the background, for the status; null if nothing. */
   void NoteAwaited(const char* work);
 
   vtkHapticDevice* const Device;

@@ -130,13 +130,14 @@ TickCollector* DeviceRecorder::FindRecordable(const std::string& name) const
   else if (!ticks->GetLatestModel())
   {
     error = "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
-            "of what is felt.";
+            "of what is felt. If there is one, wait until IsPublished().";
   }
   else if (!ticks->GetLatestModel()->Resident.IsWhole())
   {
     error = "A region of a larger volume can't be recorded: the forces depend on when each region "
             "arrived, so that no single image could replay them. Connect the whole "
-            "volume to the filter and Publish() it, or keep the states with DrainStates().";
+            "volume to the filter, Publish() it and, if its surface is being meshed, wait until "
+            "IsPublished(); or keep the states with DrainStates().";
   }
   if (error)
   {

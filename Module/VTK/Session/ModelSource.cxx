@@ -87,11 +87,29 @@ const char* ModelSource::Prepare()
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   this->Awaited = filter ? HapticBaker(filter).Prepare() : nullptr;
+  if (this->Awaited != MeshingWork)
+  {
+    this->Regions.End();
+  }
   return this->Awaited;
+}
+
+std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  if (this->Awaited != MeshingWork || !(this->Session.GetState().Time > 0.0))
+  {
+    return nullptr;
+  }
+  const std::optional<SurfaceRegion> region = this->Regions.Follow(filter, this->Session.Tip);
+  return region ? HapticBaker(filter).BakeRegion(
+                    *region, rate, this->Session.FindCaps(rate), this->DeviceToWorld)
+                : nullptr;
 }
 
 void ModelSource::EndPreparing()
 {
+  this->Regions.End();
   if (this->Awaited && this->Filter)
   {
     HapticBaker(this->Filter).EndPreparing();

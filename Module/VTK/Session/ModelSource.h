@@ -10,6 +10,7 @@
 #include "VTK/Session/DataPlayback.h"
 #include "VTK/Session/DeviceSession.h"
 #include "VTK/Session/FrameImage.h"
+#include "VTK/Session/RegionMesher.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
@@ -50,6 +51,11 @@ public:
    * the work, for the status.
    */
   const char* Prepare();
+  /**
+   * While Prepare() leaves a mesh to the background: a model for a rate (Hz) of the surface around
+   * the tip, once there is another one. Null if not.
+   */
+  std::shared_ptr<const HapticModel> MakeRegion(double rate);
   /** Ends what Prepare() began. */
   void EndPreparing();
   /** Whether the last Prepare() left something to the background. */
@@ -91,6 +97,7 @@ private:
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   const char* Awaited = nullptr;
+  RegionMesher Regions;
   DataPlayback Playback;
   FrameImage Shown;
   bool IsMadeOfFrames = false; ///< the last Make was of a volume that moves

@@ -8,6 +8,7 @@
 #include "Rigs/ApiRig.h"
 
 #include <algorithm>
+#include <random>
 #include <thread>
 
 using namespace apitest;
@@ -75,6 +76,24 @@ TEST_F(FilterProgress, AbortKeepsTheTicksSoFar)
   this->AbortAt = 2.0;
   this->Filter->Modified();
   EXPECT_TRUE(IsSame(this->Run(Ticks), full)) << "an abort leaves nothing behind";
+}
+
+TEST_F(FilterProgress, AMeshThatTakesLongCanBeAborted)
+{
+  // Values that an isosurface passes everywhere: some hundred thousand triangles.
+  std::mt19937 random(1);
+  this->Filter->SetInputData(0,
+    MakeImage(40, VTK_FLOAT, [&](const Point&) { return static_cast<double>(random() % 2001); }));
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetIsoValue(1000.0);
+  this->AbortAt = -1.0;
+  this->Filter->Update();
+  EXPECT_EQ(this->Shares.front(), 0.0);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(this->Log.Errors.empty());
+  this->AbortAt = 2.0;
+  this->Filter->Modified();
+  this->Run(Ticks);
 }
 
 TEST_F(FilterProgress, SameInputSameOutputToTheBit)

@@ -6,8 +6,10 @@
  * with the same labels, and neither without labels nor with others.
  */
 
+#include "Rigs/GatedArray.h"
 #include "Rigs/RecordingRig.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
 #include <vtkHapticLabelTable.h>
 #include <vtkHapticPathSource.h>
@@ -87,6 +89,21 @@ TEST_F(LabelRecording, ReplaysToTheBitWithItsLabels)
   this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), "they are others" });
   this->Filter->SetLabelData(MakeHalves(-7.0, 9.0)); // a copy
   this->ExpectTaken();
+  // Another thread makes the hash, while the filter tells that it works.
+  vtkNew<GatedArray> gated;
+  gated->DeepCopy(this->Labels->GetPointData()->GetScalars());
+  vtkNew<vtkImageData> large;
+  large->CopyStructure(this->Labels);
+  large->GetPointData()->SetScalars(gated);
+  vtkNew<vtkCallbackCommand> open;
+  open->SetClientData(gated);
+  open->SetCallback([](vtkObject*, unsigned long, void* array, void*)
+    { static_cast<GatedArray*>(array)->IsOpen = true; });
+  const unsigned long opener = this->Filter->AddObserver(vtkCommand::ProgressEvent, open);
+  this->Filter->SetLabelData(large);
+  this->ExpectTaken();
+  EXPECT_GT(gated->Asked, 0);
+  this->Filter->RemoveObserver(opener);
   this->Recorded->GetFieldData()->RemoveArray("Settings");
   this->Recorded->Modified();
   this->Filter->SetLabelData(nullptr);

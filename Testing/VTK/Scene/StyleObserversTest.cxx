@@ -117,7 +117,7 @@ TEST_F(StyleObservers, OfTheTouchModeEndIt)
     this->Filter->Modified();
     this->Device->Close();
     ASSERT_NO_FATAL_FAILURE(this->Start());
-    this->Filter->SetIsoValue(this->Filter->GetIsoValue() - 10.0); // to be meshed again
+    this->GiveSurface();
     end = act;
     this->Calls = 0;
     this->Style->TouchModeOn();

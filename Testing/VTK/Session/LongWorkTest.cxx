@@ -16,9 +16,14 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
 #include <vtkTable.h>
 
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <random>
 #include <thread>
 
@@ -104,6 +109,46 @@ protected:
       this->HasForce = true;
     }
     return forceless;
+  }
+  /// V = 100 z, of more than 8 million samples: even the estimate is left to the worker.
+  static vtkSmartPointer<vtkImageData> MakeLarge(GatedArray* values)
+  {
+    constexpr int n = 204;
+    values->SetNumberOfValues(vtkIdType{ n } * n * n);
+    for (vtkIdType k = 0; k < n; ++k)
+    {
+      std::fill_n(values->GetPointer(k * n * n), n * n, static_cast<short>(100 * k));
+    }
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(n, n, n);
+    image->GetPointData()->SetScalars(values);
+    return image;
+  }
+  /// The triangles that a filter bakes are those that another one does without a worker, to the
+  /// bit.
+  void ExpectSameMesh(vtkVolumeHapticsFilter* other, std::int64_t triangles)
+  {
+    using VolumeHaptics::HapticBaker;
+    const auto ours = HapticBaker(this->Filter).Bake(1000.0, {}, nullptr);
+    const auto theirs = HapticBaker(other).Bake(1000.0, {}, nullptr);
+    ASSERT_TRUE(ours && theirs);
+    const VolumeHaptics::SurfaceMesh& mesh = *ours->Baked->Mesh;
+    const VolumeHaptics::SurfaceMesh& expected = *theirs->Baked->Mesh;
+    ASSERT_EQ(expected.GetNumberOfTriangles(), triangles);
+    ASSERT_EQ(mesh.GetNumberOfTriangles(), triangles);
+    for (std::int32_t i = 0; i < triangles; ++i)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const VolumeHaptics::Vector3 a = mesh.GetTriangle(i).Corner[corner];
+        const VolumeHaptics::Vector3 b = expected.GetTriangle(i).Corner[corner];
+        ASSERT_TRUE(a.X == b.X && a.Y == b.Y && a.Z == b.Z) << i;
+      }
+    }
+  }
+  bool IsFeltAs(const char* method)
+  {
+    return this->Wait([&] { return this->Device->GetMethodText() == method; });
   }
   bool Says(const char* words)
   {
@@ -272,8 +317,6 @@ TEST_F(LongWork, IsNotMeshingWhatHasManyTriangles)
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_FALSE(this->Device->IsPublished());
   EXPECT_TRUE(this->Says("Meanwhile the surface is meshed.")) << this->Device->GetStatusText();
-  ASSERT_TRUE(this->WaitTicks(10));
-  this->ExpectForce();
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   EXPECT_FALSE(this->Says("is meshed"));
   EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
@@ -289,18 +332,9 @@ TEST_F(LongWork, IsNotMeshingWhatHasManyTriangles)
 
 TEST_F(LongWork, IsNotMeshingALargeVolume)
 {
-  // V = 100 z; of more than 8 million samples, even the estimate is left to the worker.
-  constexpr int n = 204;
   vtkNew<GatedArray> values;
   const OpenAtTheEnd opener(values);
-  values->SetNumberOfValues(vtkIdType{ n } * n * n);
-  for (vtkIdType k = 0; k < n; ++k)
-  {
-    std::fill_n(values->GetPointer(k * n * n), n * n, static_cast<short>(100 * k));
-  }
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(n, n, n);
-  image->GetPointData()->SetScalars(values);
+  const vtkSmartPointer<vtkImageData> image = MakeLarge(values);
   this->Filter->SetInputData(0, image);
   this->Filter->GetProperty()->DistinctnessFromNoiseOff();
   this->Press();
@@ -320,37 +354,101 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   EXPECT_FALSE(isMeshing());
   this->Filter->SetMethodToSurfaceProxy();
   ASSERT_TRUE(this->Device->Publish());
-  ASSERT_TRUE(this->WaitTicks(20));
+  this->Filter->Update(); // without a path: it only checks, and does not wait
+  EXPECT_EQ(this->FilterLog.Errors.size(), 0U);
+  // The surface around the tip comes first, and follows it.
+  ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(10.0));
+  EXPECT_TRUE(this->WaitPressed()); // 3 mm, with the radius
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 5.0) && this->Lead(150.0, 150.0, 5.0));
+  this->BeginWayHere();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->WaitFullyArmed());
+  for (int z = 10; z <= 20; ++z)
+  {
+    ASSERT_TRUE(this->Lead(150.0, 150.0, 0.5 * z));
+  }
+  EXPECT_TRUE(this->WaitPressed())
+    << Length(this->Device->GetForce()) << " N, " << this->Device->GetStatusText();
   EXPECT_TRUE(isMeshing());
   EXPECT_FALSE(this->Device->IsPublished());
-  this->ExpectForce();
+  EXPECT_FALSE(this->Device->StartRecording(this->File("LongWorkPart.vtp").c_str()));
+  this->ExpectError("if its surface is being meshed, wait until IsPublished()");
+  this->Device->DrainStates(this->States);
   values->IsOpen = true;
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   EXPECT_FALSE(isMeshing());
+  ASSERT_TRUE(this->WaitPressed()) << "the same surface goes on";
+  EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused);
   EXPECT_EQ(this->Starts, 0);
 
-  // The same triangles as without a worker, to the bit.
   vtkNew<vtkVolumeHapticsFilter> other;
   other->SetMethodToSurfaceProxy();
   other->SetIsoValue(750.0);
   other->SetInputData(0, image);
-  using VolumeHaptics::HapticBaker;
-  const auto ours = HapticBaker(this->Filter).Bake(1000.0, {}, nullptr);
-  const auto theirs = HapticBaker(other).Bake(1000.0, {}, nullptr);
-  ASSERT_TRUE(ours && theirs);
-  const VolumeHaptics::SurfaceMesh& mesh = *ours->Baked->Mesh;
-  const VolumeHaptics::SurfaceMesh& expected = *theirs->Baked->Mesh;
-  ASSERT_EQ(expected.GetNumberOfTriangles(), 2 * (n - 1) * (n - 1));
-  ASSERT_EQ(mesh.GetNumberOfTriangles(), expected.GetNumberOfTriangles());
-  for (std::int32_t i = 0; i < mesh.GetNumberOfTriangles(); ++i)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const VolumeHaptics::Vector3 a = mesh.GetTriangle(i).Corner[corner];
-      const VolumeHaptics::Vector3 b = expected.GetTriangle(i).Corner[corner];
-      ASSERT_TRUE(a.X == b.X && a.Y == b.Y && a.Z == b.Z) << i;
-    }
-  }
+  this->ExpectSameMesh(other, std::int64_t{ 2 } * 203 * 203);
+}
+
+TEST_F(LongWork, IsNotMeshingWhenTheServoStarts)
+{
+  vtkNew<GatedArray> values;
+  const OpenAtTheEnd opener(values);
+  this->Filter->SetInputData(0, MakeLarge(values));
+  this->Filter->SetIsoValue(750.0);
+  this->Filter->SetMethodToSurfaceProxy();
+  EXPECT_TRUE(this->Device->Publish()) << "which only checks, and does not wait for the worker";
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->SetVirtualTip(7.0, 7.0, 5.0);
+  this->BeginWayHere();
+  ASSERT_TRUE(this->Device->Start());
+  EXPECT_FALSE(this->Device->StartRecording(this->File("LongWorkStart.vtp").c_str()));
+  this->ExpectError("nothing to record");
+  EXPECT_TRUE(this->Says("Meanwhile the surface is meshed.")) << this->Device->GetStatusText();
+  ASSERT_TRUE(this->IsFeltAs("Surface proxy"));
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(10.0));
+  EXPECT_TRUE(this->WaitPressed());
+  values->IsOpen = true;
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  EXPECT_EQ(this->Starts, 0);
+}
+
+TEST_F(LongWork, IsNotPreparingAGivenSurfaceOfManyTriangles)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(7.0, 7.0, 17.0);
+  sphere->SetRadius(10.0);
+  sphere->SetThetaResolution(300);
+  sphere->SetPhiResolution(300);
+  sphere->Update();
+  this->Press();
+  this->Filter->SetSurfaceData(sphere->GetOutput());
+  this->Filter->SetProxyRadius(0.05);
+  this->Filter->SetMethodToSurfaceProxy();
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_FALSE(this->Device->IsPublished());
+  EXPECT_TRUE(this->Says("Meanwhile the surface is meshed.")) << this->Device->GetStatusText();
+  ASSERT_TRUE(this->WaitTicks(10));
+  this->ExpectForce();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
+  EXPECT_EQ(this->Starts, 0);
+  vtkNew<vtkVolumeHapticsFilter> other;
+  other->SetMethodToSurfaceProxy();
+  other->SetInputData(0, this->Image);
+  other->SetSurfaceData(sphere->GetOutput());
+  other->SetProxyRadius(0.05);
+  this->ExpectSameMesh(other, sphere->GetOutput()->GetNumberOfPolys());
+
+  // What can't be touched is told when it is known.
+  sphere->GetOutput()->GetPoints()->SetPoint(5, NAN, 0.0, 0.0);
+  sphere->GetOutput()->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return !this->FilterLog.Errors.empty(); }));
+  EXPECT_NE(
+    this->FilterLog.Errors[0].find("NaN, infinite or beyond 1e30 at point 5"), std::string::npos)
+    << this->FilterLog.Errors[0];
 }
 
 TEST_F(LongWork, StopsWhileALargeVolumeIsMeshed)

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/RegionMesher.h"
+
+#include "Core/Servo/ServoClock.h"
+#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Baking/HapticNoise.h"
+#include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Baking/WholeFacts.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRegionPlanner.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <string>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Some ten milliseconds of meshing. */
+constexpr vtkIdType MostSamples = 1 << 20;
+
+vtkIdType CountTuples(const int extent[6])
+{
+  return vtkIdType{ extent[1] - extent[0] + 1 } * (extent[3] - extent[2] + 1) *
+    (extent[5] - extent[4] + 1);
+}
+
+/** The tuples of a part of an extent, in an array that nothing else uses. */
+vtkSmartPointer<vtkDataArray> CopySamples(
+  vtkDataArray* whole, const int extent[6], const int part[6])
+{
+  auto copy =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(whole->GetDataType()));
+  copy->SetName(whole->GetName());
+  copy->SetNumberOfComponents(whole->GetNumberOfComponents());
+  copy->SetNumberOfTuples(CountTuples(part));
+  const vtkIdType nx = vtkIdType{ extent[1] } - extent[0] + 1;
+  const vtkIdType ny = vtkIdType{ extent[3] } - extent[2] + 1;
+  const vtkIdType row = vtkIdType{ part[1] } - part[0] + 1;
+  vtkIdType to = 0;
+  for (int k = part[4]; k <= part[5]; ++k)
+  {
+    for (int j = part[2]; j <= part[3]; ++j, to += row)
+    {
+      copy->InsertTuples(
+        to, row, part[0] - extent[0] + nx * (j - extent[2] + ny * (k - extent[4])), whole);
+    }
+  }
+  return copy;
+}
+
+} // namespace
+
+RegionMesher::RegionMesher()
+  : Region{ 0, -1, 0, -1, 0, -1 }
+{
+  this->Planner->SetMaximumVoxels(MostSamples);
+}
+
+RegionMesher::~RegionMesher() = default;
+
+void RegionMesher::End()
+{
+  this->Meshing.Abandon();
+  this->Of.reset();
+  this->Ordered.reset();
+  this->Region = { 0, -1, 0, -1, 0, -1 };
+}
+
+std::optional<SurfaceRegion> RegionMesher::Take(vtkImageData* image, vtkVolumeHapticsFilter* filter)
+{
+  const Made* const made =
+    this->Ordered ? this->Meshing.Find({ *this->Of, *this->Ordered }) : nullptr;
+  if (!made)
+  {
+    return std::nullopt;
+  }
+  this->Region = *std::exchange(this->Ordered, std::nullopt);
+  this->Planner->AddLatency(ServoClock::SecondsSince(this->OrderTime));
+  const int component = filter->GetProperty()->GetComponent();
+  const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
+  HapticVolume volume;
+  std::string error;
+  if (!ReadVolume(image, scalars.Array, component, filter->GetKernelRadius(), volume, error))
+  {
+    return std::nullopt;
+  }
+  SurfaceRegion region{ vtkSmartPointer<vtkImageData>::New(), made->Mesh };
+  region.Image->SetExtent(this->Region.data());
+  region.Image->SetOrigin(image->GetOrigin());
+  region.Image->SetSpacing(image->GetSpacing());
+  region.Image->SetDirectionMatrix(image->GetDirectionMatrix());
+  region.Image->GetPointData()->SetScalars(made->Samples);
+  WholeFields facts;
+  image->GetExtent(facts.Extent);
+  facts.Noise.resize(component + 1);
+  facts.Noise[component] = FindNoise(image, scalars.Array, volume.View, component).Noise;
+  facts.BorderValues.assign(component + 1, volume.View.BorderValue);
+  facts.Time = static_cast<double>(scalars.Time);
+  WriteWholeFacts(facts, region.Image);
+  return region;
+}
+
+void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, const Extent& region)
+{
+  Affine3 map;
+  std::string error;
+  Extent whole;
+  image->GetExtent(whole.data());
+  if (!MakeIndexToWorld(image, whole.data(), "input image", map, error))
+  {
+    return; // the whole tells
+  }
+  Extent fromFirst; // as the map counts
+  for (int a = 0; a < 6; ++a)
+  {
+    fromFirst[a] = region[a] - whole[a - a % 2];
+  }
+  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetTouched()[0].Array;
+  const int component = filter->GetProperty()->GetComponent();
+  const double value = filter->GetIsoValue();
+  this->Meshing.Follow({ *this->Of, region },
+    [=](WorkMonitor& monitor) -> std::optional<Made>
+    {
+      Made made{ CopySamples(scalars, whole.data(), region.data()), nullptr };
+      if (!monitor.IsCancelled())
+      {
+        made.Mesh = MeshIsoSurface(made.Samples, fromFirst.data(), component, value, map);
+      }
+      return made;
+    });
+  this->Ordered = region;
+  this->OrderTime = ServoClock::Now();
+}
+
+std::optional<SurfaceRegion> RegionMesher::Follow(
+  vtkVolumeHapticsFilter* filter, const double tip[3])
+{
+  const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
+  vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
+  // Where a given surface is missing can't be told: it has no regions.
+  if (!scalars.Array || filter->GetInputDataObject(2, 0))
+  {
+    return std::nullopt;
+  }
+  const SurfaceKey key{ scalars.GetKey(), filter->GetProperty()->GetComponent(),
+    filter->GetIsoValue() };
+  if (this->Of != key)
+  {
+    this->End();
+    this->Of = key;
+  }
+  std::optional<SurfaceRegion> made = this->Take(image, filter);
+  Extent wanted;
+  this->Planner->SetWhole(image);
+  this->Planner->UseSettingsOf(filter);
+  const double atRest[3] = { 0.0, 0.0, 0.0 };
+  if (!this->Meshing.IsUnderWay() &&
+    this->Planner->Plan(tip, atRest, this->Region.data(), wanted.data()))
+  {
+    this->Order(image, filter, wanted);
+  }
+  return made;
+}
+
+} // namespace VolumeHaptics
