@@ -22,6 +22,11 @@
  *                       the same whole have the same number, one replaces the other under a
  *                       pressing hand without the hand noticing it
  *
+ * and, if its samples only stand in for those of the whole, as those of a coarser level do while
+ * the finer ones are late (vtkHapticRegionSource::SetCoarseImage), the array
+ *
+ *   HapticShare         above 0 and at most 1; the share of the force that is felt there
+ *
  * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders that are not the
  * whole's own, the force then does not end at a surface but fades (vtkHapticDevice::GetResidency).
  * The whole force is felt where tip and proxy are farther from them than all that a tick reads, and
@@ -74,6 +79,7 @@ public:
   static const char* GetNoiseName() { return "HapticNoise"; }
   static const char* GetBorderValueName() { return "HapticBorderValue"; }
   static const char* GetWholeTimeName() { return "HapticWholeTime"; }
+  static const char* GetShareName() { return "HapticShare"; }
   ///@}
 
 protected:

@@ -54,6 +54,16 @@ RegionNeeds NeedsOf(vtkHapticRegionPlanner* p)
   return needs;
 }
 
+WholeGeometry WholeOf(vtkHapticRegionPlanner* planner)
+{
+  WholeGeometry whole;
+  std::copy_n(planner->GetWholeExtent(), 6, whole.Extent);
+  whole.IndexToWorld.Linear = IndexToWorld(planner->GetDirection(), planner->GetSpacing());
+  const double* const origin = planner->GetOrigin();
+  whole.IndexToWorld.Offset = { origin[0], origin[1], origin[2] };
+  return whole;
+}
+
 /**
  * The largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Between points of the functions it is not
  * larger.
@@ -208,12 +218,20 @@ bool vtkHapticRegionPlanner::Plan(
       "Plan() needs a tip, a velocity and two extents of six numbers, but got a null pointer.");
     return false;
   }
-  WholeGeometry whole;
-  std::copy(this->WholeExtent, this->WholeExtent + 6, whole.Extent);
-  whole.IndexToWorld.Linear = IndexToWorld(this->Direction, this->Spacing);
-  whole.IndexToWorld.Offset = { this->Origin[0], this->Origin[1], this->Origin[2] };
+  const WholeGeometry whole = WholeOf(this);
   return PlanRegion(whole, NeedsOf(this), { tip[0], tip[1], tip[2] },
     { velocity[0], velocity[1], velocity[2] }, resident, wanted);
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticRegionPlanner::FindRoom(const double tip[3], const int region[6])
+{
+  if (!tip || !region)
+  {
+    vtkErrorMacro("FindRoom() needs a tip and an extent of six numbers, but got a null pointer.");
+    return 0.0;
+  }
+  return FindSpareRoom(WholeOf(this), NeedsOf(this), { tip[0], tip[1], tip[2] }, region);
 }
 
 //------------------------------------------------------------------------------

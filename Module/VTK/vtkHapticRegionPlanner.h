@@ -144,6 +144,12 @@ public:
    */
   bool Plan(const double tip[3], const double velocity[3], const int resident[6], int wanted[6]);
 
+  /**
+   * By how much (world units) a region (an extent) gives a tip (world) more room than its tick
+   * needs, T_N/k + r + b. Negative: samples may be missing there.
+   */
+  double FindRoom(const double tip[3], const int region[6]);
+
 protected:
   vtkHapticRegionPlanner() = default;
   ~vtkHapticRegionPlanner() override = default;

@@ -3,10 +3,13 @@
 #include "vtkHapticRegionSource.h"
 
 #include "VTK/Baking/HapticRegionSettings.h"
+#include "VTK/Baking/HapticVolume.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Large/CoarseLevel.h"
 #include "VTK/Large/RawVolumeFile.h"
 #include "VTK/Large/RegionStore.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkHapticRegionPlanner.h"
 #include "vtkImageData.h"
@@ -84,6 +87,8 @@ vtkHapticRegionSource::vtkHapticRegionSource()
 //------------------------------------------------------------------------------
 vtkHapticRegionSource::~vtkHapticRegionSource()
 {
+  // Whoever still has the port finds no source behind it.
+  this->GetOutputPort()->SetProducer(nullptr);
   this->SetFileName(nullptr);
 }
 
@@ -201,7 +206,58 @@ bool vtkHapticRegionSource::Prepare(std::string& error)
   planner->SetSpacing(this->Spacing);
   planner->SetDirection(this->Direction);
   planner->SetMaximumVoxels(static_cast<vtkIdType>(this->MemoryLimit / RegionsInMemory / size));
+  return this->UpdateCoarse(error);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::UpdateCoarse(std::string& error)
+{
+  CoarseKey key;
+  if (this->CoarseImage)
+  {
+    const vtkNew<vtkImageData> whole;
+    whole->SetOrigin(this->Origin);
+    whole->SetSpacing(this->Spacing);
+    whole->SetDirectionMatrix(this->Direction);
+    const int fromZero[6] = { 0, 0, 0, 0, 0, 0 }; // as the indices of boxes count
+    if (!MakeIndexToWorld(whole, fromZero, "volume", key.IndexToWorld, error))
+    {
+      return false;
+    }
+    key.Image = this->CoarseImage;
+    key.Time = this->CoarseImage->GetMTime();
+  }
+  if (this->Store->HasCoarseLevel(key))
+  {
+    return true;
+  }
+  std::shared_ptr<const CoarseLevel> level;
+  if (this->CoarseImage)
+  {
+    level = CoarseLevel::Make(this->CoarseImage, key.IndexToWorld, error);
+    if (!level)
+    {
+      return false;
+    }
+  }
+  this->Store->SetCoarseLevel(key, std::move(level));
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::SetCoarseImage(vtkImageData* image)
+{
+  if (this->CoarseImage != image)
+  {
+    this->CoarseImage = image;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkHapticRegionSource::GetCoarseImage()
+{
+  return this->CoarseImage;
 }
 
 //------------------------------------------------------------------------------
@@ -265,6 +321,10 @@ std::string vtkHapticRegionSource::GetStatusText()
   if (!this->Store->IsWaiting())
   {
     return {};
+  }
+  if (this->Store->IsStandIn())
+  {
+    return "The samples around the tip are being read; the coarse image stands in.";
   }
   return this->Store->IsSurveyed() ? "The samples around the tip are being read."
                                    : "The noise of the volume is being estimated.";
@@ -398,6 +458,7 @@ void vtkHapticRegionSource::PrintSelf(ostream& os, vtkIndent indent)
   PrintSettings(os, indent, this, RegionSourceSettings);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Reader: " << (this->Function ? "set" : "(none)") << "\n";
+  os << indent << "CoarseImage: " << (this->CoarseImage ? "set" : "(none)") << "\n";
   os << indent << "Status: " << this->GetStatusText() << "\n";
 }
 

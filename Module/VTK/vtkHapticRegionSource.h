@@ -24,14 +24,15 @@
  * region around the tip. A thread of the source reads it, and writes it into memory before the
  * servo sees it; neither the servo nor the GUI thread ever waits for that. Where samples are late,
  * or can't be read, the force fades within 50 ms (vtkHapticDevice::GetResidency), and comes back
- * when they are there. A read that failed gives one error, stands in GetStatusText() of source and
- * device, and is tried again, at intervals that grow from 50 ms to 2 s. At first nothing is felt:
- * 512 blocks of 5^3 samples are read, from which the noise is estimated (all of a volume of no more
- * than 2^26 samples). A source follows one device: two hands need two sources.
+ * when they are there. If there is a CoarseImage, it stands in meanwhile, with half of its force. A
+ * read that failed gives one error, stands in GetStatusText() of source and device, and is tried
+ * again, at intervals that grow from 50 ms to 2 s. At first nothing is felt: 512 blocks of 5^3
+ * samples are read, from which the noise is estimated (all of a volume of no more than 2^26
+ * samples). A source follows one device: two hands need two sources.
  *
- * The output is the region that was read last, with the field arrays of vtkHapticRegionFilter; a
- * few voxels of zeros in the middle of the volume before there is one. Its scalars are called
- * "Scalars" and have one component.
+ * The output is the region that was read last, or that of the CoarseImage which stands in, with the
+ * field arrays of vtkHapticRegionFilter; a few voxels of zeros in the middle of the volume before
+ * there is one. Its scalars are called "Scalars" and have one component.
  *
  * @sa vtkHapticRegionPlanner, vtkHapticRegionFilter, vtkVolumeHapticsFilter, vtkHapticDevice
  */
@@ -39,6 +40,7 @@
 #define vtkHapticRegionSource_h
 
 #include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
@@ -54,6 +56,7 @@ class RegionStore;
 #endif
 
 class vtkHapticRegionPlanner;
+class vtkImageData;
 class vtkVolumeHapticsFilter;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticRegionSource : public vtkImageAlgorithm
@@ -129,10 +132,21 @@ public:
   /**
    * The most memory (bytes) that regions take live, 4194304 (4 MiB) to 2^40. Default 67108864 (64
    * MiB). A region takes a quarter of it at most: one is felt, one is the output, one has just come
-   * and one is being read. Along paths there is one region, of a million voxels as a rule.
+   * and one is being read. One more, of the CoarseImage, takes 2^20 samples at most. Along paths
+   * there is one region, of a million voxels as a rule.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 4194304, 1099511627776);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * An image of all of the volume in memory, in the same world and of coarser voxels, as the upper
+   * levels of an image pyramid are. Live it stands in where samples are late; the paths don't use
+   * it. It may be what a window shows. It must not change while it is set. Default: none.
+   */
+  void SetCoarseImage(vtkImageData* image);
+  vtkImageData* GetCoarseImage();
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -205,6 +219,8 @@ private:
   /** Brings the store up to the settings; false, with the fault, if they are not complete. */
   bool Prepare(std::string& error);
   void FindPlaceholder(int extent[6]) const;
+  /** Hands the coarse image to the store; false, with the fault, if it can't stand in. */
+  bool UpdateCoarse(std::string& error);
 
   Reader Function;
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
@@ -220,6 +236,7 @@ private:
   int ByteOrder = LITTLE;
   vtkTypeInt64 MemoryLimit = 67108864;
   bool IsAwaited = true;
+  vtkSmartPointer<vtkImageData> CoarseImage;
   int KernelRadius = 2;
   int Version = 0; // of the samples
 

@@ -83,7 +83,7 @@ allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers VTK/Work)
 allow(VTK/Proposal Core/Math Core/Field Core/Proposal VTK/Baking)
 allow(VTK/Files)
 allow(VTK/Labels VTK/Files)
-allow(VTK/Large Core/Math Core/Field Core/Model Core/Regions Core/Solvers Core/Servo/ServoClock.h VTK/Baking VTK/Files)
+allow(VTK/Large Core/Math Core/Field Core/Model Core/Regions Core/Solvers Core/Servo/ServoClock.h VTK/Baking VTK/Files VTK/Work)
 allow(VTK/Trace Core VTK/Baking VTK/Files)
 allow(VTK/Recording Core VTK/Files VTK/Trace)
 # Threads for work on volumes: of the core, only the clock.

@@ -8,7 +8,7 @@ import time
 import numpy as np
 import pytest
 import pyvista as pv
-from volumehaptics import vtkHapticDevice, vtkInteractorStyleHaptic
+from volumehaptics import open_large, vtkHapticDevice, vtkInteractorStyleHaptic
 from volumehaptics.pyvista import add_haptics
 
 
@@ -64,6 +64,33 @@ def test_labels_have_materials(window, hands):
     for felt in (False, True):
         table.SetFelt(1, felt)
         assert (press_ball(hand) > 0.1) == felt
+
+
+def test_a_volume_larger_than_memory_is_shown_by_its_coarse_level(window):
+    z, y, x = np.meshgrid(*[np.arange(-32, 33, 2.0)] * 3, indexing="ij")
+    ball = (100 * (20 - np.sqrt(x * x + y * y + z * z))).astype(np.float32)
+    large = open_large(ball, (2, 2, 2), (-32, -32, -32), coarse=ball[::2, ::2, ::2])
+    plotter = pv.Plotter(off_screen=True, window_size=(200, 200))
+    haptics = add_haptics(plotter, large, visibility=False)
+    (shown,) = (one for one in plotter.actors.values() if isinstance(one, pv.Volume))
+    assert shown.mapper.GetInputDataObject(0, 0).GetDimensions() == (17, 17, 17)
+    device = haptics.device
+
+    def wait(holds):
+        end = time.monotonic() + 20
+        while not holds() and time.monotonic() < end:
+            haptics.update()
+            time.sleep(0.002)
+        assert holds(), device.GetStatusText()
+
+    device.SetVirtualTip(0, 0, 24)
+    wait(lambda: device.GetTipPosition()[2] == 24 and device.GetResidency() == 1)
+    device.Arm()
+    wait(lambda: "100 % of the force" in device.GetStatusText())
+    device.SetVirtualTip(0, 0, 15)
+    wait(lambda: device.GetForce()[2] > 0.5)
+    plotter.close()
+    assert haptics.closed
 
 
 def test_closing_the_plotter_stops_everything(window, hands):

@@ -313,3 +313,36 @@ print("ended")
 """
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
     assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", "")
+
+
+def test_ome_zarr_has_a_coarser_level_that_stands_in(zarr):
+    zarr.opened = make_ome()
+    coarse = open_large("bed.zarr").GetCoarseImage()
+    assert coarse.GetDimensions() == (150, 30, 40)
+    assert (coarse.GetSpacing(), coarse.GetOrigin()) == ((1.0, 4.0, 6.0), (0.25, 1.0, 1.5))
+    own = open_large("bed.zarr", spacing=(1, 1, 1), origin=(7, 8, 9)).GetCoarseImage()
+    assert (own.GetSpacing(), own.GetOrigin()) == ((2.0, 2.0, 2.0), (7.5, 8.5, 9.5))
+    assert open_large("bed.zarr", level=-1).GetCoarseImage() is None
+    assert open_large("bed.zarr", coarse=False).GetCoarseImage() is None
+
+
+def test_a_coarse_array_lies_on_the_fine_one():
+    bed = make_bed()
+    large = open_large(bed, (0.5, 1, 2), (1, 2, 3), coarse=bed[::4, ::4, ::4])
+    coarse = large.GetCoarseImage()
+    assert coarse.GetDimensions() == (75, 15, 20)
+    assert (coarse.GetSpacing(), coarse.GetOrigin()) == ((2.0, 4.0, 8.0), (1.75, 3.5, 6.0))
+    assert coarse.GetPointData().GetScalars().GetTuple1(1) == bed[0, 0, 4]
+    expect_same(touch(image(bed, (0.5, 1, 2), (1, 2, 3)), make_tip() * (0.5, 1, 2) + (1, 2, 3)),
+                touch(large, make_tip() * (0.5, 1, 2) + (1, 2, 3)))
+    with pytest.raises(TypeError, match="coarse is an array"):
+        open_large(bed, coarse=bed[0])
+
+
+def test_a_filter_keeps_a_source_that_nothing_else_holds():
+    haptics = vtkVolumeHapticsFilter()
+    haptics.SetInputConnection(open_large(make_bed()).GetOutputPort())
+    gc.collect()
+    haptics.SetPathData(volumehaptics.path(make_tip()))
+    haptics.Update()
+    expect_same(touch(image(make_bed()), make_tip()), haptics.GetOutput())

@@ -5,7 +5,9 @@
 namespace VolumeHaptics
 {
 
-ResidentBox::ResidentBox(const VolumeView& view) noexcept
+ResidentBox::ResidentBox(const VolumeView& view, double share) noexcept
+  : Whole(share == 1.0)
+  , Share(share)
 {
   double low[3];
   double high[3];
@@ -29,7 +31,7 @@ double ResidentBox::Find(
   const Vector3 nearest = Least(before, behind);
   const double clearance = std::fmin(std::fmin(nearest.X, nearest.Y), nearest.Z);
   const double t = std::fmin(std::fmax(clearance / ResidencyBand, 0.0), 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return this->Share * (t * t * (3.0 - 2.0 * t));
 }
 
 } // namespace VolumeHaptics

@@ -20,18 +20,20 @@ constexpr double ResidencyBand = 4.0;
 class ResidentBox
 {
 public:
-  explicit ResidentBox(const VolumeView& view) noexcept;
+  /** `share` is below 1 if the samples of the view only stand in for those of the volume. */
+  explicit ResidentBox(const VolumeView& view, double share = 1.0) noexcept;
 
   /** Whether all samples of the volume are resident. */
   bool IsWhole() const noexcept { return this->Whole; }
 
-  /** The residency of the box between two corners, with a margin along each axis. */
+  /** The residency of the box between two corners, with a margin along each axis; share at most. */
   double Find(const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept;
 
 private:
   Vector3 Low; ///< infinite if the border is the volume's own
   Vector3 High;
   bool Whole = true;
+  double Share;
 };
 
 } // namespace VolumeHaptics

@@ -59,6 +59,7 @@ struct BakedVolume
   const Affine3 IndexToWorld;
   const double LargestSpacing; ///< world units
   const HapticSettings Settings;
+  const double ResidentShare;                      ///< see HapticModelDescription
   const std::shared_ptr<const void> Samples;       ///< keeps the memory of Field alive
   const std::shared_ptr<const SurfaceMesh> Mesh;   ///< null without one
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image

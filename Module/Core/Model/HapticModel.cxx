@@ -86,7 +86,7 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
   , InverseRadius(1.0 / this->Baked->Kernel.Radius)
   , GradientToReach(this->KernelLength * (this->DeviceToIndex.Linear * this->GradientToDevice))
   , FallbackReach(this->DeviceToIndex.Linear * (this->KernelLength * this->FallbackNormal))
-  , Resident(this->Baked->Field.GetView())
+  , Resident(this->Baked->Field.GetView(), this->Baked->ResidentShare)
   , IndexToLabel(MakeIndexToLabel(*this->Baked))
   , DeviceToLabel(Compose(this->IndexToLabel, this->DeviceToIndex))
   , LabelGradientToDevice(Transpose(this->DeviceToWorldRotation) *

@@ -80,6 +80,8 @@ struct HapticModelDescription
    * the whole.
    */
   std::uint64_t Number = 0;
+  /** Of the force that is felt; below 1 if the samples stand in for the volume's own ones. */
+  double ResidentShare = 1.0;
 };
 
 } // namespace VolumeHaptics

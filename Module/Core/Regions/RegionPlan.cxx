@@ -154,6 +154,18 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   return !isSame && now < enough;
 }
 
+double FindSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
+  const int region[6]) noexcept
+{
+  if (IsEmpty(whole.Extent) || IsEmpty(region))
+  {
+    return -Longest;
+  }
+  const Cube cube = FindCube(whole, Inverse(whole.IndexToWorld.Linear), tip);
+  return FindRoom(whole, cube, region) - Length(needs.SpringLength) - Length(needs.Reach) -
+    Length(needs.Band);
+}
+
 double SmoothLatency(double latency, double measured) noexcept
 {
   if (!(measured >= 0.0) || !std::isfinite(measured))

@@ -67,6 +67,14 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const Vector3& velocity, const int resident[6], int wanted[6]) noexcept;
 
 /**
+ * By how much (world units) a region gives a tip (world) more than T_N/k + r + b to its nearest
+ * border that is not the volume's own. If it is negative, a tick there may lack samples; it is far
+ * below 0 for an empty region, and above for a whole one.
+ */
+double FindSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
+  const int region[6]) noexcept;
+
+/**
  * The smoothed latency (s) after another measurement: rises fast, falls slowly. Measurements that
  * are negative or not finite do not count.
  */

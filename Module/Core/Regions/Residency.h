@@ -13,7 +13,8 @@
  *   residency = s(c / ResidencyBand),   s(t) = t^2 (3 - 2 t) on 0 ... 1,
  *
  * so that it is 1 well inside and 0 before a tick could read a sample that is not resident. Models
- * of whole volumes have a residency of 1.
+ * of whole volumes have a residency of 1. Where the samples are those of a coarser level, which
+ * stands in for the volume's own, it is a share of that (HapticModelDescription::ResidentShare).
  */
 #ifndef Residency_h
 #define Residency_h

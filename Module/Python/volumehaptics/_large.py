@@ -9,6 +9,7 @@ import ctypes
 import itertools
 import os
 import time
+import weakref
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -31,7 +32,10 @@ from vtkmodules.vtkCommonCore import (
     vtkWeakReference,
 )
 
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
 from . import vtkVolumeHaptics
+from .arrays import image
 from .vtkVolumeHaptics import vtkHapticRegionSource
 
 __all__ = ["open_large"]
@@ -64,8 +68,22 @@ class _Array(NamedTuple):
     source: vtkWeakReference
 
 
+class _Source(vtkHapticRegionSource):
+    """A source that lives as long as anything holds an output port of it, of which VTK's own one knows nothing."""
+
+    def GetOutputPort(self, *index: int) -> Any:
+        port = super().GetOutputPort(*index)
+        weakref.finalize(port, _let_go, self)
+        return port
+
+
+def _let_go(_source: _Source) -> None:
+    pass
+
+
 _arrays: dict[int, _Array] = {}
 _numbers = itertools.count(1)
+_MOST_COARSE = 2**22  # voxels of a coarse level
 
 
 def _fill(array: Any, dtype: np.dtype, extent: Any, samples: int) -> None:
@@ -145,8 +163,16 @@ def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float
     return scale, translation
 
 
-def _open_multiscales(group: Any, path: str, level: int) -> tuple[Any, list[float], list[float]]:
-    """A level of an OME-Zarr group as a volume, with spacing and origin along x, y and z."""
+class _Level(NamedTuple):
+    """A volume, and spacing and origin along x, y and z, if they are known."""
+
+    array: Any
+    spacing: Sequence[float] | None = None
+    origin: Sequence[float] | None = None
+
+
+def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
+    """The levels of an OME-Zarr group from the wanted one on, to the coarsest."""
     attributes = dict(group.attrs)
     scales = attributes.get("ome", attributes).get("multiscales")
     if not scales:
@@ -155,21 +181,22 @@ def _open_multiscales(group: Any, path: str, level: int) -> tuple[Any, list[floa
     datasets = scales[0]["datasets"]
     if not -len(datasets) <= level < len(datasets):
         raise ValueError(f"{path} has {len(datasets)} levels, from 0 on, and none of number {level}")
-    dataset = datasets[level]
-    array = group[dataset["path"]]
-    axes = len(array.shape)
-    names = [one["name"] if isinstance(one, dict) else one for one in scales[0].get("axes", "tczyx"[-axes:])]
-    if axes < 3 or [name.lower() for name in names[-3:]] != ["z", "y", "x"]:
-        raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones")
-    steps = [*dataset.get("coordinateTransformations", []), *scales[0].get("coordinateTransformations", [])]
-    scale, translation = _scale_and_translation(steps, axes)
-    volume = _Volume(array, (0,) * (axes - 3))
-    return volume, scale[:-4:-1], translation[:-4:-1]
+    levels = []
+    for dataset in datasets[level % len(datasets):]:
+        array = group[dataset["path"]]
+        axes = len(array.shape)
+        names = [one["name"] if isinstance(one, dict) else one for one in scales[0].get("axes", "tczyx"[-axes:])]
+        if axes < 3 or [name.lower() for name in names[-3:]] != ["z", "y", "x"]:
+            raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones")
+        steps = [*dataset.get("coordinateTransformations", []), *scales[0].get("coordinateTransformations", [])]
+        scale, translation = _scale_and_translation(steps, axes)
+        levels.append(_Level(_Volume(array, (0,) * (axes - 3)), scale[:-4:-1], translation[:-4:-1]))
+    return levels
 
 
-def _open_path(path: str, level: int) -> tuple[Any, list[float] | None, list[float] | None]:
+def _open_path(path: str, level: int) -> list[_Level]:
     if path.endswith(".npy"):
-        return np.load(path, mmap_mode="r"), None, None
+        return [_Level(np.load(path, mmap_mode="r"))]
     try:
         import zarr
     except ImportError as error:
@@ -177,8 +204,25 @@ def _open_path(path: str, level: int) -> tuple[Any, list[float] | None, list[flo
                           "with another library, and give open_large() the array") from error
     opened = zarr.open(path, mode="r")
     if hasattr(opened, "shape"):
-        return opened, None, None
+        return [_Level(opened)]
     return _open_multiscales(opened, path, level)
+
+
+def _choose_coarse(levels: list[_Level]) -> _Level | None:
+    """The finest of the coarser levels that is small enough to be kept in memory, if there is one."""
+    return next((one for one in levels[1:] if np.prod(one.array.shape, dtype=float) <= _MOST_COARSE), None)
+
+
+def _beside(coarse: Any, fine: _Level) -> _Level:
+    """A coarse array over the same box as a volume whose spacing and origin are known."""
+    ratio = [f / c for f, c in zip(fine.array.shape[::-1], coarse.shape[::-1])]
+    spacing = [s * r for s, r in zip(fine.spacing, ratio)]
+    return _Level(coarse, spacing, [o + 0.5 * (c - s) for o, c, s in zip(fine.origin, spacing, fine.spacing)])
+
+
+def _read_coarse(level: _Level) -> vtkImageData:
+    part = np.ascontiguousarray(np.asarray(level.array[:, :, :]))
+    return image(part.astype(part.dtype.newbyteorder("="), copy=False), level.spacing, level.origin)
 
 
 def _three(what: str, numbers: Sequence[float]) -> tuple[float, ...]:
@@ -187,11 +231,25 @@ def _three(what: str, numbers: Sequence[float]) -> tuple[float, ...]:
     return tuple(float(one) for one in numbers)
 
 
+def _find_coarse(coarse: Any, levels: list[_Level], fine: _Level) -> vtkImageData | None:
+    if coarse is None:
+        found = _choose_coarse(levels)
+        own = found is not None and (tuple(levels[0].spacing), tuple(levels[0].origin)) == (fine.spacing, fine.origin)
+        return None if found is None else _read_coarse(found if own else _beside(found.array, fine))
+    if coarse is False or isinstance(coarse, vtkImageData):
+        return coarse or None
+    if len(getattr(coarse, "shape", ())) != 3 or 0 in coarse.shape:
+        raise TypeError("coarse is an array [z, y, x] with voxels, a vtkImageData, or False, not "
+                        f"{type(coarse).__name__}")
+    return _read_coarse(_beside(coarse, fine))
+
+
 def open_large(
     array_or_path: Any,
     spacing: Sequence[float] | None = None,
     origin: Sequence[float] | None = None,
     level: int = 0,
+    coarse: Any = None,
 ) -> vtkHapticRegionSource:
     """A volume that is too large for memory, and is read where the hand needs it.
 
@@ -202,6 +260,9 @@ def open_large(
         units; else 1.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image; else 0.
     level: of an OME-Zarr image: 0 is the finest. Negative: from the coarsest on.
+    coarse: a smaller array of the same box, which is read at once and stays in memory, or a vtkImageData in the same
+        world. Live it stands in, with half of its force, where samples are late, and it is what a window shows. Default:
+        of an OME-Zarr image, its finest coarser level of at most 2^22 voxels; else nothing. False: nothing.
 
     The result is a vtkHapticRegionSource. touch() takes it instead of a volume, and feels what it would feel with the
     whole in memory, to the bit. A vtkVolumeHapticsFilter takes its GetOutputPort(), live as well: then a thread reads
@@ -216,9 +277,10 @@ def open_large(
     >>> open_large(np.zeros((30, 20, 10), np.int16), spacing=(0.5, 0.5, 2.0)).GetWholeExtent()
     (0, 9, 0, 19, 0, 29)
     """
-    array, own_spacing, own_origin = array_or_path, None, None
+    levels = [_Level(array_or_path)]
     if isinstance(array_or_path, (str, os.PathLike)):
-        array, own_spacing, own_origin = _open_path(os.fspath(array_or_path), level)
+        levels = _open_path(os.fspath(array_or_path), level)
+    array, own_spacing, own_origin = levels[0]
     shape, kind = getattr(array, "shape", None), getattr(array, "dtype", None)
     if shape is None or kind is None or not hasattr(array, "__getitem__"):
         raise TypeError(f"a large volume is an array with shape, dtype and parts [z, y, x], or a path, not "
@@ -230,11 +292,14 @@ def open_large(
                         "array.astype(numpy.float32), which converts what is read")
     if len(shape) != 3 or 0 in shape:
         raise ValueError(f"a volume has three dimensions [z, y, x], and voxels; this array's shape is {tuple(shape)}")
-    source = vtkHapticRegionSource()
+    fine = _Level(array, _three("spacing", spacing if spacing is not None else own_spacing or (1.0, 1.0, 1.0)),
+                  _three("origin", origin if origin is not None else own_origin or (0.0, 0.0, 0.0)))
+    source = _Source()
     source.SetWholeExtent(0, int(shape[2]) - 1, 0, int(shape[1]) - 1, 0, int(shape[0]) - 1)
     source.SetScalarType(_TYPES[dtype.name])
-    source.SetSpacing(_three("spacing", spacing if spacing is not None else own_spacing or (1.0, 1.0, 1.0)))
-    source.SetOrigin(_three("origin", origin if origin is not None else own_origin or (0.0, 0.0, 0.0)))
+    source.SetSpacing(fine.spacing)
+    source.SetOrigin(fine.origin)
+    source.SetCoarseImage(_find_coarse(coarse, levels, fine))
     number, reference = next(_numbers), vtkWeakReference()
     reference.Set(source)
     _arrays[number] = _Array(array, dtype, reference)

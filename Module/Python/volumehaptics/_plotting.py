@@ -13,14 +13,16 @@ from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkVolume
+from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkVolume
 
 from ._labels import Labels, Materials, set_labels
-from ._touch import Errors, configure, plain
+from ._touch import Errors, configure, frame_of, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
     vtkHapticFrameSource,
     vtkHapticHeadUpDisplay,
+    vtkHapticRegionSource,
     vtkHapticRepresentation,
     vtkInteractorStyleHaptic,
     vtkVolumeHapticsFilter,
@@ -64,6 +66,7 @@ class Haptics:
         self._renderer = weakref.ref(plotter.renderer)
         self._style_before = None
         self._in_scene: list[Any] = []
+        self._outline: vtkActor | None = None
 
     def update(self) -> bool:
         """One step of the plotter's timer, for programs without an event loop. True: there is something new."""
@@ -81,6 +84,8 @@ class Haptics:
         if renderer is not None:
             renderer.RemoveViewProp(self.representation)
             renderer.RemoveViewProp(self.head_up_display)
+            if self._outline is not None:
+                renderer.RemoveViewProp(self._outline)
         if plotter is not None:
             _touchable.pop(plotter, None)
             if plotter.iren is not None and plotter.iren.style is self.style:
@@ -109,6 +114,17 @@ class Haptics:
         self._in_scene = [prop for prop in (self.representation, *touched) if renderer.HasViewProp(prop)]
         self._watch(plotter)
         _touchable[plotter] = self
+
+    def _frame(self, large: vtkHapticRegionSource) -> None:
+        """Draws a frame around the samples that are in memory."""
+        outline, mapper, self._outline = vtkOutlineFilter(), vtkPolyDataMapper(), vtkActor()
+        outline.SetInputConnection(large.GetOutputPort())
+        mapper.SetInputConnection(outline.GetOutputPort())
+        self._outline.SetMapper(mapper)
+        self._outline.UseBoundsOff()
+        self._outline.PickableOff()
+        self._outline.GetProperty().SetColor(1.0, 0.8, 0.2)
+        self._renderer().AddViewProp(self._outline)
 
     def _check_scene(self) -> None:
         """Ends the touch if the volume or the hand was taken out of the scene."""
@@ -179,6 +195,14 @@ def _find_volume(plotter: pv.Plotter) -> vtkVolume:
     return next(iter(volumes.values()))
 
 
+def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume | vtkHapticRegionSource:
+    """What shows a volume that is larger than memory; itself if nothing does."""
+    shown = [actor for actor in plotter.actors.values() if isinstance(actor, vtkVolume)]
+    if not shown and large.GetCoarseImage() is not None:
+        return plotter.add_volume(large.GetCoarseImage())
+    return shown[0] if len(shown) == 1 else large
+
+
 def _image_of(volume: Any) -> vtkImageData:
     """The image to be touched, of an actor or as it is."""
     image = volume
@@ -237,7 +261,7 @@ def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageD
 
 def add_haptics(
     plotter: pv.Plotter,
-    volume: vtkVolume | vtkImageData | Sequence[vtkImageData] | None = None,
+    volume: vtkVolume | vtkImageData | Sequence[vtkImageData] | vtkHapticRegionSource | None = None,
     preset: str | Sequence[float] | None = None,
     *,
     times: Sequence[float] | None = None,
@@ -254,7 +278,9 @@ def add_haptics(
     volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
         show it, such as an isosurface. Default: the plotter's only volume. Or a list of images of one geometry,
         the frames of a volume that moves: it plays in a loop at once, and an actor of the first of them shows what
-        is felt; see vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic.
+        is felt; see vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory,
+        of open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and a frame
+        around the region that is in memory.
     times: of frames, in seconds, or in other units with time_units_per_second=...; they may stand in the place of
         preset: add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
@@ -296,12 +322,15 @@ def add_haptics(
     elif times is not None:
         raise TypeError("times are those of frames. Cure: add_haptics(plotter, [first, second, ...], times)")
     volume = _find_volume(plotter) if volume is None else volume
-    image = _image_of(volume)
+    large = volume if isinstance(volume, vtkHapticRegionSource) else None
+    if large is not None:
+        volume = _show_coarse(plotter, large)
+    image = _image_of(volume) if large is None else frame_of(large)
     scalars = image.GetPointData().GetScalars()
-    if scalars is None:
+    if large is None and scalars is None:
         raise ValueError("the volume has no active point scalars. Cure: image.set_active_scalars(NAME), or "
                          "image.cells_to_points() if it has cell data")
-    if scalars.GetNumberOfComponents() > 1 and "property" not in settings:
+    if large is None and scalars.GetNumberOfComponents() > 1 and "property" not in settings:
         raise ValueError(f"the volume has {scalars.GetNumberOfComponents()} components, such as colours, and a hand "
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
     haptics = Haptics(plotter)
@@ -309,8 +338,8 @@ def add_haptics(
         haptics.device, haptics._owns_device = device, False
     look = volume if visibility is True else visibility
     try:
-        _prepare(haptics, image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None, settings,
-                 labels, materials)
+        _prepare(haptics, large or image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None,
+                 settings, labels, materials)
         if frames is not None:
             haptics.frames = frames
             haptics.filter.SetInputConnection(0, frames.GetOutputPort())
@@ -319,6 +348,8 @@ def add_haptics(
         haptics.representation.SetRadius(SIZE * length)
         haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
+        if large is not None:
+            haptics._frame(large)
         for text in haptics._check_volumes():
             warnings.warn(text, stacklevel=2)
         if frames is not None:
@@ -332,7 +363,7 @@ def add_haptics(
 
 def _prepare(
     haptics: Haptics,
-    image: vtkImageData,
+    volume: vtkImageData | vtkHapticRegionSource,
     preset: str | None,
     look: Any,
     settings: dict[str, Any],
@@ -340,11 +371,16 @@ def _prepare(
     materials: Materials | None,
 ) -> None:
     touch = haptics.filter
+    is_large = isinstance(volume, vtkHapticRegionSource)
+    image = frame_of(volume) if is_large else volume
     with Errors(touch, touch.GetProperty()) as errors:
-        configure(touch, image, preset, settings, errors, "add_haptics")
+        configure(touch, is_large and volume.GetCoarseImage() or image, preset, settings, errors, "add_haptics")
         if look is not None:
             touch.GetProperty().SetVisibilityFrom(look)
-        touch.SetInputData(image)
+        if is_large:
+            touch.SetInputConnection(volume.GetOutputPort())
+        else:
+            touch.SetInputData(image)
         set_labels(touch, image, labels, materials)
         touch.Update()  # without a path, only checks
     if errors:

@@ -133,7 +133,7 @@ def configure(
         raise ValueError("; ".join(errors))
 
 
-def _frame(source: vtkHapticRegionSource) -> vtkImageData:
+def frame_of(source: vtkHapticRegionSource) -> vtkImageData:
     """The extent and the place of a large volume, without its samples."""
     frame = vtkImageData()
     frame.SetExtent(source.GetWholeExtent())
@@ -318,10 +318,10 @@ def touch(
     """
     source = volume if isinstance(volume, vtkHapticRegionSource) else None
     if source is not None:
-        image = _frame(source)
-        if preset == "propose":
-            raise ValueError("functions can't be proposed for a volume that is larger than memory. Cure: propose them "
-                             "for a part or a coarse level of it, and give property=...")
+        image = frame_of(source)
+        if preset == "propose" and source.GetCoarseImage() is None:
+            raise ValueError("functions can't be proposed for a volume that is larger than memory. Cure: give "
+                             "open_large() a coarse level, or propose them for a part of it and give property=...")
     elif isinstance(volume, vtkImageData):
         image = volume
     else:
@@ -335,7 +335,8 @@ def touch(
 
     haptics = vtkVolumeHapticsFilter()
     with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures:
-        configure(haptics, image, preset, settings, errors, "touch")
+        coarse = source.GetCoarseImage() if source is not None else None
+        configure(haptics, coarse or image, preset, settings, errors, "touch")
         if source is not None:
             haptics.SetInputConnection(source.GetOutputPort())
         else:

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double Piece = 0.02; // s
+constexpr double LookInterval = 0.02; // s
 
 } // namespace
 
@@ -39,7 +39,7 @@ std::string ArrayHash::Await(const TouchedArray& array, const std::function<bool
         [&monitor](double share) { return monitor.GoesOn(share); });
       return hash.empty() ? std::nullopt : std::optional<std::string>(std::move(hash));
     });
-  while (!known && this->Work.IsUnderWay() && !this->Work.WaitFor(Piece))
+  while (!known && this->Work.IsUnderWay() && !this->Work.WaitFor(LookInterval))
   {
     if (!goesOn(this->Work.GetProgress()))
     {

@@ -233,6 +233,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   }
   const WholeFacts& whole = volume.Whole;
   d.View = volume.View;
+  d.ResidentShare = whole.Share;
   d.Series = options.Series;
   d.IndexToWorld = volume.IndexToWorld;
   const std::int64_t* const n = d.View.Dimensions;

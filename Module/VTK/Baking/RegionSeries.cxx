@@ -63,8 +63,8 @@ bool RegionSeries::IsSame(const Entry& entry, const HapticModelDescription& e,
   const HapticModelDescription& d = entry.Description;
   const bool isSameWhole = std::equal(entry.Facts.Extent, entry.Facts.Extent + 6, facts.Extent) &&
     entry.Facts.Noise == facts.Noise && entry.Facts.BorderValue == facts.BorderValue &&
-    entry.Facts.Time == facts.Time && entry.Array == array && d.View.Type == e.View.Type &&
-    IsIdentical(d.IndexToWorld, e.IndexToWorld);
+    entry.Facts.Time == facts.Time && entry.Facts.Share == facts.Share && entry.Array == array &&
+    d.View.Type == e.View.Type && IsIdentical(d.IndexToWorld, e.IndexToWorld);
   return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
     (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels;
 }

@@ -100,6 +100,8 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
   }
   vtkDataArray* const time = fields->GetArray(Names::GetWholeTimeName());
   facts.Time = time && time->GetNumberOfTuples() > 0 ? time->GetComponent(0, 0) : 0.0;
+  vtkDataArray* const share = fields->GetArray(Names::GetShareName());
+  facts.Share = share && share->GetNumberOfTuples() > 0 ? share->GetComponent(0, 0) : 1.0;
   facts.Noise = NumberOf(noise, component);
   facts.BorderValue = NumberOf(border, component);
   int extent[6];
@@ -110,6 +112,12 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
     message << "The field array \"" << Names::GetNoiseName()
             << "\" of the input image has the value " << facts.Noise
             << ": a standard deviation is 0 or more." << Cure;
+  }
+  if (!(facts.Share > 0.0 && facts.Share <= 1.0))
+  {
+    message << "The field array \"" << Names::GetShareName()
+            << "\" of the input image has the value " << facts.Share
+            << ": it is a share of the force, above 0 and at most 1." << Cure;
   }
   bool isWithin = true;
   for (int i = 0; i < 6; ++i)
@@ -140,6 +148,11 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
   AddField<vtkIntArray>(region, Names::GetWholeExtentName(), facts.Extent);
   AddField<vtkDoubleArray>(region, Names::GetNoiseName(), facts.Noise);
   AddField<vtkDoubleArray>(region, Names::GetBorderValueName(), facts.BorderValues);
+  const double share[] = { facts.Share };
+  if (facts.Share < 1.0)
+  {
+    AddField<vtkDoubleArray>(region, Names::GetShareName(), share);
+  }
   const double time[] = { facts.Time };
   AddField<vtkDoubleArray>(region, Names::GetWholeTimeName(), time);
 }

@@ -22,7 +22,8 @@ struct WholeFacts
   int Extent[6] = {};   ///< of the whole volume
   double Noise = 0.0;   ///< scalar units, of the component
   double BorderValue = 0.0;
-  double Time = 0.0; ///< changes when the whole changes
+  double Time = 0.0;  ///< changes when the whole changes
+  double Share = 1.0; ///< of the force; below 1 if the samples stand in for those of the whole
 };
 
 /** Reads the field arrays. False, with the cure in `error`, if they are malformed. */
@@ -35,6 +36,7 @@ struct WholeFields
   std::vector<double> Noise;
   std::vector<double> BorderValues;
   double Time = 0.0;
+  double Share = 1.0;
 };
 
 /** Writes the field arrays of a region. */

@@ -7,11 +7,15 @@
 
 #include "vtkDataArray.h"
 #include "vtkHapticRegionPlanner.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <new>
 #include <system_error>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -21,6 +25,10 @@ namespace
 constexpr BoxExtent NoRegion = { 0, -1, 0, -1, 0, -1 };
 /** The shortest time (s) over which the tip's velocity is measured. */
 constexpr double VelocityTime = 0.01;
+/** Samples of a region of the coarse level: some ten milliseconds of work. */
+constexpr vtkIdType MostStandInSamples = 1 << 20;
+/** The share of the force that is felt on the coarse level. */
+constexpr double StandInShare = 0.5;
 /** If the owner was busy for longer (s), that says nothing about the next time. */
 constexpr double LongestInterval = 0.5;
 
@@ -54,11 +62,21 @@ void RegionStore::Clear()
   this->Facts.reset();
   this->Samples = nullptr;
   this->Region = NoRegion;
+  this->StandsIn = false;
+  this->SetCoarseLevel({}, nullptr);
   this->Ordered.reset();
   this->TipTime = 0.0;
   this->Velocity = {};
   this->Trouble.clear();
   this->Planner->ResetLatency();
+}
+
+void RegionStore::SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level)
+{
+  this->StandIns.Forget();
+  this->StandInOrdered.reset();
+  this->CoarseOf = key;
+  this->Coarse = std::move(level);
 }
 
 void RegionStore::NoteFacts(const VolumeFacts& facts)
@@ -114,10 +132,28 @@ void RegionStore::WriteFacts(vtkImageData* image) const
   fields.Noise = { facts.Noise };
   fields.BorderValues = { facts.BorderValue };
   fields.Time = this->Facts ? static_cast<double>(this->WholeTime) : 0.0;
+  fields.Share = this->StandsIn && image->GetPointData()->GetScalars() == this->Samples.Get()
+    ? StandInShare
+    : 1.0;
   WriteWholeFacts(fields, image);
 }
 
-bool RegionStore::TakeRegion(double interval)
+bool RegionStore::Holds(const BoxExtent& region, const double tip[3]) const
+{
+  return this->Planner->FindRoom(tip, region.data()) >= 0.0;
+}
+
+void RegionStore::Show(RegionSamples&& region, bool standsIn)
+{
+  const auto samples = NewSamples(this->Volume->ScalarType);
+  samples->SetVoidArray(region.Samples.release(),
+    static_cast<vtkIdType>(CountSamples(region.Extent)), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  this->Samples = samples;
+  this->Region = region.Extent;
+  this->StandsIn = standsIn;
+}
+
+bool RegionStore::TakeRegion(const double tip[3], double interval)
 {
   const std::optional<VolumeFacts> facts = this->Facts ? std::nullopt : this->Thread->GetFacts();
   if (facts)
@@ -137,12 +173,57 @@ bool RegionStore::TakeRegion(double interval)
     this->Planner->AddLatency(interval + ServoClock::SecondsSince(this->OrderTime));
     this->Ordered.reset();
   }
-  const auto samples = NewSamples(this->Volume->ScalarType);
-  samples->SetVoidArray(come->Samples.release(), static_cast<vtkIdType>(CountSamples(come->Extent)),
-    0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  this->Samples = samples;
-  this->Region = come->Extent;
+  if (this->StandsIn && this->Holds(this->Region, tip) && !this->Holds(come->Extent, tip))
+  {
+    return false; // the hand has been there
+  }
+  this->Show(std::move(*come), false);
   return true;
+}
+
+bool RegionStore::FollowStandIn(const double tip[3])
+{
+  const bool isWanted = this->Coarse && this->Facts && !this->Holds(this->Region, tip);
+  const std::shared_ptr<RegionSamples>* const made =
+    this->StandInOrdered ? this->StandIns.Find(*this->StandInOrdered) : nullptr;
+  if (made)
+  {
+    this->StandInOrdered.reset();
+    if (isWanted && *made && this->Holds((*made)->Extent, tip))
+    {
+      this->Show(std::move(**made), true);
+      return true;
+    }
+  }
+  BoxExtent box;
+  if (!isWanted || this->StandIns.IsUnderWay())
+  {
+    return false;
+  }
+  const vtkIdType most = this->Planner->GetMaximumVoxels();
+  this->Planner->SetMaximumVoxels(std::min(most, MostStandInSamples));
+  const bool isThere = this->Planner->Plan(tip, this->Velocity.data(), NoRegion.data(), box.data());
+  this->Planner->SetMaximumVoxels(most);
+  if (isThere)
+  {
+    this->StandIns.Forget(); // the same box may be wanted again
+    this->StandIns.Follow(box,
+      [box, level = this->Coarse, volume = this->Volume](
+        WorkMonitor&) -> std::optional<std::shared_ptr<RegionSamples>>
+      {
+        const auto size = static_cast<std::size_t>(CountSamples(box)) * volume->SampleSize;
+        auto region = std::make_shared<RegionSamples>(
+          RegionSamples{ box, std::unique_ptr<void, FreeMemory>(std::malloc(size)) });
+        if (!region->Samples)
+        {
+          return std::nullopt;
+        }
+        level->Fill(box, volume->ScalarType, region->Samples.get());
+        return region;
+      });
+    this->StandInOrdered = box;
+  }
+  return false;
 }
 
 void RegionStore::MeasureVelocity(const double tip[3], double time)
@@ -162,7 +243,7 @@ void RegionStore::MeasureVelocity(const double tip[3], double time)
 
 void RegionStore::Order(const double tip[3])
 {
-  const BoxExtent here = this->Ordered.value_or(this->Region);
+  const BoxExtent here = this->Ordered.value_or(this->StandsIn ? NoRegion : this->Region);
   BoxExtent wanted;
   if (this->Planner->Plan(tip, this->Velocity.data(), here.data(), wanted.data()))
   {
@@ -193,9 +274,9 @@ bool RegionStore::Follow(const double tip[3], double time)
     }
   }
   this->MeasureVelocity(tip, time);
-  const bool hasCome = this->TakeRegion(interval);
+  const bool hasCome = this->TakeRegion(tip, interval);
   this->Order(tip);
-  return hasCome;
+  return this->FollowStandIn(tip) || hasCome;
 }
 
 } // namespace VolumeHaptics

@@ -7,9 +7,11 @@
 #ifndef RegionStore_h
 #define RegionStore_h
 
+#include "VTK/Large/CoarseLevel.h"
 #include "VTK/Large/LargeVolume.h"
 #include "VTK/Large/RegionReader.h"
 #include "VTK/Large/VolumeSurvey.h"
+#include "VTK/Work/BackgroundWork.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -46,6 +48,20 @@ struct LargeVolumeKey
   }
 };
 
+/** From what the coarse level is made; by default there is none. */
+struct CoarseKey
+{
+  const void* Image = nullptr;
+  vtkMTimeType Time = 0;
+  Affine3 IndexToWorld{}; ///< of the volume
+
+  bool operator==(const CoarseKey& other) const
+  {
+    return this->Image == other.Image && this->Time == other.Time &&
+      IsIdentical(this->IndexToWorld, other.IndexToWorld);
+  }
+};
+
 /** For the thread of the owner. */
 class RegionStore
 {
@@ -57,8 +73,11 @@ public:
   bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
   /** Forgets all about the volume before. */
   void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
-  /** Ends the thread, and forgets the volume. */
+  /** Ends the thread, and forgets the volume and the coarse level. */
   void Clear();
+  /** What stands in for samples that are late; null: nothing. */
+  void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
+  bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
 
   vtkHapticRegionPlanner* GetPlanner() const { return this->Planner; }
 
@@ -71,6 +90,8 @@ public:
   /** The resident samples; null before there are any. */
   vtkDataArray* GetSamples() const { return this->Samples; }
   const BoxExtent& GetRegion() const { return this->Region; }
+  /** Whether the resident samples are those of the coarse level. */
+  bool IsStandIn() const { return this->StandsIn; }
   bool IsWaiting() const { return this->Ordered.has_value(); }
   bool IsSurveyed() const { return this->Facts.has_value(); }
   /** Why the last read failed; empty if it did not. */
@@ -84,7 +105,12 @@ public:
 private:
   bool Survey(std::string& error);
   void NoteFacts(const VolumeFacts& facts);
-  bool TakeRegion(double interval);
+  bool TakeRegion(const double tip[3], double interval);
+  /** Makes a region of the coarse level if the resident one lacks samples for the tip. */
+  bool FollowStandIn(const double tip[3]);
+  /** Whether a region has all samples for a tip. */
+  bool Holds(const BoxExtent& region, const double tip[3]) const;
+  void Show(RegionSamples&& region, bool standsIn);
   void MeasureVelocity(const double tip[3], double time);
   void Order(const double tip[3]);
 
@@ -95,6 +121,11 @@ private:
   vtkMTimeType WholeTime = 0;
   vtkSmartPointer<vtkDataArray> Samples;
   BoxExtent Region;
+  bool StandsIn = false; ///< Samples are of the coarse level
+  CoarseKey CoarseOf;
+  std::shared_ptr<const CoarseLevel> Coarse;
+  std::optional<BoxExtent> StandInOrdered;
+  KeyedWork<BoxExtent, std::shared_ptr<RegionSamples>> StandIns;
   std::optional<BoxExtent> Ordered;
   std::int64_t OrderTime = 0; // ServoClock
   std::int64_t LookTime = 0;  // ServoClock

@@ -25,7 +25,7 @@ namespace
 {
 
 /** Some ten milliseconds of meshing. */
-constexpr vtkIdType MostSamples = 1 << 20;
+constexpr vtkIdType MostMeshedSamples = 1 << 20;
 
 vtkIdType CountTuples(const int extent[6])
 {
@@ -34,7 +34,7 @@ vtkIdType CountTuples(const int extent[6])
 }
 
 /** The tuples of a part of an extent, in an array that nothing else uses. */
-vtkSmartPointer<vtkDataArray> CopySamples(
+vtkSmartPointer<vtkDataArray> CopyTuples(
   vtkDataArray* whole, const int extent[6], const int part[6])
 {
   auto copy =
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkDataArray> CopySamples(
 RegionMesher::RegionMesher()
   : Region{ 0, -1, 0, -1, 0, -1 }
 {
-  this->Planner->SetMaximumVoxels(MostSamples);
+  this->Planner->SetMaximumVoxels(MostMeshedSamples);
 }
 
 RegionMesher::~RegionMesher() = default;
@@ -130,7 +130,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   this->Meshing.Follow({ *this->Of, region },
     [=](WorkMonitor& monitor) -> std::optional<Made>
     {
-      Made made{ CopySamples(scalars, whole.data(), region.data()), nullptr };
+      Made made{ CopyTuples(scalars, whole.data(), region.data()), nullptr };
       if (!monitor.IsCancelled())
       {
         made.Mesh = MeshIsoSurface(made.Samples, fromFirst.data(), component, value, map);

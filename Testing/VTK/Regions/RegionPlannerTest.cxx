@@ -40,6 +40,18 @@ protected:
 };
 } // namespace
 
+TEST_F(Planner, TellsTheRoomThatARegionGivesATip)
+{
+  // Less T_N/k, reach and band: 4 + 8 + 4.
+  const double tip[3] = { 520.0, 300.0, 5.0 };
+  const int around[6] = { 480, 600, 200, 400, 0, 70 };
+  EXPECT_DOUBLE_EQ(this->Plan->FindRoom(tip, around), 40.0 - 16.0) << "the volume's end is none";
+  const int beside[6] = { 510, 600, 200, 400, 0, 70 };
+  EXPECT_DOUBLE_EQ(this->Plan->FindRoom(tip, beside), 10.0 - 16.0);
+  const int none[6] = { 0, -1, 0, -1, 0, -1 };
+  EXPECT_LT(this->Plan->FindRoom(tip, none), 0.0);
+}
+
 TEST_F(Planner, TakesWhatCanBeReachedUntilTheNextOneComes)
 {
   EXPECT_DOUBLE_EQ(this->Plan->GetHalfWidth(), 500.0 * 0.1 + 4.0 + 8.0 + 4.0);

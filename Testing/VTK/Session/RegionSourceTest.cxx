@@ -182,6 +182,38 @@ TEST_F(RegionSource, ThatIsLateFadesAndComesBack)
   this->ExpectNoStep();
 }
 
+TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
+{
+  // V = 100 z, as the samples between these have it.
+  vtkNew<vtkImageData> coarse;
+  coarse->SetDimensions(21, 21, 21);
+  coarse->SetSpacing(100.0, 100.0, 100.0);
+  coarse->AllocateScalars(VTK_FLOAT, 1);
+  for (int i = 0; i < 21 * 21 * 21; ++i)
+  {
+    static_cast<float*>(coarse->GetScalarPointer())[i] = 1e4F * static_cast<float>(i / 441);
+  }
+  this->Source->SetCoarseImage(coarse);
+  this->BeginInTheMiddle();
+  this->Press();
+  const double whole = Length(this->Device->GetForce());
+  ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
+  this->Reader->IsOpen = false;
+  ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
+  this->BeginWayHere();
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.5; }));
+  EXPECT_TRUE(this->Says("the coarse image stands in")) << this->Device->GetStatusText();
+  this->Press(1300.0);
+  EXPECT_TRUE(this->Wait(
+    [&] { return std::abs(Length(this->Device->GetForce()) - 0.5 * whole) < 0.1 * whole; }))
+    << Length(this->Device->GetForce()) << " N, of " << whole;
+  this->Reader->IsOpen = true;
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  EXPECT_TRUE(this->WaitForce());
+  this->ExpectNoStep();
+  EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
+}
+
 TEST_F(RegionSource, ThatFailsIsToldFadesAndIsTriedAgain)
 {
   this->BeginInTheMiddle();
