@@ -19,6 +19,7 @@ enum class HoldState : std::uint8_t
 
 constexpr int MostNewtonSteps = 6;
 constexpr int MostConditions = 3;
+constexpr int MostRounds = 6;
 /** Of a strength, so that forces that were cut to it count as such. */
 constexpr double YieldShare = 1.0 - 1e-12;
 /** N, and a share of the largest force: what rounding may leave of a condition. */
@@ -55,16 +56,34 @@ public:
       this->State[at] = isFull                            ? HoldState::Yields
         : p.Kind == PrimitiveKind::Plane && square == 0.0 ? HoldState::IsLeft
                                                           : HoldState::Holds;
+      this->Force[at] = force;
       this->Sum += force;
       largest = std::max(largest, Dot(held.Spring[at], held.Spring[at]));
     }
     this->Settled = NewtonSettled + NewtonShare * std::sqrt(largest);
   }
 
+  /** Corrects what was assumed by what follows from it, some times. */
   bool Solve() noexcept
   {
-    const bool areFew = this->CollectConditions();
-    return (areFew && this->Step()) || this->Share();
+    const Vector3 start = this->Sum;
+    for (int round = 0; round < MostRounds; ++round)
+    {
+      this->Sum = start;
+      this->Contradictions = 0;
+      this->Conditions = 0;
+      this->IsOff = false;
+      // More conditions than that are met at a common anchor only.
+      if (this->CollectConditions() ? this->Step() : this->Share())
+      {
+        return true;
+      }
+      if (this->Contradictions == 0)
+      {
+        return false;
+      }
+    }
+    return false;
   }
 
   void Write(PrimitiveForces& forces, Vector3& sum) const noexcept
@@ -124,52 +143,68 @@ private:
     return this->Conditions <= MostConditions;
   }
 
-  /** The forces of those that do not hold, and their slope; false if a direction is not there. */
-  bool FindYielding(Matrix3& slope) noexcept
+  /**
+   * The forces of those that do not hold, as far as they do not turn, and the slope of w and them.
+   * The force of a line or point that yields turns with its place. Both are unknowns, which makes
+   * steps good even if it yields by little, where the turn is fast.
+   */
+  void FindYielding(Matrix3& slope) noexcept
   {
     slope = Matrix3{};
     this->Yielding = {};
     for (int at = 0; at < this->Held.Count; ++at)
     {
-      const Primitive& p = this->At(at);
       if (this->State[at] == HoldState::Holds)
       {
         continue;
       }
-      if (this->State[at] == HoldState::IsLeft)
-      {
-        this->Force[at] = {};
-        continue;
-      }
+      const Primitive& p = this->At(at);
       if (p.Kind == PrimitiveKind::Plane)
       {
-        this->Force[at] = p.Strength * p.Direction;
+        const bool isLeft = this->State[at] == HoldState::IsLeft;
+        this->Force[at] = isLeft ? Vector3{} : p.Strength * p.Direction;
+        this->Yielding += this->Force[at];
+        continue;
       }
-      else
+      const Vector3 r = this->Held.Spring[at] + this->Sum;
+      const Vector3 unit = (1.0 / p.Strength) * this->Force[at];
+      const double bend = p.Strength / std::max(-Dot(unit, r), this->Settled);
+      AddOuter(bend, { 1.0, 0.0, 0.0 }, slope);
+      AddOuter(bend, { 0.0, 1.0, 0.0 }, slope);
+      AddOuter(bend, { 0.0, 0.0, 1.0 }, slope);
+      AddOuter(-bend, unit, slope);
+      if (p.Kind == PrimitiveKind::Line)
       {
-        const bool isLine = p.Kind == PrimitiveKind::Line;
-        const Vector3 r = this->Held.Spring[at] + this->Sum;
-        const Vector3 t = isLine ? AcrossOf(r, p.Direction) : r;
-        const double length = Norm(t);
-        if (!(length > this->Settled))
-        {
-          return false;
-        }
-        const Vector3 unit = (1.0 / length) * t;
-        const double bend = p.Strength / length;
-        this->Force[at] = -p.Strength * unit;
-        AddOuter(bend, { 1.0, 0.0, 0.0 }, slope);
-        AddOuter(bend, { 0.0, 1.0, 0.0 }, slope);
-        AddOuter(bend, { 0.0, 0.0, 1.0 }, slope);
-        AddOuter(-bend, unit, slope);
-        if (isLine)
-        {
-          AddOuter(-bend, p.Direction, slope);
-        }
+        AddOuter(-bend, p.Direction, slope);
       }
-      this->Yielding += this->Force[at];
+      this->Yielding += this->Force[at] - bend * this->AsideOf(at, r);
     }
-    return true;
+  }
+
+  /** The part of a vector in which the force of a line or point that yields turns. */
+  Vector3 AsideOf(int at, const Vector3& v) const noexcept
+  {
+    const Primitive& p = this->At(at);
+    const Vector3 unit = (1.0 / p.Strength) * this->Force[at];
+    const Vector3 aside = AcrossOf(v, unit);
+    return p.Kind == PrimitiveKind::Line ? AcrossOf(aside, p.Direction) : aside;
+  }
+
+  /** Turns the forces of lines and points that yield, for a change of the sum. */
+  void Turn(const Vector3& change) noexcept
+  {
+    for (int at = 0; at < this->Held.Count; ++at)
+    {
+      const Primitive& p = this->At(at);
+      if (this->State[at] == HoldState::Yields && p.Kind != PrimitiveKind::Plane)
+      {
+        const Vector3 r = this->Held.Spring[at] + this->Sum;
+        const double bend = 1.0 / std::max(-Dot(this->Force[at], r), this->Settled * p.Strength);
+        const Vector3 turned =
+          this->Force[at] - (bend * p.Strength * p.Strength) * this->AsideOf(at, r + change);
+        this->Force[at] = (p.Strength / Norm(turned)) * turned;
+      }
+    }
   }
 
   /** Newton's steps; false if what was assumed is not so. */
@@ -178,10 +213,7 @@ private:
     for (int step = 0; step < MostNewtonSteps; ++step)
     {
       Matrix3 slope;
-      if (!this->FindYielding(slope))
-      {
-        return false;
-      }
+      this->FindYielding(slope);
       const Matrix3 inverse = Inverse(slope);
       const Vector3 free = inverse * (this->Yielding - this->Sum);
       // Of the conditions: the multipliers after which the step meets them.
@@ -215,6 +247,7 @@ private:
       {
         change += *m[i] * back[i];
       }
+      this->Turn(change);
       this->Sum += change;
       // Without lines and points that yield, one step is exact; its check costs no step.
       if (Dot(change, change) <= this->Settled * this->Settled || !this->IsCurved())
@@ -241,12 +274,7 @@ private:
   bool Check() noexcept
   {
     const double* const m[3] = { &this->Multiplier.X, &this->Multiplier.Y, &this->Multiplier.Z };
-    Matrix3 unused;
-    if (!this->FindYielding(unused))
-    {
-      return false;
-    }
-    Vector3 all = this->Yielding;
+    Vector3 all;
     for (int at = 0; at < this->Held.Count; ++at)
     {
       const Primitive& p = this->At(at);
@@ -259,61 +287,72 @@ private:
           force += *m[i] * this->Row[i];
         }
         this->Force[at] = force;
-        all += force;
       }
-      if (!this->IsPossible(at))
-      {
-        return false;
-      }
+      all += this->Force[at];
+      this->Correct(at);
     }
     const Vector3 gap = all - this->Sum;
     this->Sum = all;
-    return Dot(gap, gap) <= this->Settled * this->Settled;
+    return this->Contradictions == 0 && !this->IsOff &&
+      Dot(gap, gap) <= this->Settled * this->Settled;
   }
 
-  bool IsPossible(int at) const noexcept
+  /** What a primitive does instead, if its force or place contradict its state. */
+  void Correct(int at) noexcept
   {
     const Primitive& p = this->At(at);
-    if (this->State[at] == HoldState::Holds)
+    HoldState& state = this->State[at];
+    const HoldState before = state;
+    if (state == HoldState::Holds)
     {
-      const bool isPush =
-        p.Kind != PrimitiveKind::Plane || Dot(this->Force[at], p.Direction) >= 0.0;
-      return isPush && Dot(this->Force[at], this->Force[at]) <= p.Strength * p.Strength;
+      const bool isPull = p.Kind == PrimitiveKind::Plane && Dot(this->Force[at], p.Direction) < 0.0;
+      const bool isMore = Dot(this->Force[at], this->Force[at]) > p.Strength * p.Strength;
+      state = isPull ? HoldState::IsLeft : (isMore ? HoldState::Yields : HoldState::Holds);
+      if (state == HoldState::Yields)
+      {
+        this->Force[at] = (p.Strength / Norm(this->Force[at])) * this->Force[at];
+      }
     }
-    if (p.Kind == PrimitiveKind::Plane)
+    else if (p.Kind == PrimitiveKind::Plane)
     {
       const double depth = Dot(this->Held.Spring[at] + this->Sum, p.Direction);
-      return this->State[at] == HoldState::IsLeft ? depth >= -this->Settled
-                                                  : depth <= this->Settled;
+      const bool isLeft = state == HoldState::IsLeft;
+      state =
+        (isLeft ? depth >= -this->Settled : depth <= this->Settled) ? state : HoldState::Holds;
     }
-    return true;
+    else
+    {
+      const Vector3 r = this->Held.Spring[at] + this->Sum;
+      const Vector3 aside = this->AsideOf(at, r);
+      const bool isBack = -Dot(this->Force[at], r) < -this->Settled * p.Strength;
+      state = isBack ? HoldState::Holds : HoldState::Yields;
+      this->IsOff = this->IsOff || Dot(aside, aside) > this->Settled * this->Settled;
+    }
+    this->Contradictions += state != before ? 1 : 0;
   }
 
   /** All that hold, at their common anchor. */
   bool Share() noexcept
   {
-    const Vector3* anchor = nullptr;
+    const Vector3* const anchor = this->Held.Spring;
+    this->Yielding = {};
     for (int at = 0; at < this->Held.Count; ++at)
     {
-      if (this->State[at] == HoldState::Holds)
+      const Primitive& p = this->At(at);
+      if (!IsIdentical(*anchor, this->Held.Spring[at]))
       {
-        anchor = anchor ? anchor : &this->Held.Spring[at];
-        if (!IsIdentical(*anchor, this->Held.Spring[at]))
-        {
-          return false;
-        }
+        return false;
       }
-    }
-    if (!anchor)
-    {
-      return false;
+      // There, a force of any size is one that holds; but planes may be left, or push with all.
+      if (p.Kind != PrimitiveKind::Plane)
+      {
+        this->State[at] = HoldState::Holds;
+      }
+      const bool isFull = this->State[at] == HoldState::Yields;
+      this->Force[at] = isFull ? p.Strength * p.Direction : Vector3{};
+      this->Yielding += this->Force[at];
     }
     this->Sum = -*anchor;
-    Matrix3 unused;
-    if (!this->FindYielding(unused))
-    {
-      return false;
-    }
     Matrix3 all{ { {}, {}, {} } };
     double strengths = 0.0;
     for (int at = 0; at < this->Held.Count; ++at)
@@ -355,14 +394,12 @@ private:
                                               : share);
         sum += this->Force[at];
       }
-      if (!this->IsPossible(at))
-      {
-        return false;
-      }
+      this->Correct(at);
     }
     const Vector3 gap = sum - this->Sum;
     this->Sum = sum;
-    return Dot(gap, gap) <= this->Settled * this->Settled;
+    return this->Contradictions == 0 && !this->IsOff &&
+      Dot(gap, gap) <= this->Settled * this->Settled;
   }
 
   const HeldPrimitives& Held;
@@ -372,6 +409,8 @@ private:
   Vector3 Row[MostConditions];
   double Wanted[MostConditions] = {};
   int Conditions = 0;
+  int Contradictions = 0;
+  bool IsOff = false; ///< a force that yields is not along its place
   Vector3 Multiplier;
   Vector3 Sum;
   Vector3 Yielding; ///< the sum of the forces of those that do not hold

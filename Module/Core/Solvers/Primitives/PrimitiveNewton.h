@@ -14,8 +14,9 @@
  * - is a plane that is left: its force is 0.
  *
  * If that is known, Newton's method with the conditions of those that hold finds w: in one step if
- * no line or point yields, and in a few else. If the result contradicts what was assumed, it was
- * not known.
+ * no line or point yields, and in a few else. The directions of the forces that yield are unknowns
+ * beside w: so it also ends in a few steps if they yield by little. What the result contradicts is
+ * corrected, some times; a result counts only if nothing contradicts it.
  *
  * More than three conditions are met only if all primitives that hold have one anchor. Then w is
  * known, and forces that add up to it are not unique. Forces s_i P_i m, with P_i the projection
