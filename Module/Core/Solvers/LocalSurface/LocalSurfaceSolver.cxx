@@ -17,7 +17,7 @@ constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
 /** Half the distance over which V's slope is measured, and the longest carry (voxels). */
 constexpr double CarryStep = 0.25;
-constexpr double LongestCarry = 1.0;
+constexpr double LongestFollow = 1.0;
 constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
 constexpr int MostSlips = 16;
@@ -184,7 +184,8 @@ Vector3 FindCarry(
   const ValuePair sides = now.Values(there, step);
   const double carry = -2.0 * CarryStep * change / (sides.Ahead - sides.Behind);
   // Also for a slope of 0.
-  const double length = std::isfinite(carry) ? std::clamp(carry, -LongestCarry, LongestCarry) : 0.0;
+  const double length =
+    std::isfinite(carry) ? std::clamp(carry, -LongestFollow, LongestFollow) : 0.0;
   return baked.IndexToWorld.Linear * (there - index) + (length / voxels) * normal;
 }
 

@@ -17,7 +17,7 @@ enum class HoldState : std::uint8_t
   IsLeft
 };
 
-constexpr int MostNewtonSteps = 6;
+constexpr int MostBalanceSteps = 6;
 constexpr int MostConditions = 3;
 constexpr int MostRounds = 6;
 /** Of a strength, so that forces that were cut to it count as such. */
@@ -210,7 +210,7 @@ private:
   /** Newton's steps; false if what was assumed is not so. */
   bool Step() noexcept
   {
-    for (int step = 0; step < MostNewtonSteps; ++step)
+    for (int step = 0; step < MostBalanceSteps; ++step)
     {
       Matrix3 slope;
       this->FindYielding(slope);
