@@ -25,7 +25,7 @@ using servotest::Eventually;
 inline const Numbers Rest = { 0.0, 0.0, 0.172 }; ///< start of a session
 inline const Numbers Middle = { 0.0, 0.0, 0.125 };
 
-inline bool IsNear(const Numbers& a, const Numbers& b, double distance)
+inline bool AreClose(const Numbers& a, const Numbers& b, double distance)
 {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < distance;
 }
@@ -54,7 +54,7 @@ protected:
   void LeadTo(const Numbers& place, double distance = 0.001)
   {
     this->Falcon.SetAim(place);
-    ASSERT_TRUE(Eventually([&] { return IsNear(this->Falcon.GetGrip(), place, distance); }));
+    ASSERT_TRUE(Eventually([&] { return AreClose(this->Falcon.GetGrip(), place, distance); }));
   }
   bool IsAt(DeviceStage stage)
   {
@@ -94,7 +94,7 @@ protected:
   {
     return this->Push(force,
       [&] {
-        return IsNear(this->Falcon.GetForce(), { force.X, force.Y, force.Z }, 0.05);
+        return AreClose(this->Falcon.GetForce(), { force.X, force.Y, force.Z }, 0.05);
       });
   }
   /** Whatever the servo gives, over so many packets; not the one that may be on its way already. */

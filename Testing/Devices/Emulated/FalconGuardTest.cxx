@@ -38,7 +38,7 @@ protected:
   }
   bool Presses()
   {
-    return Eventually([&] { return IsNear(this->Falcon.GetForce(), { 0.0, 0.0, 2.0 }, 0.05); });
+    return Eventually([&] { return AreClose(this->Falcon.GetForce(), { 0.0, 0.0, 2.0 }, 0.05); });
   }
   void MarkEnd()
   {

@@ -83,7 +83,7 @@ TEST_F(FalconListing, TwoAtOnce)
   for (const double z : { 0.1735, 0.08, 0.1735 })
   {
     other.SetAim({ 0.0, 0.0, z });
-    ASSERT_TRUE(Eventually([&] { return IsNear(other.GetGrip(), { 0.0, 0.0, z }, 0.001); }));
+    ASSERT_TRUE(Eventually([&] { return AreClose(other.GetGrip(), { 0.0, 0.0, z }, 0.001); }));
   }
   EXPECT_TRUE(Eventually([&] { return second->GetCondition().Stage == DeviceStage::Ready; }));
   EXPECT_TRUE(this->Push({ 1.0, 0.0, 0.0 },
@@ -92,8 +92,8 @@ TEST_F(FalconListing, TwoAtOnce)
       DeviceSample sample;
       second->Read(0.001, sample);
       second->Write({ 0.0, -1.0, 0.0 });
-      return IsNear(this->Falcon.GetForce(), { 1.0, 0.0, 0.0 }, 0.05) &&
-        IsNear(other.GetForce(), { 0.0, -1.0, 0.0 }, 0.05);
+      return AreClose(this->Falcon.GetForce(), { 1.0, 0.0, 0.0 }, 0.05) &&
+        AreClose(other.GetForce(), { 0.0, -1.0, 0.0 }, 0.05);
     }));
 }
 

@@ -47,11 +47,11 @@ protected:
     this->Falcon.SetAim({ x, y, Middle - beyond });
     EXPECT_TRUE(Eventually(
       [&] {
-        return IsNear(this->Falcon.GetGrip(), { x, y, Middle + Radius - depth }, 1e-4);
+        return AreClose(this->Falcon.GetGrip(), { x, y, Middle + Radius - depth }, 1e-4);
       }))
       << this->Falcon.GetGrip()[2] << " instead of " << Middle + Radius - depth;
     const Numbers force{ 0.0, 0.0, Stiffness * depth };
-    EXPECT_TRUE(Eventually([&] { return IsNear(this->Falcon.GetForce(), force, 0.06); }))
+    EXPECT_TRUE(Eventually([&] { return AreClose(this->Falcon.GetForce(), force, 0.06); }))
       << this->Falcon.GetForce()[2] << " N instead of " << force[2] << ". " << this->GetText();
   }
   /** No command was ever into the wall. */
