@@ -13,7 +13,8 @@
 # benchmarks print their ratios, and the evaluation its whole table.
 #
 # Without --full, it ends within 25 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
-# clang-tidy, the sanitizers or the fuzzer would not end by then, it says loudly that it leaves them out.
+# clang-tidy, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then, it says
+# loudly that it leaves them out.
 #
 # Tests of devices, screens and packages wait more than they compute: while they run, the next ones are built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -25,7 +26,7 @@ build_dir=$root/build/test
 for argument in "$@"; do
   case $argument in
     --full) full=yes ;;
-    -h | --help) sed -n '5,20s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    -h | --help) sed -n '5,21s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
     -*) echo "$0: unknown option $argument; try --help" >&2; exit 2 ;;
     *) build_dir=$argument ;;
   esac
@@ -148,7 +149,7 @@ build_paraview()
 # With less optimisation it compiles in half the time, but GCC then warns of a variable that is set.
 build_wheel()
 {
-  if [ $full = no ]; then
+  if [ "$full" = no ]; then
     export SKBUILD_CMAKE_DEFINE="CMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
     set -- -Wno-maybe-uninitialized
   fi
@@ -227,16 +228,19 @@ if fits 20 "clang-tidy"; then
   # shellcheck disable=SC2086 # words
   "$root/Testing/lint.sh" $tidy || status=$?
 fi
-planned=$later
-sanitize=no
-if fits 50 "the address and undefined-behaviour sanitizers"; then
-  sanitize=yes
-  if [ $full = yes ]; then
-    start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON
-  else
-    # Its tests meet no service of a device.
-    start sanitize build asan "$build_dir-sanitize" VolumeHapticsSanitizerTests -DVolumeHaptics_USE_BEAST=OFF
+# Whatever the machine, the servo with its safety stage and force gate runs under the sanitizers.
+planned=$((later + build_seconds * 45 / 100))
+sanitized='^VolumeHaptics[.]Core[.]Servo'
+if [ $full = yes ]; then
+  start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON
+else
+  target=VolumeHapticsSafetyTests
+  if fits 15 "the address and undefined-behaviour sanitizers, but for the servo"; then
+    target=VolumeHapticsSanitizerTests
+    sanitized='^VolumeHaptics[.](Core|Devices)[.]'
   fi
+  # Its tests meet no service of a device.
+  start sanitize build asan "$build_dir-sanitize" $target -DVolumeHaptics_USE_BEAST=OFF
 fi
 if [ $paraview = yes ]; then
   echo "== Tests of ParaView's plugin in $plugin_dir"
@@ -244,33 +248,35 @@ if [ $paraview = yes ]; then
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
 fi
 
-planned=0
-if [ $sanitize = yes ]; then
-  finish sanitize
-  echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
-  if [ $full = yes ]; then
-    start thread build tsan "$build_dir-thread" VolumeHapticsThreadTests
-    run_tests "$build_dir-sanitize" "$jobs" -LE package || status=$?
-  else
-    start thread build tsan "$build_dir-thread" VolumeHapticsLoopTests -DVolumeHaptics_USE_BEAST=OFF
-    run_tests "$build_dir-sanitize" "$jobs" -R '^VolumeHaptics[.](Core|Devices)[.]' || status=$?
-  fi
-  finish thread
+finish sanitize
+echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
+if [ $full = yes ]; then
+  start thread build tsan "$build_dir-thread" VolumeHapticsThreadTests
+  run_tests "$build_dir-sanitize" "$jobs" -LE package || status=$?
+else
+  start thread build tsan "$build_dir-thread" VolumeHapticsLoopTests -DVolumeHaptics_USE_BEAST=OFF
+  run_tests "$build_dir-sanitize" "$jobs" -R "$sanitized" || status=$?
 fi
+finish thread
 
-if [ $sanitize = yes ] && fits 20 "the thread sanitizer and the fuzzer"; then
+planned=$((build_seconds * 5 / 100))
+fuzz=no
+if fits 20 "the fuzzer"; then
+  fuzz=yes
   start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz" $fuzz_options
-  echo "== Tests with the thread sanitizer in $build_dir-thread"
-  export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
-  if [ $full = yes ]; then
-    # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
-    run_tests "$build_dir-thread" "$jobs" \
-      -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Recording|Scene|Session|Setup|Work)[.])' ||
-      status=$?
-  else
-    run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
-  fi
-  unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
+fi
+echo "== Tests with the thread sanitizer in $build_dir-thread"
+export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
+if [ $full = yes ]; then
+  # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
+  run_tests "$build_dir-thread" "$jobs" \
+    -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Recording|Scene|Session|Setup|Work)[.])' ||
+    status=$?
+else
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
+fi
+unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
+if [ $fuzz = yes ]; then
   finish fuzz
   echo "== Fuzzing"
   "$root/Testing/Fuzz/fuzz.sh" search "$build_dir-fuzz" "$([ $full = yes ] && echo 300 || echo 10)"
