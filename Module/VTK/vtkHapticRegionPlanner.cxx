@@ -9,9 +9,11 @@
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "Core/Solvers/Precise/FarSide.h"
 #include "VTK/Baking/HapticFunctions.h"
+#include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/WholeFacts.h"
 
+#include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -102,6 +104,38 @@ double FindSpring(vtkVolumeHapticsFilter* filter)
   }
   return std::min(longest, LongestSpring);
 }
+
+/** The longest spring of the method PRIMITIVES: all modes pull the same way, as much as they can. */
+double FindModeSpring(vtkVolumeHapticsFilter* filter)
+{
+  double force = 0.0; // N
+  for (int i = 0; i < filter->GetNumberOfModes(); ++i)
+  {
+    vtkHapticMode* const mode = filter->GetMode(i);
+    if (!mode->GetActive())
+    {
+      continue;
+    }
+    if (mode->IsA("vtkHapticSurfaceMode"))
+    {
+      return LongestSpring; // its materials have stiffness of their own
+    }
+    for (const ModeFunction& function : FindModeKind(mode).Functions)
+    {
+      double most = function.Default;
+      vtkPiecewiseFunction* const strength = function.Get(mode);
+      for (int n = 0; n < strength->GetSize(); ++n)
+      {
+        double node[4];
+        strength->GetNodeValue(n, node);
+        most = n == 0 ? node[1] : std::max(most, node[1]);
+      }
+      force += most;
+    }
+  }
+  const double spring = force / filter->GetCouplingStiffness();
+  return spring < LongestSpring ? spring : LongestSpring; // also of 0 N/m
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -152,10 +186,18 @@ void vtkHapticRegionPlanner::UseSettingsOf(vtkVolumeHapticsFilter* filter)
   const int method = filter->GetMethod();
   const bool isSurface = method == vtkVolumeHapticsFilter::SURFACE_PROXY ||
     method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
-  const double spring = isSurface ? LongestSpring : FindSpring(filter);
+  const bool hasModes = method == vtkVolumeHapticsFilter::PRIMITIVES;
+  const double spring = isSurface ? LongestSpring
+    : hasModes                    ? FindModeSpring(filter)
+                                  : FindSpring(filter);
   this->SetSpringLength(spring / this->MetersPerWorldUnit);
   double voxels = radius + ResidencySpare;
-  if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
+  if (hasModes)
+  {
+    // See Residency.cxx: a derivative's step, and the way that a push may lead.
+    voxels += 1.0 + ModeWay;
+  }
+  else if (method == vtkVolumeHapticsFilter::LOCAL_SURFACE)
   {
     // See Residency.cxx: the corners of the cube in which a surface is searched for, and the reach
     // of its curvature.

@@ -3,6 +3,7 @@
 #include "vtkVolumeHapticsAlgorithm.h"
 
 #include "VTK/Baking/HapticMethods.h"
+#include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
@@ -56,6 +57,13 @@ vtkMTimeType vtkVolumeHapticsAlgorithm::GetMTime()
 //------------------------------------------------------------------------------
 void vtkVolumeHapticsAlgorithm::AddMode(vtkHapticMode* mode)
 {
+  if (mode && !VolumeHaptics::HasModeKind(mode))
+  {
+    vtkErrorMacro("A " << mode->GetClassName()
+                       << " can't be felt and is not added: derive it from "
+                          "one of the module's modes, such as vtkHapticVectorFollowMode.");
+    return;
+  }
   if (mode && std::find(this->Modes.begin(), this->Modes.end(), mode) == this->Modes.end())
   {
     this->Modes.emplace_back(mode);

@@ -324,6 +324,10 @@ def test_ome_zarr_has_a_coarser_level_that_stands_in(zarr):
     assert (own.GetSpacing(), own.GetOrigin()) == ((2.0, 2.0, 2.0), (7.5, 8.5, 9.5))
     assert open_large("bed.zarr", level=-1).GetCoarseImage() is None
     assert open_large("bed.zarr", coarse=False).GetCoarseImage() is None
+    del zarr.opened["1"]  # only the finest level was copied
+    assert open_large("bed.zarr").GetCoarseImage() is None
+    with pytest.raises(ValueError, match="has no array 1"):
+        open_large("bed.zarr", level=1)
 
 
 def test_a_coarse_array_lies_on_the_fine_one():

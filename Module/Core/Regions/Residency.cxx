@@ -5,7 +5,6 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "Core/Solvers/Precise/FarSide.h"
-#include "Core/Solvers/Primitives/PrimitiveFollower.h"
 #include "Core/Solvers/ServoState.h"
 
 namespace VolumeHaptics
@@ -45,9 +44,7 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
   const Vector3 values = aside * model.VoxelsPerMeter + spare;
   if (settings.Method == HapticMethod::Primitives)
   {
-    // A push, or a line that bends, may lead off the box of proxy and tip.
-    constexpr double way = 0.25 * PrimitiveFollower::MostSteps;
-    return Most(values, kernel + Vector3{ 1.0, 1.0, 1.0 }) + Vector3{ way, way, way };
+    return Most(values, kernel + Vector3{ 1.0, 1.0, 1.0 }) + Vector3{ ModeWay, ModeWay, ModeWay };
   }
   if (isProxy && settings.Solver == HapticSolver::Precise &&
     settings.Placement == MaterialPlacement::FarSide)

@@ -20,6 +20,7 @@
 #define Residency_h
 
 #include "Core/Math/Vector3.h"
+#include "Core/Solvers/Primitives/PrimitiveFollower.h"
 
 namespace VolumeHaptics
 {
@@ -31,6 +32,8 @@ struct ServoState;
  * tip and proxy, and one more.
  */
 constexpr double ResidencySpare = 3.0;
+/** How far (voxels) a push of a mode, or a line that bends, may lead off the box of proxy and tip. */
+constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
 
 /**
  * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.

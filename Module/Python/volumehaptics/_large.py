@@ -171,6 +171,20 @@ class _Level(NamedTuple):
     origin: Sequence[float] | None = None
 
 
+def _open_dataset(group: Any, path: str, scales: dict, dataset: dict) -> _Level:
+    if dataset["path"] not in group:
+        raise ValueError(f"{path} has no array {dataset['path']}, which is one of its levels: it may not have been "
+                         "copied. Cure: copy it, or open another level")
+    array = group[dataset["path"]]
+    axes = len(array.shape)
+    names = [one["name"] if isinstance(one, dict) else one for one in scales.get("axes", "tczyx"[-axes:])]
+    if axes < 3 or [name.lower() for name in names[-3:]] != ["z", "y", "x"]:
+        raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones")
+    steps = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
+    scale, translation = _scale_and_translation(steps, axes)
+    return _Level(_Volume(array, (0,) * (axes - 3)), scale[:-4:-1], translation[:-4:-1])
+
+
 def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
     """The levels of an OME-Zarr group from the wanted one on, to the coarsest."""
     attributes = dict(group.attrs)
@@ -183,14 +197,12 @@ def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
         raise ValueError(f"{path} has {len(datasets)} levels, from 0 on, and none of number {level}")
     levels = []
     for dataset in datasets[level % len(datasets):]:
-        array = group[dataset["path"]]
-        axes = len(array.shape)
-        names = [one["name"] if isinstance(one, dict) else one for one in scales[0].get("axes", "tczyx"[-axes:])]
-        if axes < 3 or [name.lower() for name in names[-3:]] != ["z", "y", "x"]:
-            raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones")
-        steps = [*dataset.get("coordinateTransformations", []), *scales[0].get("coordinateTransformations", [])]
-        scale, translation = _scale_and_translation(steps, axes)
-        levels.append(_Level(_Volume(array, (0,) * (axes - 3)), scale[:-4:-1], translation[:-4:-1]))
+        try:
+            levels.append(_open_dataset(group, path, scales[0], dataset))
+        except (KeyError, ValueError):
+            if not levels:
+                raise
+            break  # of coarser levels, those that can be opened are good enough
     return levels
 
 

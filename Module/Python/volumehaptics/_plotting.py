@@ -199,7 +199,9 @@ def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume
     """What shows a volume that is larger than memory; itself if nothing does."""
     shown = [actor for actor in plotter.actors.values() if isinstance(actor, vtkVolume)]
     if not shown and large.GetCoarseImage() is not None:
-        return plotter.add_volume(large.GetCoarseImage())
+        import pyvista
+
+        return plotter.add_volume(pyvista.wrap(large.GetCoarseImage()))
     return shown[0] if len(shown) == 1 else large
 
 

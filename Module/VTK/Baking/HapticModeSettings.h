@@ -102,7 +102,9 @@ struct ModeKindRow
 };
 
 const std::vector<ModeKindRow>& GetModeKinds();
-/** The kind of a mode. */
+/** Whether a mode is of one of these kinds, and not of a class of somebody else. */
+bool HasModeKind(vtkHapticMode* mode);
+/** The kind of a mode that has one. */
 const ModeKindRow& FindModeKind(vtkHapticMode* mode);
 
 /** Prints the settings that all kinds have, for PrintSelf. */

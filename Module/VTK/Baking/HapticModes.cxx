@@ -214,6 +214,7 @@ private:
     std::vector<GuidePath::Line> lines;
     if (path && path->GetNumberOfLines() > 0)
     {
+      const vtkIdType points = path->GetPoints() ? path->GetNumberOfPoints() : 0;
       vtkCellArray* const cells = path->GetLines();
       vtkIdType count = 0;
       const vtkIdType* ids = nullptr;
@@ -223,6 +224,13 @@ private:
         lines.emplace_back();
         for (vtkIdType i = 0; i < count; ++i)
         {
+          if (ids[i] < 0 || ids[i] >= points)
+          {
+            this->Message << "A line of the path of a vtkHapticGuideMode has the point " << ids[i]
+                          << ", but the path has " << points
+                          << " points. Correct it, or give the mode another one with SetPath().";
+            return false;
+          }
           lines.back().push_back(PointOf(path, ids[i]));
         }
       }
@@ -295,6 +303,13 @@ const std::vector<ModeKindRow>& GetModeKinds()
   return *kinds;
 }
 
+bool HasModeKind(vtkHapticMode* mode)
+{
+  const auto& kinds = GetModeKinds();
+  return std::any_of(kinds.begin(), kinds.end(),
+    [mode](const ModeKindRow& kind) { return mode->IsA(ClassOf(kind).c_str()); });
+}
+
 const ModeKindRow& FindModeKind(vtkHapticMode* mode)
 {
   const auto& kinds = GetModeKinds();
@@ -307,6 +322,10 @@ void PrintMode(std::ostream& os, vtkIndent indent, vtkHapticMode* mode)
 {
   PrintSettings(os, indent, mode, ModeTexts);
   PrintSettings(os, indent, mode, ModeSettings);
+  if (!HasModeKind(mode))
+  {
+    return;
+  }
   for (const ModeFunction& function : FindModeKind(mode).Functions)
   {
     os << indent << function.Name << ":\n";

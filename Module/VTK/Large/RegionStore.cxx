@@ -140,7 +140,8 @@ void RegionStore::WriteFacts(vtkImageData* image) const
 
 bool RegionStore::Holds(const BoxExtent& region, const double tip[3]) const
 {
-  return this->Planner->FindRoom(tip, region.data()) >= 0.0;
+  // The longest spring may ask for more than a region of so many samples ever has.
+  return this->Planner->FindRoom(tip, region.data()) + this->Planner->GetSpringLength() >= 0.0;
 }
 
 void RegionStore::Show(RegionSamples&& region, bool standsIn)

@@ -108,7 +108,7 @@ private:
   bool TakeRegion(const double tip[3], double interval);
   /** Makes a region of the coarse level if the resident one lacks samples for the tip. */
   bool FollowStandIn(const double tip[3]);
-  /** Whether a region has all samples for a tip. */
+  /** Whether a region has all samples for a hand that presses no deeper than the tip is. */
   bool Holds(const BoxExtent& region, const double tip[3]) const;
   void Show(RegionSamples&& region, bool standsIn);
   void MeasureVelocity(const double tip[3], double time);

@@ -26,6 +26,8 @@ namespace
 
 /** Some ten milliseconds of meshing. */
 constexpr vtkIdType MostMeshedSamples = 1 << 20;
+/** Of fewer samples, the mesh of the whole comes nearly as soon, and sooner without that of a part. */
+constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 
 vtkIdType CountTuples(const int extent[6])
 {
@@ -147,7 +149,8 @@ std::optional<SurfaceRegion> RegionMesher::Follow(
   const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
   vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
   // Where a given surface is missing can't be told: it has no regions.
-  if (!scalars.Array || filter->GetInputDataObject(2, 0))
+  if (!scalars.Array || filter->GetInputDataObject(2, 0) ||
+    image->GetNumberOfPoints() < LeastWholeSamples)
   {
     return std::nullopt;
   }

@@ -88,6 +88,11 @@ public:
 
   /** Whether a task was begun, and End() was not called since. */
   bool IsBegun() const { return this->Current != nullptr; }
+  /** Whether it was begun by this process, and not by one that this one was forked from. */
+  bool IsOurs() const
+  {
+    return this->Current && this->Current->Process == ServoClock::GetProcess();
+  }
   /** Whether the task has returned; what it wrote can be read. */
   bool HasReturned() const;
   /** Waits until the task has returned, or for some seconds; returns whether it has. */
@@ -106,7 +111,6 @@ private:
 
     void Do() noexcept;
   };
-  bool IsOurs() const { return this->Current->Process == ServoClock::GetProcess(); }
 
   std::unique_ptr<Run> Current;
 };
@@ -175,8 +179,14 @@ public:
     this->Of.reset();
   }
 
-  /** Whether a result is being made, or work that was abandoned still ends. */
-  bool IsUnderWay() const { return this->Work.IsBegun() && !this->Work.HasReturned(); }
+  /**
+   * Whether a result is being made, or work that was abandoned still ends. Not the work of a process
+   * that this one was forked from: it never ends here.
+   */
+  bool IsUnderWay() const
+  {
+    return this->Work.IsBegun() && this->Work.IsOurs() && !this->Work.HasReturned();
+  }
   /** Waits until no result is being made, or for some seconds; returns whether none is. */
   bool WaitFor(double seconds) const
   {

@@ -38,7 +38,8 @@ TEST(ServoMemory, AMappedVolumeStaysInItsFile)
     ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > ticks + 50; }));
     EXPECT_LT(file.Resident(), file.Size / 10) << "no more than what the tip has read";
     const std::size_t locked = LockedBytes() - before;
-    EXPECT_LT(locked, std::size_t{ 24 } << 20);
+    // The ring of 2^14 ticks, of some 1.2 kB each, is most of it.
+    EXPECT_LT(locked, std::size_t{ 32 } << 20);
     const bool granted = loop->GetLockedMemory() == ServoLoop::Privilege::Granted;
     EXPECT_TRUE(!granted || !CanLock || locked > sizeof(ServoLoop)) << locked << " bytes";
   }

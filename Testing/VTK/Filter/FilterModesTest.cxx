@@ -9,6 +9,7 @@
 #include "Rigs/ApiRig.h"
 #include "Rigs/TimeSource.h"
 
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkHapticGuideMode.h>
@@ -399,6 +400,15 @@ TEST_F(FilterModes, BadInputGivesOneErrorWithItsCure)
   this->ExpectError({ "vtkHapticGuideMode", "no path", "SetPath()" });
   guide->SetPath(MakePath({ { 0, 0, 0 }, { NAN, 0, 0 } }));
   this->ExpectError({ "vtkHapticGuideMode", "not finite", "SetPath()" });
+  const vtkNew<vtkPolyData> cut; // of points that are not there any more
+  const vtkNew<vtkCellArray> line;
+  line->InsertNextCell({ 0, 1 });
+  cut->SetLines(line);
+  guide->SetPath(cut);
+  this->ExpectError({ "vtkHapticGuideMode", "has 0 points", "SetPath()" });
+  cut->SetPoints(MakePath({ { 0, 0, 0 } })->GetPoints());
+  guide->Modified();
+  this->ExpectError({ "vtkHapticGuideMode", "has the point 1", "SetPath()" });
   guide->SetPath(MakePath({ { 0, 0, 0 }, { 5, 5, 5 } }));
   this->Run(51);
   for (int i = 0; i < 3; ++i)

@@ -209,7 +209,9 @@ TEST_F(RegionSource, ThatIsLateHasACoarseImageThatIsFeltByHalf)
     << Length(this->Device->GetForce()) << " N, of " << whole;
   this->Reader->IsOpen = true;
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
-  EXPECT_TRUE(this->WaitForce());
+  // A contact that faded out in between, on a busy machine, begins anew.
+  ASSERT_TRUE(this->Lead(1300.0, 1000.0, 998.0));
+  this->Press(1300.0);
   this->ExpectNoStep();
   EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
 }

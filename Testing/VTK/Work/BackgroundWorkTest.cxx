@@ -210,7 +210,8 @@ TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
   if (child == 0)
   {
     alarm(30);
-    const bool isQuiet = !work->WaitFor(0.01) && !work->Follow(1, gate.Make("one"));
+    const bool isQuiet =
+      !work->IsUnderWay() && !work->WaitFor(0.01) && !work->Follow(1, gate.Make("one"));
     work.reset();
     Work own;
     gate.IsOpen = true;
