@@ -174,9 +174,9 @@ build_seconds=$SECONDS
 build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
   -DVolumeHaptics_BUILD_BENCHMARKS="$benchmarks" -DCMAKE_UNITY_BUILD=$unity "$cache"
 build_seconds=$((SECONDS - build_seconds))
-planned=$((build_seconds * 110 / 100)) # its tests
+planned=$((build_seconds * (105 + 30) / 100)) # its tests, and the servo under the sanitizers
 wheel=no
-if fits 55 "the wheel"; then
+if fits 30 "the wheel"; then
   wheel=yes
   start wheel build_wheel
 fi
@@ -194,9 +194,8 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
-# Of the planned tests, 50 % of the build's time have run; the sanitizers, which go before ParaView's plugin, take 70 %.
-planned=$((planned + build_seconds * (70 - 50) / 100))
-if [ $paraview = yes ] && ! fits 75 "ParaView's plugin"; then
+planned=$((planned - build_seconds * 45 / 100)) # the tests that have run
+if [ $paraview = yes ] && ! fits 65 "ParaView's plugin"; then
   paraview=no
 fi
 [ $paraview = no ] || start paraview build_paraview
@@ -223,13 +222,13 @@ if [ $paraview = yes ]; then
   finish paraview
   later=$((build_seconds * 40 / 100))
 fi
-planned=$later
-if fits 20 "clang-tidy"; then
+planned=$((later + build_seconds * 30 / 100))
+if fits 10 "clang-tidy"; then
   # shellcheck disable=SC2086 # words
   "$root/Testing/lint.sh" $tidy || status=$?
 fi
 # Whatever the machine, the servo with its safety stage and force gate runs under the sanitizers.
-planned=$((later + build_seconds * 45 / 100))
+planned=$((later + build_seconds * 30 / 100))
 sanitized='^VolumeHaptics[.]Core[.]Servo'
 if [ $full = yes ]; then
   start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON

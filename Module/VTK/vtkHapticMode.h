@@ -91,8 +91,8 @@ public:
   ///@{
   /**
    * The axes along which the components of the array stand. WORLD (default): those of the world, as
-   * ParaView takes them. IMAGE: those along which the image's indices grow; with a negative spacing,
-   * that is against the column of the direction matrix.
+   * ParaView takes them. IMAGE: those of the image, turned by its direction matrix.
+   * With a negative spacing an axis points to where the index grows.
    */
   vtkSetClampMacro(Axes, int, WORLD, IMAGE);
   vtkGetMacro(Axes, int);
