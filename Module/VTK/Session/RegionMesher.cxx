@@ -26,7 +26,7 @@ namespace
 
 /** Some ten milliseconds of meshing. */
 constexpr vtkIdType MostMeshedSamples = 1 << 20;
-/** Of fewer samples, the mesh of the whole comes nearly as soon, and sooner without that of a part. */
+/** Of fewer samples, the whole is meshed nearly as soon, and sooner without a part beside it. */
 constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 
 vtkIdType CountTuples(const int extent[6])
