@@ -105,7 +105,7 @@ double FindSpring(vtkVolumeHapticsFilter* filter)
   return std::min(longest, LongestSpring);
 }
 
-/** The longest spring of the method PRIMITIVES: all modes pull the same way, as much as they can. */
+/** The longest spring of PRIMITIVES: all modes pull the same way, as much as they can. */
 double FindModeSpring(vtkVolumeHapticsFilter* filter)
 {
   double force = 0.0; // N

@@ -32,7 +32,7 @@ struct ServoState;
  * tip and proxy, and one more.
  */
 constexpr double ResidencySpare = 3.0;
-/** How far (voxels) a push of a mode, or a line that bends, may lead off the box of proxy and tip. */
+/** How far (voxels) a push of a mode, or a line that bends, leads off the box of proxy and tip. */
 constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
 
 /**

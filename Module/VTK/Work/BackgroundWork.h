@@ -180,8 +180,8 @@ public:
   }
 
   /**
-   * Whether a result is being made, or work that was abandoned still ends. Not the work of a process
-   * that this one was forked from: it never ends here.
+   * Whether a result is being made, or work that was abandoned still ends. Not the work of a
+   * process that this one was forked from: it never ends here.
    */
   bool IsUnderWay() const
   {
