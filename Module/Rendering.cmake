@@ -10,9 +10,11 @@ set(VolumeHaptics_RENDERING_CLASSES
   vtkHapticFunctionEditor
   vtkHapticHeadUpDisplay
   vtkHapticRepresentation
+  vtkHapticXRController
   vtkInteractorStyleHaptic)
 set(VolumeHaptics_RENDERING_ROOMS # in Module/VTK
   Charts
+  Headset
   Scene)
 set(VolumeHaptics_RENDERING_MODULES # of VTK
   ChartsCore
@@ -20,6 +22,7 @@ set(VolumeHaptics_RENDERING_MODULES # of VTK
   InteractionStyle
   RenderingContext2D
   RenderingOpenGL2
+  RenderingOpenXR
   RenderingVolume
   glad
   glew)

@@ -229,6 +229,7 @@ vtkHapticDevicePartMacro(vtkImageData*, GetFrameImage, (), Models.GetFrameImage(
 vtkHapticDevicePartMacro(double, GetFrameTime, (), Models.GetFrameTime());
 
 vtkHapticDevicePartMacro(void, SetVirtualButtons, (int buttons), Tip.SetButtons(buttons));
+vtkHapticDevicePartMacro(double, TakeVibration, (), Session.TakeVibration());
 
 //------------------------------------------------------------------------------
 #define vtkHapticDeviceStateMacro(type, name, value)          \

@@ -44,7 +44,8 @@
  * announces values that were changed in place; what was being found out about them begins again.
  *
  * Positions are in world units and forces in newtons along the world's axes, unless stated.
- * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "replay:FILE" plays back a
+ * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "vibration:xr" is led in the
+ * same way, and says how strongly to vibrate: see TakeVibration. "replay:FILE" plays back a
  * recording (.vtp or .csv), tick by tick. Real ones are those of vtkHapticHardware. A real device
  * that is not homed opens at once and waits for the hand, as GetStatusText tells; Arm is refused
  * until it is ready. When it is unplugged, stops answering, loses its zero, or the computer was
@@ -276,6 +277,14 @@ public:
   void SetVirtualTipOrientation(double w, double x, double y, double z);
   void SetVirtualTipOrientation(const double wxyz[4]) VTK_SIZEHINT(4);
   ///@}
+
+  /**
+   * How strongly the device "vibration:xr" is to vibrate: the largest amplitude since the last
+   * call, 0 to 1. The program leads its tip as that of the virtual device, and makes what the hand
+   * holds vibrate; call this in each frame. vtkHapticXRController does both for the controllers of
+   * a headset. 0 for other devices, and while the servo stands still.
+   */
+  double TakeVibration();
 
   /**
    * Simulate the virtual device and the hand that holds it: m x'' = f + handStiffness (lead - x) -

@@ -62,7 +62,8 @@ allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
 set(device_basis Core/Math Core/Model/ForceCaps.h Core/Servo)
 # The list of kinds names each kind.
 allow(Devices/Common ${device_basis} Devices/Falcon/FalconKind.h Devices/Haply/HaplyKind.h Devices/Hfab/HfabKind.h
-  Devices/Pad/PadKind.h Devices/Pid/PidKind.h Devices/SpaceMouse/SpaceMouseKind.h Devices/Vendor/VendorKind.h Devices/WoodenHaptics/WoodenKind.h)
+  Devices/Pad/PadKind.h Devices/Pid/PidKind.h Devices/SpaceMouse/SpaceMouseKind.h Devices/Vendor/VendorKind.h Devices/WoodenHaptics/WoodenKind.h
+  Devices/Xr/XrKind.h)
 allow(Devices/Transport/Usb ${device_basis} Devices/Common)
 allow(Devices/Transport/Hid ${device_basis} Devices/Common)
 allow(Devices/Transport/Serial ${device_basis})
@@ -78,11 +79,13 @@ allow(Devices/WoodenHaptics ${device_basis} Devices/Common Devices/Transport/Hid
 allow(Devices/Vendor ${device_basis} Devices/Common)
 allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
+allow(Devices/Xr ${device_basis} Devices/Common Devices/Pad Devices/Virtual)
 
 allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers VTK/Work)
 allow(VTK/Proposal Core/Math Core/Field Core/Proposal VTK/Baking)
 allow(VTK/Files)
 allow(VTK/Labels VTK/Files)
+allow(VTK/Headset VTK/Files)
 allow(VTK/Large Core/Math Core/Field Core/Model Core/Regions Core/Solvers Core/Servo/ServoClock.h VTK/Baking VTK/Files VTK/Work)
 allow(VTK/Trace Core VTK/Baking VTK/Files)
 allow(VTK/Recording Core VTK/Files VTK/Trace)

@@ -10,6 +10,7 @@
 #include "Devices/SpaceMouse/SpaceMouseKind.h"
 #include "Devices/Vendor/VendorKind.h"
 #include "Devices/WoodenHaptics/WoodenKind.h"
+#include "Devices/Xr/XrKind.h"
 
 namespace VolumeHaptics
 {
@@ -64,6 +65,7 @@ std::vector<DeviceKind> GetBuiltInKinds()
 #else
   kinds.push_back(WithoutLibrary("vibration", "hidapi", "VolumeHaptics_USE_HIDAPI"));
 #endif
+  kinds.push_back(GetXrKind());
 #if defined(VOLUME_HAPTICS_HAS_TERMIOS)
   kinds.push_back(GetHfabKind());
 #endif

@@ -47,7 +47,8 @@ struct DeviceListing
 
 struct DeviceKind
 {
-  std::string Name; ///< letters only; no two kinds have the same
+  /// Letters only, and no two kinds have the same. A built-in one may be the id of its only device.
+  std::string Name;
   std::function<std::vector<DeviceListing>()> List;
   /** A back end for an id of this kind, not open yet. Null, with the reason and the cure. */
   std::function<std::unique_ptr<DeviceBackend>(

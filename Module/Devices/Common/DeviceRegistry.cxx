@@ -89,14 +89,21 @@ std::vector<DeviceObstacle> ListMissingKinds()
 std::unique_ptr<DeviceBackend> MakeDevice(
   const std::string& id, const DeviceOptions& options, std::string& error)
 {
-  const std::string name = id.substr(0, id.find(':'));
+  const std::vector<DeviceKind> kinds = CopyKinds();
   std::string known = "\"virtual\", \"replay:FILE\"";
-  for (const DeviceKind& kind : CopyKinds())
+  // A kind of one device only may have its whole id as its name, beside others that begin alike.
+  for (const std::string& name : { id, id.substr(0, id.find(':')) })
   {
-    if (kind.Name == name)
+    for (const DeviceKind& kind : kinds)
     {
-      return kind.Make(id, options, error);
+      if (kind.Name == name)
+      {
+        return kind.Make(id, options, error);
+      }
     }
+  }
+  for (const DeviceKind& kind : kinds)
+  {
     known += ", \"" + kind.Name + "\"";
   }
   error = "There is no device \"" + id + "\": the kinds are " + known +

@@ -75,8 +75,7 @@ bool EvdevRumble::Show(const VibrationLevels& levels) noexcept
   const bool isSilent = pair.Strong == 0 && pair.Weak == 0;
   const bool isSame = pair.Strong == this->Sent.Strong && pair.Weak == this->Sent.Weak;
   const double age = ServoClock::SecondsSince(this->SentAt);
-  const bool isDue = isSame ? !isSilent && age >= RenewTime : isSilent || age >= SendPeriod;
-  return !isDue || this->Send(pair);
+  return !Vibration::IsDue(isSame, isSilent, age) || this->Send(pair);
 }
 
 bool EvdevRumble::Silence() noexcept

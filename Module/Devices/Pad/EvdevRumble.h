@@ -5,9 +5,9 @@
  * The motors of a gamepad through the kernel's force feedback (ff.rst of its documentation of
  * input).
  *
- * An effect lasts for ReplayLength and is renewed after RenewTime, so that the motors stop if this
- * process stands still. If its node is closed, by whatever end of the process, the kernel erases
- * the effect, which stops them (evdev_release or, before Linux 5.7, evdev_flush, then
+ * An effect lasts for ReplayLength and is renewed after Vibration::RenewTime, so that the motors
+ * stop if this process stands still. If its node is closed, by whatever end of the process, the
+ * kernel erases the effect, which stops them (evdev_release or, before Linux 5.7, evdev_flush, then
  * flush_effects in ff-core.c).
  *
  * New levels change the effect and start it again at once. Only its start makes the kernel know
@@ -27,10 +27,8 @@ namespace VolumeHaptics
 class EvdevRumble
 {
 public:
-  static constexpr int ReplayLength = 150;   ///< ms
-  static constexpr double RenewTime = 0.05;  ///< s
-  static constexpr double SendPeriod = 0.01; ///< s, between changes; silence does not wait
-  static constexpr int Steps = 255;          ///< of a motor's level: as fine as pads take it
+  static constexpr int ReplayLength = static_cast<int>(Vibration::ReplayTime * 1e3 + 0.5); ///< ms
+  static constexpr int Steps = 255; ///< of a motor's level: as fine as pads take it
 
   /** For a node that is open, with the full gain. False if it holds no effects. */
   bool Begin(int node) noexcept;

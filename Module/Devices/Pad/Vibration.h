@@ -55,6 +55,13 @@ public:
   /** Below this share motors of pads do not turn: they get nothing. */
   static constexpr double Least = 0.04;
 
+  ///@{
+  /** s, for devices on which what was sent ends by itself after ReplayTime. */
+  static constexpr double ReplayTime = 0.15;
+  static constexpr double RenewTime = 0.05;
+  static constexpr double SendPeriod = 0.01; ///< between changes; silence does not wait
+  ///@}
+
   /**
    * The force (N) has been the same for a time (s). One that is not finite, or beyond 1e6 N, is
    * silence.
@@ -65,6 +72,14 @@ public:
 
   /** A level as a number of 0 to `steps`; 0 below Least. */
   static int Quantize(double level, int steps) noexcept;
+  /**
+   * Whether to send levels, `age` (s) after the last ones. Silence and others are sent as they come
+   * and at most every SendPeriod; levels that stay are renewed.
+   */
+  static bool IsDue(bool isSame, bool isSilent, double age) noexcept
+  {
+    return isSame ? !isSilent && age >= RenewTime : isSilent || age >= SendPeriod;
+  }
 
 private:
   Vector3 Fast;

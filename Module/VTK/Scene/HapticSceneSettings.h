@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay and vtkInteractorStyleHaptic, one
- * row each: see HapticSetting.h.
+ * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticXRController and
+ * vtkInteractorStyleHaptic, one row each: see HapticSetting.h.
  */
 #ifndef HapticSceneSettings_h
 #define HapticSceneSettings_h
@@ -12,6 +12,7 @@
 
 #include "vtkHapticHeadUpDisplay.h"
 #include "vtkHapticRepresentation.h"
+#include "vtkHapticXRController.h"
 #include "vtkInteractorStyleHaptic.h"
 
 namespace VolumeHaptics
@@ -19,6 +20,7 @@ namespace VolumeHaptics
 
 using RepresentationSetting = HapticSetting<vtkHapticRepresentation>;
 using DisplaySetting = HapticSetting<vtkHapticHeadUpDisplay>;
+using XRControllerSetting = HapticSetting<vtkHapticXRController>;
 using StyleSetting = HapticSetting<vtkInteractorStyleHaptic>;
 
 namespace RepresentationSettingRows
@@ -64,6 +66,20 @@ inline constexpr DisplaySetting All[] = {
 };
 } // namespace DisplaySettingRows
 
+inline constexpr SettingChoice HandNames[] = { { "Left", "Left" }, { "Right", "Right" } };
+
+namespace XRControllerSettingRows
+{
+using Owner = vtkHapticXRController;
+
+inline constexpr XRControllerSetting All[] = {
+  HapticChoiceMacro(Hand, Owner::RIGHT, NotBaked,
+    "The hand whose controller leads the tip, Left or Right (default)."),
+  HapticNumberMacro(Reach, 0.0, 1.0, 0.05, "m", NotBaked,
+    "How far the tip is in front of the controller (m), 0 to 1. Default 0.05."),
+};
+} // namespace XRControllerSettingRows
+
 namespace StyleSettingRows
 {
 using Owner = vtkInteractorStyleHaptic;
@@ -84,6 +100,7 @@ inline constexpr StyleSetting All[] = {
 
 inline constexpr const auto& RepresentationSettings = RepresentationSettingRows::All;
 inline constexpr const auto& DisplaySettings = DisplaySettingRows::All;
+inline constexpr const auto& XRControllerSettings = XRControllerSettingRows::All;
 inline constexpr const auto& StyleSettings = StyleSettingRows::All;
 
 } // namespace VolumeHaptics

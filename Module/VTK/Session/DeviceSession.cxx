@@ -50,6 +50,8 @@ bool DeviceSession::Open(const std::string& id, const DeviceOptions& options, st
   else
   {
     this->Backend = MakeDevice(id, options, error);
+    this->Xr = dynamic_cast<XrDevice*>(this->Backend.get());
+    this->Virtual = this->Xr;
   }
   if (!this->Backend || !this->Backend->Open(error))
   {
@@ -116,6 +118,7 @@ void DeviceSession::Close()
     this->Backend.reset();
   }
   this->Virtual = nullptr;
+  this->Xr = nullptr;
   this->RoundTrip.Reset();
   ++this->Opening;
   // The order to arm is for this device, not for the next one.

@@ -11,6 +11,7 @@
 #include "Devices/Common/DeviceKind.h"
 #include "Devices/Common/DeviceMemory.h"
 #include "Devices/Virtual/VirtualDevice.h"
+#include "Devices/Xr/XrDevice.h"
 #include "VTK/Session/DeviceStatus.h"
 #include "VTK/Session/ServoThreads.h"
 #include "VTK/Trace/HapticTraceFiles.h"
@@ -47,8 +48,10 @@ public:
   {
     return this->Backend ? this->Backend->GetLimits() : DeviceLimits{};
   }
-  /** The back end if it is the virtual one; else null. */
+  /** The back end if the program leads its tip; else null. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
+  /** See vtkHapticDevice::TakeVibration. */
+  double TakeVibration() { return this->Xr ? this->Xr->TakeAmplitude() : 0.0; }
 
   ///@{
   /**
@@ -210,6 +213,7 @@ private:
   std::string MemoryTrouble;
   int Opening = 0;
   VirtualDevice* Virtual = nullptr;
+  XrDevice* Xr = nullptr; ///< then it is Virtual, too
   bool IsReplay = false;
   RecordedTips Replay;
   std::unique_ptr<ServoThreads> Servo;

@@ -15,6 +15,7 @@ TEST(SceneSettings, HeadersHaveTheDefaultsAndKeepTheRanges)
 {
   ExpectHeadersBehave<vtkHapticRepresentation>(RepresentationSettings);
   ExpectHeadersBehave<vtkHapticHeadUpDisplay>(DisplaySettings);
+  ExpectHeadersBehave<vtkHapticXRController>(XRControllerSettings);
   ExpectHeadersBehave<vtkInteractorStyleHaptic>(StyleSettings);
 }
 
@@ -26,6 +27,9 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
   std::vector<std::string> display = Names(DisplaySettings);
   display.emplace_back("Notice"); // a text
   ExpectRows("vtkHapticHeadUpDisplay", display);
+  std::vector<std::string> controller = Names(XRControllerSettings);
+  controller.emplace_back("ActionName"); // a text
+  ExpectRows("vtkHapticXRController", controller);
   ExpectRows("vtkInteractorStyleHaptic", Names(StyleSettings));
 }
 
@@ -33,5 +37,6 @@ TEST(SceneSettings, CommentsOfTheHeadersBeginWithTheDocumentation)
 {
   ExpectComments("vtkHapticRepresentation", RepresentationSettings);
   ExpectComments("vtkHapticHeadUpDisplay", DisplaySettings);
+  ExpectComments("vtkHapticXRController", XRControllerSettings);
   ExpectComments("vtkInteractorStyleHaptic", StyleSettings);
 }

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Controllers of headsets, "vibration:xr". Vibration, not force.
+ *
+ * The back end needs no library: it is opened whether or not a program can reach a headset. What a
+ * program needs for that is said here, since the user looks for it in the list of devices.
+ */
+#ifndef XrKind_h
+#define XrKind_h
+
+#include "Devices/Common/DeviceKind.h"
+
+namespace VolumeHaptics
+{
+
+DeviceKind GetXrKind();
+
+/**
+ * The file of the OpenXR runtime that the loader of OpenXR takes on Linux: that of XR_RUNTIME_JSON,
+ * else openxr/1/active_runtime.json in the folders of XDG_CONFIG_HOME and XDG_CONFIG_DIRS, or in
+ * /etc. Empty if there is none.
+ */
+std::string FindXrRuntime();
+
+/**
+ * What is missing, and the cure; empty if nothing is. `hasModule`: this library was built with
+ * VTK's module RenderingOpenXR.
+ */
+std::string WhyNoXr(bool hasModule, const std::string& runtime);
+
+} // namespace VolumeHaptics
+
+#endif
