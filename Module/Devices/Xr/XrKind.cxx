@@ -22,7 +22,7 @@ constexpr bool HasXrModule = false;
 #endif
 
 /** The value of a variable of the environment; the other text if it is missing or empty. */
-std::string ReadVariable(const char* name, const std::string& other)
+std::string ReadXdgVariable(const char* name, const std::string& other)
 {
   const char* const value = std::getenv(name);
   return value && *value ? value : other;
@@ -53,7 +53,7 @@ std::string WhyNoXrHere()
 
 std::string FindXrRuntime()
 {
-  const std::string named = ReadVariable("XR_RUNTIME_JSON", "");
+  const std::string named = ReadXdgVariable("XR_RUNTIME_JSON", "");
   std::vector<std::string> files;
   if (!named.empty())
   {
@@ -61,10 +61,10 @@ std::string FindXrRuntime()
   }
   else
   {
-    const std::string home = ReadVariable("HOME", "");
+    const std::string home = ReadXdgVariable("HOME", "");
     std::istringstream folders(
-      ReadVariable("XDG_CONFIG_HOME", home.empty() ? home : home + "/.config") + ":" +
-      ReadVariable("XDG_CONFIG_DIRS", "/etc/xdg") + ":/etc");
+      ReadXdgVariable("XDG_CONFIG_HOME", home.empty() ? home : home + "/.config") + ":" +
+      ReadXdgVariable("XDG_CONFIG_DIRS", "/etc/xdg") + ":/etc");
     for (std::string folder; std::getline(folders, folder, ':');)
     {
       files.push_back(folder + "/openxr/1/active_runtime.json");
