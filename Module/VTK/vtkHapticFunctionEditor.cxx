@@ -5,12 +5,11 @@
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticFunctionChart.h"
 #include "VTK/Charts/HapticLabelSheet.h"
-#include "VTK/Proposal/EdgeHistogram.h"
+#include "VTK/Proposal/FunctionSearch.h"
 #include "VTK/Proposal/HapticProposal.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"
-#include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -63,7 +62,8 @@ struct vtkHapticFunctionEditor::vtkInternals
   int Held = 0;     // the button, between press and release
   int CanDraw = -1; // not known yet
   bool IsCounting = false;
-  bool IsProposing = false;
+  bool WaitsForProposal = false;
+  VolumeHaptics::FunctionSearch Search;
   vtkSmartPointer<vtkHapticProperty> Proposal; // not taken yet
   vtkSmartPointer<vtkTable> Boundaries;        // that the chart shows
   vtkTimeStamp EdgeTime;
@@ -73,6 +73,7 @@ struct vtkHapticFunctionEditor::vtkInternals
   {
     this->Chart.EndCountUnless(this->Image);
     this->Labels.List.EndOtherCount();
+    this->Search.EndUnless(this->Image);
   }
 
   int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
@@ -82,6 +83,36 @@ struct vtkHapticFunctionEditor::vtkInternals
   {
     vtkHapticProperty* const any = this->Proposal ? this->Proposal : this->Property;
     return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
+  }
+
+  /** What the edges are looked for in; shows its histogram first. */
+  VolumeHaptics::SearchedData GetSearched()
+  {
+    this->Chart.ShowData(this->Image, this->GetComponent());
+    VolumeHaptics::SearchedData data;
+    data.Image = this->Image;
+    data.Component = this->GetComponent();
+    std::copy_n(this->Chart.GetDataRange(), 2, data.Values);
+    return data;
+  }
+
+  /** Shows what was found; returns whether there is a proposal. */
+  bool Show(const VolumeHaptics::FoundFunctions& found)
+  {
+    if (found.Proposal)
+    {
+      this->Proposal = vtkSmartPointer<vtkHapticProperty>::New();
+      VolumeHaptics::FillFromProposal(*found.Proposal, this->Proposal);
+      this->ShowEdges(found.Edges);
+    }
+    return found.Proposal.has_value();
+  }
+
+  void ShowEdges(const VolumeHaptics::EdgeHistogram& edges)
+  {
+    this->Boundaries = this->GetProposed()->GetProposedBoundaries();
+    this->EdgeTime.Modified();
+    this->Chart.ShowEdges(edges, this->Boundaries);
   }
 
   /** From the display to the viewport. */
@@ -265,60 +296,100 @@ vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
 //------------------------------------------------------------------------------
 double vtkHapticFunctionEditor::EstimateUpdateTime()
 {
-  auto& d = *this->Internals;
-  if (this->Function == LABELS && !d.IsProposing)
-  {
-    return 0.0;
-  }
   constexpr double proposing = 1.0; // s, measured on a desktop computer of 2023
-  vtkHapticProperty* const proposed = d.GetProposed();
-  return (d.IsProposing ? proposing : 0.0) +
-    (this->ShowsEdges() || !proposed
-        ? 0.0
-        : VolumeHaptics::EstimateEdgeTime(proposed->GetProposedKernelRadius()));
+  return this->Internals->WaitsForProposal ? proposing : 0.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkHapticFunctionEditor::GetCountedShare()
 {
   const auto& d = *this->Internals;
-  return this->Function == LABELS ? d.Labels.List.GetCountedShare() : d.Chart.GetCountedShare();
+  const double counted =
+    this->Function == LABELS ? d.Labels.List.GetCountedShare() : d.Chart.GetCountedShare();
+  return std::min(counted, d.Search.GetProgress());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::CanPropose()
+{
+  const auto& d = *this->Internals;
+  const bool isComplete = d.Property && d.Image && !d.IsCounting;
+  if (!isComplete)
+  {
+    vtkErrorMacro("There is nothing to propose functions from: call SetProperty and SetInputData.");
+  }
+  return isComplete;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::Propose()
 {
   auto& d = *this->Internals;
-  if (!d.Property || !d.Image || d.IsCounting)
+  if (!this->CanPropose())
   {
-    vtkErrorMacro("There is nothing to propose functions from: call SetProperty and SetInputData.");
     return false;
   }
   const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
-  const vtkSmartPointer<vtkImageData> image(d.Image);
-  VolumeHaptics::MaterialProposal proposal;
-  std::string error;
-  bool isThere = false;
-  d.IsProposing = true;
+  d.Search.Drop();
+  VolumeHaptics::FoundFunctions found;
+  d.WaitsForProposal = true;
   d.DoLongWork(this,
     [&]
     {
-      isThere = VolumeHaptics::ProposeFromVolume(image, d.GetComponent(), proposal, error);
-      if (isThere)
+      found = VolumeHaptics::FunctionSearch::FindNow(d.GetSearched());
+      if (d.Show(found))
       {
-        d.Proposal = vtkSmartPointer<vtkHapticProperty>::New();
-        VolumeHaptics::FillFromProposal(proposal, d.Proposal);
-        d.Chart.ShowData(d.Image, d.GetComponent());
-        this->UpdateEdges();
         this->Modified();
       }
-      d.IsProposing = false;
+      d.WaitsForProposal = false;
     });
-  if (!isThere)
+  if (!found.Proposal)
+  {
+    vtkErrorMacro(<< found.Error);
+  }
+  return found.Proposal.has_value();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::BeginProposal()
+{
+  auto& d = *this->Internals;
+  if (!this->CanPropose())
+  {
+    return false;
+  }
+  std::string error;
+  if (!d.Search.IsUnderWay() && !d.Search.Begin(d.GetSearched(), error))
   {
     vtkErrorMacro(<< error);
+    return false;
   }
-  return isThere;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::IsProposing()
+{
+  return this->Internals->Search.IsUnderWay();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::FollowProposal()
+{
+  auto& d = *this->Internals;
+  if (!d.Search.IsUnderWay())
+  {
+    return;
+  }
+  if (const auto found = d.Search.Follow(d.GetSearched()))
+  {
+    this->Modified();
+    if (!d.Show(*found))
+    {
+      vtkErrorMacro(<< found->Error);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -345,9 +416,11 @@ bool vtkHapticFunctionEditor::TakeProposal()
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::DropProposal()
 {
-  const bool isThere = std::exchange(this->Internals->Proposal, nullptr) != nullptr;
+  auto& d = *this->Internals;
+  const bool isThere = std::exchange(d.Proposal, nullptr) != nullptr || d.Search.IsUnderWay();
   if (isThere)
   {
+    d.Search.Drop();
     this->Modified();
   }
   return isThere;
@@ -364,26 +437,24 @@ bool vtkHapticFunctionEditor::ShowsEdges()
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticFunctionEditor::UpdateEdges()
+void vtkHapticFunctionEditor::FollowEdges()
 {
   auto& d = *this->Internals;
   vtkHapticProperty* const proposed = d.GetProposed();
-  d.Boundaries = proposed ? proposed->GetProposedBoundaries() : nullptr;
-  d.EdgeTime.Modified();
-  if (!proposed)
+  if (this->ShowsEdges())
   {
-    d.Chart.HideEdges();
     return;
   }
-  constexpr double room = 1.25;
-  VolumeHaptics::EdgeHistogram histogram;
-  std::copy_n(d.Chart.GetDataRange(), 2, histogram.Values);
-  double range[2];
-  vtkDataArray::SafeDownCast(d.Boundaries->GetColumnByName("Slope"))->GetRange(range);
-  histogram.MostSlope = room * range[1];
-  VolumeHaptics::CountEdges(
-    d.Image, d.GetComponent(), proposed->GetProposedKernelRadius(), histogram);
-  d.Chart.ShowEdges(histogram, d.Boundaries);
+  if (!proposed)
+  {
+    d.Boundaries = nullptr;
+    d.Chart.HideEdges();
+  }
+  else if (const VolumeHaptics::EdgeHistogram* const edges = d.Search.FollowEdges(d.GetSearched(),
+             proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius()))
+  {
+    d.ShowEdges(*edges);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -403,15 +474,12 @@ void vtkHapticFunctionEditor::Update()
       d.DoLongWork(this, [&d] { d.Labels.List.Count(); });
     }
   }
-  else if (!d.Chart.ShowsData(d.Image, d.GetComponent()) || !this->ShowsEdges())
+  else if (!d.Chart.ShowsData(d.Image, d.GetComponent()))
   {
-    d.DoLongWork(this,
-      [&]
-      {
-        d.Chart.ShowData(d.Image, d.GetComponent());
-        this->UpdateEdges();
-      });
+    d.DoLongWork(this, [&] { d.Chart.ShowData(d.Image, d.GetComponent()); });
   }
+  this->FollowProposal();
+  this->FollowEdges();
 }
 
 //------------------------------------------------------------------------------
@@ -427,6 +495,7 @@ void vtkHapticFunctionEditor::UpdateChart()
   vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
   d.Chart.Place(this->Rectangle);
   const auto get = Choices[this->Function].Get;
+  d.Chart.NoteSearch(d.Search.GetProgress());
   d.Chart.ShowProposed(d.Proposal && get ? (d.Proposal.Get()->*get)() : nullptr);
   if (vtkHapticProperty* const felt = d.GetProposed())
   {

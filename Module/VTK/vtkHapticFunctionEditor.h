@@ -152,12 +152,18 @@ public:
    * false, with an error, if there is no property, or nothing to propose; the work takes about a
    * second, between vtkCommand::StartEvent and vtkCommand::EndEvent.
    *
+   * BeginProposal does the same in the background, so that a hand can go on to feel. It returns at
+   * once; false, with an error, if there is no property or no volume. Update() shows the proposal
+   * when it is there, or tells in an error why there is none; until then IsProposing is true.
+   *
    * TakeProposal makes the proposal the property's functions and surface side, and invokes
    * vtkCommand::InteractionEvent; the kernel's radius that suits it is
    * vtkHapticProperty::GetProposedKernelRadius. TakeProposal and DropProposal return whether there
-   * was a proposal.
+   * was a proposal; DropProposal also ends the search for one.
    */
   bool Propose();
+  bool BeginProposal();
+  bool IsProposing();
   bool HasProposal();
   bool TakeProposal();
   bool DropProposal();
@@ -203,14 +209,14 @@ public:
   /**
    * Update computes the histogram, or for LABELS the list, again if the data have changed, and
    * invokes vtkCommand::StartEvent before and vtkCommand::EndEvent after that. Mouse events and
-   * rendering also call it. EstimateUpdateTime returns how long (s) it will take on a desktop
-   * computer, approximately: only edges and proposals take time. If that is long,
+   * rendering also call it. EstimateUpdateTime returns how long (s) the work takes on a desktop
+   * computer, approximately: only that of Propose() takes time. If that is long,
    * vtkInteractorStyleHaptic fades the force out first.
    *
    * Histogram and list of a large image (more than 4 million points) are those of spread samples at
-   * first. All values are looked at in the background; the next Update() after that shows them.
-   * GetCountedShare returns the share of the values that is counted (0 to 1), and
-   * vtkInteractorStyleHaptic draws the editor as long as it grows.
+   * first. All values are looked at in the background, and so are edges; the next Update() after
+   * that shows them. GetCountedShare returns the share of the work in the background that is done
+   * (0 to 1), and vtkInteractorStyleHaptic draws the editor as long as it grows.
    */
   void Update();
   double EstimateUpdateTime();
@@ -286,7 +292,9 @@ private:
 
   void UpdateChart();
   bool ShowsEdges();
-  void UpdateEdges();
+  bool CanPropose();
+  void FollowProposal();
+  void FollowEdges();
   bool Send(int event, int button, int x, int y);
 
   struct vtkInternals;

@@ -70,9 +70,11 @@ vtkStringArray* vtkHapticProperty::GetPresetNames()
 //------------------------------------------------------------------------------
 bool vtkHapticProperty::ProposeFromImage(vtkImageData* image)
 {
+  VolumeHaptics::ProposalInput input;
   VolumeHaptics::MaterialProposal proposal;
   std::string error;
-  if (!VolumeHaptics::ProposeFromVolume(image, this->Component, proposal, error))
+  if (!VolumeHaptics::ReadProposalInput(image, this->Component, input, error) ||
+    !VolumeHaptics::ProposeFromVolume(input, {}, proposal, error))
   {
     vtkErrorMacro(<< error);
     return false;

@@ -178,7 +178,8 @@ public:
   /**
    * Fill all five functions, in place, and set the surface side from the edges of an image, for
    * data of any unit: see Documentation/materials.md. Looks at about a million voxels of the active
-   * point scalars' Component, which takes about a second whatever the image's size.
+   * point scalars' Component, which takes about a second whatever the image's size; where a hand is
+   * not to wait for that, vtkHapticFunctionEditor::BeginProposal does it in the background.
    *
    * The values on both sides of the edges become materials of one stiffness, told apart by strength
    * (3 N for the largest rise; 12 N for one that lies behind another material), friction and drag.

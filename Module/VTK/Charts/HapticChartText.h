@@ -36,10 +36,11 @@ inline void MakePanel(vtkBlockItem* panel)
 }
 
 /** Such as ", 40 % counted"; empty if all is. */
-inline std::string DescribeCountedShare(double share)
+inline std::string DescribeShare(double share, const char* done)
 {
   constexpr double percent = 100.0;
-  return share < 1.0 ? ", " + std::to_string(static_cast<int>(percent * share)) + " % counted" : "";
+  return share < 1.0 ? ", " + std::to_string(static_cast<int>(percent * share)) + " % " + done
+                     : std::string();
 }
 
 } // namespace VolumeHaptics

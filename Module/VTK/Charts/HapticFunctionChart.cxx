@@ -236,7 +236,8 @@ void HapticFunctionChart::ShowFunction(
   this->Points->SetVisible(function != nullptr);
   const std::string touched = function ? this->Points->DescribeCurrentPoint() : std::string();
   const std::string note = (this->ProposedFunction ? std::string(", dashed: proposed") : "") +
-    DescribeCountedShare(this->GetCountedShare());
+    DescribeShare(this->GetCountedShare(), "counted") +
+    DescribeShare(this->SearchedShare, "searched");
   this->Chart->SetTitle(quantity.Title + (touched.empty() ? note : ": " + touched));
   if (function && !dragged)
   {

@@ -91,6 +91,9 @@ public:
   /** Shows a second, dashed function, or none. */
   void ShowProposed(vtkPiecewiseFunction* proposed) { this->ProposedFunction = proposed; }
 
+  /** Tells the share of a search for functions or edges that is done; 1: there is none. */
+  void NoteSearch(double share) { this->SearchedShare = share; }
+
   /** The range of the data (scalar units). */
   const double* GetDataRange() const { return this->DataRange; }
 
@@ -135,6 +138,7 @@ private:
   KeyedWork<vtkMTimeType, ValueCounts> Counting;
   bool HasData = false;
   bool HasEdges = false;
+  double SearchedShare = 1.0;
   vtkPiecewiseFunction* ProposedFunction = nullptr;
   double DataRange[2] = { 0.0, 1.0 };
   double Range[2] = { 0.0, 1.0 };

@@ -157,7 +157,7 @@ bool HapticLabelItem::Paint(vtkContext2D* painter)
   }
   PaintText(painter, layout.GetTitle(),
     "Labels (" + std::to_string(labels) + ")" +
-      VolumeHaptics::DescribeCountedShare(list.GetCountedShare()),
+      VolumeHaptics::DescribeShare(list.GetCountedShare(), "counted"),
     Side::Left, font, Ink);
   PaintText(painter, layout.GetHead(LabelPart::Felt), "felt", Side::Middle, font - 1, Ink);
   PaintText(painter, layout.GetHead(LabelPart::Forbidden), "forbid", Side::Middle, font - 1, Ink);

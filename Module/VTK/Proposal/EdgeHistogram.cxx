@@ -6,40 +6,24 @@
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Proposal/EdgeSearch.h"
 
-#include "vtkImageData.h"
-#include "vtkPointData.h"
-#include "vtkSMPTools.h"
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace VolumeHaptics
 {
 namespace
 {
 constexpr std::size_t MostCounted = 200000; // voxels
+/** Some milliseconds of work in the background. */
+constexpr std::size_t CountedAtOnce = 1024;
 
 } // namespace
 
 //------------------------------------------------------------------------------
-double EstimateEdgeTime(int kernelRadius)
-{
-  constexpr double secondsPerTap = 1e-9; // measured on a desktop computer of 2023
-  return secondsPerTap * MostCounted * std::pow(2.0 * kernelRadius + 2.0, 3);
-}
-
-//------------------------------------------------------------------------------
-void CountEdges(vtkImageData* image, int component, int kernelRadius, EdgeHistogram& histogram)
+void CountEdges(
+  const HapticVolume& volume, int kernelRadius, const SearchPart& part, EdgeHistogram& histogram)
 {
   histogram.Shares.clear();
-  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  HapticVolume volume;
-  std::string error;
-  if (!scalars || !ReadVolume(image, scalars, component, kernelRadius, volume, error))
-  {
-    return;
-  }
   const GradientKernel kernel(GradientEstimator::Gaussian, kernelRadius);
   const FieldSampler field(volume.View, kernel);
   const Matrix3 toWorld = Transpose(Inverse(volume.IndexToWorld.Linear));
@@ -64,7 +48,10 @@ void CountEdges(vtkImageData* image, int component, int kernelRadius, EdgeHistog
       }
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), look);
+  if (!LookAtAll(count, CountedAtOnce, part, look))
+  {
+    return;
+  }
   histogram.Shares.assign(EdgeHistogram::Columns * EdgeHistogram::Rows, 0.0);
   for (const int cell : cells)
   {

@@ -9,10 +9,11 @@
 
 #include <vector>
 
-class vtkImageData;
-
 namespace VolumeHaptics
 {
+
+struct HapticVolume;
+struct SearchPart;
 
 struct EdgeHistogram
 {
@@ -29,13 +30,11 @@ struct EdgeHistogram
 };
 
 /**
- * Fills the Shares from some hundred thousand voxels of a component of the scalars, with the
- * gradients of a kernel. Larger gradients do not count.
+ * Fills the Shares from some hundred thousand voxels of a volume, with the gradients of a kernel.
+ * Larger gradients do not count. There are no Shares if it is cancelled.
  */
-void CountEdges(vtkImageData* image, int component, int kernelRadius, EdgeHistogram& histogram);
-
-/** How long that takes, approximately (s). */
-double EstimateEdgeTime(int kernelRadius);
+void CountEdges(
+  const HapticVolume& volume, int kernelRadius, const SearchPart& part, EdgeHistogram& histogram);
 
 } // namespace VolumeHaptics
 

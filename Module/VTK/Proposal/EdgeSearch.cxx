@@ -4,8 +4,6 @@
 
 #include "Core/Field/NoiseEstimate.h"
 
-#include "vtkSMPTools.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +16,11 @@ constexpr std::size_t MostLines = 50000;
 /** Of a large volume: 36 rows of samples are read around each block to estimate its gradients. */
 constexpr std::int64_t MostRows = 512;
 constexpr std::int64_t MostVoxelsInARow = 2048;
+/** Some milliseconds of work in the background. */
+constexpr std::size_t VoxelsAtOnce = 4096;
+constexpr std::size_t LinesAtOnce = 128;
+/** Half of the time of a search looks for steep voxels. */
+constexpr double SteepShare = 0.5;
 
 /** Mixes the bits of a number, as the finalizer of MurmurHash3 (public domain) does. */
 std::uint64_t Scramble(std::uint64_t number)
@@ -108,9 +111,10 @@ std::vector<Vector3> ScatterVoxels(const VolumeView& view)
 }
 
 //------------------------------------------------------------------------------
-std::vector<EdgeLine> FindEdges(
-  const VolumeView& view, const EdgeTracer& tracer, const EdgeThresholds& thresholds)
+std::vector<EdgeLine> FindEdges(const VolumeView& view, const EdgeTracer& tracer,
+  const EdgeThresholds& thresholds, const SearchPart& part)
 {
+  const double middle = part.Begin + SteepShare * (part.End - part.Begin);
   const std::vector<Vector3> voxels = ScatterVoxels(view);
   std::vector<char> isSteep(voxels.size());
   auto look = [&](vtkIdType begin, vtkIdType end)
@@ -120,7 +124,10 @@ std::vector<EdgeLine> FindEdges(
       isSteep[i] = tracer.Slope(voxels[i]) >= thresholds.Least;
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(voxels.size()), look);
+  if (!LookAtAll(voxels.size(), VoxelsAtOnce, { part.Monitor, part.Begin, middle }, look))
+  {
+    return {};
+  }
   std::vector<Vector3> steep;
   for (std::size_t i = 0; i < voxels.size(); ++i)
   {
@@ -139,7 +146,7 @@ std::vector<EdgeLine> FindEdges(
       isEdge[i] = tracer.Trace(steep[i * steep.size() / count], lines[i]);
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), trace);
+  LookAtAll(count, LinesAtOnce, { part.Monitor, middle, part.End }, trace);
   std::vector<EdgeLine> edges;
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The edges of a volume, found at a bounded number of voxels on all cores.
+ * The edges of a volume, found at a bounded number of voxels.
  */
 #ifndef EdgeSearch_h
 #define EdgeSearch_h
 
 #include "Core/Proposal/EdgeLine.h"
+#include "VTK/Proposal/SearchPart.h"
 
 #include <vector>
 
@@ -25,9 +26,12 @@ namespace VolumeHaptics
  */
 std::vector<Vector3> ScatterVoxels(const VolumeView& view);
 
-/** The lines through those of the voxels that stand on an edge; some ten thousand at most. */
-std::vector<EdgeLine> FindEdges(
-  const VolumeView& view, const EdgeTracer& tracer, const EdgeThresholds& thresholds);
+/**
+ * The lines through those of the voxels that stand on an edge; some ten thousand at most. Not all
+ * of them if the search is cancelled.
+ */
+std::vector<EdgeLine> FindEdges(const VolumeView& view, const EdgeTracer& tracer,
+  const EdgeThresholds& thresholds, const SearchPart& part);
 
 } // namespace VolumeHaptics
 

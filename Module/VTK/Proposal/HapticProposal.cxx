@@ -96,12 +96,9 @@ vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal)
 } // namespace
 
 //------------------------------------------------------------------------------
-bool ProposeFromVolume(
-  vtkImageData* image, int component, MaterialProposal& proposal, std::string& error)
+bool ReadProposalInput(vtkImageData* image, int component, ProposalInput& input, std::string& error)
 {
-  std::ostringstream message;
   vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
-  HapticVolume volume;
   if (!scalars)
   {
     error = !image
@@ -111,10 +108,21 @@ bool ProposeFromVolume(
         "point data with vtkCellDataToPointData.";
     return false;
   }
-  if (!ReadVolume(image, scalars, component, SearchRadius, volume, error))
-  {
-    return false;
-  }
+  input.Image = vtkSmartPointer<vtkImageData>::New();
+  input.Image->ShallowCopy(image);
+  input.Component = component;
+  return ReadVolume(image, scalars, component, SearchRadius, input.Volume, error);
+}
+
+//------------------------------------------------------------------------------
+bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
+  MaterialProposal& proposal, std::string& error)
+{
+  std::ostringstream message;
+  vtkImageData* const image = input.Image;
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  const int component = input.Component;
+  const HapticVolume& volume = input.Volume;
   const VolumeView& view = volume.View;
   const std::int64_t* const n = view.Dimensions;
   const std::int64_t fewest = std::min({ n[0], n[1], n[2] });
@@ -155,7 +163,12 @@ bool ProposeFromVolume(
     ProposalFacts facts;
     facts.SearchVariance = MeasureKernelVariance(kernel);
     const EdgeTracer tracer(field, volume.IndexToWorld, facts.SearchVariance, thresholds);
-    const std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds);
+    const std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds, part);
+    if (part.IsCancelled())
+    {
+      error = "The search for functions was cancelled.";
+      return false;
+    }
     const ValueAxis axis(lines, noise);
     facts.Outside = view.BorderValue;
     facts.LargestSpacing = LargestSpacing(volume.IndexToWorld);

@@ -13,6 +13,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <cstring>
 #include <utility>
 
 namespace VolumeHaptics
@@ -22,6 +23,9 @@ namespace
 
 /** The factor by which the keys + and - scale the workspace. */
 constexpr double WorkspaceStep = 1.25;
+
+constexpr const char* ProposingNotice = "Functions are looked for";
+constexpr const char* NoProposalNotice = "No functions can be proposed for this volume";
 
 constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
 
@@ -299,6 +303,7 @@ bool HapticInteraction::PressKey(const std::string& key)
   else if (key == "BackSpace" && scene.Editor)
   {
     scene.Editor->DropProposal();
+    this->EndProposing("");
   }
   else if (!this->Playback.Press(key))
   {
@@ -323,13 +328,53 @@ void HapticInteraction::Propose()
     return;
   }
   editor->VisibilityOn();
-  this->IsProposing = true;
-  const bool isThere = editor->HasProposal() || editor->Propose();
-  this->IsProposing = false;
-  if (!isThere)
+  if (editor->HasProposal())
   {
-    this->Frames.Notify("No functions can be proposed for this volume");
+    return;
   }
+  if (editor->BeginProposal())
+  {
+    this->ProposingEditor = editor;
+    this->IsProposing = true;
+    this->Frames.Notify(ProposingNotice);
+  }
+  else
+  {
+    this->Frames.Notify(NoProposalNotice);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowProposal()
+{
+  const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
+  if (!this->IsProposing)
+  {
+    return;
+  }
+  if (!editor || editor.Get() != this->ProposingEditor.GetPointer())
+  {
+    this->EndProposing("");
+    return;
+  }
+  editor->Update();
+  if (!editor->IsProposing())
+  {
+    this->EndProposing(editor->HasProposal() ? "" : NoProposalNotice);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::EndProposing(const char* notice)
+{
+  vtkHapticHeadUpDisplay* const display = this->Scene.Display;
+  if (std::exchange(this->IsProposing, false) && display &&
+    (*notice || std::strcmp(display->GetNotice(), ProposingNotice) == 0))
+  {
+    display->SetNotice(notice);
+  }
+  this->ProposingEditor = nullptr;
+  this->Frames.NoteEvent();
 }
 
 //------------------------------------------------------------------------------
@@ -359,12 +404,6 @@ void HapticInteraction::ToggleLabels()
       }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-const char* HapticInteraction::GetEditorWork() const
-{
-  return this->IsProposing ? "functions are proposed" : "edges are looked for";
 }
 
 //------------------------------------------------------------------------------
@@ -402,7 +441,7 @@ void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
     if (begins && scene.Device && scene.Editor)
     {
       this->DeviceAtRest = scene.Device;
-      scene.Device->BeginLongWork(this->GetEditorWork(), scene.Editor->EstimateUpdateTime());
+      scene.Device->BeginLongWork("functions are proposed", scene.Editor->EstimateUpdateTime());
     }
     return;
   }
@@ -427,13 +466,14 @@ bool HapticInteraction::NextMethod()
 bool HapticInteraction::UpdateHaptics()
 {
   auto& scene = this->Scene;
+  // Observers of the following events may take any of these away.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   this->Window.Look();
+  this->FollowProposal();
   if (!scene.Device || !scene.Device->IsRunning())
   {
     return false;
   }
-  // Observers of the following events may take any of these away.
-  const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = scene.FindRenderer();
   // Changes go to the servo first, so that they are felt before they are seen.

@@ -20,6 +20,7 @@
 
 #include "vtkNew.h"
 #include "vtkTable.h"
+#include "vtkWeakPointer.h"
 
 #include <functional>
 #include <string>
@@ -97,12 +98,14 @@ public:
 private:
   void LeaveDevice();
   void FollowWork(vtkObject* worker, bool begins);
-  /** Makes a proposal in the editor, or takes the one that it shows. */
+  /** Looks for a proposal in the editor, or takes the one that it shows. */
   void Propose();
+  /** Tells when the search for it has ended. */
+  void FollowProposal();
+  /** Shows a notice, or none, instead of that about the search. */
+  void EndProposing(const char* notice);
   /** Shows the labels in the editor, the touched one selected, or hides the editor. */
   void ToggleLabels();
-  /** The text for the head-up display during the editor's work. */
-  const char* GetEditorWork() const;
 
   FilterPublisher Publisher;
   PlaybackKeys Playback;
@@ -113,6 +116,7 @@ private:
   double Updated = 0.0; ///< the device's time (s) at the last update
   bool EditorHasMouse = false;
   bool IsProposing = false;
+  vtkWeakPointer<vtkHapticFunctionEditor> ProposingEditor;
   vtkNew<vtkCallbackCommand> DisarmObserver;
   vtkNew<vtkCallbackCommand> WorkObserver; ///< observes the device and the editor
   /// the device that has no force while the editor counts

@@ -12,7 +12,10 @@
 #include <vtkDataArray.h>
 #include <vtkHapticFunctionEditor.h>
 #include <vtkHapticHeadUpDisplay.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVariant.h>
 
 #include <cmath>
 #include <random>
@@ -124,6 +127,17 @@ protected:
     return std::any_of(this->Shown.begin(), this->Shown.end(),
       [&](const std::string& text) { return text.find(words) != std::string::npos; });
   }
+  /// The GUI's timer, until the editor has ended its search for functions.
+  bool EndsProposing()
+  {
+    return Eventually(
+      [this]
+      {
+        this->Style->UpdateHaptics();
+        this->Editor->Update();
+        return !this->Editor->IsProposing();
+      });
+  }
   /// The force was off, without a fault, and may flow again.
   void ExpectPause()
   {
@@ -183,33 +197,90 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfASmallVolume)
   EXPECT_FALSE(this->HasShown("Force is off"));
 }
 
-TEST_F(StyleLongWork, AreFunctionsThatProposeThemselves)
+TEST_F(StyleLongWork, IsNotTheSearchForFunctions)
 {
   this->GiveEditorAnEdge();
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   vtkHapticProperty* const property = this->Filter->GetProperty();
   this->Press("p");
-  EXPECT_TRUE(this->HasShown("Force is off while functions are proposed"));
+  EXPECT_TRUE(this->HasShown("Functions are looked for"));
   EXPECT_TRUE(this->Editor->GetVisibility());
+  EXPECT_TRUE(this->Editor->IsProposing()) << "the key waits for nothing";
+  this->Press("p");
+  EXPECT_TRUE(this->Editor->IsProposing()) << "there is nothing to take yet";
+  ASSERT_TRUE(this->EndsProposing());
   EXPECT_TRUE(this->Editor->HasProposal());
+  EXPECT_STREQ(this->Display->GetNotice(), "");
+  EXPECT_EQ(this->Editor->GetCountedShare(), 1.0);
   EXPECT_EQ(property->GetProposedKernelRadius(), 0) << "nothing changes before it is taken";
-  this->ExpectPause();
+  this->Run(20);
+  EXPECT_EQ(this->Works, 0);
+  EXPECT_FALSE(this->HasShown("Force is off"));
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
   this->Press("p");
   EXPECT_FALSE(this->Editor->HasProposal());
   EXPECT_EQ(property->GetProposedKernelRadius(), 5);
   EXPECT_EQ(this->Filter->GetKernelRadius(), 5);
   EXPECT_EQ(property->GetSurfaceStrength()->GetValue(100.0), 12.0);
-  EXPECT_EQ(this->Works, 1) << "to take it is no work";
+  EXPECT_EQ(this->Works, 0) << "to take it is no work";
+}
+
+TEST_F(StyleLongWork, FindsTheSameFunctionsInTheBackground)
+{
+  this->GiveEditorAnEdge();
+  vtkNew<vtkHapticProperty> atOnce;
+  ASSERT_TRUE(atOnce->ProposeFromImage(this->Editor->GetInputData()));
+  ASSERT_TRUE(this->Editor->BeginProposal());
+  ASSERT_TRUE(this->EndsProposing());
+  ASSERT_TRUE(this->Editor->TakeProposal());
+  vtkPiecewiseFunction* const found = this->Filter->GetProperty()->GetSurfaceStrength();
+  vtkPiecewiseFunction* const expected = atOnce->GetSurfaceStrength();
+  ASSERT_EQ(found->GetSize(), expected->GetSize());
+  for (int i = 0; i < found->GetSize(); ++i)
+  {
+    double node[2][4];
+    found->GetNodeValue(i, node[0]);
+    expected->GetNodeValue(i, node[1]);
+    EXPECT_EQ(node[0][0], node[1][0]) << i;
+    EXPECT_EQ(node[0][1], node[1][1]) << i;
+  }
+}
+
+TEST_F(StyleLongWork, LooksForFunctionsAgainIfTheVolumeChanges)
+{
+  this->GiveEditorAnEdge();
+  ASSERT_TRUE(this->Editor->BeginProposal());
+  vtkImageData* const image = this->Editor->GetInputData();
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    scalars->SetTuple1(i, 3.0 * scalars->GetTuple1(i));
+  }
+  scalars->Modified();
+  image->Modified();
+  ASSERT_TRUE(this->EndsProposing());
+  ASSERT_TRUE(this->Editor->TakeProposal());
+  vtkTable* const boundaries = this->Filter->GetProperty()->GetProposedBoundaries();
+  EXPECT_NEAR(boundaries->GetValueByName(0, "High").ToDouble(), 300.0, 3.0);
 }
 
 TEST_F(StyleLongWork, LeavesNoProposalThatIsDropped)
 {
   this->GiveEditorAnEdge();
   this->Press("p");
+  ASSERT_TRUE(this->EndsProposing());
   EXPECT_TRUE(this->Editor->HasProposal());
   this->Press("BackSpace");
   EXPECT_FALSE(this->Editor->HasProposal());
   EXPECT_EQ(this->Filter->GetProperty()->GetProposedBoundaries(), nullptr);
+  this->Press("p");
+  EXPECT_STREQ(this->Display->GetNotice(), "Functions are looked for");
+  this->Press("BackSpace");
+  EXPECT_FALSE(this->Editor->IsProposing());
+  EXPECT_STREQ(this->Display->GetNotice(), "");
+  this->Press("p");
+  this->Editor->SetInputData(nullptr);
+  EXPECT_FALSE(this->Editor->IsProposing());
 }
 
 TEST_F(StyleLongWork, TellsThatThereIsNothingToPropose)
@@ -217,10 +288,17 @@ TEST_F(StyleLongWork, TellsThatThereIsNothingToPropose)
   this->GiveEditorMuch();
   const apitest::MessageLog log(this->Editor);
   this->Press("p");
+  ASSERT_TRUE(this->EndsProposing());
   ASSERT_EQ(log.Errors.size(), 1U);
   EXPECT_NE(log.Errors[0].find("7 everywhere"), std::string::npos);
   EXPECT_FALSE(this->Editor->HasProposal());
-  EXPECT_TRUE(this->HasShown("No functions can be proposed"));
+  EXPECT_STREQ(this->Display->GetNotice(), "No functions can be proposed for this volume");
+  // What can't be looked at is told at once.
+  vtkNew<vtkImageData> empty;
+  this->Editor->SetInputData(empty);
+  EXPECT_FALSE(this->Editor->BeginProposal());
+  ASSERT_EQ(log.Errors.size(), 2U);
+  EXPECT_NE(log.Errors[1].find("no active point scalars"), std::string::npos);
 }
 
 TEST_F(StyleLongWork, IsNotTheMeshOfTheNextMethod)
@@ -320,5 +398,6 @@ TEST_F(StyleLongWork, OfAnEditorEndsWithIt)
     { static_cast<vtkInteractorStyleHaptic*>(style)->SetFunctionEditor(nullptr); });
   this->Editor->AddObserver(vtkCommand::StartEvent, take, -1.0f);
   EXPECT_TRUE(this->Editor->Propose());
+  EXPECT_TRUE(this->HasShown("Force is off while functions are proposed"));
   this->ExpectPause();
 }
