@@ -114,6 +114,27 @@ bool IsInOrder(vtkPolyData* path)
 
 } // namespace
 
+void DividedPoints::Append(const vtkIdType* ids, vtkIdType count)
+{
+  if (this->Points.empty())
+  {
+    vtkIdType same = 0;
+    while (same < count && ids[same] == this->Count + same)
+    {
+      ++same;
+    }
+    if (same == count)
+    {
+      this->Count += count; // as those of most polydata are, which need no list
+      return;
+    }
+    this->Points.resize(static_cast<std::size_t>(this->Count));
+    std::iota(this->Points.begin(), this->Points.end(), vtkIdType(0));
+  }
+  this->Points.insert(this->Points.end(), ids, ids + count);
+  this->Count += count;
+}
+
 bool TipPathLines::IsOfSegments() const
 {
   vtkIdType longest = 0;
@@ -131,7 +152,7 @@ bool TipPathLines::Divide(DividedPoints& divided, std::string& error) const
 {
   vtkPolyData* const path = this->Path;
   const bool isOfSegments = this->IsOfSegments();
-  const double near = path->GetNumberOfPoints() > 0 ? FindRounding(path) : 0.0;
+  const double near = isOfSegments && path->GetNumberOfPoints() > 0 ? FindRounding(path) : 0.0;
   divided = {};
   vtkIdType line = 0;
   bool isAfterSegment = false;
@@ -155,17 +176,17 @@ bool TipPathLines::Divide(DividedPoints& divided, std::string& error) const
       }
       const bool isSegment = isOfSegments && size == 2;
       const bool goesOn =
-        isSegment && isAfterSegment && AreNear(path, divided.Points.back(), ids[0], near);
+        isSegment && isAfterSegment && AreNear(path, divided.GetLast(), ids[0], near);
       if (!goesOn)
       {
-        divided.Begins.push_back(static_cast<vtkIdType>(divided.Points.size()));
+        divided.Begins.push_back(divided.Count);
       }
       // A point that both segments have is one tick.
-      const vtkIdType known = goesOn && divided.Points.back() == ids[0] ? 1 : 0;
-      divided.Points.insert(divided.Points.end(), ids + known, ids + size);
+      const vtkIdType known = goesOn && divided.GetLast() == ids[0] ? 1 : 0;
+      divided.Append(ids + known, size - known);
       isAfterSegment = isSegment;
     });
-  divided.Begins.push_back(static_cast<vtkIdType>(divided.Points.size()));
+  divided.Begins.push_back(divided.Count);
   return error.empty();
 }
 

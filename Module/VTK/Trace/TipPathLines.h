@@ -22,8 +22,13 @@ namespace VolumeHaptics
 /** The points of several paths, one path after another. */
 struct DividedPoints
 {
-  std::vector<vtkIdType> Points;
+  std::vector<vtkIdType> Points; ///< empty if they are 0, 1, 2 ...
   std::vector<vtkIdType> Begins; ///< of each path in Points; then the end of the last one
+  vtkIdType Count = 0;           ///< of all points
+
+  void Append(const vtkIdType* ids, vtkIdType count);
+  /** The point that was appended last. */
+  vtkIdType GetLast() const { return this->Points.empty() ? this->Count - 1 : this->Points.back(); }
 };
 
 /**

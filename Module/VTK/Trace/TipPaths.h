@@ -63,10 +63,11 @@ public:
   public:
     Members(const TipPaths& paths, std::size_t path);
     vtkIdType GetSize() const { return this->Size; }
-    vtkIdType At(vtkIdType i) const { return this->Ids ? this->Ids[i] : i; }
+    vtkIdType At(vtkIdType i) const { return this->Ids ? this->Ids[i] : this->First + i; }
 
   private:
-    const vtkIdType* Ids = nullptr; ///< null if they are all, in order
+    const vtkIdType* Ids = nullptr; ///< null if they follow one another
+    vtkIdType First = 0;
     vtkIdType Size;
   };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TipPathsWalk.h"
 
+#include "Core/Servo/ServoClock.h"
 #include "VTK/Trace/TracePart.h"
 
 #include "vtkSMPTools.h"
@@ -17,11 +18,19 @@ namespace
 {
 
 /** Long enough that handing a stretch to a thread costs nothing beside it. */
-constexpr vtkIdType ShortestStretch = 1000;
-/** So many rounds at most, if the paths are long. */
+constexpr vtkIdType LongestStretch = 1000;
+/** Towards the end of a round, stretches are shorter: all threads wait for the last one. */
+constexpr vtkIdType ShortestStretch = 64;
+/** So many rounds at most, if one path is long. */
 constexpr vtkIdType Rounds = 100;
-/** So many stretches for each thread are in a round: all wait for the last one. */
-constexpr std::size_t StretchesOfAThread = 16;
+/** The least number of rounds of several paths. */
+constexpr vtkIdType LeastRounds = 8;
+/** So many paths for each thread are on their way at a time. */
+constexpr std::size_t RunnersOfAThread = 16;
+/** Ticks for each thread in a round: beginning and ending it costs nothing beside them. */
+constexpr vtkIdType TicksOfAThread = 65536;
+/** No stretch begins later (ns) in a round, so that the caller can stop slow methods, too. */
+constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
 
 bool IsFiniteRecord(const TickRecord& record)
 {
@@ -48,6 +57,7 @@ struct TipPathsWalk::Runner
   TipPathWalk Walk;
   std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
   WorkMeter Work;
+  bool IsTaken = false; ///< by a thread
 };
 
 TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
@@ -58,12 +68,16 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
   , Finder(std::move(finder))
 {
   const std::size_t count = paths.GetNumberOfPaths();
-  const auto threads = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
-  const std::size_t most =
-    this->Finder ? 1 : StretchesOfAThread * std::max<std::size_t>(1, threads);
-  const auto stretches = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, most));
-  this->Stretch = std::max(ShortestStretch, paths.GetNumberOfTicks() / (Rounds * stretches));
-  this->RoundTicks = stretches * this->Stretch;
+  const vtkIdType ticks = paths.GetNumberOfTicks();
+  this->Threads = this->Finder || count == 1
+    ? 1
+    : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->MostRunning = this->Finder ? 1 : RunnersOfAThread * static_cast<std::size_t>(this->Threads);
+  const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
+  this->RoundTicks = this->Threads == 1
+    ? std::max(running * LongestStretch, ticks / Rounds)
+    : std::clamp(ticks / LeastRounds, running * LongestStretch,
+        std::max(running * LongestStretch, this->Threads * TicksOfAThread));
   this->Rows.reserve(count);
   for (std::size_t path = 0; path < count; ++path)
   {
@@ -79,74 +93,118 @@ double TipPathsWalk::GetProgress() const
     static_cast<double>(std::max<vtkIdType>(1, this->Paths.GetNumberOfTicks()));
 }
 
-vtkIdType TipPathsWalk::GetNextStretch(std::size_t path) const
+vtkIdType TipPathsWalk::GetTicksLeft(std::size_t path) const
 {
-  return std::min(this->Stretch, this->Paths.GetNumberOfTicks(path) - this->Rows[path].Count);
+  return this->Paths.GetNumberOfTicks(path) - this->Rows[path].Count;
 }
 
 void TipPathsWalk::Fill()
 {
-  vtkIdType ticks = 0;
-  for (const std::unique_ptr<Runner>& runner : this->Running)
+  for (; this->Running.size() < this->MostRunning && this->NextPath < this->Rows.size();
+       ++this->NextPath)
   {
-    ticks += this->GetNextStretch(runner->Path);
-  }
-  for (; ticks < this->RoundTicks && this->NextPath < this->Rows.size(); ++this->NextPath)
-  {
-    if (const vtkIdType stretch = this->GetNextStretch(this->NextPath); stretch > 0)
+    if (this->GetTicksLeft(this->NextPath) > 0)
     {
       this->Running.push_back(
         std::make_unique<Runner>(this->Paths, this->NextPath, this->Model, this->Finder));
-      ticks += stretch;
     }
+  }
+}
+
+TipPathsWalk::Runner* TipPathsWalk::Take(vtkIdType& stretch)
+{
+  if (this->RoundTicksLeft <= 0 || this->HasFailed || this->Flaw >= 0 ||
+    ServoClock::Now() > this->RoundEnd)
+  {
+    return nullptr;
+  }
+  this->Fill();
+  // The one with the longest way to go: else it would be the last, and alone.
+  Runner* longest = nullptr;
+  vtkIdType left = 0;
+  for (const std::unique_ptr<Runner>& runner : this->Running)
+  {
+    const vtkIdType ticks = runner->IsTaken ? 0 : this->GetTicksLeft(runner->Path);
+    if (ticks > left)
+    {
+      longest = runner.get();
+      left = ticks;
+    }
+  }
+  if (longest)
+  {
+    const vtkIdType share =
+      this->Threads == 1 ? LongestStretch : this->RoundTicksLeft / (2 * this->Threads);
+    stretch = std::min(left, std::clamp(share, ShortestStretch, LongestStretch));
+    this->RoundTicksLeft -= stretch;
+    longest->IsTaken = true;
+  }
+  return longest;
+}
+
+void TipPathsWalk::GiveBack(Runner* runner)
+{
+  runner->IsTaken = false;
+  if (this->GetTicksLeft(runner->Path) == 0)
+  {
+    const auto isIt = [runner](const std::unique_ptr<Runner>& other)
+    { return other.get() == runner; };
+    this->Running.erase(std::find_if(this->Running.begin(), this->Running.end(), isIt));
+  }
+}
+
+void TipPathsWalk::AdvanceStretches()
+{
+  // The mutex also hands over what a stretch changes.
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  vtkIdType stretch = 0;
+  while (Runner* const runner = this->Take(stretch))
+  {
+    lock.unlock();
+    this->Advance(*runner, stretch);
+    lock.lock();
+    this->GiveBack(runner);
   }
 }
 
 void TipPathsWalk::Advance()
 {
-  this->Fill();
-  // Threads take the stretches one by one; these two numbers also hand over what a stretch changes.
-  this->Taken = 0;
-  this->Finished = 0;
+  this->RoundTicksLeft = this->RoundTicks;
+  this->RoundEnd = ServoClock::Now() + RoundTime;
+  if (this->Threads == 1)
+  {
+    // Here: a single path needs no thread, and a finder may throw what no thread of VTK's may.
+    this->AdvanceStretches();
+    return;
+  }
   const auto advance = [this](vtkIdType begin, vtkIdType end)
   {
-    for (vtkIdType i = begin; i < end; ++i)
+    for (vtkIdType thread = begin; thread < end; ++thread)
     {
       try
       {
-        this->Advance(*this->Running[this->Taken++]);
-        ++this->Finished;
+        this->AdvanceStretches();
       }
       catch (const std::bad_alloc&) // which no thread of VTK's may throw
       {
+        const std::lock_guard<std::mutex> lock(this->Mutex);
+        this->HasFailed = true;
       }
     }
   };
-  if (this->Running.size() == 1 || this->Finder)
-  {
-    // Here: a single path needs no thread, and a finder may throw what no thread of VTK's may.
-    advance(0, static_cast<vtkIdType>(this->Running.size()));
-  }
-  else
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Running.size()), 1, advance);
-  }
-  if (this->Finished < this->Running.size())
+  vtkSMPTools::For(0, this->Threads, 1, advance);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->HasFailed)
   {
     throw std::bad_alloc();
   }
-  const auto isThere = [this](const std::unique_ptr<Runner>& runner)
-  { return this->GetNextStretch(runner->Path) == 0; };
-  this->Running.erase(
-    std::remove_if(this->Running.begin(), this->Running.end(), isThere), this->Running.end());
 }
 
-void TipPathsWalk::Advance(Runner& runner)
+void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
 {
   const bool isRecording = this->Paths.GetRecording() != nullptr;
   const bool hasModes = !this->Trace.GetModeForces().empty();
   HapticTrace::Rows& rows = this->Rows[runner.Path];
-  const vtkIdType ticks = this->GetNextStretch(runner.Path);
   TracePart part(this->Trace, rows.First + rows.Count, runner.Work);
   for (vtkIdType i = 0; i < ticks; ++i)
   {

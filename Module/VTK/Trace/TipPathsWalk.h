@@ -13,7 +13,9 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,8 @@ namespace VolumeHaptics
  * all that a tick changes is in the state, so that no method needs to be left out.
  *
  * The paths advance in rounds, between which the caller can report progress and stop. In a round,
- * some paths go on by a stretch each. If a model has to be found for each tick, paths go on one
- * after another, on the calling thread.
+ * threads take stretches of the paths, one by one, until it has had its ticks. If a model has to be
+ * found for each tick, paths go on one after another, on the calling thread.
  */
 class TipPathsWalk
 {
@@ -49,28 +51,35 @@ public:
 
 private:
   struct Runner;
-  /** The ticks by which a path goes on in a round. */
-  vtkIdType GetNextStretch(std::size_t path) const;
-  /** Lets paths begin until a round is full. */
+  vtkIdType GetTicksLeft(std::size_t path) const;
+  ///@{
+  /** Called with the mutex. Fill lets paths begin; Take returns null at the end of the round. */
   void Fill();
-  void Advance(Runner& runner);
+  Runner* Take(vtkIdType& stretch);
+  void GiveBack(Runner* runner);
+  ///@}
+  /** Called by each thread: advances paths until the end of the round. */
+  void AdvanceStretches();
+  void Advance(Runner& runner, vtkIdType ticks);
 
   const TipPaths& Paths;
   const std::shared_ptr<const HapticModel> Model;
   const HapticTrace& Trace;
   const ModelFinder Finder;
-  vtkIdType Stretch;    ///< ticks
-  vtkIdType RoundTicks; ///< of all stretches
-  std::size_t NextPath = 0;
-  std::vector<std::unique_ptr<Runner>> Running;
+  vtkIdType Threads = 1;
+  std::size_t MostRunning = 1;
+  vtkIdType RoundTicks = 0;
   std::vector<HapticTrace::Rows> Rows;
   std::atomic<vtkIdType> TicksDone{ 0 };
-  ///@{
-  /** Stretches of the round. */
-  std::atomic<std::size_t> Taken{ 0 };
-  std::atomic<std::size_t> Finished{ 0 };
-  ///@}
-  vtkIdType Flaw = -1;
+  vtkIdType Flaw = -1; ///< of the one path of a recording
+
+  // Changed with the mutex only.
+  std::mutex Mutex;
+  vtkIdType RoundTicksLeft = 0;
+  std::int64_t RoundEnd = 0; ///< ServoClock
+  std::size_t NextPath = 0;
+  std::vector<std::unique_ptr<Runner>> Running;
+  bool HasFailed = false; ///< for lack of memory
 };
 
 } // namespace VolumeHaptics

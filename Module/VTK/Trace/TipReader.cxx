@@ -17,28 +17,8 @@ TipReader::TipReader(const TipPaths& paths, std::size_t path)
   }
 }
 
-double TipReader::TimeAt(vtkIdType i) const
+Vector3 TipReader::FindPoint()
 {
-  return this->Paths.GetTime(this->Members.At(i));
-}
-
-Vector3 TipReader::PointAt(vtkIdType i) const
-{
-  return this->Paths.GetPoint(this->Members.At(i));
-}
-
-double TipReader::GetTime() const
-{
-  return this->Start + static_cast<double>(this->Tick) * this->Paths.GetPeriod();
-}
-
-Vector3 TipReader::Next()
-{
-  ++this->Tick;
-  if (!this->Paths.HaveTimes())
-  {
-    return this->PointAt(this->Tick);
-  }
   const vtkIdType last = this->Members.GetSize() - 1;
   const double snap = TipPaths::SnapShare * this->Paths.GetPeriod();
   const double time = this->GetTime();

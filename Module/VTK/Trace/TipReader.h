@@ -21,13 +21,22 @@ public:
   TipReader(const TipPaths& paths, std::size_t path);
 
   /** The tip at the next tick (world). There are as many as TipPaths says. */
-  Vector3 Next();
+  Vector3 Next()
+  {
+    ++this->Tick;
+    return this->Paths.HaveTimes() ? this->FindPoint() : this->PointAt(this->Tick);
+  }
   /** Time of the last tick (s). */
-  double GetTime() const;
+  double GetTime() const
+  {
+    return this->Start + static_cast<double>(this->Tick) * this->Paths.GetPeriod();
+  }
 
 private:
-  double TimeAt(vtkIdType i) const;
-  Vector3 PointAt(vtkIdType i) const;
+  /** The point at the time of the tick. */
+  Vector3 FindPoint();
+  double TimeAt(vtkIdType i) const { return this->Paths.GetTime(this->Members.At(i)); }
+  Vector3 PointAt(vtkIdType i) const { return this->Paths.GetPoint(this->Members.At(i)); }
 
   const TipPaths& Paths;
   const TipPaths::Members Members;

@@ -9,8 +9,13 @@
 #include <cstddef>
 #include <iterator>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace VolumeHaptics
 {
@@ -20,9 +25,34 @@ namespace
 /** Stands before the memory of an array, and keeps its alignment. */
 struct alignas(std::max_align_t) BlockHead
 {
+  void* Memory; ///< that operator new gave
   std::size_t Bytes;
   BlockHead* Next; ///< of the spare blocks
 };
+
+/** The size and the alignment (bytes) of a large page. */
+constexpr std::size_t LargePage = std::size_t(2) << 20;
+
+BlockHead* NewBlock(std::size_t bytes)
+{
+  const std::size_t room = bytes < 2 * LargePage ? 0 : LargePage; // to align it
+  std::size_t space = sizeof(BlockHead) + bytes + room;
+  void* const memory = ::operator new(space);
+  void* begin = memory;
+  if (room > 0)
+  {
+    std::align(LargePage, sizeof(BlockHead) + bytes, begin, space);
+#if defined(__linux__)
+    // Else the system gives, clears and takes back each 4 KiB by itself, and the taking back is
+    // done by one thread alone. Refused where large pages are off.
+    (void)madvise(begin, sizeof(BlockHead) + bytes, MADV_HUGEPAGE);
+#endif
+  }
+  auto* const block = static_cast<BlockHead*>(begin);
+  block->Memory = memory;
+  block->Bytes = bytes;
+  return block;
+}
 
 /** The blocks that no array uses. */
 struct SpareBlocks
@@ -73,7 +103,7 @@ void Shrink(SpareBlocks& spare, std::size_t bytes)
   while (block)
   {
     BlockHead* const next = block->Next;
-    ::operator delete(block);
+    ::operator delete(block->Memory);
     block = next;
   }
 }
@@ -107,8 +137,7 @@ void TraceBlocks::Allocate(vtkDataArray* array, vtkIdType tuples)
   BlockHead* block = Reuse(bytes);
   if (!block)
   {
-    block = static_cast<BlockHead*>(::operator new(sizeof(BlockHead) + bytes));
-    block->Bytes = bytes;
+    block = NewBlock(bytes);
   }
   array->SetVoidArray(block + 1, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
   array->SetArrayFreeFunction(&TakeBack);

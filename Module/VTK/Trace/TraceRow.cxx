@@ -26,19 +26,6 @@ void Copy(const Quaternion& from, double to[4])
 
 } // namespace
 
-double WorkMeter::Add(const TickRecord& record)
-{
-  // A tip that is not finite does no work.
-  if (this->HasLast && IsFinite(record.Tip) && IsFinite(this->LastTip))
-  {
-    this->Work += 0.5 * Dot(record.Force + this->LastForce, record.Tip - this->LastTip);
-  }
-  this->HasLast = true;
-  this->LastTip = record.Tip;
-  this->LastForce = record.Force;
-  return this->Work;
-}
-
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record)
 {
   const std::int64_t label = model.LabelAtDevice(record.Proxy + model.KernelLength * record.Normal);

@@ -8,6 +8,7 @@
 #define TraceRow_h
 
 #include "Core/Math/Vector3.h"
+#include "Core/Solvers/TickRecord.h"
 
 #include <cstdint>
 
@@ -16,7 +17,6 @@ namespace VolumeHaptics
 
 class HapticModel;
 struct ServoSnapshot;
-struct TickRecord;
 
 /** One tick of a trace, in the world. */
 struct TraceRow
@@ -68,7 +68,18 @@ struct RecordingRow
 class WorkMeter
 {
 public:
-  double Add(const TickRecord& record);
+  double Add(const TickRecord& record)
+  {
+    // A tip that is not finite does no work.
+    if (this->HasLast && IsFinite(record.Tip) && IsFinite(this->LastTip))
+    {
+      this->Work += 0.5 * Dot(record.Force + this->LastForce, record.Tip - this->LastTip);
+    }
+    this->HasLast = true;
+    this->LastTip = record.Tip;
+    this->LastForce = record.Force;
+    return this->Work;
+  }
 
 private:
   bool HasLast = false;
