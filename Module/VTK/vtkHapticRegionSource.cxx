@@ -305,6 +305,12 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time, vtkVolumeHa
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticRegionSource::NoteUseTime(double seconds)
+{
+  this->Store->SetUseTime(seconds);
+}
+
+//------------------------------------------------------------------------------
 bool vtkHapticRegionSource::IsWaiting()
 {
   return this->Store->IsWaiting();

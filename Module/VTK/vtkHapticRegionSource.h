@@ -194,6 +194,14 @@ public:
 #endif
   ///@}
 
+#ifndef __VTK_WRAP__
+  /**
+   * Tell how long (s) it took until the region that came last could be felt; a device does. Regions
+   * are ordered the earlier.
+   */
+  void NoteUseTime(double seconds);
+#endif
+
   /** Take what planner and first output need from a filter; the filter itself calls it. */
   void UseSettingsOf(vtkVolumeHapticsFilter* filter);
 

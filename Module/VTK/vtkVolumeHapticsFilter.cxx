@@ -356,12 +356,17 @@ bool vtkVolumeHapticsFilter::PrepareSurface()
   const int component = this->GetProperty()->GetComponent();
   VolumeHaptics::HapticVolume volume;
   std::string error;
-  // Bake() reports what can't be read. Regions of a volume are small.
-  return !scalars ||
-    !VolumeHaptics::ReadVolume(image, scalars, component, this->KernelRadius, volume, error) ||
-    volume.Whole.IsThere ||
-    this->Surfaces->Prepare(vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0)),
-      { image, scalars, component, this->IsoValue }, volume.IndexToWorld);
+  if (!scalars ||
+    !VolumeHaptics::ReadVolume(image, scalars, component, this->KernelRadius, volume, error))
+  {
+    return true; // Bake() reports what can't be read
+  }
+  const std::int64_t* const first = volume.View.First;
+  return this->Surfaces->Prepare(vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0)),
+    { image, scalars, component, this->IsoValue,
+      { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
+      volume.Whole.IsThere },
+    volume.IndexToWorld);
 }
 
 //------------------------------------------------------------------------------

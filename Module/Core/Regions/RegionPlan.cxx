@@ -149,8 +149,9 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const bool isSame = std::equal(wanted, wanted + 6, resident);
   const double now = FindRoom(whole, cube, resident) - needed;
   const double then = FindRoom(whole, cube, wanted) - needed;
-  // If a cut region has no room at all, the region with more of it is still the better one.
-  const double enough = then > 0.0 ? LeastRoom * then : then - 0.5 * needed;
+  // A cut region may have no room at all. Then half of the way to its border counts: the next one
+  // is to come before the tip leaves this one.
+  const double enough = LeastRoom * (then > 0.0 ? then : then - needed);
   return !isSame && now < enough;
 }
 

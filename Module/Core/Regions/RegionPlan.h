@@ -18,7 +18,8 @@
  * The room of a region is the distance of the centre from the region's nearest border that is not
  * the volume's own, less T_N/k + r + b. The wanted region is fetched when the resident one gives
  * less than half of its room. So a hand at rest fetches nothing, and at any steady speed the next
- * region comes while the tip still has half its room.
+ * region comes while the tip still has half its room. If h is cut so far that the wanted region has
+ * no room, it is fetched when the nearest border of the resident one is half as far as its own.
  */
 #ifndef RegionPlan_h
 #define RegionPlan_h

@@ -67,6 +67,7 @@ void RegionStore::Clear()
   this->Ordered.reset();
   this->TipTime = 0.0;
   this->Velocity = {};
+  this->UseTime = 0.0;
   this->Trouble.clear();
   this->Planner->ResetLatency();
 }
@@ -171,7 +172,7 @@ bool RegionStore::TakeRegion(const double tip[3], double interval)
   if (this->Ordered == come->Extent)
   {
     // It may have been wanted ever since the look before it was ordered.
-    this->Planner->AddLatency(interval + ServoClock::SecondsSince(this->OrderTime));
+    this->Planner->AddLatency(interval + ServoClock::SecondsSince(this->OrderTime) + this->UseTime);
     this->Ordered.reset();
   }
   if (this->StandsIn && this->Holds(this->Region, tip) && !this->Holds(come->Extent, tip))

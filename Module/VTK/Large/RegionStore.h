@@ -87,6 +87,9 @@ public:
    */
   bool Follow(const double tip[3], double time);
 
+  /** How long (s) it takes until a region that has come can be felt. */
+  void SetUseTime(double seconds) { this->UseTime = seconds; }
+
   /** The resident samples; null before there are any. */
   vtkDataArray* GetSamples() const { return this->Samples; }
   const BoxExtent& GetRegion() const { return this->Region; }
@@ -129,6 +132,7 @@ private:
   std::optional<BoxExtent> Ordered;
   std::int64_t OrderTime = 0; // ServoClock
   std::int64_t LookTime = 0;  // ServoClock
+  double UseTime = 0.0;       // s
   std::array<double, 3> Tip{};
   std::array<double, 3> Velocity{};
   double TipTime = 0.0; // s

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/ModelSource.h"
 
+#include "Core/Servo/ServoClock.h"
 #include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticPlacement.h"
@@ -12,8 +13,19 @@
 #include "vtkHapticRegionSource.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <utility>
+
 namespace VolumeHaptics
 {
+namespace
+{
+
+vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* filter)
+{
+  return filter ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) : nullptr;
+}
+
+} // namespace
 
 ModelSource::ModelSource(vtkHapticDevice* device, const DeviceSession& session)
   : Device(device)
@@ -90,8 +102,19 @@ const char* ModelSource::Prepare()
   if (this->Awaited != MeshingWork)
   {
     this->Regions.End();
+    this->NoteRegionMade();
   }
   return this->Awaited;
+}
+
+void ModelSource::NoteRegionMade()
+{
+  const std::int64_t time = std::exchange(this->RegionTime, 0);
+  const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(this->Filter);
+  if (time > 0 && source)
+  {
+    source->NoteUseTime(ServoClock::SecondsSince(time));
+  }
 }
 
 std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
@@ -120,14 +143,17 @@ void ModelSource::EndPreparing()
 bool ModelSource::FollowRegion(std::string& status)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
-  const vtkSmartPointer<vtkHapticRegionSource> source =
-    filter ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) : nullptr;
+  const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(filter);
   if (!source)
   {
     return false;
   }
+  // The next region waits until the surface in this one can be felt; else a hand that moves on
+  // would let no mesh end.
   const ServoSnapshot& state = this->Session.GetState();
-  const bool hasCome = state.Time > 0.0 && source->Follow(this->Session.Tip, state.Time, filter);
+  const bool hasCome = state.Time > 0.0 && this->Awaited != MeshingWork &&
+    source->Follow(this->Session.Tip, state.Time, filter);
+  this->RegionTime = hasCome ? ServoClock::Now() : this->RegionTime;
   status = source->GetStatusText();
   return hasCome;
 }

@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -92,6 +93,9 @@ public:
   Affine3 GetPlacement() const;
 
 private:
+  /** Tells the source of regions how long it took to make a model of its last one. */
+  void NoteRegionMade();
+
   vtkHapticDevice* const Device;
   const DeviceSession& Session;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
@@ -100,6 +104,7 @@ private:
   RegionMesher Regions;
   DataPlayback Playback;
   FrameImage Shown;
+  std::int64_t RegionTime = 0; ///< ServoClock; when the region came that no model is made of yet
   bool IsMadeOfFrames = false; ///< the last Make was of a volume that moves
   vtkMTimeType MadeTime = 0;   ///< change time of the filter and its input when Make was called
 };

@@ -148,9 +148,13 @@ std::optional<SurfaceRegion> RegionMesher::Follow(
 {
   const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
   vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
-  // Where a given surface is missing can't be told: it has no regions.
+  WholeFacts facts;
+  std::string error;
+  // Where a given surface is missing can't be told: it has no regions. What is a region itself is
+  // meshed whole.
   if (!scalars.Array || filter->GetInputDataObject(2, 0) ||
-    image->GetNumberOfPoints() < LeastWholeSamples)
+    image->GetNumberOfPoints() < LeastWholeSamples ||
+    !ReadWholeFacts(image, filter->GetProperty()->GetComponent(), facts, error) || facts.IsThere)
   {
     return std::nullopt;
   }

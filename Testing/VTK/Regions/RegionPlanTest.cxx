@@ -100,6 +100,29 @@ TEST_F(Plan, LeavesAHandThatStopsItsData)
   }
 }
 
+/// A region of 20^3 has 10 to each side, and a tick needs 60: half of the 10 is when to order.
+TEST_F(Plan, OrdersTheNextCutRegionBeforeTheTipLeavesThisOne)
+{
+  this->Planner->SetWholeExtent(0, 999, 0, 999, 0, 999);
+  this->Planner->SetMaximumVoxels(21 * 21 * 21);
+  this->Planner->SetSpringLength(40.0);
+  this->Planner->SetReach(10.0);
+  this->Planner->SetBand(10.0);
+  const double atRest[3] = { 0.0, 0.0, 0.0 };
+  const int none[6] = { 0, -1, 0, -1, 0, -1 };
+  int resident[6];
+  const double first[3] = { 500.0, 500.0, 500.0 };
+  ASSERT_TRUE(this->Planner->Plan(first, atRest, none, resident));
+  ASSERT_EQ(resident[1] - resident[0], 20);
+  double ordered = 0.0;
+  for (double x = 500.0; ordered == 0.0 && x < 520.0; x += 0.25)
+  {
+    const double tip[3] = { x, 500.0, 500.0 };
+    ordered = this->Planner->Plan(tip, atRest, resident, this->Wanted) ? x : 0.0;
+  }
+  EXPECT_NEAR(ordered, 505.0, 0.5);
+}
+
 TEST_F(Plan, SmoothsLatenciesAndKnowsWholesFromRegions)
 {
   EXPECT_EQ(this->Planner->GetLatency(), 0.1) << "the first counts whole";

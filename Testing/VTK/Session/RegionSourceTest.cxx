@@ -11,6 +11,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
+#include <vtkHapticRegionPlanner.h>
 #include <vtkHapticRegionSource.h>
 #include <vtkTable.h>
 #include <vtkXMLPolyDataReader.h>
@@ -137,6 +138,38 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   this->Press(1400.0);
   EXPECT_TRUE(this->Wait([&] { return !this->Says("being read"); }))
     << this->Device->GetStatusText();
+  this->ExpectNoStep();
+  EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
+}
+
+/// A plane at z = 1000, which holds a ball of 0.5 mm at 999.5: the force is the stiffness times what
+/// the tip is beyond. The regions are of 8 million
+/// samples, whose surface takes more than 40 ms to mesh.
+TEST_F(RegionSource, HasASurfaceThatIsMeshedInTheBackground)
+{
+  this->Source->SetMemoryLimit(134217728);
+  this->Source->GetPlanner()->SetMaximumSpeed(10.0);
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetIsoValue(100000.0);
+  this->Filter->SetProxyRadius(0.5);
+  SetConstant(this->Filter->GetProperty()->GetStiffness(), 500.0);
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->SetVirtualTip(1000.0, 1000.0, 998.0);
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_TRUE(this->Wait([&] { return this->Says("the surface is meshed"); }));
+  const int* const extent = this->Source->GetOutput()->GetExtent();
+  EXPECT_GT(extent[1] - extent[0], 150);
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  EXPECT_FALSE(this->Says("the surface is meshed"));
+  ASSERT_TRUE(this->ArmFully());
+  this->Device->DrainStates(this->States);
+  ASSERT_TRUE(this->Lead(1000.0, 1000.0, 1002.0));
+  ASSERT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) > 0.9; }));
+  const double* const proxy = this->Device->GetProxyPosition();
+  EXPECT_NEAR(proxy[2], 999.5, 0.01) << "the surface is in its place in the whole";
+  ASSERT_TRUE(this->Wait([&] { return std::abs(Length(this->Device->GetForce()) - 1.25) < 0.01; }))
+    << Length(this->Device->GetForce());
+  ASSERT_TRUE(this->WaitTicks(20));
   this->ExpectNoStep();
   EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
 }
