@@ -33,7 +33,8 @@ EdgeHistogram MakeFrame(const SearchedData& data, double mostSlope)
   return frame;
 }
 
-FoundFunctions SearchInput(const ProposalInput& input, const SearchedData& data, WorkMonitor* monitor)
+FoundFunctions SearchInput(
+  const ProposalInput& input, const SearchedData& data, WorkMonitor* monitor)
 {
   FoundFunctions found;
   MaterialProposal proposal;

@@ -142,9 +142,9 @@ TEST_F(RegionSource, IsFeltAndFollowsTheHand)
   EXPECT_EQ(this->SourceLog.Errors.size(), 0U);
 }
 
-/// A plane at z = 1000, which holds a ball of 0.5 mm at 999.5: the force is the stiffness times what
-/// the tip is beyond. The regions are of 8 million
-/// samples, whose surface takes more than 40 ms to mesh.
+/// A plane at z = 1000, which holds a ball of 0.5 mm at 999.5: the force is the stiffness times
+/// what the tip is beyond. The regions are of 8 million samples, whose surface takes more than 40
+/// ms to mesh.
 TEST_F(RegionSource, HasASurfaceThatIsMeshedInTheBackground)
 {
   this->Source->SetMemoryLimit(134217728);
