@@ -117,6 +117,21 @@ public:
 
   ///@{
   /**
+   * Whether the scalars are labels, a segmentation that is touched itself. Off (default): they are
+   * values, and what lies between two of them is a value, too. On, as ApplyPreset("Labels") sets
+   * it: each label has the materials that the functions have at its number, and surfaces are the
+   * walls between labels, as with a label image on input port 3 of vtkVolumeHapticsFilter and
+   * SetGeometryFromLabels(). Whole numbers that span less than 65536 are labels, of the method
+   * PROXY. They stay values if a label image is connected, if the geometry comes from labels
+   * already, in a region of a larger volume, and in one that moves.
+   */
+  vtkSetMacro(ScalarsAreLabels, bool);
+  vtkGetMacro(ScalarsAreLabels, bool);
+  vtkBooleanMacro(ScalarsAreLabels, bool);
+  ///@}
+
+  ///@{
+  /**
    * The component of the array that is touched, 0 or more. Default 0.
    */
   vtkSetClampMacro(Component, int, 0, VTK_INT_MAX);
@@ -246,6 +261,7 @@ protected:
   int Component = 0;
   int SurfaceSide = HIGHER;
   bool DistinctnessFromNoise = true;
+  bool ScalarsAreLabels = false;
   double NoiseRamp[2] = { 0.0, 0.0 };
   vtkSmartPointer<vtkTable> ProposedBoundaries;
   int ProposedKernelRadius = 0;

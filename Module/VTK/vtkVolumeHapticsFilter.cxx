@@ -15,6 +15,7 @@
 #include "VTK/Baking/RegionSeries.h"
 #include "VTK/Baking/SurfaceRegion.h"
 #include "VTK/Baking/TouchedArray.h"
+#include "VTK/Baking/WholeFacts.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Large/RegionsAlongPath.h"
 #include "VTK/Trace/HapticTrace.h"
@@ -250,6 +251,16 @@ bool vtkVolumeHapticsFilter::BakeLabels(
 }
 
 //------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::AreLabels(vtkImageData* image)
+{
+  VolumeHaptics::WholeFacts whole;
+  std::string error; // BuildHapticModel reports it
+  return this->GetProperty()->GetScalarsAreLabels() && this->Method == PROXY &&
+    this->Geometry == FROM_SCALARS && !this->GetInputDataObject(3, 0) &&
+    VolumeHaptics::ReadWholeFacts(image, 0, whole, error) && !whole.IsThere;
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeImage(
   vtkImageData* image, double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps,
   vtkMatrix4x4* deviceToWorld, std::string& error, vtkPolyData* recording,
@@ -295,6 +306,12 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIm
     settings.Alignment = FindRecordedSetting(recording, "ContactAlignment: ") == "Edge"
       ? ContactAlignment::Edge
       : ContactAlignment::Distinctness;
+  }
+  if (frames.Frames.empty() && this->AreLabels(image))
+  {
+    options.Description.Labels = this->Labels->GetOfScalars(image, scalars, this->GetProperty());
+    options.Description.Settings.Geometry =
+      options.Description.Labels ? SurfaceGeometry::Labels : SurfaceGeometry::Scalars;
   }
   options.Description.Settings.TickPeriod = tickPeriod;
   options.Description.Settings.Caps.Stiffness = this->MaximumStiffness;

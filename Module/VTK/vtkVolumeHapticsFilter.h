@@ -254,6 +254,8 @@ private:
   bool AwaitSurface();
   /** Bakes the labels, if there are any; false after an error. */
   bool BakeLabels(std::shared_ptr<const VolumeHaptics::BakedLabels>& labels, std::string& error);
+  /** Whether the scalars of an image on port 0 are to be felt as labels, if they can be some. */
+  bool AreLabels(vtkImageData* image);
   bool ReadPlacement(
     vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
   std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(double rate,

@@ -123,6 +123,12 @@ void vtkPVVolumeHapticsFilter::SetDistinctnessFromNoise(bool fromNoise)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetScalarsAreLabels(bool areLabels)
+{
+  this->Choose(this->ScalarsAreLabels, areLabels);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetSurfaceSide(int side)
 {
   this->Choose(this->SurfaceSide, side);
@@ -185,6 +191,7 @@ void vtkPVVolumeHapticsFilter::FillProperty()
     property->GetDistinctness()->RemoveAllPoints();
   }
   property->SetDistinctnessFromNoise(this->DistinctnessFromNoise);
+  property->SetScalarsAreLabels(this->ScalarsAreLabels);
   property->SetSurfaceSide(this->SurfaceSide);
 }
 
@@ -316,6 +323,7 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViscosityScale: " << this->Viscosity.Scale << " N\n";
   os << indent << "SurfaceStrengthScale: " << this->SurfaceStrength.Scale << " N\n";
   os << indent << "DistinctnessFromNoise: " << (this->DistinctnessFromNoise ? "On" : "Off") << "\n";
+  os << indent << "ScalarsAreLabels: " << (this->ScalarsAreLabels ? "On" : "Off") << "\n";
   os << indent << "SurfaceSide: " << this->SurfaceSide << "\n";
   for (const std::string& file : this->LabelFiles)
   {

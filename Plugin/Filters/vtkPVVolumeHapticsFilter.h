@@ -31,8 +31,8 @@ public:
 
   /**
    * "Custom" (default): the functions below. Otherwise one of vtkHapticProperty::GetPresetNames();
-   * the functions, DistinctnessFromNoise and SurfaceSide are then unused until it is "Custom"
-   * again. Any other name is an error that lists these, and the output is empty.
+   * the functions, DistinctnessFromNoise, ScalarsAreLabels and SurfaceSide are then unused until it
+   * is "Custom" again. Any other name is an error that lists these, and the output is empty.
    */
   void SetPreset(const char* preset);
 
@@ -63,6 +63,9 @@ public:
   void SetDistinctnessFromNoise(bool fromNoise);
   void SetDistinctnessFunction(vtkPiecewiseFunction* function);
   ///@}
+
+  /** Whether the scalars are labels, as the property has it. */
+  void SetScalarsAreLabels(bool areLabels);
 
   ///@{
   /** The surface side of the property. */
@@ -125,6 +128,7 @@ private:
   Curve SurfaceStrength;
   Curve Distinctness;
   bool DistinctnessFromNoise = true;
+  bool ScalarsAreLabels = false;
   int SurfaceSide = 0;
   vtkTimeStamp Chosen; // when a setting of the material was last made
   vtkTimeStamp Filled; // when the property last got them

@@ -5,9 +5,11 @@
 #include "Core/Field/LabelSamples.h"
 #include "Core/Field/NoiseEstimate.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Baking/ScalarLabels.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 
 #include <algorithm>
@@ -302,6 +304,22 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(
   this->BakedZone = std::move(zoneKey);
   this->Baked = made;
   return made;
+}
+
+std::shared_ptr<const BakedLabels> HapticLabels::GetOfScalars(
+  vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property)
+{
+  const ImageKey key{ scalars, property, scalars->GetMTime(), property->GetMTime() };
+  if (!this->ScalarTable || key != this->ScalarKey)
+  {
+    this->ScalarTable = vtkSmartPointer<vtkHapticLabelTable>::New();
+    this->ScalarKey = key;
+    FillScalarLabels(scalars, property, this->ScalarTable);
+  }
+  std::string ignored;
+  return this->ScalarTable->GetNumberOfLabels() > 0
+    ? this->Get(image, scalars, this->ScalarTable, ignored)
+    : nullptr;
 }
 
 } // namespace VolumeHaptics

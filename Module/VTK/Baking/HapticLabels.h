@@ -10,6 +10,7 @@
 #include "Core/Model/BakedLabels.h"
 #include "VTK/Work/BackgroundWork.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -19,6 +20,7 @@
 
 class vtkDataArray;
 class vtkHapticLabelTable;
+class vtkHapticProperty;
 class vtkImageData;
 
 namespace VolumeHaptics
@@ -37,6 +39,13 @@ public:
    */
   std::shared_ptr<const BakedLabels> Get(
     vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error);
+
+  /**
+   * The same of scalars that are labels themselves, with the materials that the property gives
+   * them. Null, without an error, if they can't be labels, such as fractions.
+   */
+  std::shared_ptr<const BakedLabels> GetOfScalars(
+    vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property);
 
   /**
    * Whether Get() would be quick now. If not, because other labels are forbidden, or farther away,
@@ -60,7 +69,9 @@ private:
   ImageKey BakedImage{};
   TableKey BakedTable{};
   ZoneKey BakedZone{};
-  std::weak_ptr<const BakedLabels> Baked; ///< valid while a model uses it
+  std::weak_ptr<const BakedLabels> Baked;           ///< valid while a model uses it
+  vtkSmartPointer<vtkHapticLabelTable> ScalarTable; ///< of GetOfScalars
+  ImageKey ScalarKey{};                             ///< array and property of ScalarTable
   KeyedWork<std::tuple<ImageKey, ZoneKey>, Zone> Measuring;
 };
 

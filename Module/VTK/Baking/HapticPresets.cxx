@@ -30,6 +30,7 @@ struct Preset
   double DistinctnessStart; ///< gradient magnitude at which a surface begins to be felt
   double DistinctnessFull;  ///< from which on it is felt fully; 0: distinctness from the noise
   int Side;
+  bool IsOfLabels = false;
 };
 
 /** More newtons than any device exerts. */
@@ -116,7 +117,7 @@ const std::vector<Preset>& Presets()
         { 0, 0.25, 0, 0.00, 0.00, 0.0 }, // no label
         { 0.75, 1, K, 0.25, 0.20, 3.0 }, // any other
       },
-      0, 0, vtkHapticProperty::BOTH },
+      0, 0, vtkHapticProperty::BOTH, true },
   };
   return presets;
 }
@@ -162,6 +163,7 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
         property->DistinctnessFromNoiseOn();
       }
       property->SetSurfaceSide(preset.Side);
+      property->SetScalarsAreLabels(preset.IsOfLabels);
       return true;
     }
   }

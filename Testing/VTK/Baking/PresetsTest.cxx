@@ -205,6 +205,7 @@ TEST_F(Presets, EveryPresetMakesSense)
     ASSERT_TRUE(used->ApplyPreset(name.c_str()));
     EXPECT_EQ(used->GetSurfaceSide(), this->Property->GetSurfaceSide());
     const bool isBoth = name == "MRI" || name == "Labels";
+    EXPECT_EQ(used->GetScalarsAreLabels(), name == "Labels");
     EXPECT_EQ(used->GetSurfaceSide(), isBoth ? vtkHapticProperty::BOTH : vtkHapticProperty::HIGHER);
     for (double value = -1100.0; value < 3200.0; value += 7.0)
     {

@@ -178,6 +178,79 @@ TEST_P(LabelsOfSolver, BeyondTheLabelImageTheFunctionsHold)
   EXPECT_NEAR(this->PressedForce(12.0), 500.0 * Depth, 1e-9);
 }
 
+TEST_P(LabelsOfSolver, AreTheScalarsThemselvesOfThePresetLabels)
+{
+  // Half a space of a label, whose wall is halfway between the voxels: at z = 7.5. Pressed by h,
+  // the preset's stiffness of 400 N/m gives 0.4 N/mm, whatever the number of the label is.
+  this->Property->ApplyPreset("Labels");
+  vtkSmartPointer<vtkPolyData> first;
+  for (const double label : { 1.0, 7.0, 250.0 })
+  {
+    SCOPED_TRACE(label);
+    this->Filter->SetInputData(MakeImage(
+      16, VTK_UNSIGNED_CHAR, [label](const Point& p) { return p[2] < 7.5 ? 0.0 : label; }));
+    this->Filter->SetPathData(MakePath(Line({ 7, 7, 4 }, { 7, 7, 10 }, 600)));
+    vtkPolyData* const output = this->Run(601);
+    EXPECT_NEAR(-Get(output, "Force", 600, 2), 0.4 * 2.5, 0.4 * 0.1) << "a tenth of a voxel";
+    EXPECT_EQ(Get(output, "Force", 200, 2), 0.0) << "the air";
+    EXPECT_EQ(Get(output, "Label", 600), label);
+    first = first ? first : Keep(this->Filter);
+    for (vtkIdType tick = 0; tick <= 600; ++tick)
+    {
+      ASSERT_NEAR(Get(output, "Force", tick, 2), Get(first, "Force", tick, 2), 1e-9) << tick;
+    }
+  }
+}
+
+TEST_F(LabelsTest, OfTheScalarsThemselvesHaveTheMaterialsOfTheirNumbers)
+{
+  // Side by side along x; 2 is as hard as the function says at 2, and no value between is read.
+  this->Property->ApplyPreset("Labels");
+  vtkPiecewiseFunction* const stiffness = this->Property->GetStiffness();
+  stiffness->RemoveAllPoints();
+  stiffness->AddPoint(0.0, 0.0);
+  stiffness->AddPoint(1.0, 200.0);
+  stiffness->AddPoint(1.5, 5000.0);
+  stiffness->AddPoint(2.0, 800.0);
+  this->Filter->SetInputData(MakeImage(
+    16, VTK_SHORT, [](const Point& p) { return p[2] < 7.5 ? 0.0
+                                          : p[0] < 7.5    ? 1.0
+                                                          : 2.0; }));
+  for (const auto& [x, k] : { std::pair<double, double>{ 3.0, 0.2 }, { 12.0, 0.8 } })
+  {
+    this->Filter->SetPathData(MakePath(Line({ x, 7, 4 }, { x, 7, 9 }, 500)));
+    EXPECT_NEAR(-Get(this->Run(501), "Force", 500, 2), k * 1.5, k * 0.1) << x;
+  }
+}
+
+TEST_F(LabelsTest, OfTheScalarsThemselvesAreWholeNumbersOfAnyType)
+{
+  this->Property->ApplyPreset("Labels");
+  this->Filter->SetPathData(MakePath(Line({ 7, 7, 4 }, { 7, 7, 9 }, 100)));
+  const auto feel = [this](int type, double label)
+  {
+    this->Filter->SetInputData(
+      MakeImage(16, type, [label](const Point& p) { return p[2] < 7.5 ? 0.0 : label; }));
+    this->Run(101);
+    return Keep(this->Filter);
+  };
+  EXPECT_TRUE(IsSame(feel(VTK_FLOAT, 3.0), feel(VTK_SHORT, 3.0)));
+  // Shares and spans that no table has are values, as without the preset's setting.
+  for (const double value : { 0.9, 70000.0 })
+  {
+    const auto felt = feel(VTK_FLOAT, value);
+    EXPECT_EQ(felt->GetPointData()->GetArray("Label"), nullptr) << value;
+    this->Property->ScalarsAreLabelsOff();
+    EXPECT_TRUE(IsSame(felt, feel(VTK_FLOAT, value))) << value;
+    this->Property->ScalarsAreLabelsOn();
+  }
+  // A label image on port 3 gives its own materials, as before.
+  this->SetHalves();
+  const auto beside = feel(VTK_SHORT, 3.0);
+  this->Property->ScalarsAreLabelsOff();
+  EXPECT_TRUE(IsSame(beside, feel(VTK_SHORT, 3.0)));
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, LabelsOfSolver,
   testing::Values(vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE));
 
