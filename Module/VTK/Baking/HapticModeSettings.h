@@ -102,7 +102,7 @@ struct ModeKindRow
 };
 
 const std::vector<ModeKindRow>& GetModeKinds();
-/** Whether a mode is of one of these kinds, and not of a class of somebody else. */
+/** Whether a mode is of one of these kinds. An application's own class of modes is of none. */
 bool HasModeKind(vtkHapticMode* mode);
 /** The kind of a mode that has one. */
 const ModeKindRow& FindModeKind(vtkHapticMode* mode);

@@ -44,6 +44,15 @@ std::string ClassOf(const ModeKindRow& kind)
   return std::string("vtkHaptic") + kind.Name + "Mode";
 }
 
+/** The place of a mode's kind in GetModeKinds(); their number if it has none. */
+std::size_t IndexOfKind(vtkHapticMode* mode)
+{
+  const auto& kinds = GetModeKinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+    [mode](const ModeKindRow& kind) { return mode->IsA(ClassOf(kind).c_str()); });
+  return static_cast<std::size_t>(found - kinds.begin());
+}
+
 ModeKind BakedKindOf(vtkHapticMode* mode)
 {
   if (auto* const front = vtkHapticVectorFrontMode::SafeDownCast(mode))
@@ -53,7 +62,7 @@ ModeKind BakedKindOf(vtkHapticMode* mode)
   constexpr ModeKind kinds[] = { ModeKind::VectorFollow, ModeKind::VectorFront,
     ModeKind::VortexTube, ModeKind::Shear, ModeKind::TensorFollow, ModeKind::Ridge, ModeKind::Guide,
     ModeKind::Surface };
-  return kinds[&FindModeKind(mode) - GetModeKinds().data()];
+  return kinds[IndexOfKind(mode)];
 }
 
 bool HasComponents(ModeInput input, int components)
@@ -305,17 +314,12 @@ const std::vector<ModeKindRow>& GetModeKinds()
 
 bool HasModeKind(vtkHapticMode* mode)
 {
-  const auto& kinds = GetModeKinds();
-  return std::any_of(kinds.begin(), kinds.end(),
-    [mode](const ModeKindRow& kind) { return mode->IsA(ClassOf(kind).c_str()); });
+  return IndexOfKind(mode) < GetModeKinds().size();
 }
 
 const ModeKindRow& FindModeKind(vtkHapticMode* mode)
 {
-  const auto& kinds = GetModeKinds();
-  const auto found = std::find_if(kinds.begin(), kinds.end(),
-    [mode](const ModeKindRow& kind) { return mode->IsA(ClassOf(kind).c_str()); });
-  return found == kinds.end() ? kinds.front() : *found;
+  return GetModeKinds()[IndexOfKind(mode)];
 }
 
 void PrintMode(std::ostream& os, vtkIndent indent, vtkHapticMode* mode)

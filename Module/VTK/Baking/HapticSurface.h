@@ -88,7 +88,7 @@ private:
 
   static constexpr Key NoKey{ nullptr, nullptr, 0, 0.0, 0 };
 
-  /** What a worker makes. */
+  /** The result of a worker. */
   struct Made
   {
     MeshPointer Mesh;

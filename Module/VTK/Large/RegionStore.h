@@ -75,7 +75,7 @@ public:
   void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
   /** Ends the thread, and forgets the volume and the coarse level. */
   void Clear();
-  /** What stands in for samples that are late; null: nothing. */
+  /** The level that stands in for samples that are late; null for none. */
   void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
   bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
 

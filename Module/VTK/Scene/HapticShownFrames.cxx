@@ -33,12 +33,16 @@ bool HasShapeOf(vtkImageData* image, vtkImageData* other)
 
 bool ShowsFelt(vtkImageData* shown, vtkImageData* felt, bool areComponents)
 {
-  vtkDataArray* const scalars = felt->GetPointData()->GetScalars();
-  return shown == felt || (scalars && shown->GetPointData()->GetScalars() == scalars) ||
-    (areComponents && HasShapeOf(shown, felt));
+  return HasSamplesOf(shown, felt) || (areComponents && HasShapeOf(shown, felt));
 }
 
 } // namespace
+
+bool HasSamplesOf(vtkImageData* shown, vtkImageData* image)
+{
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  return shown == image || (scalars && shown->GetPointData()->GetScalars() == scalars);
+}
 
 void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
 {

@@ -26,6 +26,9 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
+/** Whether a shown image is another one, or has its scalars. */
+bool HasSamplesOf(vtkImageData* shown, vtkImageData* image);
+
 class HapticShownFrames
 {
 public:

@@ -173,11 +173,7 @@ unsigned int HapticShownVolumes::FindDifferences(
   auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   auto* const shown =
     mapper ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
-  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  const bool isFelt = shown == image ||
-    (shown && scalars && shown->GetPointData()->GetScalars() == scalars) ||
-    pictures.IsPicture(shown);
-  if (!shown || !isFelt)
+  if (!shown || !(HasSamplesOf(shown, image) || pictures.IsPicture(shown)))
   {
     return 0;
   }

@@ -14,6 +14,7 @@
 #include "vtkHapticRegionPlanner.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkStructuredData.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <string>
@@ -29,12 +30,6 @@ constexpr vtkIdType MostMeshedSamples = 1 << 20;
 /** Of fewer samples, the whole is meshed nearly as soon, and sooner without a part beside it. */
 constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 
-vtkIdType CountTuples(const int extent[6])
-{
-  return vtkIdType{ extent[1] - extent[0] + 1 } * (extent[3] - extent[2] + 1) *
-    (extent[5] - extent[4] + 1);
-}
-
 /** The tuples of a part of an extent, in an array that nothing else uses. */
 vtkSmartPointer<vtkDataArray> CopyTuples(
   vtkDataArray* whole, const int extent[6], const int part[6])
@@ -43,7 +38,7 @@ vtkSmartPointer<vtkDataArray> CopyTuples(
     vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(whole->GetDataType()));
   copy->SetName(whole->GetName());
   copy->SetNumberOfComponents(whole->GetNumberOfComponents());
-  copy->SetNumberOfTuples(CountTuples(part));
+  copy->SetNumberOfTuples(vtkStructuredData::GetNumberOfPoints(part));
   const vtkIdType nx = vtkIdType{ extent[1] } - extent[0] + 1;
   const vtkIdType ny = vtkIdType{ extent[3] } - extent[2] + 1;
   const vtkIdType row = vtkIdType{ part[1] } - part[0] + 1;

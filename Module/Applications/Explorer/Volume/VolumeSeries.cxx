@@ -216,7 +216,7 @@ void AddFrame(Volume& volume, const std::string& path, vtkImageData* image, doub
   volume.Frames->AddFrame(image, time);
 }
 
-/// What a person should know, and no interval in which nothing moves.
+/// Drops a last frame that repeats the first one, and notes what the user should know.
 void Finish(Volume& volume)
 {
   vtkHapticFrameSource* const frames = volume.Frames;

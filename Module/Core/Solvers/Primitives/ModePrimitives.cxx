@@ -237,7 +237,7 @@ private:
     AddMaterial(point, this->Modes.Stiffness, this->Place, this->Modes.Tip, this->Set);
   }
 
-  /** What differs by less than this share has no direction. */
+  /** Eigenvalues that differ by a smaller share than this one give no direction. */
   static constexpr double LeastShare = 1e-9;
 
   static Matrix3 SymmetricPart(const Matrix3& m) noexcept

@@ -297,7 +297,7 @@ private:
       Dot(gap, gap) <= this->Settled * this->Settled;
   }
 
-  /** What a primitive does instead, if its force or place contradict its state. */
+  /** Gives a primitive another state if its force or place contradicts the one that it has. */
   void Correct(int at) noexcept
   {
     const Primitive& p = this->At(at);
