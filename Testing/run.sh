@@ -12,11 +12,11 @@
 # scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five minutes, the
 # benchmarks print their ratios, and the evaluation its whole table.
 #
-# Without --full, it ends within 25 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
+# Without --full, it ends within 20 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
 # clang-tidy, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then, it says
 # loudly that it leaves them out.
 #
-# Tests of devices, screens and packages wait more than they compute: while they run, the next ones are built.
+# Tests of devices, screens and packages wait, too: while tests run, all that comes later is built.
 # shellcheck disable=SC2317 # functions that start() calls
 set -euo pipefail
 
@@ -84,16 +84,24 @@ stop_all()
 trap stop_all EXIT
 
 # usage: start NAME COMMAND [ARGUMENT...]
-# Runs a command beside the following, in the time that this leaves over: a group of processes that ends with this one.
+# Runs a command beside the following, in the time that this leaves over, once the one that was started before it has
+# ended: a group of processes that ends with this one.
 # All that it needs of Debian is installed before: there is one dpkg, and sudo could not ask for a password.
+last_started=
 start()
 {
   echo "== Beside the following: $1"
   mkdir -p "$build_dir"
   set -m
-  (renice -n 15 -p "$BASHPID" > /dev/null; set -e; "${@:2}") < /dev/null > "$build_dir-$1.log" 2>&1 &
+  (
+    renice -n 15 -p "$BASHPID" > /dev/null
+    [ -z "$last_started" ] || tail --pid="$last_started" -f /dev/null
+    set -e
+    "${@:2}"
+  ) < /dev/null > "$build_dir-$1.log" 2>&1 &
   set +m
-  beside[$1]=$!
+  last_started=$!
+  beside[$1]=$last_started
 }
 
 # usage: finish NAME
@@ -109,13 +117,13 @@ finish()
 }
 
 # usage: fits PERCENT NAME
-# Whether a part of this run ends before 23 minutes are over, and plans it if so. PERCENT is its time as a share of that
+# Whether a part of this run ends before 19 minutes are over, and plans it if so. PERCENT is its time as a share of that
 # of the first build, which tells how fast the machine is. With --full there is time enough.
 planned=0 # seconds
 fits()
 {
   local cost=$((build_seconds * $1 / 100))
-  if [ $full = yes ] || [ $((SECONDS + planned + cost)) -lt $((23 * 60)) ]; then
+  if [ $full = yes ] || [ $((SECONDS + planned + cost)) -lt $((19 * 60)) ]; then
     planned=$((planned + cost))
     return
   fi
@@ -174,14 +182,45 @@ build_seconds=$SECONDS
 build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
   -DVolumeHaptics_BUILD_BENCHMARKS="$benchmarks" -DCMAKE_UNITY_BUILD=$unity "$cache"
 build_seconds=$((SECONDS - build_seconds))
-planned=$((build_seconds * (105 + 30) / 100)) # its tests, and the servo under the sanitizers
+planned=$((build_seconds * 140 / 100)) # its tests, and the servo under the sanitizers
+
+# Whatever the machine, the servo with its safety stage and force gate runs under the sanitizers.
+loop_tests=VolumeHapticsLoopTests
+without_services=-DVolumeHaptics_USE_BEAST=OFF # which none of the tests meets that run under sanitizers
+sanitized='^VolumeHaptics[.]Core[.]Servo'
+if [ $full = yes ]; then
+  loop_tests=VolumeHapticsThreadTests
+  without_services=
+  start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON
+else
+  safety_tests=VolumeHapticsSafetyTests
+  if fits 15 "the address and undefined-behaviour sanitizers, but for the servo"; then
+    safety_tests=VolumeHapticsSanitizerTests
+    sanitized='^VolumeHaptics[.](Core|Devices)[.]'
+  fi
+  start sanitize build asan "$build_dir-sanitize" $safety_tests "$without_services"
+fi
+start thread build tsan "$build_dir-thread" $loop_tests $without_services
 wheel=no
-if fits 30 "the wheel"; then
+if fits 35 "the wheel"; then
   wheel=yes
   start wheel build_wheel
 fi
+if fits 10 "clang-tidy"; then
+  # shellcheck disable=SC2086 # words
+  start tidy "$root/Testing/lint.sh" $tidy
+fi
+if [ $paraview = yes ] && ! fits 70 "ParaView's plugin"; then
+  paraview=no
+fi
+[ $paraview = no ] || start paraview build_paraview
+fuzz=no
+if fits 15 "the fuzzer"; then
+  fuzz=yes
+  start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz" $fuzz_options
+fi
 
-# Those with a device in real time wait more than they compute. What fails is told at the end, too.
+# Those with a device in real time wait most. What fails is told at the end, too.
 echo "== Tests with devices"
 status=0
 run_tests "$build_dir" "$((3 * jobs))" -L '^device$' || status=$?
@@ -194,15 +233,30 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
-planned=$((planned - build_seconds * 45 / 100)) # the tests that have run
-if [ $paraview = yes ] && ! fits 65 "ParaView's plugin"; then
-  paraview=no
-fi
-[ $paraview = no ] || start paraview build_paraview
-
 # Some of the others wait, too.
 echo "== Tests"
 run_tests "$build_dir" "$((2 * jobs))" -LE "^($left_out|wheel)\$" || status=$?
+
+finish sanitize
+echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
+if [ $full = yes ]; then
+  run_tests "$build_dir-sanitize" "$jobs" -LE package || status=$?
+else
+  run_tests "$build_dir-sanitize" "$jobs" -R "$sanitized" || status=$?
+fi
+
+finish thread
+echo "== Tests with the thread sanitizer in $build_dir-thread"
+export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
+if [ $full = yes ]; then
+  # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
+  run_tests "$build_dir-thread" "$jobs" \
+    -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Recording|Scene|Session|Setup|Work)[.])' ||
+    status=$?
+else
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
+fi
+unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 
 if [ $wheel = yes ]; then
   built=0
@@ -217,64 +271,17 @@ if [ $wheel = yes ]; then
   fi
 fi
 
-later=0 # seconds, of the tests of ParaView's plugin
+if [ -n "${beside[tidy]:-}" ]; then
+  finish tidy || status=$?
+fi
+
 if [ $paraview = yes ]; then
   finish paraview
-  later=$((build_seconds * 40 / 100))
-fi
-planned=$((later + build_seconds * 30 / 100))
-if fits 10 "clang-tidy"; then
-  # shellcheck disable=SC2086 # words
-  "$root/Testing/lint.sh" $tidy || status=$?
-fi
-# Whatever the machine, the servo with its safety stage and force gate runs under the sanitizers.
-planned=$((later + build_seconds * 30 / 100))
-sanitized='^VolumeHaptics[.]Core[.]Servo'
-if [ $full = yes ]; then
-  start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON
-else
-  target=VolumeHapticsSafetyTests
-  if fits 15 "the address and undefined-behaviour sanitizers, but for the servo"; then
-    target=VolumeHapticsSanitizerTests
-    sanitized='^VolumeHaptics[.](Core|Devices)[.]'
-  fi
-  # Its tests meet no service of a device.
-  start sanitize build asan "$build_dir-sanitize" $target -DVolumeHaptics_USE_BEAST=OFF
-fi
-if [ $paraview = yes ]; then
   echo "== Tests of ParaView's plugin in $plugin_dir"
   run_tests "$plugin_dir" "$((jobs + 1))" -L '^paraview$' -LE "^($left_out)\$" || status=$?
   grep -h 'round trip' "$plugin_dir/Testing/Temporary/LastTest.log" || true
 fi
 
-finish sanitize
-echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
-if [ $full = yes ]; then
-  start thread build tsan "$build_dir-thread" VolumeHapticsThreadTests
-  run_tests "$build_dir-sanitize" "$jobs" -LE package || status=$?
-else
-  start thread build tsan "$build_dir-thread" VolumeHapticsLoopTests -DVolumeHaptics_USE_BEAST=OFF
-  run_tests "$build_dir-sanitize" "$jobs" -R "$sanitized" || status=$?
-fi
-finish thread
-
-planned=$((build_seconds * 5 / 100))
-fuzz=no
-if fits 20 "the fuzzer"; then
-  fuzz=yes
-  start fuzz "$root/Testing/Fuzz/fuzz.sh" build "$build_dir-fuzz" $fuzz_options
-fi
-echo "== Tests with the thread sanitizer in $build_dir-thread"
-export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
-if [ $full = yes ]; then
-  # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
-  run_tests "$build_dir-thread" "$jobs" \
-    -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Recording|Scene|Session|Setup|Work)[.])' ||
-    status=$?
-else
-  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
-fi
-unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 if [ $fuzz = yes ]; then
   finish fuzz
   echo "== Fuzzing"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The failures of a test of the explorer so far: a program of VTK's test driver has no other way to
- * report them.
+ * The failures of a test of the explorer so far, which a program of VTK's test driver has no other
+ * way to report, and the folder in which it writes.
  */
 #ifndef Expectations_h
 #define Expectations_h
@@ -12,6 +12,7 @@
 #include <string>
 
 inline int failures = 0;
+inline std::string folder;
 
 inline void Expect(bool condition, const std::string& what)
 {

@@ -3,6 +3,7 @@
 // Whatever cannot be explored gets one message that says what is wrong and how to cure it.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Options.h"
+#include "Expectations.h"
 #include "HeadExploration.h"
 
 #include "vtkExtractVOI.h"
@@ -19,9 +20,6 @@
 
 namespace
 {
-int failures = 0;
-std::string folder;
-
 std::string Text(const std::string& name, const std::string& content)
 {
   const std::string path = folder + "/" + name;
@@ -39,7 +37,7 @@ std::string Image(const std::string& name, vtkImageData* image)
   return path;
 }
 
-void Expect(const std::string& path, const std::string& fault)
+void ExpectRefusal(const std::string& path, const std::string& fault)
 {
   std::string message = "nothing";
   try
@@ -107,38 +105,38 @@ int TestExploreInputErrors(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
 
   ExpectNewtons();
-  Expect(folder + "/missing.vti", "no such file");
-  Expect(folder + "/empty", "without a single DICOM slice");
-  Expect(Text("notes.txt", "hello"), "ending that is not known");
-  Expect(Text("slice.dcm", "hello"), "one DICOM slice");
-  Expect(Text("nothing.nrrd", ""), "is empty");
+  ExpectRefusal(folder + "/missing.vti", "no such file");
+  ExpectRefusal(folder + "/empty", "without a single DICOM slice");
+  ExpectRefusal(Text("notes.txt", "hello"), "ending that is not known");
+  ExpectRefusal(Text("slice.dcm", "hello"), "one DICOM slice");
+  ExpectRefusal(Text("nothing.nrrd", ""), "is empty");
   for (const char* name : { "text.vti", "text.mha", "text.nii", "text.nii.gz", "text.nrrd" })
   {
-    Expect(Text(name, "this is not an image\n"), "whatever its name says");
+    ExpectRefusal(Text(name, "this is not an image\n"), "whatever its name says");
   }
   const std::string header = "ObjectType = Image\nNDims = 3\nDimSize = 9 9 9\nElementType = "
                              "MET_SHORT\nElementSpacing = 1 1 1\nElementDataFile = ";
-  Expect(Text("headless.mhd", header + "missing.raw\n"), "is missing");
-  Expect(Text("short.mha", header + "LOCAL\nxyz"), "ends before the last voxel");
-  Expect(Text("short.nrrd",
-           "NRRD0004\ntype: short\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n"
-           "endian: little\n\nxyz"),
+  ExpectRefusal(Text("headless.mhd", header + "missing.raw\n"), "is missing");
+  ExpectRefusal(Text("short.mha", header + "LOCAL\nxyz"), "ends before the last voxel");
+  ExpectRefusal(Text("short.nrrd",
+                  "NRRD0004\ntype: short\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n"
+                  "endian: little\n\nxyz"),
     "ends before the last voxel");
 
   vtkNew<vtkImageData> bare;
   bare->CopyStructure(head);
-  Expect(Image("bare.vti", bare), "has no scalars");
+  ExpectRefusal(Image("bare.vti", bare), "has no scalars");
   vtkNew<vtkImageData> uniform;
   uniform->DeepCopy(head);
   uniform->GetPointData()->GetScalars()->Fill(7.0);
-  Expect(Image("uniform.vti", uniform), "is uniform");
+  ExpectRefusal(Image("uniform.vti", uniform), "is uniform");
   vtkNew<vtkExtractVOI> slice;
   slice->SetInputData(head);
   slice->SetVOI(0, 63, 0, 63, 30, 30);
   slice->Update();
-  Expect(Image("slice.vti", slice->GetOutput()), "single slice (64 x 64 x 1 voxels)");
+  ExpectRefusal(Image("slice.vti", slice->GetOutput()), "single slice (64 x 64 x 1 voxels)");
   slice->SetVOI(0, 63, 0, 63, 30, 32);
   slice->Update();
-  Expect(Image("thin.vti", slice->GetOutput()), "too thin");
+  ExpectRefusal(Image("thin.vti", slice->GetOutput()), "too thin");
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

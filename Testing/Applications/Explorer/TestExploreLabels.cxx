@@ -21,8 +21,6 @@
 
 namespace
 {
-std::string folder;
-
 std::string File(const std::string& name, const std::string& content)
 {
   const std::string path = folder + "/" + name;

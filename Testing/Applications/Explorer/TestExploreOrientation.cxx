@@ -3,6 +3,7 @@
 // The head comes out of every format the same way up, at the same place, with the same values,
 // whatever the order of its voxels in the file and the numbers that are stored there.
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
+#include "Expectations.h"
 #include "HeadExploration.h"
 #include "ShuffledHead.h"
 
@@ -11,9 +12,7 @@
 
 namespace
 {
-int failures = 0;
-
-void Expect(const std::string& what, vtkImageData* head, vtkImageData* image)
+void ExpectSamePlace(const std::string& what, vtkImageData* head, vtkImageData* image)
 {
   // Headers and NIfTI's single precision keep fewer digits than a double.
   constexpr double tolerance = 1e-4;
@@ -50,23 +49,23 @@ void Expect(const std::string& what, vtkImageData* head, vtkImageData* image)
 
 int TestExploreOrientation(int argc, char* argv[])
 {
-  const std::string folder = MakeTestFolder(argc, argv, "ExploreOrientation");
+  folder = MakeTestFolder(argc, argv, "ExploreOrientation");
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
   const vtkSmartPointer<vtkImageData> shuffled = ShuffleHead(head);
 
-  Expect("a left-handed frame", head, Explore::AlignToAxes(shuffled));
-  Expect("MetaImage", head, Explore::LoadVolume(WriteMetaImage(folder, shuffled)).Image);
+  ExpectSamePlace("a left-handed frame", head, Explore::AlignToAxes(shuffled));
+  ExpectSamePlace("MetaImage", head, Explore::LoadVolume(WriteMetaImage(folder, shuffled)).Image);
   for (const auto& [slope, intercept] :
     { std::pair<double, double>{ 1.0, 0.0 }, { 1.0, -1024.0 }, { 0.5, -1024.0 } })
   {
-    Expect("NIfTI of values that are " + std::to_string(slope) + " times the stored ones plus " +
-        std::to_string(intercept),
+    ExpectSamePlace("NIfTI of values that are " + std::to_string(slope) +
+        " times the stored ones plus " + std::to_string(intercept),
       head, Explore::LoadVolume(WriteNifti(folder, shuffled, slope, intercept)).Image);
   }
   for (const char* space :
     { "left-posterior-superior", "right-anterior-superior", "left-anterior-superior" })
   {
-    Expect(std::string("NRRD ") + space, head,
+    ExpectSamePlace(std::string("NRRD ") + space, head,
       Explore::LoadVolume(WriteNrrd(folder, shuffled, space)).Image);
   }
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -4,6 +4,7 @@
 // written, and the window plays them.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeSeries.h"
+#include "Expectations.h"
 #include "HeadExploration.h"
 #include "Rigs/Eventually.h"
 
@@ -18,22 +19,9 @@
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
-#include <iostream>
-
 namespace
 {
 constexpr int COUNT = 3;
-int failures = 0;
-std::string folder;
-
-void Expect(bool holds, const std::string& what)
-{
-  if (!holds)
-  {
-    std::cerr << what << "\n";
-    ++failures;
-  }
-}
 
 /// The head, with values that tell its frame.
 vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)

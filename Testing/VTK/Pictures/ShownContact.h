@@ -7,6 +7,8 @@
 #ifndef ShownContact_h
 #define ShownContact_h
 
+#include "Factories.h"
+
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDoubleArray.h>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The editor over a view: the stiffness of a preset over the histogram of the head phantom.
-#include "vtkAutoInit.h"
+#include "Factories.h"
+
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticProperty.h"
 #include "vtkNew.h"
@@ -12,8 +13,6 @@
 #include "vtkXMLImageDataReader.h"
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
-VTK_MODULE_INIT(vtkRenderingFreeType);
 
 int TestFunctionEditor(int argc, char* argv[])
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points and data that no axis can show: the editor draws what it can, and returns.
 #include "EditorMouse.h"
+#include "Factories.h"
 
-#include "vtkAutoInit.h"
 #include "vtkDoubleArray.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -12,8 +12,6 @@
 #include <limits>
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
-VTK_MODULE_INIT(vtkRenderingFreeType);
 
 using namespace editortest;
 

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The peculiarities of each function: beyond the axis, empty, or missing.
 #include "EditorMouse.h"
+#include "Factories.h"
 
-#include "vtkAutoInit.h"
 #include "vtkHapticProperty.h"
 #include "vtkVolumeProperty.h"
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
-VTK_MODULE_INIT(vtkRenderingFreeType);
 
 using namespace editortest;
 

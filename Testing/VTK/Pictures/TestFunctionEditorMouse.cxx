@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points that are dragged and removed with the mouse change the function itself.
 #include "EditorMouse.h"
+#include "Factories.h"
 
-#include "vtkAutoInit.h"
 #include "vtkCallbackCommand.h"
 #include "vtkHapticProperty.h"
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
-VTK_MODULE_INIT(vtkRenderingFreeType);
 
 using namespace editortest;
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Functions that the head phantom proposes: over its edges, dashed, beside those of a preset; taken
 // and dropped.
-#include "vtkAutoInit.h"
+#include "Factories.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticProperty.h"
@@ -16,8 +17,6 @@
 #include "vtkXMLImageDataReader.h"
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
-VTK_MODULE_INIT(vtkRenderingFreeType);
 
 namespace
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The head-up display: a press, a slide and a release as a plot; a device that waits as a text.
+#include "Factories.h"
 #include "Rigs/ScriptedStates.h"
 
 #include "vtkHapticDevice.h"
@@ -11,9 +12,6 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
-
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2)
-VTK_MODULE_INIT(vtkRenderingFreeType)
 
 int TestHeadUpDisplay(int argc, char* argv[])
 {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The editor's list of labels: 89 of them with colours and names, scrolled to the one whose
 // material is edited, which has two quantities of its own.
-#include "vtkAutoInit.h"
+#include "Factories.h"
+
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkNew.h"
@@ -14,8 +15,6 @@
 #include <string>
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
-VTK_MODULE_INIT(vtkRenderingFreeType);
 
 int TestLabelEditor(int argc, char* argv[])
 {

@@ -3,8 +3,8 @@
 // Labels that are clicked on, and their sliders, change the table itself. Values of sliders are
 // compared with the table within a pixel, which is a hundredth of the slider or less.
 #include "EditorMouse.h"
+#include "Factories.h"
 
-#include "vtkAutoInit.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"
@@ -17,8 +17,6 @@
 #include <vector>
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
-VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
-VTK_MODULE_INIT(vtkRenderingFreeType);
 
 using namespace editortest;
 

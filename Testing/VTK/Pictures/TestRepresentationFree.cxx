@@ -5,8 +5,6 @@
 // read.
 #include "ShownContact.h"
 
-VTK_MODULE_INIT(vtkRenderingFreeType)
-
 int TestRepresentationFree(int argc, char* argv[])
 {
   return scenetest::ShowContact(argc, argv, { 0, -3.0, 0.0, 0.3, 4.0, true });

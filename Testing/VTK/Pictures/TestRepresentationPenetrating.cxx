@@ -4,8 +4,6 @@
 // Pressed harder than the surface can hold: the proxy follows through it.
 #include "ShownContact.h"
 
-VTK_MODULE_INIT(vtkRenderingFreeType)
-
 int TestRepresentationPenetrating(int argc, char* argv[])
 {
   return scenetest::ShowContact(argc, argv, { 3, 6.0, 0.0, 0.3, 1.5 });

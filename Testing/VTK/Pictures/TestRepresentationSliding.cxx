@@ -4,8 +4,6 @@
 // Dragged along: friction holds back; the trail is coloured by the force.
 #include "ShownContact.h"
 
-VTK_MODULE_INIT(vtkRenderingFreeType)
-
 int TestRepresentationSliding(int argc, char* argv[])
 {
   return scenetest::ShowContact(argc, argv, { 2, 4.0, 8.0, 0.3, 4.0, false, true });

@@ -4,8 +4,6 @@
 // Pressed straight in: the proxy stays on the surface, the force is normal.
 #include "ShownContact.h"
 
-VTK_MODULE_INIT(vtkRenderingFreeType)
-
 int TestRepresentationSticking(int argc, char* argv[])
 {
   return scenetest::ShowContact(argc, argv, { 1, 4.0, 0.0, 0.5, 4.0 });

@@ -4,8 +4,6 @@
 // A stylus, which a hand holds from the right and turns its button up, rests on the plane.
 #include "ShownContact.h"
 
-VTK_MODULE_INIT(vtkRenderingFreeType)
-
 int TestRepresentationStylus(int argc, char* argv[])
 {
   const double turn[4] = { 0.1853, 0.3609, -0.0920, 0.9094 };

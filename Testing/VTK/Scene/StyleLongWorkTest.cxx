@@ -105,14 +105,14 @@ protected:
         return 50.0 * std::erfc((r - 18.0) / (2.5 * std::sqrt(2.0)));
       }));
   }
-  /// Outside of the ball, every voxel has pieces of the isosurface at -4000.
+  /// Beside the ball, every voxel has pieces of the isosurface at -4000.
   void GiveMethodMuch()
   {
     std::mt19937 random(1);
     vtkDataArray* const scalars = this->Ball->GetPointData()->GetScalars();
     for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
     {
-      if (Length(this->Ball->GetPoint(i)) > 36.0)
+      if (this->Ball->GetPoint(i)[0] < -36.0)
       {
         scalars->SetTuple1(i, -5000.0 + static_cast<double>(random() % 2001));
       }
