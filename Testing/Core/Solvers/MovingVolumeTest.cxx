@@ -135,6 +135,34 @@ HapticModelDescription WithStrength(HapticModelDescription description, double s
   description.Material.SurfaceStrength = ConstantPolyline(strength);
   return description;
 }
+/// V5: frames that are all the same volume, 10 ms apart, are felt as one that stands still.
+template <typename TipAt>
+void ExpectFramesAlike(HapticModelDescription description, int frames, int ticks, TipAt tipAt)
+{
+  description.Frames.clear();
+  const HapticModel still(description);
+  for (int i = 0; i < frames; ++i)
+  {
+    description.Frames.push_back({ 0.01 * i, description.View, nullptr });
+  }
+  const HapticModel moving(description);
+  ServoState state;
+  ServoState movingState;
+  TickRecord record;
+  TickRecord movingRecord;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    const Vector3 tip = tipAt(tick);
+    Tick(still, state, tip, record);
+    movingState.DataTime = 0.001 * tick;
+    Tick(moving, movingState, tip, movingRecord);
+    ASSERT_TRUE(IsIdentical(record.Force, movingRecord.Force)) << "tick " << tick;
+    ASSERT_TRUE(IsIdentical(record.Proxy, movingRecord.Proxy)) << "tick " << tick;
+    ASSERT_EQ(record.SurfaceStrength, movingRecord.SurfaceStrength) << "tick " << tick;
+    ASSERT_EQ(movingRecord.WallWork, 0.0) << "tick " << tick;
+  }
+}
+
 } // namespace
 
 /// V1 of the derivations: f = k max(0, r - 19 mm).
@@ -228,28 +256,8 @@ TEST(MovingVolume, FramesThatAreAlikeAreAVolumeThatStandsStill)
       description.Settings.Placement = placement;
       description.Material.Friction = ConstantPolyline(0.3);
       description.Material.Viscosity = ConstantPolyline(0.1);
-      const HapticModel still(description);
-      for (int i = 0; i < 1000; ++i)
-      {
-        description.Frames.push_back({ 0.01 * i, volume.View, nullptr });
-      }
-      const HapticModel moving(description);
-      ServoState state;
-      ServoState movingState;
-      TickRecord record;
-      TickRecord movingRecord;
       Wanderer wanderer(24.0);
-      for (int tick = 0; tick < 12000; ++tick)
-      {
-        const Vector3 tip = wanderer.Next();
-        Tick(still, state, tip, record);
-        movingState.DataTime = 0.001 * tick;
-        Tick(moving, movingState, tip, movingRecord);
-        ASSERT_TRUE(IsIdentical(record.Force, movingRecord.Force)) << "tick " << tick;
-        ASSERT_TRUE(IsIdentical(record.Proxy, movingRecord.Proxy)) << "tick " << tick;
-        ASSERT_EQ(record.SurfaceStrength, movingRecord.SurfaceStrength) << "tick " << tick;
-        ASSERT_EQ(movingRecord.WallWork, 0.0);
-      }
+      ExpectFramesAlike(description, 1000, 12000, [&](int) { return wanderer.Next(); });
     }
   }
 }
@@ -281,26 +289,12 @@ TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
   EXPECT_NEAR(most, 2.0e-3, 0.06e-3); // k x^2 / 2 at 3 mm, less that at 1 mm
   EXPECT_NEAR(work, 0.0, 0.06e-3);
 
-  description.Frames.clear();
-  const HapticModel still(description);
-  for (int i = 0; i < 100; ++i)
-  {
-    description.Frames.push_back({ 0.01 * i, description.View, nullptr });
-  }
-  const HapticModel alike(description);
-  ServoState state;
-  ServoState alikeState;
-  TickRecord record;
-  TickRecord alikeRecord;
-  for (int tick = 0; tick < 1000; ++tick)
-  {
-    const double angle = 0.01 * tick;
-    const Vector3 tip{ 0.020 + 0.003 * std::cos(angle), 0.004 * std::sin(2.0 * angle), 0.001 };
-    alikeState.DataTime = 0.001 * tick;
-    Tick(still, state, tip, record);
-    Tick(alike, alikeState, tip, alikeRecord);
-    ASSERT_TRUE(IsIdentical(record.Force, alikeRecord.Force)) << "tick " << tick;
-  }
+  ExpectFramesAlike(description, 100, 1000,
+    [](int tick)
+    {
+      const double angle = 0.01 * tick;
+      return Vector3{ 0.020 + 0.003 * std::cos(angle), 0.004 * std::sin(2.0 * angle), 0.001 };
+    });
 }
 
 /// FORCE_FIELD has no proxy: its force is at all times that of the volume as it is then.
