@@ -6,6 +6,7 @@ import time
 import gallery
 import numpy as np
 from volumehaptics.pyvista import add_haptics
+from vtkmodules.vtkCommonDataModel import vtkTable
 
 head, picture = gallery.options(__doc__)
 turn = np.linspace(0.4, 1.1, 60)
@@ -16,22 +17,25 @@ plotter = gallery.make_plotter(picture)
 haptics = add_haptics(plotter, gallery.add_head(plotter, head), "CT contrast")
 for tissue, low, high in (("fat", -150, -20), ("muscle", -20, 90), ("bone", 300, 3000)):  # HU
     haptics.head_up_display.AddTissue(tissue, low, high)
-plotter.view_vector((1, -0.8, 0.35), (0, 0, 1))
+plotter.view_vector((0.45, -1, 0.2), (0, 0, 1))
 plotter.camera.focal_point = way.points[-1] - (0, 0, 30)  # above the figures
 plotter.camera.zoom(1.6)
 plotter.show(interactive_update=True)
 
 haptics.device.PlaceVirtualTip(*way.points[0])
 haptics.device.Arm()
-start, strongest = time.monotonic(), 0.0
+start, strongest, states = time.monotonic(), 0.0, vtkTable()
 while (now := time.monotonic() - start) < way["Time"][-1] and not haptics.closed:
     haptics.device.SetVirtualTip([np.interp(now, way["Time"], way.points[:, axis]) for axis in range(3)])
-    haptics.update()
-    strongest = max(strongest, np.linalg.norm(haptics.device.GetForce()))
-    if picture:
-        time.sleep(0.01)
+    if picture:  # one frame, at the end: drawn by software, others would make the hand jerk
+        haptics.device.UpdateState()
+        haptics.device.DrainStates(states)
+        haptics.head_up_display.AddStates(states)
+        time.sleep(0.005)
     else:
+        haptics.update()
         plotter.update()
+    strongest = max(strongest, np.linalg.norm(haptics.device.GetForce()))
 print(f"strongest {strongest:.3f} N, {haptics.device.GetStatusText()}")
 plotter.render()
 if picture:
