@@ -251,7 +251,7 @@ export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequ
 if [ $full = yes ]; then
   # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
   run_tests "$build_dir-thread" "$jobs" \
-    -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Recording|Scene|Session|Setup|Work)[.])' ||
+    -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Large|Recording|Scene|Session|Setup|Work)[.])' ||
     status=$?
 else
   run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?

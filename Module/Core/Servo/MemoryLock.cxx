@@ -7,11 +7,12 @@
 #if defined(__unix__)
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
+#include <map>
 #include <mutex>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
-#include <unordered_map>
 #endif
 
 namespace VolumeHaptics
@@ -60,17 +61,30 @@ public:
     catch (...) // no memory for the counts
     {
     }
-    if (first < end)
+    // mlock may have locked some of them
+    Run run;
+    for (std::uintptr_t page = first; page < end; ++page)
     {
-      this->Release(first, end - 1); // mlock may have locked some of them
+      this->Release(page, false, run);
     }
+    Unlock(run);
     return false;
   }
 
-  void Remove(std::uintptr_t first, std::uintptr_t last) noexcept
+  /** Ranges of one array, in rising order, are unlocked with as few calls as possible. */
+  template <typename Ranges>
+  void Remove(const Ranges& ranges, bool areOfOneArray) noexcept
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Release(first, last);
+    Run run;
+    for (const auto& range : ranges)
+    {
+      for (std::uintptr_t page = range.First; page <= range.Last; ++page)
+      {
+        this->Release(page, areOfOneArray, run);
+      }
+    }
+    Unlock(run);
   }
 
   static void* AddressOf(std::uintptr_t page) noexcept
@@ -79,34 +93,47 @@ public:
   }
 
 private:
-  void Release(std::uintptr_t first, std::uintptr_t last) noexcept
+  /** Pages that nothing locks any more, and, in an array, pages between them that nothing locks. */
+  struct Run
   {
-    std::uintptr_t begin = first; // begin of a row of pages without locks
-    for (std::uintptr_t page = first; page <= last; ++page)
+    std::uintptr_t Begin = 0;
+    std::uintptr_t End = 0;
+  };
+
+  void Release(std::uintptr_t page, bool isOfArray, Run& run) noexcept
+  {
+    const auto found = this->Counts.find(page);
+    if (found == this->Counts.end() || --found->second > 0)
     {
-      const auto found = this->Counts.find(page);
-      if (found != this->Counts.end() && --found->second > 0)
-      {
-        Unlock(begin, page);
-        begin = page + 1;
-      }
-      else if (found != this->Counts.end())
-      {
-        this->Counts.erase(found);
-      }
+      return;
     }
-    Unlock(begin, last + 1);
-  }
-  static void Unlock(std::uintptr_t begin, std::uintptr_t end) noexcept
-  {
-    if (begin < end)
+    const auto next = this->Counts.erase(found);
+    const bool goesOn = run.Begin < run.End && run.End <= page &&
+      (run.End == page ||
+        (isOfArray && (next == this->Counts.begin() || std::prev(next)->first < run.Begin)));
+    if (!goesOn)
     {
-      munlock(AddressOf(begin), (end - begin) * GetPageSize());
+      Unlock(run);
+      run.Begin = page;
+    }
+    run.End = page + 1;
+  }
+  static void Unlock(const Run& run) noexcept
+  {
+    if (run.Begin >= run.End ||
+      munlock(AddressOf(run.Begin), (run.End - run.Begin) * GetPageSize()) == 0)
+    {
+      return;
+    }
+    // It ends at the first page that the program has unmapped.
+    for (std::uintptr_t page = run.Begin; page < run.End; ++page)
+    {
+      munlock(AddressOf(page), GetPageSize());
     }
   }
 
   std::mutex Mutex;
-  std::unordered_map<std::uintptr_t, unsigned> Counts;
+  std::map<std::uintptr_t, unsigned> Counts;
 };
 
 PerProcess<PageCounts> CountsOfProcess;
@@ -154,10 +181,7 @@ MemoryLock::~MemoryLock()
   // A forked child does not inherit locks.
   if (this->Process == ServoClock::GetProcess())
   {
-    for (const Pages& pages : this->Locked)
-    {
-      CountsOfProcess.Get().Remove(pages.First, pages.Last);
-    }
+    CountsOfProcess.Get().Remove(this->Locked, this->IsOfOneArray);
   }
 }
 

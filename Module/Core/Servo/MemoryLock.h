@@ -40,6 +40,15 @@ class MemoryLock
 {
 public:
   MemoryLock() = default;
+  /**
+   * If all ranges are of one array and come in rising order, they are unlocked together, which
+   * takes a few calls of the system instead of hundreds. What the application itself has locked
+   * between them is then unlocked, too.
+   */
+  explicit MemoryLock(bool isOfOneArray)
+    : IsOfOneArray(isOfOneArray)
+  {
+  }
   /** Unlocks all that was added. */
   ~MemoryLock();
   MemoryLock(const MemoryLock&) = delete;
@@ -63,6 +72,7 @@ private:
     std::uintptr_t Last = 0;
   };
   std::vector<Pages> Locked;
+  bool IsOfOneArray = false;
   std::int64_t Process = 0; // the process that made the locks
 };
 

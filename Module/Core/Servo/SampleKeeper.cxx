@@ -125,16 +125,19 @@ void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
     }
     FetchPages(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);
   }
-  const auto lock = [&pages]() -> std::unique_ptr<MemoryLock>
+  const auto lock = [this, &pages]() -> std::unique_ptr<MemoryLock>
   {
-    auto all = std::make_unique<MemoryLock>();
-    const auto isLocked = [&all](const SamplePages& range)
-    { return all->Add(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin); };
+    auto all = std::make_unique<MemoryLock>(true);
+    const auto isLocked = [this, &all](const SamplePages& range)
+    {
+      return !this->IsStopping() &&
+        all->Add(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);
+    };
     return std::all_of(pages.begin(), pages.end(), isLocked) ? std::move(all) : nullptr;
   };
   // Pages that stay are locked before they are unlocked, if both fit into the limit.
   std::unique_ptr<MemoryLock> next = lock();
-  if (!next && kept.Lock)
+  if (!next && kept.Lock && !this->IsStopping())
   {
     kept.Lock.reset();
     next = lock();

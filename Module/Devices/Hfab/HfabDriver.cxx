@@ -12,9 +12,9 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int RoundPause = 2; // ms, between messages if the servo gives no force
-constexpr int LostPause = 10; // ms
-constexpr int WriteTime = 20; // ms
+constexpr int HfabRoundPause = 2; // ms, between messages if the servo gives no force
+constexpr int HfabLostPause = 10; // ms
+constexpr int WriteTime = 20;     // ms
 /** ms. If an answer is later, the message is taken for lost, and the next one is sent. */
 constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;
@@ -206,13 +206,13 @@ void HfabDriver::Serve(HardwareExchange& exchange)
     {
       // Quench and Close wait for rounds of zero force.
       exchange.GetForce();
-      exchange.WaitForWake(LostPause);
+      exchange.WaitForWake(HfabLostPause);
       continue;
     }
     this->Round(exchange);
     if (!this->Lost)
     {
-      exchange.WaitForWake(RoundPause);
+      exchange.WaitForWake(HfabRoundPause);
     }
   }
 }

@@ -12,9 +12,9 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int RoundPause = 1;    // ms, the longest between two rounds
-constexpr int LostPause = 10;    // ms
-constexpr double Farthest = 10.; // m: a position beyond is none
+constexpr int VendorRoundPause = 1; // ms, the longest between two rounds
+constexpr int VendorLostPause = 10; // ms
+constexpr double Farthest = 10.;    // m: a position beyond is none
 constexpr std::uint32_t AllAxes = 7;
 
 bool IsLimit(double limit)
@@ -146,11 +146,11 @@ void VendorDriver::Serve(HardwareExchange& exchange)
     {
       // Quench and Close wait for rounds of zero force.
       exchange.GetForce();
-      exchange.WaitForWake(LostPause);
+      exchange.WaitForWake(VendorLostPause);
       continue;
     }
     this->Round(exchange);
-    exchange.WaitForWake(RoundPause);
+    exchange.WaitForWake(VendorRoundPause);
   }
 }
 

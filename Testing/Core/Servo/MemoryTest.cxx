@@ -13,7 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <sys/mman.h>
@@ -89,6 +91,45 @@ TEST(ServoMemory, SharedPagesStayLockedUntilTheLastLockIsGone)
   EXPECT_LE(LockedBytes(), before + both);
   second.reset();
   EXPECT_EQ(LockedBytes(), before);
+}
+
+TEST(ServoMemory, RangesOfAnArrayGoTogetherAndLeaveTheLocksOfOthers)
+{
+  constexpr std::size_t pages = 40;
+  char* const array = static_cast<char*>(
+    mmap(nullptr, pages * PageSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  const std::size_t before = LockedBytes();
+  const auto lockRows = [array]
+  {
+    auto rows = std::make_unique<MemoryLock>(true);
+    bool isLocked = CanLock;
+    for (std::size_t row = 0; row < pages; row += 10)
+    {
+      isLocked = isLocked && rows->Add(array + row * PageSize, 2 * PageSize);
+    }
+    return isLocked ? std::move(rows) : nullptr;
+  };
+  auto rows = lockRows();
+  if (!rows)
+  {
+    munmap(array, pages * PageSize);
+    GTEST_SKIP() << "memory can't be locked here";
+  }
+  EXPECT_EQ(LockedBytes() - before, 8 * PageSize);
+  auto others = std::make_unique<MemoryLock>();
+  ASSERT_TRUE(others->Add(array + 15 * PageSize, PageSize)); // between two rows
+  ASSERT_TRUE(others->Add(array + 20 * PageSize, PageSize)); // in a row
+  rows.reset();
+  EXPECT_EQ(LockedBytes() - before, 2 * PageSize) << "of the other lock";
+  others.reset();
+  EXPECT_EQ(LockedBytes(), before);
+  // A program may have unmapped a part of the array meanwhile.
+  rows = lockRows();
+  ASSERT_NE(rows, nullptr);
+  munmap(array + 5 * PageSize, PageSize);
+  rows.reset();
+  EXPECT_EQ(LockedBytes(), before);
+  munmap(array, pages * PageSize);
 }
 
 TEST(ServoMemory, WhatIsNotThereIsRefusedAndLeavesNothingLocked)
