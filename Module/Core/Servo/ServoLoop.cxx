@@ -320,8 +320,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
     input.Stiffness = s.Record.Stiffness;
     input.Stretch = Norm(s.Record.Proxy - s.Record.Tip);
     // If data are missing, the force is that of an earlier tick.
-    input.Drag =
-      model && !s.Awaiting ? FindDrag(*model, s.Before.PreviousTip, s.Record) : Vector3{};
+    input.Drag = model && !s.Awaiting ? FindDrag(*model, s.Before, s.Record) : Vector3{};
   }
   input.Tip = sample.Tip;
   input.Period = period;

@@ -72,15 +72,17 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
 }
 
 Vector3 FindDrag(
-  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
+  const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept
 {
   const bool isField = model.Baked->Settings.Method == HapticMethod::ForceField;
   if (!isField || !(record.DragForce > 0.0))
   {
     return {};
   }
-  const Vector3 drag = FindFieldDamping(model, previousTip, record);
-  const double whole = Norm(FindFieldPush(model, record) + drag);
+  // The hand's motion alone: where the material moves, it may give energy.
+  const Vector3 drag = FindFieldDamping(model, before.PreviousTip, record);
+  const Vector3 material = FindFieldDamping(model, FindFieldPlace(model, before), record);
+  const double whole = Norm(FindFieldPush(model, record) + material);
   // The force may be clamped.
   return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
 }
@@ -96,14 +98,24 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
     return;
   }
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
+  const HapticSettings& was = from.Baked->Settings;
+  const HapticSettings& is = to.Baked->Settings;
+  // A coarse image that stands in, and what it stands for, have surfaces at different places: the
+  // proxy must not come to the other side.
+  const bool isOtherSurface = from.Baked->ResidentShare != to.Baked->ResidentShare &&
+    was.Method == HapticMethod::SurfaceProxy && is.Method == HapticMethod::SurfaceProxy &&
+    IsOutsideSurface(from, state.Proxy, state.DataTime);
   state.Proxy = carry(state.Proxy);
+  if (isOtherSurface)
+  {
+    state.Proxy = EnterSurface(to, state.Proxy, state.DataTime);
+  }
   state.Precise.ReachedTip = carry(state.Precise.ReachedTip);
   state.Precise.Spring.DropReserve();
   state.Precise.CachedSampleDistance = PreciseState::Unknown;
   state.Precise.StepPrediction = 1.0;
-  const HapticSettings& was = from.Baked->Settings;
-  const bool isOther = was.Method != to.Baked->Settings.Method;
-  if (isOther || was.Solver != to.Baked->Settings.Solver)
+  const bool isOther = was.Method != is.Method;
+  if (isOther || was.Solver != is.Solver)
   {
     // Methods and solvers keep only their own state up to date.
     state.Precise = PreciseState{};
@@ -111,8 +123,8 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   }
   if (isOther)
   {
-    const Vector3 outside = EnterSurface(to, state.Proxy);
-    state.Proxy = to.Baked->Settings.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
+    const Vector3 outside = EnterSurface(to, state.Proxy, state.DataTime);
+    state.Proxy = is.Method == HapticMethod::SurfaceProxy ? outside : state.Proxy;
     StartLocalSurface(to.DeviceToWorld(outside), to.DeviceToWorld(state.PreviousTip), state.Local);
   }
   if (isOther || from.Baked->Number != to.Baked->Number)

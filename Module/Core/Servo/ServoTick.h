@@ -28,11 +28,12 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   const LocalSurfaceResult& result = LocalSurfaceResult::Simulated()) noexcept;
 
 /**
- * The drag in a tick's force (N), which only takes energy: that of FORCE_FIELD; zero for the
- * methods that pull with a spring.
+ * The drag in a tick's force (N) against the hand's motion, which only takes energy: that of
+ * FORCE_FIELD; zero for the methods that pull with a spring.
+ * @param before the state before the tick, at its data time
  */
 Vector3 FindDrag(
-  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;
+  const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept;
 
 /**
  * Takes the state from one placement of the device to another. The proxy rests on the volume: if

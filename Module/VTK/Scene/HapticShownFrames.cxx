@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticShownFrames.h"
 
+#include "VTK/Baking/HapticBaker.h"
+
 #include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
@@ -26,14 +30,47 @@ vtkImageData* FindInput(vtkVolumeMapper* mapper)
 
 bool HasShapeOf(vtkImageData* image, vtkImageData* other)
 {
+  const double* const direction = image->GetDirectionMatrix()->GetData();
   return std::equal(image->GetExtent(), image->GetExtent() + 6, other->GetExtent()) &&
     std::equal(image->GetSpacing(), image->GetSpacing() + 3, other->GetSpacing()) &&
-    std::equal(image->GetOrigin(), image->GetOrigin() + 3, other->GetOrigin());
+    std::equal(image->GetOrigin(), image->GetOrigin() + 3, other->GetOrigin()) &&
+    std::equal(direction, direction + 9, other->GetDirectionMatrix()->GetData());
 }
 
-bool ShowsFelt(vtkImageData* shown, vtkImageData* felt, bool areComponents)
+/**
+ * Whether an array is one of the components of another one, as far as some samples tell: a mask of
+ * the same shape, for example, is none.
+ */
+bool IsComponentOf(vtkDataArray* array, vtkDataArray* frames)
 {
-  return HasSamplesOf(shown, felt) || (areComponents && HasShapeOf(shown, felt));
+  constexpr vtkIdType looks = 1000;
+  const vtkIdType count = frames ? frames->GetNumberOfTuples() : 0;
+  if (!array || array->GetNumberOfTuples() != count || count == 0 ||
+    array->GetNumberOfComponents() != 1 || array->GetDataType() != frames->GetDataType())
+  {
+    return false;
+  }
+  const vtkIdType step = count / looks + 1;
+  for (int component = 0; component < frames->GetNumberOfComponents(); ++component)
+  {
+    vtkIdType at = 0;
+    while (at < count && array->GetComponent(at, 0) == frames->GetComponent(at, component))
+    {
+      at += step;
+    }
+    if (at >= count)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool ShowsFelt(vtkImageData* shown, vtkImageData* felt, vtkDataArray* frames)
+{
+  return HasSamplesOf(shown, felt) ||
+    (frames && HasShapeOf(shown, felt) &&
+      IsComponentOf(shown->GetPointData()->GetScalars(), frames));
 }
 
 } // namespace
@@ -49,7 +86,10 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   auto* const felt =
     filter ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
-  const bool areComponents = filter && filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  vtkDataArray* const frames =
+    felt && filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS
+    ? HapticBaker(filter).GetTouched()[0].Array
+    : nullptr;
   std::vector<Shown> now;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator it;
@@ -72,7 +112,7 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
       now.push_back(std::move(*known));
       known->Mapper = nullptr;
     }
-    else if (felt && ShowsFelt(input, felt, areComponents))
+    else if (felt && ShowsFelt(input, felt, frames))
     {
       now.push_back({ volume, mapper, input, nullptr, nullptr });
     }

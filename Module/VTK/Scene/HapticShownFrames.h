@@ -34,8 +34,8 @@ class HapticShownFrames
 public:
   /**
    * To be called before frames are read: finds the volumes that show the image of a device's
-   * filter. They have the image, or its scalars; or if its components are frames, another image of
-   * its shape.
+   * filter. They have the image, or its scalars; or if its components are frames, an image of its
+   * shape with one of them.
    */
   void Find(vtkRenderer* renderer, vtkHapticDevice* device);
   /** Shows the frame at the device's time in them. Whether another one was shown before. */

@@ -442,6 +442,34 @@ TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
   }
 }
 
+/// V6 for FORCE_FIELD: what moves over a hand drags it as a hand is dragged that moves the other way.
+TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
+{
+  const MaterialMovie movie(
+    3, [](const Vector3& index, int frame) { return BumpyWall(index, 11.0 + frame); },
+    [](const Vector3&, int) { return Vector3{ 1.0, 0.0, 0.0 }; });
+  HapticModelDescription description = movie.Describe();
+  description.Settings.Method = HapticMethod::ForceField;
+  description.Settings.ForceFieldDamping = 50.0;
+  MaterialHand hand(description);
+  description.Frames.clear();
+  MaterialHand still(description);
+  double farthest = 0.0;
+  for (int tick = 0; tick <= 100; ++tick)
+  {
+    const double time = 0.02 * tick;
+    const Vector3 tip{ 0.011 + 1e-5 * tick, 0.012, 0.011 + 2e-5 * tick };
+    const Vector3 force = hand.Touch(tip, time).Force;
+    const Vector3 opposite = still.Touch(tip - Vector3{ 0.001 * time, 0.0, 0.0 }, 0.0).Force;
+    ASSERT_LT(Norm(force - opposite), 1e-9) << "tick " << tick;
+    // 20 mm/s less the 10 mm/s of the hand, along x.
+    const double drag = tick == 0 ? 0.0 : 50.0 * std::hypot(0.010, 0.020);
+    ASSERT_NEAR(hand.Record.DragForce, drag, 1e-9) << "tick " << tick;
+    farthest = std::max(farthest, Norm(force));
+  }
+  EXPECT_GT(farthest, 1.0);
+}
+
 /// Whatever displacements say, forces are numbers, and no surface pushes with more than it has.
 TEST(MovingMaterial, AbsurdDisplacementsMakeNoAbsurdForce)
 {

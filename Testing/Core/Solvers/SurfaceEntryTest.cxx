@@ -51,6 +51,27 @@ TEST_F(SurfaceEntry, GoesToTheNearestOutside)
   EXPECT_NEAR(this->Enter({ 12.0, 12.0, 7.0 }).Z, 11.5, 0.5);
 }
 
+/// The surface of a coarse image that stands in is 2 mm deeper: its proxy is inside the fine one.
+TEST_F(SurfaceEntry, ComesOutOfAFineSurfaceThatReplacesACoarseOne)
+{
+  HapticModelDescription coarse = this->Scene;
+  coarse.ResidentShare = 0.5;
+  coarse.Settings.IsoValue = 1200.0;
+  const auto swap = [&](const Vector3& proxy)
+  {
+    ServoState state;
+    state.Enabled = true;
+    state.Proxy = 0.001 * proxy;
+    CarryState(HapticModel(coarse), HapticModel(this->Scene), state);
+    return 1000.0 * state.Proxy;
+  };
+  EXPECT_LE(swap({ 12.0, 11.0, 11.0 }).Z, 9.0) << "a sphere of 1 mm";
+  const Vector3 free{ 12.0, 11.0, 8.5 };
+  EXPECT_LE(Norm(swap(free) - free), 1e-12) << "it is outside of both";
+  const Vector3 within{ 12.0, 11.0, 13.0 };
+  EXPECT_LE(Norm(swap(within) - within), 1e-12) << "it is held from within";
+}
+
 TEST_F(SurfaceEntry, StaysWhereItIs)
 {
   const auto expectStays = [this](const Vector3& proxy, HapticMethod from, const char* why)

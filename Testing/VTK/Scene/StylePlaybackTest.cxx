@@ -160,6 +160,33 @@ TEST_F(StylePlayback, ComponentsAreShownOneByOne)
   this->WatchFrames(0.0, 5);
 }
 
+TEST_F(StylePlayback, AMaskOfTheSameShapeIsNoComponent)
+{
+  this->Filter->SetInputData(0, MakeNumbered(0, 5));
+  this->Filter->SetFramesToComponents();
+  const auto mask = MakeNumbered(2);
+  mask->GetPointData()->GetScalars()->SetComponent(1001, 0, 1.0);
+  this->Mapper->SetInputData(mask);
+  const auto turned = MakeNumbered(2);
+  turned->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  mapper->SetInputData(turned);
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  this->Renderer->AddVolume(volume);
+  this->Start();
+  this->Press("space");
+  ASSERT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->HasFrames();
+    }));
+  this->Run(20);
+  EXPECT_EQ(this->GetShown(), mask);
+  EXPECT_EQ(mapper->GetInputDataObject(0, 0), turned);
+}
+
 TEST_F(StylePlayback, AVolumeThatShowsSomethingElseIsLeftAlone)
 {
   const auto other = MakeNumbered(7);

@@ -14,11 +14,23 @@ Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexce
 }
 
 Vector3 FindFieldDamping(
-  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept
+  const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept
 {
-  const Vector3 velocity = (1.0 / model.Baked->Settings.TickPeriod) * (record.Tip - previousTip);
+  const Vector3 velocity = (1.0 / model.Baked->Settings.TickPeriod) * (record.Tip - from);
   const double damping = Law::Capped(model.Baked->Settings.ForceFieldDamping, model.Caps.Damping);
   return -damping * velocity;
+}
+
+Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexcept
+{
+  const Vector3 index = model.DeviceToIndex(state.PreviousTip);
+  if (!model.Baked->IsMoving() || model.Baked->FeelsLabels() ||
+    state.CarriedTo == state.DataTime || !model.Baked->Field.IsInside(index))
+  {
+    return state.PreviousTip;
+  }
+  const Vector3 now = model.Baked->FollowMaterial(index, state.CarriedTo, state.DataTime);
+  return state.PreviousTip + Inverse(model.DeviceToIndex.Linear) * (now - index);
 }
 
 void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
@@ -34,7 +46,9 @@ void StepForceField(const HapticModel& model, ServoState& state, TickRecord& rec
   }
   record.Stiffness = record.Friction = record.Viscosity = record.SurfaceStrength = 0.0;
   const Vector3 push = FindFieldPush(model, record);
-  const Vector3 damping = FindFieldDamping(model, state.PreviousTip, record);
+  const Vector3 place = FindFieldPlace(model, state);
+  const Vector3 damping = FindFieldDamping(model, place, record);
+  record.WallWork = Dot(damping, place - state.PreviousTip);
   record.NormalForce = Norm(push);
   record.DragForce = Norm(damping);
   record.Force = push + damping;

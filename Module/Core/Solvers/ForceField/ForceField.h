@@ -18,9 +18,15 @@ struct TickRecord;
 /** One tick from record.Tip; writes all of the record. */
 void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
-/** The damping force (N) of a tick that began at previousTip. */
+/** The damping force (N) on a tip that has come from a place within a tick. */
 Vector3 FindFieldDamping(
-  const HapticModel& model, const Vector3& previousTip, const TickRecord& record) noexcept;
+  const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept;
+
+/**
+ * Where the material that was at the last tick's tip is now: damping is against the motion relative
+ * to it. The last tip itself if displacements do not tell (CarriedProxy.h).
+ */
+Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexcept;
 
 /** The force (N) against the gradient. */
 Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept;

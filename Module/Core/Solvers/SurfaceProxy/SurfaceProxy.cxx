@@ -197,17 +197,19 @@ void StepSurfaceProxy(
   }
 }
 
-Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept
+bool IsOutsideSurface(const HapticModel& model, const Vector3& place, double time) noexcept
+{
+  const HapticSettings& settings = model.Baked->Settings;
+  const double value = model.ValueAtDevice(place, time);
+  const bool isLower = settings.Side == SurfaceSide::Lower;
+  return !settings.HasIsoSurface ||
+    (isLower ? value > settings.IsoValue : value < settings.IsoValue);
+}
+
+Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time) noexcept
 {
   constexpr int steps = 12;
-  const double iso = model.Baked->Settings.IsoValue;
-  const bool isLower = model.Baked->Settings.Side == SurfaceSide::Lower;
-  const auto isOutside = [&](const Vector3& at)
-  {
-    const double value = model.ValueAtDevice(at);
-    return isLower ? value > iso : value < iso;
-  };
-  if (!model.Baked->Settings.HasIsoSurface || isOutside(place))
+  if (IsOutsideSurface(model, place, time))
   {
     return place;
   }
@@ -220,7 +222,7 @@ Vector3 EnterSurface(const HapticModel& model, const Vector3& place) noexcept
       // The neighbours of the middle of a cube.
       const Vector3 direction{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
       const Vector3 unit = (1.0 / std::max(1.0, Norm(direction))) * direction;
-      if (i != 13 && isOutside(place + distance * unit))
+      if (i != 13 && IsOutsideSurface(model, place + distance * unit, time))
       {
         return place + (distance + radius) * unit;
       }
