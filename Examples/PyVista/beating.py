@@ -74,27 +74,9 @@ watch(2.5, note)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * (RADIUS + STROKE - REST):.3f} N")
 
 if chosen.movie:
-    from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
-    from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
-
     device.SetPlaybackSpeed(0.1)
-    capture = vtkWindowToImageFilter()
-    capture.SetInput(plotter.render_window)
-    capture.ReadFrontBufferOff()
-    writer = vtkOggTheoraWriter()
-    writer.SetFileName(chosen.movie)
-    writer.SetInputConnection(capture.GetOutputPort())
-    writer.SetRate(10)
-    writer.Start()
-
-    def film():
-        plotter.render()
-        capture.Modified()
-        writer.Write()
-        time.sleep(0.05)
-
-    watch(11.0, film)
-    writer.End()
+    with gallery.Movie(plotter, chosen.movie, rate=10) as movie:
+        watch(11.0, movie.add)
 if chosen.picture:
     device.SetPlaybackSpeed(0.25)
     watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # where the ball is largest

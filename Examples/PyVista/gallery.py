@@ -2,16 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the scripts of the gallery: options, paths over a head, the look of a picture, and showing it."""
 import argparse
+import time
 
 import numpy as np
 import pyvista as pv
 from matplotlib.colors import LinearSegmentedColormap
 from volumehaptics import examples
+from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 # Of -600 to 1000 HU: skin, then what is soft, then bone.
 SKIN = LinearSegmentedColormap.from_list(
     "skin", ["#d8997a", "#edb08f", "#e5a083", "#e0977d", "#e6b9a0", "#f5ebd8", "#faf2e4", "#ffffff"])
 OPACITY = [0.0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 0.98]
+# Of -1000 to 1000 HU: the lung's surface, what is soft as a veil, and bone.
+CHEST = LinearSegmentedColormap.from_list(
+    "chest", ["#6a5560", "#c98f86", "#d8997a", "#e0977d", "#d9725f", "#f0dcc0", "#faf2e4", "#ffffff", "#ffffff"])
+CHEST_OPACITY = [0.0, 0.0, 0.07, 0.05, 0.03, 0.45, 0.8, 0.95, 0.98]
 COLOURS = ["#1f6fb4", "#e0701a", "#2a9d4f", "#b13a7c", "#6b57b8"]
 
 
@@ -108,6 +115,34 @@ def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
     chart.GetLegend().SetVerticalAlignment({"top": 3, "bottom": 4}[legend[1]])
     plotter.add_chart(chart)
     return chart
+
+
+class Movie:
+    """A movie of a plotter, by VTK's own writer (.ogv), of so many pictures a second as it is played."""
+
+    def __init__(self, plotter, file, rate):
+        self.plotter, self.rate = plotter, rate
+        self.capture = vtkWindowToImageFilter()
+        self.capture.SetInput(plotter.render_window)
+        self.capture.ReadFrontBufferOff()
+        self.writer = vtkOggTheoraWriter()
+        self.writer.SetFileName(str(file))
+        self.writer.SetInputConnection(self.capture.GetOutputPort())
+        self.writer.SetRate(rate)
+
+    def __enter__(self):
+        self.writer.Start()
+        return self
+
+    def __exit__(self, *_):
+        self.writer.End()
+
+    def add(self):
+        """What is seen now; not sooner than a viewer will see the next picture, twice as fast."""
+        self.plotter.render()
+        self.capture.Modified()
+        self.writer.Write()
+        time.sleep(0.5 / self.rate)
 
 
 def show(plotter, picture, direction=None, zoom=1.4):
