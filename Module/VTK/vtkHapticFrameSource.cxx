@@ -152,4 +152,5 @@ void vtkHapticFrameSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfFrames: " << this->GetNumberOfFrames() << "\n";
+  os << indent << "Streamed: " << (this->Streamed ? "On" : "Off") << "\n";
 }

@@ -18,6 +18,15 @@
  * meanwhile. All frames need the same extent, spacing, origin and direction; the filter tells if
  * one has others.
  *
+ * A program that gets the frames one by one, as an animation shows them, gives the last two of them,
+ * and has a device go on from one to the other (SetStreamed):
+ *
+ *   source->StreamedOn();
+ *   source->RemoveAllFrames();
+ *   source->AddFrame(lastOne, lastTime);
+ *   source->AddFrame(nextOne, nextTime);
+ *   device->Publish();
+ *
  * @sa vtkVolumeHapticsFilter, vtkHapticDevice
  */
 #ifndef vtkHapticFrameSource_h
@@ -50,6 +59,19 @@ public:
   double GetFrameTime(int number);
   ///@}
 
+  ///@{
+  /**
+   * Whether frames that come and go belong to one volume. A device that plays them then goes on
+   * from what it has to what there is without a step of the force, as long as its data time is that
+   * of a frame, with the noise and the material of the first frames. Regions of a volume may be
+   * frames, too, if all of them are of the same region at a time. Off (default): a change of the
+   * frames is another volume.
+   */
+  vtkSetMacro(Streamed, bool);
+  vtkGetMacro(Streamed, bool);
+  vtkBooleanMacro(Streamed, bool);
+  ///@}
+
   /** Changes of the frames' images count. */
   vtkMTimeType GetMTime() override;
 
@@ -66,6 +88,7 @@ private:
   vtkHapticFrameSource(const vtkHapticFrameSource&) = delete;
   void operator=(const vtkHapticFrameSource&) = delete;
 
+  bool Streamed = false;
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

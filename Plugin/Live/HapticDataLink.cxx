@@ -61,7 +61,7 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
   this->FollowTime(proxy, volume);
   if (IsLocal(proxy))
   {
-    this->Image.Follow(volume, port, filter, 0);
+    this->FollowImage(volume, port, device);
     this->Surface.Follow(surface, surfacePort, filter, 2);
     this->Labels.Follow(labels, labelPort, filter, 3);
   }
@@ -72,6 +72,13 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
     {
       report.SetProblem("A Surface on a server is not touched; the isosurface at IsoValue is. To "
                         "touch the Surface, open the data without a server.");
+    }
+    const char* const displacements =
+      vtkSMPropertyHelper(this->Touch.GetTouch(), "DisplacementArrayName").GetAsString();
+    if (displacements && *displacements && HapticFrameLink::IsMoving(volume, port, filter) && !report.HasProblem())
+    {
+      report.SetProblem("Displacements on a server are not felt; the time steps are blended in "
+                        "place. To feel the displacements, open the data without a server.");
     }
     if (labels && !report.HasProblem())
     {
@@ -93,15 +100,37 @@ void HapticDataLink::FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
   {
     this->ViewTime = time;
     volume->UpdatePipeline(time);
-    this->Region.Forget();
   }
+}
+
+void HapticDataLink::FollowImage(
+  vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
+  if (volume)
+  {
+    volume->UpdatePipeline(); // which also tells whether it has times
+  }
+  if (HapticFrameLink::IsMoving(volume, port, filter))
+  {
+    this->Image.FollowFrames(volume, port, this->ViewTime, filter, device, this->Frames);
+    return;
+  }
+  if (this->Frames.HasBegun(filter))
+  {
+    this->Frames.Clear();
+    this->Image.Forget();
+  }
+  this->Image.Follow(volume, port, filter, 0);
 }
 
 void HapticDataLink::FollowRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
   vtkHapticDevice* device, HapticReport& report)
 {
   this->Region.SetMaximumVoxels(vtkSMPropertyHelper(proxy, "MaximumRegionVoxels").GetAsIdType());
-  switch (this->Region.Poll(volume, port, this->Touch.GetFilter(), device))
+  vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
+  filter->SetDisplacementArrayName(""); // regions have the touched array only
+  switch (this->Region.Poll(volume, port, this->ViewTime, filter, device, this->Frames))
   {
     case HapticRegionLink::Answer::Lost:
       this->Lost();

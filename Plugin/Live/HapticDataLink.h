@@ -7,6 +7,7 @@
 #ifndef HapticDataLink_h
 #define HapticDataLink_h
 
+#include "HapticFrameLink.h"
 #include "HapticImageLink.h"
 #include "HapticOpacityLink.h"
 #include "HapticRegionLink.h"
@@ -59,12 +60,14 @@ public:
 
 private:
   void FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume);
+  void FollowImage(vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device);
   void FollowRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
     vtkHapticDevice* device, HapticReport& report);
 
   const std::function<void()> Lost;
   HapticTouchLink Touch;
   HapticImageLink Image;
+  HapticFrameLink Frames; // if the volume has times
   HapticImageLink Surface;
   HapticImageLink Labels;
   HapticRegionLink Region; // if the data are on a server

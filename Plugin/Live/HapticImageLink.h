@@ -12,10 +12,13 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkHapticDevice;
 class vtkSMSourceProxy;
+class vtkVolumeHapticsFilter;
 
 namespace VolumeHapticsLive
 {
+class HapticFrameLink;
 
 /**
  * The filter is not connected to the pipeline, because a view must not execute a filter whose data
@@ -29,12 +32,25 @@ public:
    * Update the source, and give its output to an input port of the filter if it is new.
    */
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
+  /**
+   * The same with an image that has times, as frames of input port 0. Its source was updated at a
+   * time. Another pipeline, or other settings in it, are another volume.
+   */
+  void FollowFrames(vtkSMSourceProxy* source, unsigned int port, double time,
+    vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);
+  /** The next Follow gives the output, even if it is the last one. */
+  void Forget();
 
 private:
+  bool IsSeen(vtkDataObject* data, vtkAlgorithm* filter) const;
+  void See(vtkDataObject* data, vtkAlgorithm* filter);
+
   // Weak: a new object may have the address of one that was deleted.
   vtkWeakPointer<vtkDataObject> Seen;
   vtkWeakPointer<vtkAlgorithm> SeenFilter;
   vtkMTimeType SeenTime = 0;
+  vtkMTimeType PipelineTime = 0; // of frames: when the pipeline was last changed
+  bool IsInPlace = false;        // of frames: the pipeline writes each one to the same arrays
 };
 
 } // namespace VolumeHapticsLive

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticRegionLink.h"
 
+#include "HapticFrameLink.h"
+
 #include "vtkHapticDevice.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -12,6 +14,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace VolumeHapticsLive
 {
@@ -36,14 +39,6 @@ void HapticRegionLink::Clear()
   this->HasImage = false;
   this->IsRefused = false;
   this->Problem.clear();
-}
-
-void HapticRegionLink::Forget()
-{
-  if (this->Proxy)
-  {
-    this->Proxy->SetStale(true);
-  }
 }
 
 bool HapticRegionLink::Follow(
@@ -74,7 +69,6 @@ bool HapticRegionLink::Follow(
     vtkSMPropertyHelper(this->Proxy, "Input").Set(volume, port);
     this->Proxy->UpdateVTKObjects();
   }
-  volume->UpdatePipeline(); // otherwise its next change would not be reported
   const char* const name = filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
   const std::string array = name ? name : "";
   if (this->Proxy && (array != this->Array || this->Proxy->GetStale()))
@@ -89,16 +83,30 @@ bool HapticRegionLink::Follow(
 }
 
 HapticRegionLink::Answer HapticRegionLink::Fetch(
-  const int region[6], vtkVolumeHapticsFilter* filter)
+  const int region[6], double time, vtkImageData* image)
 {
-  const double start = vtkTimerLog::GetUniversalTime();
-  vtkNew<vtkImageData> image;
   this->Problem.clear();
-  const auto answer = this->Proxy->Fetch(this->Array, region, image, this->Problem);
+  const bool isPresent = time == this->ViewTime;
+  const auto answer =
+    this->Proxy->Fetch(this->Array, region, time, isPresent, image, this->Problem);
   if (answer != vtkSMHapticRegionProxy::FETCHED)
   {
     this->IsRefused = true;
     return answer == vtkSMHapticRegionProxy::LOST ? Answer::Lost : Answer::Refused;
+  }
+  return Answer::Region;
+}
+
+/** A corner for the survey, or the first region after it. */
+HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], double time,
+  vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  vtkNew<vtkImageData> image;
+  const Answer answer = this->Fetch(region, time, image);
+  if (answer != Answer::Region)
+  {
+    return answer;
   }
   if (!this->IsSurveyed)
   {
@@ -107,18 +115,66 @@ HapticRegionLink::Answer HapticRegionLink::Fetch(
   }
   else
   {
-    // It may have been wanted ever since the last look.
-    this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
-    this->HasLatency = true;
+    this->NoteLatency(start);
     image->GetExtent(this->Resident.data());
   }
   // While another region is felt, a corner would interrupt it.
   if (this->Resident != Empty || !this->HasImage)
   {
-    filter->SetInputDataObject(0, image);
+    this->IsMoving ? frames.Begin(image, time, filter, device)
+                   : filter->SetInputDataObject(0, image);
     this->HasImage = true;
+    this->HasFrames = this->IsMoving;
   }
   return Answer::Region;
+}
+
+/** A region at the time, and at the one before, if the servo is on its way or goes on from there. */
+HapticRegionLink::Answer HapticRegionLink::FetchFrames(const int region[6], double time,
+  vtkHapticDevice* device, HapticFrameLink& frames)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const bool isNext = time != frames.GetTime();
+  const double before = isNext ? frames.GetTime() : frames.GetTimeBefore();
+  const bool isElsewhere = !std::equal(region, region + 6, this->Resident.begin());
+  const bool isBetween = !frames.IsFirst() && !frames.IsThere(device);
+  vtkNew<vtkImageData> image;
+  vtkSmartPointer<vtkImageData> last = isNext ? frames.GetImage() : image.Get();
+  if (isElsewhere && (isNext || isBetween))
+  {
+    last = vtkSmartPointer<vtkImageData>::New();
+    const Answer answer = this->Fetch(region, before, last);
+    if (answer == Answer::Refused)
+    {
+      // The server has it no longer: what is there now begins anew.
+      this->IsRefused = false;
+      this->Proxy->SetStale(true);
+      return Answer::Nothing;
+    }
+    if (answer != Answer::Region)
+    {
+      return answer;
+    }
+  }
+  const Answer answer = this->Fetch(region, time, image);
+  if (answer != Answer::Region)
+  {
+    return answer;
+  }
+  if (isElsewhere)
+  {
+    this->NoteLatency(start);
+    image->GetExtent(this->Resident.data());
+  }
+  isNext ? frames.Go(last, image, time, device) : frames.Replace(last, image);
+  return Answer::Region;
+}
+
+/** A region may have been wanted ever since the last look. */
+void HapticRegionLink::NoteLatency(double start)
+{
+  this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
+  this->HasLatency = true;
 }
 
 void HapticRegionLink::MeasureVelocity(vtkHapticDevice* device)
@@ -139,18 +195,30 @@ void HapticRegionLink::MeasureVelocity(vtkHapticDevice* device)
 }
 
 HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsigned int port,
-  vtkVolumeHapticsFilter* filter, vtkHapticDevice* device)
+  double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames)
 {
   const double now = vtkTimerLog::GetUniversalTime();
   this->Interval = std::clamp(now - this->PollTime, 0.0, LongestInterval);
   this->PollTime = now;
+  if (volume)
+  {
+    volume->UpdatePipeline(); // otherwise its next change would not be reported
+  }
+  const bool wasMoving =
+    std::exchange(this->IsMoving, HapticFrameLink::IsMoving(volume, port, filter));
+  if (this->Proxy && (wasMoving != this->IsMoving || (!this->IsMoving && time != this->ViewTime)))
+  {
+    this->Proxy->SetStale(true);
+  }
+  this->ViewTime = time;
   if (!this->Follow(volume, port, filter))
   {
     return volume ? Answer::Refused : Answer::Nothing;
   }
   if (!this->IsSurveyed)
   {
-    return this->Fetch(Empty.data(), filter);
+    this->HasFrames = false;
+    return this->FetchFirst(Empty.data(), time, filter, device, frames);
   }
   this->MeasureVelocity(device);
   if (!device->IsRunning() || device->GetTime() == 0.0)
@@ -163,10 +231,19 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
     this->Planner->UseSettingsOf(filter);
   }
   int wanted[6];
-  return this->Planner->Plan(
-           device->GetTipPosition(), this->Velocity.data(), this->Resident.data(), wanted)
-    ? this->Fetch(wanted, filter)
-    : Answer::Nothing;
+  const bool isElsewhere = this->Planner->Plan(
+    device->GetTipPosition(), this->Velocity.data(), this->Resident.data(), wanted);
+  if (!this->HasFrames)
+  {
+    return isElsewhere ? this->FetchFirst(wanted, time, filter, device, frames) : Answer::Nothing;
+  }
+  const bool isNext = time != frames.GetTime() && frames.IsThere(device);
+  if (!isElsewhere && (!isNext || this->Resident == Empty))
+  {
+    return Answer::Nothing;
+  }
+  return this->FetchFrames(isElsewhere ? wanted : this->Resident.data(),
+    isNext ? time : frames.GetTime(), device, frames);
 }
 
 } // namespace VolumeHapticsLive

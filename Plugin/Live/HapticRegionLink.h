@@ -23,6 +23,7 @@ class vtkVolumeHapticsFilter;
 
 namespace VolumeHapticsLive
 {
+class HapticFrameLink;
 
 /**
  * At first it asks for the position of the volume. A corner of it comes, with which the servo can
@@ -40,9 +41,13 @@ public:
     Lost     ///< the server does not answer
   };
 
-  /** Fetch a region, one at most, if the planner wants it for the device's latest state. */
-  Answer Poll(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter,
-    vtkHapticDevice* device);
+  /**
+   * Fetch a region, one at most, if the planner wants it for the device's latest state. The volume
+   * was updated at a time. If it has several, the region of the next one is fetched, too, as soon
+   * as the servo has come to the last one; and while it is on its way, regions of both.
+   */
+  Answer Poll(vtkSMSourceProxy* volume, unsigned int port, double time,
+    vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);
 
   /** The time (s) from wanting a region to having it here; 0 before the first. */
   double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
@@ -50,13 +55,16 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
 
   void SetMaximumVoxels(vtkIdType voxels) { this->Planner->SetMaximumVoxels(voxels); }
-  /** Call it if the volume may be another one. */
-  void Forget();
   void Clear();
 
 private:
   bool Follow(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
-  Answer Fetch(const int region[6], vtkVolumeHapticsFilter* filter);
+  Answer Fetch(const int region[6], double time, vtkImageData* image);
+  Answer FetchFirst(const int region[6], double time, vtkVolumeHapticsFilter* filter,
+    vtkHapticDevice* device, HapticFrameLink& frames);
+  Answer FetchFrames(
+    const int region[6], double time, vtkHapticDevice* device, HapticFrameLink& frames);
+  void NoteLatency(double start);
   void MeasureVelocity(vtkHapticDevice* device);
 
   vtkNew<vtkHapticRegionPlanner> Planner;
@@ -77,6 +85,9 @@ private:
   bool HasImage = false;
   bool HasLatency = false;
   bool IsRefused = false;
+  bool IsMoving = false;  // the volume has times
+  bool HasFrames = false; // frames have begun since the last survey
+  double ViewTime = 0.0; // that of the volume on the server
 };
 
 } // namespace VolumeHapticsLive

@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
 #include "vtkProcessModule.h"
@@ -18,8 +19,20 @@
 
 #include <algorithm>
 #include <exception>
+#include <vector>
 
 vtkStandardNewMacro(vtkPVHapticRegionSender);
+
+//------------------------------------------------------------------------------
+/** The volume at a time that was sent. */
+struct vtkPVHapticRegionSender::Instant
+{
+  vtkNew<vtkPVHapticRegionFilter> Filter;
+  double Time = 0.0;
+  bool IsThere = false;
+  int Whole[6] = { 0, -1, 0, -1, 0, -1 };
+  std::string Array;
+};
 
 namespace
 {
@@ -32,6 +45,10 @@ constexpr int CornerSteps = 39;
 //------------------------------------------------------------------------------
 vtkPVHapticRegionSender::vtkPVHapticRegionSender()
 {
+  for (std::unique_ptr<Instant>& instant : this->Instants)
+  {
+    instant.reset(new Instant);
+  }
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(0);
 }
@@ -47,7 +64,7 @@ int vtkPVHapticRegionSender::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPVHapticRegionSender::UpdatePiece(int whole[6])
+bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -76,27 +93,54 @@ bool vtkPVHapticRegionSender::UpdatePiece(int whole[6])
   {
     return false;
   }
-  info->Get(Pipeline::WHOLE_EXTENT(), whole);
-  this->Filter->SetPiece(piece, whole);
+  info->Get(Pipeline::WHOLE_EXTENT(), instant.Whole);
+  instant.Filter->SetPiece(piece, instant.Whole);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkPVHapticRegionSender::Assemble(const char* array, const int region[6], std::string& error)
+vtkPVHapticRegionSender::Instant* vtkPVHapticRegionSender::Find(double time, bool isPresent)
 {
-  this->Filter->SetController(vtkMultiProcessController::GetGlobalController());
-  const std::string name = array ? array : "";
-  if (name != this->Array)
+  const Instant& latest = *this->Instants[this->Latest];
+  if (isPresent && latest.IsThere && latest.Time != time)
   {
-    this->Array = name;
+    this->Latest = 1 - this->Latest; // the older one is no longer needed
+  }
+  if (isPresent)
+  {
+    Instant& present = *this->Instants[this->Latest];
+    present.Time = time;
+    present.IsThere = true;
+    return &present;
+  }
+  for (const std::unique_ptr<Instant>& instant : this->Instants)
+  {
+    if (instant->IsThere && instant->Time == time)
+    {
+      return instant.get();
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVHapticRegionSender::Assemble(Instant& instant, bool isPresent, const char* array,
+  const int region[6], std::string& error)
+{
+  vtkPVHapticRegionFilter* const filter = instant.Filter;
+  filter->SetController(vtkMultiProcessController::GetGlobalController());
+  const std::string name = array ? array : "";
+  if (name != instant.Array)
+  {
+    instant.Array = name;
     const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
     name.empty()
-      ? this->Filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::SCALARS)
-      : this->Filter->SetInputArrayToProcess(0, 0, 0, points, name.c_str());
+      ? filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::SCALARS)
+      : filter->SetInputArrayToProcess(0, 0, 0, points, name.c_str());
   }
-  int whole[6] = { 0, -1, 0, -1, 0, -1 };
-  const bool hasPiece = this->UpdatePiece(whole);
-  if (!this->Filter->CanExecute(hasPiece, error))
+  const bool hasPiece = !isPresent || this->UpdatePiece(instant);
+  const int* const whole = instant.Whole;
+  if (!filter->CanExecute(hasPiece, error))
   {
     return false;
   }
@@ -110,9 +154,9 @@ bool vtkPVHapticRegionSender::Assemble(const char* array, const int region[6], s
       wanted[a + 1] = std::min(whole[a] + CornerSteps, whole[a + 1]);
     }
   }
-  this->Filter->SetRegion(wanted);
-  this->Filter->Modified(); // on every process, or on none
-  if (!this->Filter->UpdateExtent(this->Filter->GetRegion()))
+  filter->SetRegion(wanted);
+  filter->Modified(); // on every process, or on none
+  if (!filter->UpdateExtent(filter->GetRegion()))
   {
     error = "The server could not cut out what is around the tip. Its messages say why.";
     return false;
@@ -122,7 +166,7 @@ bool vtkPVHapticRegionSender::Assemble(const char* array, const int region[6], s
 
 //------------------------------------------------------------------------------
 void vtkPVHapticRegionSender::Send(
-  const char* array, int x0, int x1, int y0, int y1, int z0, int z1)
+  const char* array, int x0, int x1, int y0, int y1, int z0, int z1, double time, int isPresent)
 {
   using namespace VolumeHapticsLive;
 
@@ -131,12 +175,18 @@ void vtkPVHapticRegionSender::Send(
   std::string error;
   try
   {
-    const bool isThere = this->Assemble(array, region, error);
+    Instant* const instant = this->Find(time, isPresent != 0);
+    const bool isThere =
+      instant && this->Assemble(*instant, isPresent != 0, array, region, error);
+    if (!instant)
+    {
+      error = "The server no longer has the volume at the time that was asked for.";
+    }
     if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() > 0)
     {
       return;
     }
-    message = isThere ? PackRegion(this->Filter->GetOutput()) : PackError(error);
+    message = isThere ? PackRegion(instant->Filter->GetOutput()) : PackError(error);
   }
   catch (const std::exception& exception)
   {
@@ -155,6 +205,5 @@ void vtkPVHapticRegionSender::Send(
 void vtkPVHapticRegionSender::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Array: " << (this->Array.empty() ? "(active scalars)" : this->Array.c_str())
-     << "\n";
+  os << indent << "Time: " << this->Instants[this->Latest]->Time << "\n";
 }

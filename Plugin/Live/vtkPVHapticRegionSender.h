@@ -5,21 +5,18 @@
  * @brief   sends regions of a volume from the data server to the client
  *
  * Every process of the server requests the piece from its input that it already has, so that
- * nothing is read again. The first process sends the region that they assemble. See
- * vtkSMHapticRegionProxy for the other side.
+ * nothing is read again. The first process sends the region that they assemble. If the data have
+ * several times, the pieces of the last two that were sent stay here, so that regions of both can
+ * be had. See vtkSMHapticRegionProxy for the other side.
  */
 #ifndef vtkPVHapticRegionSender_h
 #define vtkPVHapticRegionSender_h
 
 #include "VolumeHapticsLiveModule.h" // for export macro
 #include "vtkAlgorithm.h"
-#include "vtkNew.h" // for ivars
 
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
-#include <vector> // for std::vector
-
-class vtkImageData;
-class vtkPVHapticRegionFilter;
 
 class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionSender : public vtkAlgorithm
 {
@@ -31,10 +28,12 @@ public:
   /**
    * Send a region (an extent) of a point array by name. An empty name means the active scalars. A
    * region without indices means a corner of the volume, from which the client learns the position
-   * of the whole. Call it on all processes together. The client gets exactly one answer: the
-   * region, or an error.
+   * of the whole. The present volume is that which the input has; its time is what the client calls
+   * it. Another one must be among the two that were sent last, as an error tells. Call it on all
+   * processes together. The client gets exactly one answer: the region, or an error.
    */
-  void Send(const char* array, int x0, int x1, int y0, int y1, int z0, int z1);
+  void Send(const char* array, int x0, int x1, int y0, int y1, int z0, int z1, double time,
+    int isPresent);
 
 protected:
   vtkPVHapticRegionSender();
@@ -46,13 +45,16 @@ private:
   vtkPVHapticRegionSender(const vtkPVHapticRegionSender&) = delete;
   void operator=(const vtkPVHapticRegionSender&) = delete;
 
+  struct Instant;
 #ifndef __VTK_WRAP__
-  bool UpdatePiece(int whole[6]);
-  bool Assemble(const char* array, const int region[6], std::string& error);
+  Instant* Find(double time, bool isPresent);
+  bool UpdatePiece(Instant& instant);
+  bool Assemble(Instant& instant, bool isPresent, const char* array, const int region[6],
+    std::string& error);
 #endif
 
-  vtkNew<vtkPVHapticRegionFilter> Filter;
-  std::string Array;
+  std::unique_ptr<Instant> Instants[2];
+  int Latest = 0; ///< of Instants
 };
 
 #endif

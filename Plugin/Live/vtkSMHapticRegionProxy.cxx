@@ -49,7 +49,8 @@ bool vtkSMHapticRegionProxy::HasSender()
 
 //------------------------------------------------------------------------------
 vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(
-  const std::string& array, const int region[6], vtkImageData* image, std::string& error)
+  const std::string& array, const int region[6], double time, bool isPresent, vtkImageData* image,
+  std::string& error)
 {
   vtkSMSession* const session = this->GetSession();
   vtkMultiProcessController* const server =
@@ -70,6 +71,7 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(
   {
     stream << region[i];
   }
+  stream << time << (isPresent ? 1 : 0);
   stream << vtkClientServerStream::End;
   session->ExecuteStream(vtkPVSession::DATA_SERVER, stream);
   std::vector<char> message;

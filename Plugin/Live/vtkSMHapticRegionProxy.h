@@ -32,9 +32,9 @@ public:
     LOST     ///< the server does not answer
   };
 
-  /** Fetches a region of the Input into an image: see vtkPVHapticRegionSender::Send. */
-  Answer Fetch(
-    const std::string& array, const int region[6], vtkImageData* image, std::string& error);
+  /** Fetches a region of the Input at a time into an image: see vtkPVHapticRegionSender::Send. */
+  Answer Fetch(const std::string& array, const int region[6], double time, bool isPresent,
+    vtkImageData* image, std::string& error);
 
   ///@{
   /** Whether the Input has changed since the last survey. */

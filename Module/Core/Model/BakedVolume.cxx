@@ -141,10 +141,11 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
 {
 }
 
-BakedVolume::BakedVolume(const BakedVolume& other, const std::vector<VolumeFrame>& frames)
+BakedVolume::BakedVolume(const BakedVolume& other, const std::vector<VolumeFrame>& frames,
+  const FrameSeries& series)
   : Kernel(other.Kernel)
   , Field(frames.front().View, this->Kernel)
-  , Series(other.Series)
+  , Series(series)
   , Frames(MakeFrames(frames, this->Series, other.IndexToWorld.Linear, this->Kernel))
   , Materials(other.Materials)
   , Distinctness(other.Distinctness)

@@ -219,6 +219,39 @@ bool MakeVolumeFrame(
     ReadDisplacements(read, shape.Displacements, frame, error);
 }
 
+std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
+  const std::vector<HapticFrame>& frames, const FrameSeries& series, int kernelRadius,
+  const std::string& displacements)
+{
+  const HapticFrame& first = frames.front();
+  const VolumeView& before = last.Field.GetView();
+  HapticVolume volume;
+  std::string error;
+  if (!first.Array ||
+    !ReadVolume(first.Image, first.Array, first.Component, kernelRadius, volume, error))
+  {
+    return nullptr;
+  }
+  const VolumeView& now = volume.View;
+  bool isAlike = now.Type == before.Type && IsIdentical(volume.IndexToWorld, last.IndexToWorld);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isAlike = isAlike && now.Border(axis) == before.Border(axis) &&
+      now.Dimensions[axis] >= PointsNeeded(kernelRadius);
+  }
+  volume.View.BorderValue = before.BorderValue;
+  const FrameShape shape{ now, volume.IndexToWorld, series, kernelRadius, displacements };
+  std::vector<VolumeFrame> made(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    if (!isAlike || !MakeVolumeFrame(frames[i], shape, made[i], error))
+    {
+      return nullptr; // a new bake tells why
+    }
+  }
+  return std::make_shared<const BakedVolume>(last, made, series);
+}
+
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
   vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
 {

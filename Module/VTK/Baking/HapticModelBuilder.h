@@ -58,6 +58,15 @@ bool MakeVolumeFrame(
   const HapticFrame& read, const FrameShape& shape, VolumeFrame& frame, std::string& error);
 
 /**
+ * A baked volume with other frames of it, which may be of another region. Bakes nothing again.
+ * Null if the frames can't be touched, or are not alike: their geometry or their numbers.
+ * @param displacements the name of their array; empty if there are none
+ */
+std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& volume,
+  const std::vector<HapticFrame>& frames, const FrameSeries& series, int kernelRadius,
+  const std::string& displacements);
+
+/**
  * Bakes a model that keeps the scalar array alive. If the input can't be touched, returns null, and
  * `error` names the input and the cure.
  */

@@ -8,10 +8,12 @@
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Session/HapticChangeTime.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkHapticFrameSource.h"
 #include "vtkHapticProperty.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
@@ -240,6 +242,8 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   {
     return std::make_shared<const HapticModel>(this->Window, placement, caps);
   }
+  const std::shared_ptr<const BakedVolume> last =
+    this->IsStreamed(filter, rate) ? this->Window : nullptr;
   this->Window.reset();
   this->GivenUp.clear();
   this->Failed = None;
@@ -253,11 +257,29 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   {
     return HapticBaker(filter).Bake(rate, caps, deviceToWorld);
   }
+  this->Rate = rate;
+  this->Window = last ? GoOnWithFrames(*last, read, MakeSeries(this->Steps),
+                          filter->GetKernelRadius(), filter->GetDisplacementArrayName())
+                      : nullptr;
+  if (this->Window && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
+  {
+    return std::make_shared<const HapticModel>(this->Window, placement, caps);
+  }
   auto model =
     HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps);
   this->Window = model ? model->Baked : nullptr;
-  this->Rate = rate;
+  // Afterwards: the first bake makes what the property lacks.
+  this->MadeBeside = FindChangeTimeBesideImage(filter);
   return model;
+}
+
+/** Whether the frames may be further ones of the volume that was baked last. */
+bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
+{
+  auto* const source = vtkHapticFrameSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));
+  return source && source->GetStreamed() && rate == this->Rate &&
+    filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS &&
+    this->MadeBeside == FindChangeTimeBesideImage(filter);
 }
 
 /** All of them; none if there is no image, which the baker tells. */
@@ -370,7 +392,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Show(
   }
   this->GivenUpAt = ServoClock::Now();
   const HapticModel* const last = this->Session.GetTicks()->GetLatestModel();
-  this->Window = std::make_shared<const BakedVolume>(*this->Window, frames);
+  this->Window = std::make_shared<const BakedVolume>(*this->Window, frames, this->Window->Series);
   this->First = first;
   return std::make_shared<const HapticModel>(
     this->Window, last->DeviceToWorld, this->Session.FindCaps(this->Session.GetRate()));

@@ -10,6 +10,9 @@
  * and a new window is published, with the tables of the last one. While time runs, three steps are
  * in memory at most: one that is no longer needed is given up first. A series of up to three steps
  * is published whole; and so are components, which are in memory anyway.
+ *
+ * The steps of a vtkHapticFrameSource that is streamed are whole series, too, each of which goes on
+ * where the last one was.
  */
 #ifndef DataPlayback_h
 #define DataPlayback_h
@@ -18,6 +21,8 @@
 #include "Core/Servo/DataClock.h"
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Session/DeviceSession.h"
+
+#include "vtkType.h"
 
 #include <memory>
 #include <string>
@@ -100,6 +105,7 @@ private:
   std::vector<VolumeFrame> Keep(std::size_t first, std::size_t count);
   bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame);
   std::shared_ptr<const HapticModel> Show(std::size_t first, std::vector<VolumeFrame>&& frames);
+  bool IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const;
   bool IsAtPlace() const;
   void Send();
 
@@ -115,6 +121,8 @@ private:
   std::shared_ptr<const BakedVolume> Window;
   std::size_t First = 0; ///< step of the window's first frame
   double Rate = 0.0;     ///< Hz, for which the window was baked
+  /** When the filter, without its image, had changed before the window was baked. */
+  vtkMTimeType MadeBeside = 0;
   std::vector<std::weak_ptr<const void>> GivenUp;
   std::int64_t GivenUpAt = 0; ///< ns
   std::size_t Failed = None;  ///< a step that can't be read

@@ -15,6 +15,19 @@
 namespace VolumeHaptics
 {
 
+/** When a filter, or its surface or label image, last changed; 0 without a filter. */
+inline vtkMTimeType FindChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
+{
+  vtkMTimeType time = filter ? filter->GetMTime() : 0;
+  for (const int port : { 2, 3 }) // the surface, the labels
+  {
+    vtkAlgorithm* const source = filter ? filter->GetInputAlgorithm(port, 0) : nullptr;
+    vtkDataObject* const data = filter ? filter->GetInputDataObject(port, 0) : nullptr;
+    time = std::max({ time, source ? source->GetMTime() : 0, data ? data->GetMTime() : 0 });
+  }
+  return time;
+}
+
 /**
  * When a filter, or its image, surface or label image, last changed; 0 without a filter. If the
  * time steps of a moving image are requested one after the other, the image's own changes don't
@@ -26,17 +39,11 @@ inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving
   {
     return 0;
   }
-  vtkMTimeType time = filter->GetMTime();
-  for (const int port : { 0, 2, 3 }) // the image, the surface, the labels
-  {
-    vtkAlgorithm* const source = filter->GetInputAlgorithm(port, 0);
-    vtkDataObject* const data = filter->GetInputDataObject(port, 0);
-    const bool isStep =
-      isMoving && port == 0 && filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS;
-    time =
-      std::max({ time, source ? source->GetMTime() : 0, data && !isStep ? data->GetMTime() : 0 });
-  }
-  return time;
+  vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
+  vtkDataObject* const image = filter->GetInputDataObject(0, 0);
+  const bool isStep = isMoving && filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS;
+  return std::max({ FindChangeTimeBesideImage(filter), source ? source->GetMTime() : 0,
+    image && !isStep ? image->GetMTime() : 0 });
 }
 
 } // namespace VolumeHaptics

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticFrameLink.h"
+
+#include "vtkFloatArray.h"
+#include "vtkHapticDevice.h"
+#include "vtkNew.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPointData.h"
+#include "vtkSMOutputPort.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkTimerLog.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace VolumeHapticsLive
+{
+namespace
+{
+
+///@{
+/** How long (s) a step of the animation takes: at least, at most, and a single one. */
+constexpr double ShortestStep = 0.02;
+constexpr double LongestStep = 0.3;
+constexpr double SingleStep = 0.1;
+///@}
+/** The share of the last step's time in which the next one is felt: so it ends before another. */
+constexpr double StepShare = 0.9;
+/** How much longer (s) a servo may take for a step before it is no longer waited for. */
+constexpr double Patience = 0.5;
+/** The time (s) in which the servo gets to the first image. */
+constexpr double BeginTime = 0.005;
+
+/** An image whose material is at rest: nothing is known of its way to the image itself. */
+vtkSmartPointer<vtkImageData> WithoutMotion(vtkImageData* image, const std::string& displacements)
+{
+  if (displacements.empty())
+  {
+    return image;
+  }
+  auto still = vtkSmartPointer<vtkImageData>::New();
+  still->ShallowCopy(image);
+  vtkNew<vtkFloatArray> none;
+  none->SetName(displacements.c_str());
+  none->SetNumberOfComponents(3);
+  none->SetNumberOfTuples(image->GetNumberOfPoints());
+  none->Fill(0.0);
+  still->GetPointData()->AddArray(none);
+  return still;
+}
+
+} // namespace
+
+bool HapticFrameLink::IsMoving(
+  vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter)
+{
+  const int method = filter->GetMethod();
+  const bool canMove = filter->GetTimeUnitsPerSecond() != 0.0 &&
+    filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS &&
+    method != vtkVolumeHapticsFilter::SURFACE_PROXY && method != vtkVolumeHapticsFilter::PRIMITIVES;
+  vtkSMOutputPort* const output = canMove && volume ? volume->GetOutputPort(port) : nullptr;
+  if (!output)
+  {
+    return false;
+  }
+  vtkPVDataInformation* const data = output->GetDataInformation();
+  const double* const range = data->GetTimeRange();
+  return data->GetNumberOfTimeSteps() > 1 || range[0] < range[1];
+}
+
+void HapticFrameLink::Begin(
+  vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device)
+{
+  // From wherever the servo's clock is, it gets to the end.
+  this->From = WithoutMotion(image, filter->GetDisplacementArrayName());
+  this->To = image;
+  this->FromTime = time - (1.0 + 0.1 * std::abs(time));
+  this->ToTime = time;
+  this->Filter = filter;
+  this->Source = vtkSmartPointer<vtkHapticFrameSource>::New();
+  this->Source->StreamedOn();
+  this->IsBeginning = true;
+  this->Send();
+  filter->SetInputConnection(0, this->Source->GetOutputPort());
+  device->SetPlaybackToOnce();
+  device->Play();
+  this->SetDuration(BeginTime, device);
+}
+
+void HapticFrameLink::Go(
+  vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device)
+{
+  const double elapsed = vtkTimerLog::GetUniversalTime() - this->SentAt;
+  this->From = from;
+  this->To = to;
+  this->FromTime = this->ToTime;
+  this->ToTime = time;
+  this->IsBeginning = false;
+  this->Send();
+  this->SetDuration(
+    elapsed > LongestStep ? SingleStep : StepShare * std::max(elapsed, ShortestStep), device);
+}
+
+void HapticFrameLink::Replace(vtkImageData* from, vtkImageData* to)
+{
+  this->From = from;
+  this->To = to;
+  this->Send();
+}
+
+void HapticFrameLink::Send()
+{
+  this->Source->RemoveAllFrames();
+  this->Source->AddFrame(this->From, this->FromTime);
+  this->Source->AddFrame(this->To, this->ToTime);
+  this->Source->Update(); // other links look at its image
+}
+
+void HapticFrameLink::SetDuration(double seconds, vtkHapticDevice* device)
+{
+  this->SentAt = vtkTimerLog::GetUniversalTime();
+  this->Duration = seconds;
+  const double rate = (this->ToTime - this->FromTime) / seconds;
+  device->SetPlaybackSpeed(rate / this->Filter->GetTimeUnitsPerSecond());
+}
+
+void HapticFrameLink::Clear()
+{
+  this->Source = nullptr;
+  this->Filter = nullptr;
+  this->From = this->To = nullptr;
+}
+
+bool HapticFrameLink::IsThere(vtkHapticDevice* device) const
+{
+  return !device->IsRunning() || device->GetDataTime() == this->ToTime ||
+    vtkTimerLog::GetUniversalTime() - this->SentAt > this->Duration + Patience;
+}
+
+} // namespace VolumeHapticsLive

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Frames that come one by one: a wall at x = 9 + t comes towards a tip that rests at 12, 1 mm a
+ * frame, and the force is the spring's to where it is.
+ */
+
+#include "Rigs/DeviceRig.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkHapticFrameSource.h>
+#include <vtkHapticRegionFilter.h>
+
+#include <cmath>
+
+using namespace devicetest;
+
+namespace
+{
+constexpr double StreamedStiffness = 500.0;
+constexpr double StreamedTip = 12.0;
+
+double ForceOfTheStreamedWall(double time)
+{
+  return 0.001 * StreamedStiffness * std::max(0.0, 9.0 + time - StreamedTip);
+}
+
+class StreamedFrames : public DeviceTest
+{
+protected:
+  StreamedFrames()
+  {
+    SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 3.0);
+    this->Filter->SetMaterialPlacementToKernel();
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    this->Source->StreamedOn();
+  }
+  vtkSmartPointer<vtkImageData> MakeFrame(double time, const int* region = nullptr)
+  {
+    const auto whole = MakeImage(40, VTK_DOUBLE,
+      [time](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - 9.0 - time) / 1.5)); });
+    if (!region)
+    {
+      return whole;
+    }
+    vtkNew<vtkHapticRegionFilter> cut;
+    cut->SetInputData(whole);
+    cut->SetRegion(region);
+    cut->Update();
+    auto part = vtkSmartPointer<vtkImageData>::New();
+    part->ShallowCopy(cut->GetOutput());
+    return part;
+  }
+  void Give(double from, double to, const int* region = nullptr)
+  {
+    this->Source->RemoveAllFrames();
+    this->Source->AddFrame(this->MakeFrame(from, region), from);
+    this->Source->AddFrame(this->MakeFrame(to, region), to);
+  }
+  void Begin()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    this->Device->SetVirtualTip(StreamedTip, 19.0, 19.0);
+    this->Device->SetPlaybackSpeed(20.0);
+    this->Device->Play();
+    ASSERT_TRUE(this->Device->Start());
+    this->GoTo(1.0);
+  }
+  void GoTo(double time)
+  {
+    ASSERT_TRUE(this->Wait(
+      [&]
+      {
+        const double now = this->Device->GetDataTime();
+        if (this->Device->GetTickRate() > 0.0)
+        {
+          EXPECT_NEAR(this->Device->GetComputedForce()[0], ForceOfTheStreamedWall(now), 0.02)
+            << "at " << now;
+        }
+        return now == time;
+      }))
+      << time;
+  }
+  vtkNew<vtkHapticFrameSource> Source;
+};
+} // namespace
+
+TEST_F(StreamedFrames, PushAHandThatRestsAndComeBack)
+{
+  this->Give(0.0, 1.0);
+  this->Begin();
+  for (int i = 1; i < 5; ++i)
+  {
+    this->Give(i, i + 1.0);
+    ASSERT_TRUE(this->Device->Publish());
+    this->GoTo(i + 1.0);
+  }
+  EXPECT_NEAR(this->Device->GetComputedForce()[0], 1.0, 0.02);
+  this->Device->SetPlaybackSpeed(-20.0);
+  for (int i = 5; i > 1; --i)
+  {
+    this->Give(i, i - 1.0);
+    ASSERT_TRUE(this->Device->Publish());
+    this->GoTo(i - 1.0);
+  }
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// The servo goes on with another region, as if it had the whole, to the bit.
+TEST_F(StreamedFrames, MayBeRegionsOfAVolume)
+{
+  const int region[] = { 0, 35, 3, 37, 4, 39 };
+  const int other[] = { 0, 38, 0, 34, 2, 36 };
+  this->Give(0.0, 1.0, region);
+  this->Begin();
+  for (int i = 1; i < 5; ++i)
+  {
+    this->Give(i, i + 1.0, i % 2 ? region : other);
+    ASSERT_TRUE(this->Device->Publish());
+    this->GoTo(i + 1.0);
+  }
+  ASSERT_TRUE(this->WaitTicks(20));
+  const double force = this->Device->GetComputedForce()[0];
+  EXPECT_NEAR(force, 1.0, 0.02);
+  this->Give(4.0, 5.0, region);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(20));
+  EXPECT_EQ(this->Device->GetComputedForce()[0], force);
+  EXPECT_EQ(this->Device->GetResidency(), 1.0);
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// What is no frame of the volume is another volume, or an error, and never lost.
+TEST_F(StreamedFrames, OfAnotherShapeAreAnotherVolume)
+{
+  this->Give(0.0, 1.0);
+  this->Begin();
+  const auto small = MakeImage(30, VTK_FLOAT, [](const Point&) { return 7.0; });
+  this->Source->RemoveAllFrames();
+  this->Source->AddFrame(small, 1.0);
+  this->Source->AddFrame(small, 2.0);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 2.0; }));
+  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  this->Source->AddFrame(this->MakeFrame(3.0), 3.0);
+  EXPECT_FALSE(this->Device->Publish());
+  ASSERT_EQ(this->FilterLog.Errors.size(), 1U);
+  EXPECT_NE(this->FilterLog.Errors[0].find("has another geometry"), std::string::npos);
+  this->FilterLog.Errors.clear();
+}
