@@ -4,8 +4,10 @@
 
 #include "HapticReport.h"
 
+#include "vtkCollection.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticProperty.h"
+#include "vtkNew.h"
 #include "vtkPVSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
@@ -75,7 +77,8 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
     }
     const char* const displacements =
       vtkSMPropertyHelper(this->Touch.GetTouch(), "DisplacementArrayName").GetAsString();
-    if (displacements && *displacements && HapticFrameLink::IsMoving(volume, port, filter) && !report.HasProblem())
+    if (displacements && *displacements && HapticFrameLink::IsMoving(volume, port, filter) &&
+      !report.HasProblem())
     {
       report.SetProblem("Displacements on a server are not felt; the time steps are blended in "
                         "place. To feel the displacements, open the data without a server.");
@@ -94,7 +97,10 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
 
 void HapticDataLink::FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
 {
-  vtkSMProxy* const keeper = proxy->GetSessionProxyManager()->GetProxy("timekeeper", "TimeKeeper");
+  // Its name is another one in each version of ParaView; there is one.
+  vtkNew<vtkCollection> keepers;
+  proxy->GetSessionProxyManager()->GetProxies("timekeeper", keepers);
+  vtkSMProxy* const keeper = vtkSMProxy::SafeDownCast(keepers->GetItemAsObject(0));
   const double time = keeper ? vtkSMPropertyHelper(keeper, "Time").GetAsDouble() : this->ViewTime;
   if (volume && time != this->ViewTime)
   {

@@ -90,8 +90,7 @@ void HapticFrameLink::Begin(
   this->SetDuration(BeginTime, device);
 }
 
-void HapticFrameLink::Go(
-  vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device)
+void HapticFrameLink::Go(vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device)
 {
   const double elapsed = vtkTimerLog::GetUniversalTime() - this->SentAt;
   this->From = from;

@@ -151,8 +151,8 @@ void HapticImageLink::FollowFrames(vtkSMSourceProxy* source, unsigned int port, 
   vtkNew<vtkImageData> copy;
   this->IsInPlace ? copy->DeepCopy(image) : copy->ShallowCopy(image);
   // Displacements lead to the next step only.
-  const bool isStep = filter->GetDisplacementArrayName().empty() ||
-    AreNeighbours(output, frames.GetTime(), time);
+  const bool isStep =
+    filter->GetDisplacementArrayName().empty() || AreNeighbours(output, frames.GetTime(), time);
   if (isBegun && time != frames.GetTime() && isStep)
   {
     frames.Go(frames.GetImage(), copy, time, device);

@@ -129,9 +129,9 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
   return Answer::Region;
 }
 
-/** A region at the time, and at the one before, if the servo is on its way or goes on from there. */
-HapticRegionLink::Answer HapticRegionLink::FetchFrames(const int region[6], double time,
-  vtkHapticDevice* device, HapticFrameLink& frames)
+/** A region at the time, and at the one before if the servo is on its way from there. */
+HapticRegionLink::Answer HapticRegionLink::FetchFrames(
+  const int region[6], double time, vtkHapticDevice* device, HapticFrameLink& frames)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   const bool isNext = time != frames.GetTime();
@@ -242,8 +242,8 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
   {
     return Answer::Nothing;
   }
-  return this->FetchFrames(isElsewhere ? wanted : this->Resident.data(),
-    isNext ? time : frames.GetTime(), device, frames);
+  return this->FetchFrames(
+    isElsewhere ? wanted : this->Resident.data(), isNext ? time : frames.GetTime(), device, frames);
 }
 
 } // namespace VolumeHapticsLive

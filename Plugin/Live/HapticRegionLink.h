@@ -87,7 +87,7 @@ private:
   bool IsRefused = false;
   bool IsMoving = false;  // the volume has times
   bool HasFrames = false; // frames have begun since the last survey
-  double ViewTime = 0.0; // that of the volume on the server
+  double ViewTime = 0.0;  // that of the volume on the server
 };
 
 } // namespace VolumeHapticsLive

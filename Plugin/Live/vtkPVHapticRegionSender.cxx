@@ -124,8 +124,8 @@ vtkPVHapticRegionSender::Instant* vtkPVHapticRegionSender::Find(double time, boo
 }
 
 //------------------------------------------------------------------------------
-bool vtkPVHapticRegionSender::Assemble(Instant& instant, bool isPresent, const char* array,
-  const int region[6], std::string& error)
+bool vtkPVHapticRegionSender::Assemble(
+  Instant& instant, bool isPresent, const char* array, const int region[6], std::string& error)
 {
   vtkPVHapticRegionFilter* const filter = instant.Filter;
   filter->SetController(vtkMultiProcessController::GetGlobalController());
@@ -134,9 +134,8 @@ bool vtkPVHapticRegionSender::Assemble(Instant& instant, bool isPresent, const c
   {
     instant.Array = name;
     const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    name.empty()
-      ? filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::SCALARS)
-      : filter->SetInputArrayToProcess(0, 0, 0, points, name.c_str());
+    name.empty() ? filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::SCALARS)
+                 : filter->SetInputArrayToProcess(0, 0, 0, points, name.c_str());
   }
   const bool hasPiece = !isPresent || this->UpdatePiece(instant);
   const int* const whole = instant.Whole;
@@ -176,8 +175,7 @@ void vtkPVHapticRegionSender::Send(
   try
   {
     Instant* const instant = this->Find(time, isPresent != 0);
-    const bool isThere =
-      instant && this->Assemble(*instant, isPresent != 0, array, region, error);
+    const bool isThere = instant && this->Assemble(*instant, isPresent != 0, array, region, error);
     if (!instant)
     {
       error = "The server no longer has the volume at the time that was asked for.";

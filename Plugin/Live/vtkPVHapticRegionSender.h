@@ -32,8 +32,8 @@ public:
    * it. Another one must be among the two that were sent last, as an error tells. Call it on all
    * processes together. The client gets exactly one answer: the region, or an error.
    */
-  void Send(const char* array, int x0, int x1, int y0, int y1, int z0, int z1, double time,
-    int isPresent);
+  void Send(
+    const char* array, int x0, int x1, int y0, int y1, int z0, int z1, double time, int isPresent);
 
 protected:
   vtkPVHapticRegionSender();
@@ -49,8 +49,8 @@ private:
 #ifndef __VTK_WRAP__
   Instant* Find(double time, bool isPresent);
   bool UpdatePiece(Instant& instant);
-  bool Assemble(Instant& instant, bool isPresent, const char* array, const int region[6],
-    std::string& error);
+  bool Assemble(
+    Instant& instant, bool isPresent, const char* array, const int region[6], std::string& error);
 #endif
 
   std::unique_ptr<Instant> Instants[2];

@@ -48,9 +48,8 @@ bool vtkSMHapticRegionProxy::HasSender()
 }
 
 //------------------------------------------------------------------------------
-vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(
-  const std::string& array, const int region[6], double time, bool isPresent, vtkImageData* image,
-  std::string& error)
+vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(const std::string& array,
+  const int region[6], double time, bool isPresent, vtkImageData* image, std::string& error)
 {
   vtkSMSession* const session = this->GetSession();
   vtkMultiProcessController* const server =

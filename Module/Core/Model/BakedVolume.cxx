@@ -141,8 +141,8 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
 {
 }
 
-BakedVolume::BakedVolume(const BakedVolume& other, const std::vector<VolumeFrame>& frames,
-  const FrameSeries& series)
+BakedVolume::BakedVolume(
+  const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series)
   : Kernel(other.Kernel)
   , Field(frames.front().View, this->Kernel)
   , Series(series)

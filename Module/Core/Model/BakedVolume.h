@@ -39,8 +39,8 @@ struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
   /** Another window of a series of a volume that moves. Bakes nothing again. */
-  BakedVolume(const BakedVolume& other, const std::vector<VolumeFrame>& frames,
-    const FrameSeries& series);
+  BakedVolume(
+    const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
 

@@ -86,8 +86,7 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   auto* const felt =
     filter ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
-  vtkDataArray* const frames =
-    felt && filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS
+  vtkDataArray* const frames = felt && filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS
     ? HapticBaker(filter).GetTouched()[0].Array
     : nullptr;
   std::vector<Shown> now;

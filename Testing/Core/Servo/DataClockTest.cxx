@@ -116,7 +116,8 @@ public:
 
   void Publish(std::vector<VolumeFrame> frames)
   {
-    const auto baked = std::make_shared<const BakedVolume>(*this->Model->Baked, frames);
+    const BakedVolume& last = *this->Model->Baked;
+    const auto baked = std::make_shared<const BakedVolume>(last, frames, last.Series);
     const auto next =
       std::make_shared<const HapticModel>(baked, this->Model->DeviceToWorld, ForceCaps{});
     CarryState(*this->Model, *next, this->State);
@@ -216,7 +217,7 @@ TEST(DataClock, AWindowIsTheWholeToTheBit)
   {
     for (const std::size_t count : { 2, 3 })
     {
-      const BakedVolume window(*whole.Baked, wall.Pick(first, count));
+      const BakedVolume window(*whole.Baked, wall.Pick(first, count), whole.Baked->Series);
       const FrameWindow times = window.GetWindow();
       int inside = 0;
       for (double t = 2.0; t < 7.0; t += 0.013)

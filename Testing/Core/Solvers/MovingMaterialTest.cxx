@@ -442,12 +442,14 @@ TEST(MovingMaterial, GivesNoMoreThanTheMaterialsWork)
   }
 }
 
-/// V6 for FORCE_FIELD: what moves over a hand drags it as a hand is dragged that moves the other way.
+/// V6 for FORCE_FIELD: what moves over a hand drags it as one is dragged that moves the other way.
 TEST(MovingMaterial, TheDragOfAForceFieldIsAgainstTheMaterial)
 {
   const MaterialMovie movie(
     3, [](const Vector3& index, int frame) { return BumpyWall(index, 11.0 + frame); },
-    [](const Vector3&, int) { return Vector3{ 1.0, 0.0, 0.0 }; });
+    [](const Vector3&, int) {
+      return Vector3{ 1.0, 0.0, 0.0 };
+    });
   HapticModelDescription description = movie.Describe();
   description.Settings.Method = HapticMethod::ForceField;
   description.Settings.ForceFieldDamping = 50.0;

@@ -24,8 +24,8 @@ Vector3 FindFieldDamping(
 Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexcept
 {
   const Vector3 index = model.DeviceToIndex(state.PreviousTip);
-  if (!model.Baked->IsMoving() || model.Baked->FeelsLabels() ||
-    state.CarriedTo == state.DataTime || !model.Baked->Field.IsInside(index))
+  if (!model.Baked->IsMoving() || model.Baked->FeelsLabels() || state.CarriedTo == state.DataTime ||
+    !model.Baked->Field.IsInside(index))
   {
     return state.PreviousTip;
   }

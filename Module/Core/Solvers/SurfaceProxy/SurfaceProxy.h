@@ -62,15 +62,13 @@ void StepSurfaceProxy(
  * isosurface: up to EntryDepth inside, it begins at the nearest position outside; a deeper one is
  * held from within. Samples a few hundred values, at a data time.
  */
-Vector3 EnterSurface(
-  const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
+Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 
 /**
  * Whether a position (device) is outside the isosurface at a data time, by the value there; true
  * without an isosurface.
  */
-bool IsOutsideSurface(
-  const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
+bool IsOutsideSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;
 
 /** In kernel lengths. */
 constexpr double EntryDepth = 3.0;
