@@ -18,8 +18,8 @@
  * meanwhile. All frames need the same extent, spacing, origin and direction; the filter tells if
  * one has others.
  *
- * A program that gets the frames one by one, as an animation shows them, gives the last two, and has
- * a device go on from one to the other (SetStreamed):
+ * A program that gets the frames one by one, as an animation shows them, gives the last two, and
+ * has a device go on from one to the other (SetStreamed):
  *
  *   source->StreamedOn();
  *   source->RemoveAllFrames();
