@@ -165,7 +165,10 @@ TEST_F(StylePlayback, AMaskOfTheSameShapeIsNoComponent)
   this->Filter->SetInputData(0, MakeNumbered(0, 5));
   this->Filter->SetFramesToComponents();
   const auto mask = MakeNumbered(2);
-  mask->GetPointData()->GetScalars()->SetComponent(1001, 0, 1.0);
+  for (vtkIdType i = 0; i < mask->GetNumberOfPoints(); i += 3)
+  {
+    mask->GetPointData()->GetScalars()->SetComponent(i, 0, 1.0);
+  }
   this->Mapper->SetInputData(mask);
   const auto turned = MakeNumbered(2);
   turned->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);

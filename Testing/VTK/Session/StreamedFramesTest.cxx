@@ -107,7 +107,7 @@ TEST_F(StreamedFrames, PushAHandThatRestsAndComeBack)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The servo goes on with another region, as if it had the whole, to the bit.
+/// The servo goes on with another region, as if it had the whole.
 TEST_F(StreamedFrames, MayBeRegionsOfAVolume)
 {
   const int region[] = { 0, 35, 3, 37, 4, 39 };
@@ -126,7 +126,8 @@ TEST_F(StreamedFrames, MayBeRegionsOfAVolume)
   this->Give(4.0, 5.0, region);
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(20));
-  EXPECT_EQ(this->Device->GetComputedForce()[0], force);
+  // Newton's method goes on where the last tick on the way has left it.
+  EXPECT_NEAR(this->Device->GetComputedForce()[0], force, 1e-5);
   EXPECT_EQ(this->Device->GetResidency(), 1.0);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
