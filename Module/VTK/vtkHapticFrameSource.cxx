@@ -133,6 +133,10 @@ int vtkHapticFrameSource::RequestData(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
 
   const auto& frames = this->Internals->Frames;
+  if (frames.empty())
+  {
+    return 0; // RequestInformation told, which VTK does not ask again
+  }
   vtkInformation* const info = outputs->GetInformationObject(0);
   const bool asksTime = info->Has(Pipeline::UPDATE_TIME_STEP()) != 0;
   auto frame = frames.begin();
