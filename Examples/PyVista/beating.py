@@ -3,7 +3,6 @@
 """A ball that beats, and pushes a hand that rests: the servo plays the frames, and what is seen is what is felt."""
 import argparse
 import math
-import time
 
 import gallery
 import numpy as np
@@ -51,39 +50,18 @@ plotter.show(interactive_update=True)
 device.PlaceVirtualTip(REST, 0.0, 0.0)
 device.Arm()
 
-
-def watch(seconds, see):
-    """For a time, as a program with a timer does it."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end and not haptics.closed:
-        haptics.update()
-        if device.HasFrames() and see():
-            break
-        time.sleep(0.005) if hidden else plotter.update()
-
-
-strongest = 0.0
-
-
-def note():
-    global strongest
-    strongest = max(strongest, np.linalg.norm(device.GetComputedForce()))
-
-
-watch(2.5, note)
+scene = gallery.Scene(plotter, haptics, hidden)
+strongest = scene.strongest(2.5)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * (RADIUS + STROKE - REST):.3f} N")
 
 if chosen.movie:
     device.SetPlaybackSpeed(0.1)
     with gallery.Movie(plotter, chosen.movie, rate=10) as movie:
-        watch(11.0, movie.add)
+        scene.watch(11.0, movie.add)
 if chosen.picture:
     device.SetPlaybackSpeed(0.25)
-    watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # where the ball is largest
-    device.Hold()
-    watch(0.3, lambda: False)
-    plotter.render()
-    plotter.screenshot(chosen.picture)
+    scene.watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # where the ball is largest
+    scene.take(chosen.picture)
 elif not chosen.movie:
     plotter.show()  # press t with the pointer on the ball; space holds
 plotter.close()

@@ -8,7 +8,6 @@ a surface that air lies upon, such as the diaphragm's of a chest CT, where that 
 import argparse
 import pathlib
 import sys
-import time
 
 import gallery
 import numpy as np
@@ -114,38 +113,17 @@ plotter.show(interactive_update=True)
 device.PlaceVirtualTip(*rest)
 device.Arm()
 
-
-def watch(seconds, see):
-    """For a time, as a program with a timer does it."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end and not haptics.closed:
-        haptics.update()
-        if device.HasFrames() and see():
-            break
-        time.sleep(0.005) if hidden else plotter.update()
-
-
-strongest = 0.0
-
-
-def note():
-    global strongest
-    strongest = max(strongest, np.linalg.norm(device.GetComputedForce()))
-
-
-watch(2.0 * SECONDS + 1.0, note)
+scene = gallery.Scene(plotter, haptics, hidden)
+strongest = scene.strongest(2.0 * SECONDS + 1.0)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * deep:.3f} N, by what goes down by {fall:.1f} mm")
 if chosen.movie:
     with gallery.Movie(plotter, chosen.movie, rate=10) as movie:
         device.SetPlaybackSpeed(0.25)
-        watch(8.0 * SECONDS, movie.add)
+        scene.watch(8.0 * SECONDS, movie.add)
     device.SetPlaybackSpeed(1.0)
 if chosen.picture:
-    watch(8.0, lambda: device.GetDataTime() < 0.02 * SECONDS)  # breathed out
-    device.Hold()
-    watch(0.3, lambda: False)
-    plotter.render()
-    plotter.screenshot(chosen.picture)
+    scene.watch(8.0, lambda: device.GetDataTime() < 0.02 * SECONDS)  # breathed out
+    scene.take(chosen.picture)
 elif not chosen.movie:
     plotter.show()  # press t with the pointer on the surface; space holds
 plotter.close()

@@ -145,6 +145,35 @@ class Movie:
         time.sleep(0.5 / self.rate)
 
 
+class Scene:
+    """A plotter with haptics, in a program that looks after both while it waits."""
+
+    def __init__(self, plotter, haptics, hidden):
+        self.plotter, self.haptics, self.hidden = plotter, haptics, hidden
+
+    def watch(self, seconds, see=lambda: False):
+        """For a time, as a program with a timer does it, or until `see` returns true."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end and not self.haptics.closed:
+            self.haptics.update()
+            if self.haptics.device.HasFrames() and see():
+                break
+            time.sleep(0.005) if self.hidden else self.plotter.update()
+
+    def strongest(self, seconds):
+        """The largest force (N) within a time."""
+        forces = [0.0]
+        self.watch(seconds, lambda: forces.append(np.linalg.norm(self.haptics.device.GetComputedForce())))
+        return max(forces)
+
+    def take(self, picture):
+        """Holds the time, and writes what is seen then."""
+        self.haptics.device.Hold()
+        self.watch(0.3)
+        self.plotter.render()
+        self.plotter.screenshot(picture)
+
+
 def show(plotter, picture, direction=None, zoom=1.4):
     """Looks from a direction, and shows the plotter, or writes the picture."""
     if direction is not None:
