@@ -85,7 +85,7 @@ struct vtkHapticFunctionEditor::vtkInternals
     return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
   }
 
-  /** What the edges are looked for in; shows its histogram first. */
+  /** The image and the component that are searched for edges; shows its histogram first. */
   VolumeHaptics::SearchedData GetSearched()
   {
     this->Chart.ShowData(this->Image, this->GetComponent());

@@ -24,7 +24,7 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** What is looked at: a component of an image, and the values that the histogram of edges spans. */
+/** A component of an image, and the range of values of its histogram of edges. */
 struct SearchedData
 {
   vtkImageData* Image = nullptr;
