@@ -5,7 +5,9 @@
 #include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Large/CoarseImage.h"
 #include "VTK/Large/CoarseLevel.h"
+#include "VTK/Large/LargeFile.h"
 #include "VTK/Large/RawVolumeFile.h"
 #include "VTK/Large/RegionStore.h"
 
@@ -21,9 +23,8 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
-#include <cstring>
+#include <exception>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 vtkStandardNewMacro(vtkHapticRegionSource);
@@ -34,47 +35,10 @@ namespace
 {
 /** Live, so many regions may be in memory at once. */
 constexpr vtkTypeInt64 RegionsInMemory = 4;
+/** Of a coarser level of a file that is kept in memory. */
+constexpr vtkIdType MostCoarseVoxels = 1 << 22;
 /** Bytes of all samples; more can't be counted in a file. */
 constexpr double MostBytes = 4e18;
-
-bool IsNumberType(int scalarType)
-{
-  return scalarType != VTK_STRING && scalarType != VTK_OPAQUE &&
-    vtkDataArray::GetDataTypeSize(scalarType) > 0;
-}
-
-bool IsOtherByteOrder(int byteOrder)
-{
-  const unsigned short probe = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &probe, 1);
-  const bool isLittle = first == 1;
-  return isLittle == (byteOrder == vtkHapticRegionSource::BIG);
-}
-
-/** A reader behind Python's ctypes. */
-struct ForeignReader
-{
-  ForeignReader(vtkHapticRegionRead read, vtkHapticRegionRelease release, void* context)
-    : Read(read)
-    , Release(release)
-    , Context(context)
-  {
-  }
-  ~ForeignReader()
-  {
-    if (this->Release)
-    {
-      this->Release(this->Context);
-    }
-  }
-  ForeignReader(const ForeignReader&) = delete;
-  ForeignReader& operator=(const ForeignReader&) = delete;
-
-  const vtkHapticRegionRead Read;
-  const vtkHapticRegionRelease Release;
-  void* const Context;
-};
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -113,7 +77,47 @@ void vtkHapticRegionSource::SetReader(Reader reader, bool isAwaited)
 {
   this->Function = std::move(reader);
   this->IsAwaited = isAwaited;
+  this->OpenedName.clear();
+  std::fill_n(this->ChunkSize, 3, 0);
   this->Reload();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::OpenFile(const char* fileName)
+{
+  std::string error;
+  const bool isOpen = this->OpenFile(fileName, error);
+  if (!isOpen)
+  {
+    vtkErrorMacro(<< Printable(error));
+  }
+  return isOpen;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::OpenFile(const char* fileName, std::string& error)
+{
+  const std::string name = fileName ? fileName : "";
+  try
+  {
+    LargeFile file = OpenLargeFile(name);
+    const vtkSmartPointer<vtkImageData> coarse = ReadCoarserLevel(file, MostCoarseVoxels);
+    this->SetWholeExtent(file.Extent.data());
+    this->SetScalarType(file.ScalarType);
+    this->SetOrigin(file.Origin.data());
+    this->SetSpacing(file.Spacing.data());
+    this->SetDirection(file.Direction.data());
+    this->SetReader(std::move(file.Read));
+    this->OpenedName = name;
+    std::copy_n(file.ChunkSize.begin(), 3, this->ChunkSize);
+    this->SetCoarseImage(coarse);
+    return true;
+  }
+  catch (const std::exception& failure)
+  {
+    error = "The file " + name + " can't be opened: " + failure.what();
+    return false;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -139,7 +143,8 @@ std::string vtkHapticRegionSource::CheckSettings()
   {
     return "The volume has no extent. SetWholeExtent() to that of all its samples.";
   }
-  if (!IsNumberType(this->ScalarType))
+  if (this->ScalarType == VTK_STRING || this->ScalarType == VTK_OPAQUE ||
+    vtkDataArray::GetDataTypeSize(this->ScalarType) <= 0)
   {
     return "The ScalarType " + std::to_string(this->ScalarType) +
       " is no type of numbers. Set it to VTK_SHORT, VTK_FLOAT or another one.";
@@ -184,14 +189,15 @@ bool vtkHapticRegionSource::Prepare(std::string& error)
     volume->IsAwaited = this->IsAwaited || !this->Function;
     if (this->Function)
     {
-      volume->Name = "the reader";
+      volume->Name = this->OpenedName.empty() ? "the reader" : "the file " + this->OpenedName;
       volume->Read = this->Function;
+      std::copy_n(this->ChunkSize, 3, volume->ChunkSize.begin());
     }
     else
     {
       volume->Name = "the file " + key.File;
       const RawVolumeFile file{ MakeAbsolute(key.File), key.Extent, volume->SampleSize,
-        key.HeaderSize, IsOtherByteOrder(key.ByteOrder) };
+        key.HeaderSize, IsOtherByteOrder(key.ByteOrder == BIG) };
       volume->Read = [file](const int box[6], void* samples)
       {
         file.Read(box, samples);
@@ -258,6 +264,28 @@ void vtkHapticRegionSource::SetCoarseImage(vtkImageData* image)
 vtkImageData* vtkHapticRegionSource::GetCoarseImage()
 {
   return this->CoarseImage;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::MakeCoarseImage(vtkIdType mostVoxels)
+{
+  std::string error;
+  if (!this->Prepare(error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  try
+  {
+    this->SetCoarseImage(AverageVolume(
+      *this->Store->GetVolume(), { this->Origin, this->Spacing, this->Direction }, mostVoxels));
+    return true;
+  }
+  catch (const std::exception& failure)
+  {
+    vtkErrorMacro(<< Printable(failure.what()));
+    return false;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -340,12 +368,12 @@ std::string vtkHapticRegionSource::GetStatusText()
 bool vtkHapticRegionSource::ReadRegion(const int region[6], vtkImageData* image)
 {
   std::string error;
-  if (this->ReadRegion(region, image, error))
+  const bool isRead = this->ReadRegion(region, image, error);
+  if (!isRead)
   {
-    return true;
+    vtkErrorMacro(<< Printable(error));
   }
-  vtkErrorMacro(<< Printable(error));
-  return false;
+  return isRead;
 }
 
 //------------------------------------------------------------------------------
@@ -466,32 +494,4 @@ void vtkHapticRegionSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reader: " << (this->Function ? "set" : "(none)") << "\n";
   os << indent << "CoarseImage: " << (this->CoarseImage ? "set" : "(none)") << "\n";
   os << indent << "Status: " << this->GetStatusText() << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticRegionSourceSetReader(
-  vtkObjectBase* source, vtkHapticRegionRead read, vtkHapticRegionRelease release, void* context)
-{
-  auto* const regions = vtkHapticRegionSource::SafeDownCast(source);
-  if (!regions)
-  {
-    return;
-  }
-  if (!read)
-  {
-    regions->SetReader({});
-    return;
-  }
-  const auto foreign = std::make_shared<ForeignReader>(read, release, context);
-  regions->SetReader(
-    [foreign](const int extent[6], void* samples)
-    {
-      char why[1024] = "";
-      if (foreign->Read(foreign->Context, extent, samples, why, static_cast<int>(sizeof(why))) == 0)
-      {
-        throw std::runtime_error(why);
-      }
-      return true;
-    },
-    false);
 }

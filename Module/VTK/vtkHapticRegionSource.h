@@ -4,10 +4,11 @@
  * @class   vtkHapticRegionSource
  * @brief   a volume that is too large for memory, read where the hand needs it
  *
- * Stands for a volume in a raw file, or in anything that a function can read boxes of samples from.
+ * Stands for a volume in a raw file, in a VTKHDF file, or in anything that a function can read boxes
+ * of samples from.
  * Only regions of it are ever in memory. Connect it directly to port 0 of vtkVolumeHapticsFilter:
  *
- *   source->SetFileName("Bone.raw");              // or SetReader, C++ only
+ *   source->SetFileName("Bone.raw");              // or OpenFile; or SetReader, C++ only
  *   source->SetWholeExtent(0, 4095, 0, 4095, 0, 2047);
  *   source->SetSpacing(0.01, 0.01, 0.01);
  *   source->SetScalarType(VTK_UNSIGNED_SHORT);
@@ -98,7 +99,7 @@ public:
 
   ///@{
   /**
-   * A file of samples, x fastest and z slowest, without compression. It is opened for each region,
+   * A raw file of samples, x fastest and z slowest, without compression. It is opened for each region,
    * so it may be replaced or grow meanwhile. Default: none.
    */
   vtkSetFilePathMacro(FileName);
@@ -149,6 +150,14 @@ public:
   vtkImageData* GetCoarseImage();
   ///@}
 
+  /**
+   * Make the CoarseImage from the samples, if there is no better one: means of cubes, at most as
+   * many as wanted, for which chunks are read one by one, and of other files one row in each square
+   * of the cubes. That takes as long as reading does, so call it before the volume is felt. False,
+   * with an error, if a read fails.
+   */
+  bool MakeCoarseImage(vtkIdType mostVoxels = 4194304);
+
 #ifndef __VTK_WRAP__
   /**
    * Fills the samples of a box (an extent within the whole) in memory that is just as large, x
@@ -166,6 +175,26 @@ public:
    */
   void SetReader(Reader reader, bool isAwaited = true);
 #endif
+
+  ///@{
+  /**
+   * Open a file that says itself what it holds: a VTKHDF image (.vtkhdf), of which the active array
+   * is read, or a folder (.zarr) of a Zarr array or an OME-Zarr image, of which the first time and
+   * channel are read. Sets extent, type, origin, spacing and direction, and a reader, as SetReader
+   * does; and the CoarseImage, if the file has coarser levels: the finest one of at most 2^22
+   * voxels, which is read at once.
+   *
+   * The samples may lie in one piece or in chunks; those of VTKHDF may be compressed by gzip, those
+   * of Zarr by zlib, gzip, lz4, or Blosc with lz4 or zlib. False, with an error that names the
+   * cure, if it can't be read; nothing is changed then. If the file is written again, open it
+   * again.
+   */
+  bool OpenFile(const char* fileName);
+#ifndef __VTK_WRAP__
+  /** The same, with the error as a text. */
+  bool OpenFile(const char* fileName, std::string& error);
+#endif
+  ///@}
 
   /**
    * Forget what was read. If the samples behind the reader, or in the file, have changed, call
@@ -231,6 +260,8 @@ private:
   bool UpdateCoarse(std::string& error);
 
   Reader Function;
+  std::string OpenedName;                  ///< of the file behind the reader
+  vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< of that file; zeros if it has no chunks
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
 #endif
 

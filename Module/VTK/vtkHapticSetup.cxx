@@ -4,6 +4,7 @@
 
 #include "VTK/Files/FileReplacement.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Files/PlainNumbers.h"
 #include "VTK/Setup/HapticSetupSettings.h"
 
 #include "vtkCamera.h"
@@ -14,7 +15,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <exception>
-#include <locale>
 #include <memory>
 #include <string>
 
@@ -57,36 +57,6 @@ std::string DescribeTooLarge(const char* file)
     ": it would be larger than 16 MiB, and could not be loaded again. Save the many labels with "
     "vtkHapticLabelTable::WriteFile(), and the setup without them in the filter.";
 }
-
-/**
- * jsoncpp reads numbers in the application's locale, in which 0.5 may be written 0,5. While this
- * lives, they are read as JSON has them. If the locale already does so, nothing changes.
- */
-class PlainNumbers
-{
-public:
-  PlainNumbers()
-  {
-    const auto& numbers = std::use_facet<std::numpunct<char>>(this->Before);
-    this->Changed = numbers.decimal_point() != '.' || !numbers.grouping().empty();
-    if (this->Changed)
-    {
-      // Without a name, so that the locale of C stays unchanged.
-      std::locale::global(std::locale(this->Before, new std::numpunct<char>));
-    }
-  }
-  ~PlainNumbers()
-  {
-    if (this->Changed)
-    {
-      std::locale::global(this->Before);
-    }
-  }
-
-private:
-  std::locale Before;
-  bool Changed = false;
-};
 
 /** Parses the text as JSON; false, with an error, if it is not. */
 bool Parse(const std::string& text, Json::Value& root, std::string& error)

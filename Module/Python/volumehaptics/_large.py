@@ -35,6 +35,7 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import vtkVolumeHaptics
+from ._touch import Errors
 from .arrays import image
 from .vtkVolumeHaptics import vtkHapticRegionSource
 
@@ -256,6 +257,24 @@ def _find_coarse(coarse: Any, levels: list[_Level], fine: _Level) -> vtkImageDat
     return _read_coarse(_beside(coarse, fine))
 
 
+def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any) -> vtkHapticRegionSource:
+    """A file that C++ reads itself, on threads that need no lock of Python."""
+    source = _Source()
+    with Errors(source) as errors:
+        if not source.OpenFile(path):
+            raise ValueError(errors[0])
+    if spacing is not None:
+        source.SetSpacing(_three("spacing", spacing))
+    if origin is not None:
+        source.SetOrigin(_three("origin", origin))
+    if coarse is not None or spacing is not None or origin is not None:
+        coarse = coarse or None
+        if coarse is not None and not isinstance(coarse, vtkImageData):
+            raise TypeError(f"the coarse level of {path} is a vtkImageData, or False, not {type(coarse).__name__}")
+        source.SetCoarseImage(coarse)  # that of the file lies elsewhere
+    return source
+
+
 def open_large(
     array_or_path: Any,
     spacing: Sequence[float] | None = None,
@@ -267,10 +286,12 @@ def open_large(
 
     array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy can take: an array of Zarr,
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
-        OME-Zarr image or of a .npy file. Of an OME-Zarr image with times or channels, it is the first of each.
+        OME-Zarr image, of a .npy file or of a VTKHDF image (.vtkhdf). Of an OME-Zarr image with times or channels, it
+        is the first of each.
     spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in its own
-        units; else 1.
-    origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image; else 0.
+        units, or of VTKHDF; else 1.
+    origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
+        VTKHDF; else 0.
     level: of an OME-Zarr image: 0 is the finest. Negative: from the coarsest on.
     coarse: a smaller array of the same box, which is read at once and stays in memory, or a vtkImageData in the same
         world. Live it stands in, with half of its force, where samples are late, and it is what a window shows. Default:
@@ -282,7 +303,8 @@ def open_large(
     does. What the array raises while it is read is an error of the filter or of the source.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, or no voxels; a spacing or an
-    origin that is not three numbers; a level that there is not. ImportError: a path that needs zarr.
+    origin that is not three numbers; a level that there is not; a VTKHDF file that can't be read. ImportError: a path
+    that needs zarr.
 
     >>> import numpy as np
     >>> from volumehaptics import open_large
@@ -291,6 +313,8 @@ def open_large(
     """
     levels = [_Level(array_or_path)]
     if isinstance(array_or_path, (str, os.PathLike)):
+        if os.fspath(array_or_path).lower().endswith(".vtkhdf"):
+            return _open_in_cpp(os.fspath(array_or_path), spacing, origin, coarse)
         levels = _open_path(os.fspath(array_or_path), level)
     array, own_spacing, own_origin = levels[0]
     shape, kind = getattr(array, "shape", None), getattr(array, "dtype", None)

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -32,6 +33,8 @@ struct LargeVolume
   BoxReader Read;
   /** Whether its user waits for a read that is under way before it ends. */
   bool IsAwaited = true;
+  /** Of what is read at once, in samples along x, y and z; zeros if boxes of any size are. */
+  std::array<std::int64_t, 3> ChunkSize{};
 };
 
 /** The number of samples of an extent, as a double: the product may exceed all integers. */

@@ -2,67 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/RawVolumeFile.h"
 
-#include "VTK/Files/HapticFiles.h"
+#include "VTK/Large/OpenedFile.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <stdexcept>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace VolumeHaptics
 {
-namespace
-{
-
-/** An open file, which is closed at the end. */
-class OpenedFile
-{
-public:
-  explicit OpenedFile(const std::string& name)
-    : Descriptor(OpenToRead(name))
-  {
-    if (this->Descriptor < 0)
-    {
-      throw std::runtime_error(DescribeError(errno) + ". Check its name and permissions.");
-    }
-    struct stat status;
-    if (fstat(this->Descriptor, &status) != 0 || !S_ISREG(status.st_mode))
-    {
-      close(this->Descriptor);
-      throw std::runtime_error("it is no regular file. Give the name of the file of samples.");
-    }
-  }
-  ~OpenedFile() { close(this->Descriptor); }
-  OpenedFile(const OpenedFile&) = delete;
-  OpenedFile& operator=(const OpenedFile&) = delete;
-
-  void Read(char* to, std::size_t size, std::int64_t from) const
-  {
-    while (size > 0)
-    {
-      const ssize_t count = pread(this->Descriptor, to, size, static_cast<off_t>(from));
-      if (count == 0)
-      {
-        throw std::runtime_error("it ends before byte " + std::to_string(from + 1) +
-          ". Check the extent of the volume, its scalar type and the size of the header, and "
-          "whether the file is complete.");
-      }
-      if (count < 0 && errno != EINTR)
-      {
-        throw std::runtime_error(DescribeError(errno) + " at byte " + std::to_string(from) + ".");
-      }
-      const auto done = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-      to += done;
-      from += static_cast<std::int64_t>(done);
-      size -= done;
-    }
-  }
-
-private:
-  const int Descriptor;
-};
 
 void SwapBytes(char* samples, std::size_t size, std::size_t sampleSize)
 {
@@ -71,8 +17,6 @@ void SwapBytes(char* samples, std::size_t size, std::size_t sampleSize)
     std::reverse(sample, sample + sampleSize);
   }
 }
-
-} // namespace
 
 void RawVolumeFile::Read(const int box[6], void* samples) const
 {

@@ -30,6 +30,9 @@ struct RawVolumeFile
   void Read(const int box[6], void* samples) const;
 };
 
+/** Turns the bytes of each sample round; `size` is that of all, in bytes. */
+void SwapBytes(char* samples, std::size_t size, std::size_t sampleSize);
+
 } // namespace VolumeHaptics
 
 #endif

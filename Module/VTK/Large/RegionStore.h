@@ -73,6 +73,7 @@ public:
   bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
   /** Forgets all about the volume before. */
   void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
+  const LargeVolume* GetVolume() const { return this->Volume.get(); }
   /** Ends the thread, and forgets the volume and the coarse level. */
   void Clear();
   /** The level that stands in for samples that are late; null for none. */

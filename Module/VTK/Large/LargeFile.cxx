@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Large/LargeFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <stdexcept>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+bool HasEnding(const std::string& name, const std::string& ending)
+{
+  return name.size() >= ending.size() &&
+    std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
+      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+bool IsZarrName(const std::string& name)
+{
+  return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/");
+}
+
+} // namespace
+
+bool IsLargeFileName(const std::string& name)
+{
+  return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") || IsZarrName(name);
+}
+
+LargeFile OpenLargeFile(const std::string& name)
+{
+  if (!IsLargeFileName(name))
+  {
+    throw std::runtime_error("its ending is not known. Give a .vtkhdf file or a .zarr folder; or, "
+                             "if it is raw, SetFileName() with extent, type and spacing.");
+  }
+  return IsZarrName(name) ? OpenZarr(name) : OpenVtkHdf(name);
+}
+
+int FindScalarType(bool isInteger, bool isSigned, std::size_t size)
+{
+  if (!isInteger)
+  {
+    return size == sizeof(float) ? VTK_FLOAT : size == sizeof(double) ? VTK_DOUBLE : 0;
+  }
+  switch (size)
+  {
+    case 1:
+      return isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
+    case 2:
+      return isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
+    case 4:
+      return isSigned ? VTK_INT : VTK_UNSIGNED_INT;
+    case 8:
+      return isSigned ? VTK_LONG_LONG : VTK_UNSIGNED_LONG_LONG;
+    default:
+      return 0;
+  }
+}
+
+bool IsOtherByteOrder(bool isBig)
+{
+  const std::uint16_t probe = 1;
+  const bool isHostBig = *reinterpret_cast<const unsigned char*>(&probe) == 0;
+  return isBig != isHostBig;
+}
+
+} // namespace VolumeHaptics

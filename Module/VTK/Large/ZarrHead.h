@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The JSON files of Zarr.
+ */
+#ifndef ZarrHead_h
+#define ZarrHead_h
+
+#include "vtk_jsoncpp_fwd.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** Reads a file; false if there is none, or it is no object of JSON. */
+bool ReadZarrHead(const std::string& file, Json::Value& head);
+
+} // namespace VolumeHaptics
+
+#endif

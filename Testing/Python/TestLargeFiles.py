@@ -1,0 +1,417 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that say themselves what volume they hold: what vtkHapticRegionSource reads of them is what their own libraries
+wrote. VTKHDF is written by HDF5's own library, after VTK's specification, and read by VTK's own reader for comparison;
+Zarr is written by zarr, its version 3 by hand, after the specification.
+"""
+
+import ctypes
+import ctypes.util
+import gzip
+import itertools
+import json
+
+import numpy as np
+import pytest
+from volumehaptics import image, open_large, touch, vtkHapticRegionSource
+from volumehaptics._touch import Errors
+from volumehaptics.arrays import arrays
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+EXTENT = (2, 21, -3, 8, 5, 22)  # 20 x 12 x 18
+SHAPE = (18, 12, 20)
+SPACING = (0.5, 1.0, 1.5)
+ORIGIN = (-3.0, 4.0, 5.0)
+EARLIEST, LATEST = 0, 2  # versions of the format, as numbers of HDF5 1.10
+
+ids = ctypes.c_int64
+
+
+class Hdf5:
+    """As much of HDF5's C interface as it takes to write an image file."""
+
+    def __init__(self):
+        name = ctypes.util.find_library("hdf5_serial") or ctypes.util.find_library("hdf5")
+        assert name, "the tests need HDF5's library, which VTK's vtkIOHDF brings along"
+        self.library = ctypes.CDLL(name)
+        assert self.library.H5open() >= 0
+
+    def __getattr__(self, name):
+        function = getattr(self.library, "H5" + name)
+        function.restype = ids
+
+        def call(*values):
+            plain = [ids(value) if isinstance(value, int) else value for value in values]
+            result = function(*plain)
+            assert result >= 0, name
+            return result
+        return call
+
+    def known(self, name):
+        return ids.in_dll(self.library, f"H5{name}_g").value
+
+    def sizes(self, numbers):
+        return (ctypes.c_uint64 * len(numbers))(*numbers)
+
+
+@pytest.fixture(scope="module")
+def hdf5():
+    return Hdf5()
+
+
+STORED = {"int8": "STD_I8LE", "uint8": "STD_U8LE", "int16": "STD_I16LE", "uint16": "STD_U16LE", "int32": "STD_I32LE",
+          "uint32": "STD_U32LE", "int64": "STD_I64LE", "uint64": "STD_U64LE", "float32": "IEEE_F32LE",
+          "float64": "IEEE_F64LE", ">i2": "STD_I16BE", ">f4": "IEEE_F32BE", ">f8": "IEEE_F64BE"}
+
+
+def write_attribute(h, where, name, values):
+    if isinstance(values, str):
+        kind = h.Tcopy(h.known("T_C_S1"))
+        h.Tset_size(kind, len(values))
+        space, data = h.Screate(0), values.encode()
+    else:
+        whole = all(isinstance(value, int) for value in values)
+        kind = h.known("T_NATIVE_INT64" if whole else "T_NATIVE_DOUBLE")
+        data = np.array(values, np.int64 if whole else float).tobytes()
+        space = h.Screate_simple(1, h.sizes([len(values)]), None)
+    attribute = h.Acreate2(where, name.encode(), kind, space, 0, 0)
+    h.Awrite(attribute, kind, data)
+    for close, one in ((h.Aclose, attribute), (h.Sclose, space)):
+        close(one)
+
+
+def write_array(h, where, name, array, chunk=None, filters=(), early=False, empty=None):
+    stored = h.known("T_" + STORED[array.dtype.name if array.dtype.isnative else array.dtype.str])
+    options = h.Pcreate(h.known("P_CLS_DATASET_CREATE_ID"))
+    if chunk:
+        h.Pset_chunk(options, len(chunk), h.sizes(chunk))
+    for one, *values in filters:
+        getattr(h, "Pset_" + one)(options, *values)
+    if early:
+        h.Pset_alloc_time(options, 1)
+    if empty is not None:
+        h.Pset_fill_value(options, stored, np.array(empty, array.dtype).tobytes())
+    space = h.Screate_simple(array.ndim, h.sizes(array.shape), None)
+    data = h.Dcreate2(where, name.encode(), stored, space, 0, options, 0)
+    if empty is None:
+        h.Dwrite(data, stored, 0, 0, 0, np.ascontiguousarray(array).tobytes())
+    for close, one in ((h.Dclose, data), (h.Sclose, space), (h.Pclose, options)):
+        close(one)
+
+
+def write_vtkhdf(h, path, array, version=EARLIEST, before=0, kind="ImageData", extent=EXTENT, names=("density",),
+                 **layout):
+    access = h.Pcreate(h.known("P_CLS_FILE_ACCESS_ID"))
+    h.Pset_libver_bounds(access, version, LATEST)
+    creation = h.Pcreate(h.known("P_CLS_FILE_CREATE_ID"))
+    h.Pset_userblock(creation, before)
+    file = h.Fcreate(str(path).encode(), 2, creation, access)
+    group = h.Gcreate2(file, b"VTKHDF", 0, 0, 0)
+    write_attribute(h, group, "Version", [1, 0])
+    write_attribute(h, group, "Type", kind)
+    write_attribute(h, group, "WholeExtent", list(extent))
+    write_attribute(h, group, "Origin", list(ORIGIN))
+    write_attribute(h, group, "Spacing", list(SPACING))
+    write_attribute(h, group, "Direction", [0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+    points = h.Gcreate2(group, b"PointData", 0, 0, 0)
+    write_attribute(h, points, "Scalars", names[-1])
+    for name in names:
+        write_array(h, points, name, array if name == names[-1] else np.zeros_like(array), **layout)
+    for close, one in ((h.Gclose, points), (h.Gclose, group), (h.Fclose, file), (h.Pclose, access),
+                       (h.Pclose, creation)):
+        close(one)
+    return path
+
+
+def make_array(dtype="int16", shape=SHAPE):
+    return np.random.default_rng(3).integers(0, 127, shape).astype(dtype)
+
+
+def region_of(source, extent):
+    region = vtkImageData()
+    assert source.ReadRegion(extent, region)
+    sizes = [b - a + 1 for a, b in zip(extent[::2], extent[1::2])]
+    return vtk_to_numpy(region.GetPointData().GetScalars()).reshape(sizes[::-1])
+
+
+def expect_samples(path, array):
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(path))
+    first = source.GetWholeExtent()[::2]
+    whole = [(0, size - 1) for size in array.shape[::-1]]
+    for part in (whole, [(3, 9), (2, 2), (7, 17)], [(0, 0), (11, 11), (0, 3)], [(15, 19), (0, 11), (8, 8)]):
+        extent = [f + bound for f, bounds in zip(first, part) for bound in bounds]
+        (x0, x1), (y0, y1), (z0, z1) = part
+        assert np.array_equal(region_of(source, extent), array[z0:z1 + 1, y0:y1 + 1, x0:x1 + 1])
+    return source
+
+
+def error_of(path):
+    source = vtkHapticRegionSource()
+    with Errors(source) as errors:
+        assert not source.OpenFile(str(path))
+    assert len(errors) == 1
+    assert source.GetWholeExtent() == (0, -1, 0, -1, 0, -1)
+    return errors[0]
+
+
+@pytest.mark.parametrize("dtype", STORED)
+def test_vtkhdf_of_all_types(hdf5, tmp_path, dtype):
+    array = make_array(dtype)
+    source = expect_samples(write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array), array)
+    assert (source.GetWholeExtent(), source.GetSpacing(), source.GetOrigin()) == (EXTENT, SPACING, ORIGIN)
+    assert source.GetDirection() == (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+
+
+GZIP, SHUFFLE, SUM = ("deflate", 6), ("shuffle",), ("fletcher32",)
+LAYOUTS = {
+    "newest": dict(version=LATEST), "behind a header": dict(before=2048), "several": dict(names=("a", "b", "c")),
+    "many": dict(names=tuple(f"array{i}" for i in range(60))),
+    "chunks": dict(chunk=(5, 4, 7)), "one chunk": dict(chunk=SHAPE, version=LATEST),
+    "one packed chunk": dict(chunk=SHAPE, version=LATEST, filters=[SHUFFLE, GZIP]),
+    "chunks in order": dict(chunk=(5, 4, 7), version=LATEST, early=True),
+    "many chunks": dict(chunk=(1, 2, 3)),
+    "packed": dict(chunk=(5, 4, 7), filters=[GZIP]), "all filters": dict(chunk=(8, 8, 8), filters=[SHUFFLE, GZIP, SUM]),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_vtkhdf_is_read_as_vtk_reads_it(hdf5, tmp_path, layout):
+    array = make_array()
+    extent = (0, 19, 0, 11, 0, 17)  # VTK 9.1 reads none that begins elsewhere
+    path = write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, extent=extent, **LAYOUTS[layout])
+    source = expect_samples(path, array)
+    vtk = pytest.importorskip("vtkmodules.vtkIOHDF")
+    reader = vtk.vtkHDFReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    read = reader.GetOutput()
+    name = LAYOUTS[layout].get("names", ("density",))[-1]
+    assert np.array_equal(vtk_to_numpy(read.GetPointData().GetArray(name)), array.ravel())
+    assert (read.GetExtent(), read.GetSpacing(), read.GetOrigin()) == (extent, SPACING, ORIGIN)
+    assert source.GetScalarType() == read.GetPointData().GetArray(name).GetDataType()
+
+
+def test_chunks_that_were_never_written_have_the_fill_value(hdf5, tmp_path):
+    array = np.full(SHAPE, 77, np.int16)
+    expect_samples(write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, chunk=(5, 4, 7), empty=77), array)
+
+
+def test_vtkhdf_is_felt_as_its_array(hdf5, tmp_path):
+    z, y, x = np.meshgrid(*map(np.arange, (60, 50, 70)), indexing="ij", sparse=True)
+    bed = np.round(1000 / (1 + np.exp(z - 30 - 3 * np.sin(0.2 * x) + 0.1 * y))).astype(np.int16)
+    tip = [(8 + 0.05 * t, 25, 31 + 2 * np.sin(0.03 * t)) for t in range(900)]
+    path = write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", bed, extent=(0, 69, 0, 49, 0, 59), chunk=(16, 16, 16),
+                        filters=[SHUFFLE, GZIP])
+    source = open_large(path, spacing=(1, 1, 1), origin=(0, 0, 0))
+    source.SetDirection((1, 0, 0, 0, 1, 0, 0, 0, 1))
+    whole, large = (arrays(touch(volume, tip, iso_value=500)) for volume in (image(bed), source))
+    assert abs(whole["Force"]).max() > 0.1
+    for name in whole:
+        assert np.array_equal(whole[name], large[name], equal_nan=True), name
+
+
+def test_vtkhdf_that_is_not_read_is_told_with_the_cure(hdf5, tmp_path):
+    array = make_array()
+    path = tmp_path / "a.vtkhdf"
+
+    def told(array=array, **how):
+        return error_of(write_vtkhdf(hdf5, path, array, **how))
+    assert "h5repack -f NONE -l CONTI" in told(chunk=(5, 4, 7), version=LATEST)
+    assert "of an image" in told(kind="UnstructuredGrid")
+    assert "18 x 12 x 20" in told(extent=(0, 3, 0, 3, 0, 3))
+    assert "components" in told(array[..., None] + np.zeros(3, np.int16))
+    assert "h5repack" in told(version=LATEST, names=tuple(f"array{i}" for i in range(60)))
+    assert "filter 6" in told(chunk=(5, 4, 7), filters=[("scaleoffset", 2, 0)])
+    path.write_bytes(b"no HDF5" * 1000)
+    assert "no HDF5 file" in error_of(path)
+    path.write_bytes(b"")
+    assert "no HDF5 file" in error_of(path)
+    with pytest.raises(ValueError, match="no HDF5 file"):
+        open_large(path)
+    assert "No such file" in error_of(tmp_path / "b.vtkhdf")
+    assert "its ending is not known" in error_of(tmp_path / "b.abc")
+
+
+def test_a_damaged_vtkhdf_ends_nothing(hdf5, tmp_path):
+    """Whatever byte is wrong, and wherever the file ends, there are samples or one error."""
+    good = write_vtkhdf(hdf5, tmp_path / "good.vtkhdf", make_array(), chunk=(9, 6, 10), filters=[SHUFFLE, GZIP])
+    good = good.read_bytes()
+    assert len(good) < 40000
+    chance = np.random.default_rng(5)
+    path = tmp_path / "a.vtkhdf"
+    results = {True: 0, False: 0}
+    ends = [good[:end] for end in chance.integers(0, len(good), 60)]
+    for flipped in itertools.chain(ends, range(900)):
+        if isinstance(flipped, int):
+            changed = bytearray(good)
+            for place in chance.integers(0, len(good) // 2, 3):
+                changed[place] = chance.integers(0, 256)
+            flipped = bytes(changed)
+        path.write_bytes(flipped)
+        source = vtkHapticRegionSource()
+        source.AddObserver("ErrorEvent", lambda *_: None)
+        opened = bool(source.OpenFile(str(path)))
+        results[opened] += 1
+        if opened:
+            region = vtkImageData()
+            region.AddObserver("ErrorEvent", lambda *_: None)
+            source.ReadRegion((2, 9, -3, 3, 5, 20), region)
+    assert min(results.values()) > 50
+
+
+CODECS = {"none": None, "zlib": ("Zlib", 5), "gzip": ("GZip", 5), "lz4": ("LZ4",),
+          "blosc": ("Blosc", "lz4", 5, 1), "blosc plain": ("Blosc", "lz4hc", 9, 0), "blosc zlib": ("Blosc", "zlib", 5, 1),
+          "blosc stored": ("Blosc", "lz4", 0, 1)}
+
+
+@pytest.mark.parametrize("codec", CODECS)
+@pytest.mark.parametrize("dtype", ["uint8", "int16", ">i2", "float64"])
+def test_zarr_of_all_codecs(tmp_path, codec, dtype):
+    zarr = pytest.importorskip("zarr")
+    numcodecs = pytest.importorskip("numcodecs")
+    name, *values = CODECS[codec] or (None,)
+    smooth = np.add.outer(np.add.outer(np.arange(50) // 9, np.arange(33)), np.arange(41) // 5)
+    array = (smooth + np.random.default_rng(2).integers(0, 3, smooth.shape)).astype(dtype)
+    array[-20:] = np.random.default_rng(3).integers(0, 127, array[-20:].shape)
+    stored = zarr.open(str(tmp_path / "a.zarr"), mode="w", shape=array.shape, chunks=(21, 16, 17), dtype=dtype,
+                       compressor=name and getattr(numcodecs, name)(*values))
+    stored[:] = array
+    source = expect_samples(tmp_path / "a.zarr", array)
+    assert source.GetSpacing() == (1.0, 1.0, 1.0)
+    assert source.GetCoarseImage() is None
+
+
+def test_zarr_chunks_that_are_not_there_have_the_fill_value(tmp_path):
+    zarr = pytest.importorskip("zarr")
+    stored = zarr.open(str(tmp_path / "a.zarr"), mode="w", shape=(30, 30, 30), chunks=(8, 8, 8), dtype="f4",
+                       fill_value=float("nan"), dimension_separator="/")
+    stored[:8, :8, :8] = 7
+    array = np.full((30, 30, 30), np.nan, np.float32)
+    array[:8, :8, :8] = 7
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(tmp_path / "a.zarr"))
+    assert np.array_equal(region_of(source, (0, 29, 0, 29, 0, 29)), array, equal_nan=True)
+
+
+def test_ome_zarr_has_its_place_and_a_coarse_level(tmp_path):
+    zarr = pytest.importorskip("zarr")
+    fine = make_array("uint16", (1, 2, 40, 24, 30))
+    group = zarr.open_group(str(tmp_path / "a.zarr"), mode="w")
+    group.create_dataset("0", data=fine, chunks=(1, 1, 16, 16, 16))
+    group.create_dataset("1", data=fine[..., ::2, ::2, ::2], chunks=(1, 1, 16, 16, 16))
+    steps = [[{"type": "scale", "scale": [1, 1, 2.0 * f, 0.5 * f, 0.25 * f]},
+              {"type": "translation", "translation": [0, 0, 10, 20, 30]}] for f in (1, 2)]
+    group.attrs["multiscales"] = [{
+        "version": "0.4", "axes": [{"name": name} for name in "tczyx"],
+        "datasets": [{"path": str(i), "coordinateTransformations": steps[i]} for i in range(2)],
+        "coordinateTransformations": [{"type": "scale", "scale": [1, 1, 10, 10, 10]}]}]
+    source = expect_samples(tmp_path / "a.zarr", fine[0, 0])
+    assert np.allclose(source.GetSpacing(), (2.5, 5, 20))
+    assert np.allclose(source.GetOrigin(), (300, 200, 100))
+    coarse = source.GetCoarseImage()
+    assert np.allclose((*coarse.GetSpacing(), *coarse.GetOrigin()), (5, 10, 40, 300, 200, 100))
+    values = vtk_to_numpy(coarse.GetPointData().GetScalars())
+    assert np.array_equal(values, fine[0, 0, ::2, ::2, ::2].ravel())
+
+
+def test_zarr_version_3(tmp_path):
+    array = make_array(">i2")
+    folder = tmp_path / "a.zarr" / "s0"
+    folder.mkdir(parents=True)
+    head = {"zarr_format": 3, "node_type": "array", "shape": SHAPE, "data_type": "int16", "fill_value": 3,
+            "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [9, 6, 20]}},
+            "chunk_key_encoding": {"name": "default", "configuration": {"separator": "/"}},
+            "codecs": [{"name": "bytes", "configuration": {"endian": "big"}},
+                       {"name": "gzip", "configuration": {"level": 5}}]}
+    (folder / "zarr.json").write_text(json.dumps(head))
+    for k, j in itertools.product(range(2), range(2)):
+        (folder / f"c/{k}/{j}").mkdir(parents=True)
+        chunk = np.ascontiguousarray(array[9 * k:9 * k + 9, 6 * j:6 * j + 6])
+        (folder / f"c/{k}/{j}/0").write_bytes(gzip.compress(chunk.tobytes()))
+    (folder / "c/1/1/0").unlink()
+    array = array.astype("int16")
+    array[9:, 6:] = 3
+    scales = [{"axes": [{"name": "z"}, {"name": "y"}, {"name": "x"}], "datasets": [
+        {"path": "s0", "coordinateTransformations": [{"type": "scale", "scale": [3, 2, 1]}]}]}]
+    (tmp_path / "a.zarr/zarr.json").write_text(json.dumps(
+        {"zarr_format": 3, "node_type": "group", "attributes": {"ome": {"version": "0.5", "multiscales": scales}}}))
+    assert expect_samples(tmp_path / "a.zarr", array).GetSpacing() == (1.0, 2.0, 3.0)
+
+
+def test_zarr_that_is_not_read_is_told_with_the_cure(tmp_path):
+    path = tmp_path / "a.zarr"
+    path.mkdir()
+    assert "no folder of Zarr" in error_of(path)
+    head = {"zarr_format": 2, "shape": [9, 9, 9], "chunks": [3, 3, 3], "dtype": "<i2", "compressor": None,
+            "fill_value": 0, "order": "C", "filters": None}
+
+    def told(**changed):
+        (path / ".zarray").write_text(json.dumps({**head, **changed}))
+        return error_of(path)
+    assert "2 dimensions" in told(shape=[9, 9], chunks=[3, 3])
+    assert "of type <c8" in told(dtype="<c8")
+    assert "open_large() in Python" in told(compressor={"id": "zstd"})
+    assert "order F" in told(order="F")
+    assert "filters" in told(filters=[{"id": "delta"}])
+    assert "size that no volume has" in told(shape=[9, 9, -9])
+    assert "not as Zarr wants it" in told(compressor={"id": {}})
+    (path / ".zarray").write_text("[" * 5000)
+    assert "no folder of Zarr" in error_of(path)
+    (path / ".zarray").unlink()
+    (path / ".zattrs").write_text('{"multiscales": [{"datasets": [{"path": "0"}]}]}')
+    assert "has no head" in error_of(path)
+    (path / ".zattrs").write_text("{}")
+    assert "without OME-Zarr's multiscales" in error_of(path)
+
+
+def test_damaged_chunks_are_an_error_of_the_region(tmp_path):
+    zarr = pytest.importorskip("zarr")
+    numcodecs = pytest.importorskip("numcodecs")
+    chance = np.random.default_rng(9)
+    results = {True: 0, False: 0}
+    for name, *values in ("Blosc", "lz4", 5, 1), ("LZ4",), ("Zlib", 5):
+        path = tmp_path / f"{name}.zarr"
+        array = make_array("int16", (20, 20, 20)) // 9
+        zarr.open(str(path), mode="w", shape=array.shape, chunks=(20, 20, 20), dtype="i2",
+                  compressor=getattr(numcodecs, name)(*values))[:] = array
+        good = (path / "0.0.0").read_bytes()
+        for trial in range(150):
+            bad = bytearray(good if trial % 3 else good[:chance.integers(0, len(good))])
+            for place in chance.integers(0, max(len(bad) // (1 + trial % 30), 1), 3):
+                bad[place:place + 1] = bytes([chance.integers(0, 256)])
+            (path / "0.0.0").write_bytes(bad)
+            source = vtkHapticRegionSource()
+            assert source.OpenFile(str(path))
+            with Errors(source) as errors:
+                done = bool(source.ReadRegion((0, 19, 0, 19, 0, 19), vtkImageData()))
+            results[done] += 1
+            assert done or "can't be read from the file" in errors[0]
+    assert results[False] > 100
+
+
+def test_a_coarse_image_is_made_of_means(hdf5, tmp_path):
+    array = make_array("float32", (50, 40, 60))
+    array[3, 4, 5] = np.nan
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, extent=(2, 61, -3, 36, 5, 54),
+                                            chunk=(16, 16, 16))))
+    assert source.MakeCoarseImage(10 * 14 * 20)  # cubes of 4^3 are too many: 13 x 10 x 15 fit
+    coarse = source.GetCoarseImage()
+    assert coarse.GetDimensions() == (15, 10, 13)
+    values = vtk_to_numpy(coarse.GetPointData().GetScalars()).reshape(13, 10, 15)
+    expected = [[[np.nanmean(array[4 * k:4 * k + 4, 4 * j:4 * j + 4, 4 * i:4 * i + 4]) for i in range(15)]
+                 for j in range(10)] for k in range(13)]
+    assert np.allclose(values, expected, rtol=1e-6)
+    # The middle of the first cube, which begins at the index (2, -3, 5); x runs along the world's y, y along its -x.
+    assert np.allclose(coarse.GetOrigin(), (-3 - 1.0 * (-3 + 1.5), 4 + 0.5 * (2 + 1.5), 5 + 1.5 * (5 + 1.5)))
+    assert np.allclose(coarse.GetSpacing(), (2, 4, 6))
+    array.tofile(tmp_path / "a.raw")
+    raw = vtkHapticRegionSource()
+    raw.SetFileName(str(tmp_path / "a.raw"))
+    raw.SetScalarType(10)
+    raw.SetWholeExtent(0, 59, 0, 39, 0, 49)
+    assert raw.MakeCoarseImage(15 * 10 * 13)
+    values = vtk_to_numpy(raw.GetCoarseImage().GetPointData().GetScalars()).reshape(13, 10, 15)
+    assert np.isclose(values[2, 3, 4], array[9, 13, 16:20].mean())
