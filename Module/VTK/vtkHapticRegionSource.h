@@ -4,9 +4,8 @@
  * @class   vtkHapticRegionSource
  * @brief   a volume that is too large for memory, read where the hand needs it
  *
- * Stands for a volume in a raw file, in a VTKHDF file, or in anything that a function can read boxes
- * of samples from.
- * Only regions of it are ever in memory. Connect it directly to port 0 of vtkVolumeHapticsFilter:
+ * Stands for a volume in a file, or in anything that a function can read boxes of samples from. Only
+ * regions of it are ever in memory. Connect it directly to port 0 of vtkVolumeHapticsFilter:
  *
  *   source->SetFileName("Bone.raw");              // or OpenFile; or SetReader, C++ only
  *   source->SetWholeExtent(0, 4095, 0, 4095, 0, 2047);
@@ -99,8 +98,8 @@ public:
 
   ///@{
   /**
-   * A raw file of samples, x fastest and z slowest, without compression. It is opened for each region,
-   * so it may be replaced or grow meanwhile. Default: none.
+   * A raw file of samples, x fastest and z slowest, without compression. It is opened for each
+   * region, so it may be replaced or grow meanwhile. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
