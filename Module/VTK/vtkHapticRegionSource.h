@@ -4,8 +4,8 @@
  * @class   vtkHapticRegionSource
  * @brief   a volume that is too large for memory, read where the hand needs it
  *
- * Stands for a volume in a file, or in anything that a function can read boxes of samples from. Only
- * regions of it are ever in memory. Connect it directly to port 0 of vtkVolumeHapticsFilter:
+ * Stands for a volume in a file, or in anything that a function can read boxes of samples from.
+ * Only regions of it are ever in memory. Connect it directly to port 0 of vtkVolumeHapticsFilter:
  *
  *   source->SetFileName("Bone.raw");              // or OpenFile; or SetReader, C++ only
  *   source->SetWholeExtent(0, 4095, 0, 4095, 0, 2047);
