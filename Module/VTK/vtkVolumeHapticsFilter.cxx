@@ -792,7 +792,8 @@ int vtkVolumeHapticsFilter::TouchPath(
     return 0;
   }
   // Without a path, input is only checked, and a mesh that takes long is left to the background.
-  if (readable && !source && !(path ? this->AwaitSurface() : this->IsSurfaceAtHand()))
+  if (readable && !source && frames.Frames.empty() &&
+    !(path ? this->AwaitSurface() : this->IsSurfaceAtHand()))
   {
     return 1;
   }

@@ -108,7 +108,7 @@ std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const 
       last.Interval = frame.Time > last.Time ? frame.Time - last.Time : series.LoopInterval;
     }
     frames.push_back({ frame.Time, 0.0, FieldSampler(frame.View, kernel), frame.Samples, {},
-      frame.DisplacementSamples });
+      frame.DisplacementSamples, frame.Mesh });
     // How the material gets from the last frame back to the first one is not known.
     if (frame.Displacements.Data && frame.Time < series.Last)
     {
@@ -238,6 +238,38 @@ Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to
     frame = end > time ? frame + 1 : (frame > 0 ? frame - 1 : 0);
   }
   return at;
+}
+
+int BakedVolume::FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept
+{
+  if (!this->IsMoving())
+  {
+    ways[0] = { this->Mesh.get(), 0.0, 0.0 };
+    return 1;
+  }
+  const std::size_t first = this->FindFrame(from);
+  const std::size_t last = this->FindFrame(to);
+  const double begin = this->FindShare(first, from);
+  const double end = this->FindShare(last, to);
+  const auto mesh = [this](std::size_t frame) { return this->Frames[frame].Mesh.get(); };
+  if (first == last)
+  {
+    ways[0] = { mesh(first), begin, end };
+    return 1;
+  }
+  // The first frame may follow the last one.
+  const bool isOverEnd = std::abs(to - from) > 0.5 * this->Series.GetPeriod();
+  const bool isForward = (to > from) != isOverEnd;
+  const std::size_t before = isForward ? first : last;
+  const std::size_t after = isForward ? last : first;
+  if (after == before + 1 || (isOverEnd && after == 0 && before + 2 == this->Frames.size()))
+  {
+    ways[0] = { mesh(first), begin, isForward ? 1.0 : 0.0 };
+    ways[1] = { mesh(last), isForward ? 0.0 : 1.0, end };
+    return 2;
+  }
+  ways[0] = { mesh(last), end, end };
+  return 1;
 }
 
 GradientKernel BakedVolume::MakeKernel(const HapticModelDescription& d)

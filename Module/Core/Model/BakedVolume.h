@@ -32,6 +32,16 @@ struct FieldFrame
   /** Where its material goes until the next frame, if that is known. */
   std::optional<DisplacementField> Motion;
   std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
+  /** The isosurface on its way to the next frame; null if there is no mesh, or no next frame. */
+  std::shared_ptr<const SurfaceMesh> Mesh;
+};
+
+/** A mesh that moves, from one share of its way to another one. */
+struct MeshWay
+{
+  const SurfaceMesh* Mesh; ///< null: there is none
+  double From;
+  double To;
 };
 
 /** The part of a model that does not depend on the device's placement. Immutable. */
@@ -87,6 +97,15 @@ struct BakedVolume
    * index where that is not known. It is followed through four frames at most.
    */
   Vector3 FollowMaterial(const Vector3& index, double from, double to) const noexcept;
+
+  ///@{
+  /**
+   * The meshes of the way from one data time to another one: of the frame in which it begins, and
+   * of that in which it ends. Over more frames, or over the end of a series, only the end.
+   */
+  static constexpr int MostMeshWays = 2;
+  int FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
+  ///@}
 
   const ForbiddenZone* GetZone() const noexcept
   {

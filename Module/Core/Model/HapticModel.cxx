@@ -48,6 +48,17 @@ double FindMostSteps(const HapticModel& model)
   return most;
 }
 
+/** Bytes of the meshes. */
+std::size_t GetMeshSize(const BakedVolume& baked)
+{
+  std::size_t size = baked.Mesh ? baked.Mesh->GetMemorySize() : 0;
+  for (const FieldFrame& frame : baked.Frames)
+  {
+    size += frame.Mesh && frame.Mesh != baked.Mesh ? frame.Mesh->GetMemorySize() : 0;
+  }
+  return size;
+}
+
 } // namespace
 
 HapticModel::HapticModel(const HapticModelDescription& description)
@@ -141,7 +152,7 @@ std::size_t HapticModel::GetMemorySize() const noexcept
   }
   return modes + sizeof(*this) + sizeof(baked) + baked.Kernel.Table.capacity() * sizeof(double) +
     baked.Materials.GetMemorySize() - sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() -
-    sizeof(baked.Distinctness) + (baked.Mesh ? baked.Mesh->GetMemorySize() : 0) +
+    sizeof(baked.Distinctness) + GetMeshSize(baked) +
     (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0) +
     (baked.GetZone() ? baked.GetZone()->GetMemorySize() : 0) +
     (baked.Walls ? sizeof(LabelWalls) + baked.Walls->GetMemorySize() : 0);

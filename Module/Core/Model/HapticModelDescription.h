@@ -46,6 +46,8 @@ struct VolumeFrame
   /** To the next frame, on the points of View; none if it is not known, or there is no next one. */
   DisplacementView Displacements = {};
   std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps them alive
+  /** For HapticMethod::SurfaceProxy: its isosurface, which moves to the next frame. */
+  std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
 /** Everything that a model is baked from. */

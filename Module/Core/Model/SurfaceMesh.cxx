@@ -39,11 +39,16 @@ float RoundUp(double x)
 
 } // namespace
 
-SurfaceMesh::SurfaceMesh(
-  std::vector<Vector3> points, const std::vector<Indices>& triangles, std::vector<Vector3> normals)
+SurfaceMesh::SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
+  std::vector<Vector3> normals, std::vector<Vector3> motions)
   : Points(std::move(points))
   , Normals(std::move(normals))
+  , Motions(std::move(motions))
 {
+  for (const Vector3& motion : this->Motions)
+  {
+    this->LongestMotion = std::max(this->LongestMotion, Norm(motion));
+  }
   this->Triangles.reserve(triangles.size());
   for (const Indices& corners : triangles)
   {
@@ -60,8 +65,9 @@ SurfaceMesh::SurfaceMesh(
 std::size_t SurfaceMesh::GetMemorySize() const noexcept
 {
   return sizeof(*this) + this->Points.capacity() * sizeof(Vector3) +
-    this->Normals.capacity() * sizeof(Vector3) + this->Triangles.capacity() * sizeof(Indices) +
-    this->Boxes.capacity() * sizeof(Box) + this->Nodes.capacity() * sizeof(Node);
+    this->Normals.capacity() * sizeof(Vector3) + this->Motions.capacity() * sizeof(Vector3) +
+    this->Triangles.capacity() * sizeof(Indices) + this->Boxes.capacity() * sizeof(Box) +
+    this->Nodes.capacity() * sizeof(Node);
 }
 
 int SurfaceMesh::EstimateVisits(double distance) const noexcept
@@ -102,13 +108,20 @@ SurfaceMesh::Box SurfaceMesh::MakeBox(std::int32_t first, std::int32_t count) co
   Box all = this->Boxes[first];
   for (std::int32_t i = first + 1; i < first + count; ++i)
   {
-    for (int a = 0; a < 3; ++a)
-    {
-      all.Low[a] = std::min(all.Low[a], this->Boxes[i].Low[a]);
-      all.High[a] = std::max(all.High[a], this->Boxes[i].High[a]);
-    }
+    all = Unite(all, this->Boxes[i]);
   }
   return all;
+}
+
+SurfaceMesh::Box SurfaceMesh::Unite(const Box& one, const Box& other)
+{
+  Box both = one;
+  for (int a = 0; a < 3; ++a)
+  {
+    both.Low[a] = std::min(one.Low[a], other.Low[a]);
+    both.High[a] = std::max(one.High[a], other.High[a]);
+  }
+  return both;
 }
 
 void SurfaceMesh::Build()
@@ -122,6 +135,10 @@ void SurfaceMesh::Build()
   for (std::int32_t i = 0; i < size; ++i)
   {
     boxes[i] = MakeBox(this->GetTriangle(i));
+    if (!this->Motions.empty())
+    {
+      boxes[i] = Unite(boxes[i], MakeBox(this->GetTriangle(i, 1.0)));
+    }
   }
   std::vector<std::int32_t> order(size);
   std::iota(order.begin(), order.end(), 0);
@@ -173,13 +190,7 @@ void SurfaceMesh::Build()
       node->Bounds = this->MakeBox(node->First, node->Count);
       continue;
     }
-    node->Bounds = this->Nodes[node->First].Bounds;
-    const Box& other = this->Nodes[node->First + 1].Bounds;
-    for (int a = 0; a < 3; ++a)
-    {
-      node->Bounds.Low[a] = std::min(node->Bounds.Low[a], other.Low[a]);
-      node->Bounds.High[a] = std::max(node->Bounds.High[a], other.High[a]);
-    }
+    node->Bounds = Unite(this->Nodes[node->First].Bounds, this->Nodes[node->First + 1].Bounds);
   }
 }
 

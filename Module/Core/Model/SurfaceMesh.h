@@ -4,6 +4,9 @@
  * @file
  * Triangles in the world, with an immutable tree of boxes that finds those nearby.
  *
+ * The triangles of a surface that moves go to their places in the next frame along straight ways,
+ * and the boxes hold all of these.
+ *
  * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. Each
  * box that they look at is taken from a budget; they return false if the budget is spent.
  */
@@ -28,10 +31,10 @@ public:
   /**
    * Triangles are given by indices into points (world units). `normals` are unit normals of the
    * points, for shading, or empty. Triangles without an area, or with a corner that is not finite,
-   * are left out.
+   * are left out. `motions` are those of the points until the next frame, or empty.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
-    std::vector<Vector3> normals);
+    std::vector<Vector3> normals, std::vector<Vector3> motions = {});
 
   std::int64_t GetNumberOfTriangles() const noexcept
   {
@@ -40,11 +43,20 @@ public:
   bool HasNormals() const noexcept { return !this->Normals.empty(); }
   std::size_t GetMemorySize() const noexcept;
 
-  Triangle GetTriangle(std::int32_t i) const noexcept
+  /** @param share of the way to the next frame, 0 to 1 */
+  Triangle GetTriangle(std::int32_t i, double share = 0.0) const noexcept
   {
     const Indices& corners = this->Triangles[i];
-    return { { this->Points[corners[0]], this->Points[corners[1]], this->Points[corners[2]] } };
+    Triangle triangle{ { this->Points[corners[0]], this->Points[corners[1]],
+      this->Points[corners[2]] } };
+    for (int c = 0; c < 3 && share != 0.0 && !this->Motions.empty(); ++c)
+    {
+      triangle.Corner[c] += share * this->Motions[corners[c]];
+    }
+    return triangle;
   }
+  /** The longest way of a point to the next frame (world units). */
+  double GetLongestMotion() const noexcept { return this->LongestMotion; }
   /** The interpolated normal at a point of a triangle, not quite of unit length. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
@@ -127,6 +139,7 @@ private:
   void Build();
   Box MakeBox(std::int32_t first, std::int32_t count) const;
   static Box MakeBox(const Triangle& triangle);
+  static Box Unite(const Box& one, const Box& other);
 
   template <typename Filter, typename Visitor>
   bool Visit(Filter&& filter, int& budget, Visitor&& visit) const noexcept
@@ -167,6 +180,8 @@ private:
 
   std::vector<Vector3> Points;
   std::vector<Vector3> Normals;
+  std::vector<Vector3> Motions; ///< of Points; empty if they stand still
+  double LongestMotion = 0.0;
   std::vector<Indices> Triangles; ///< in the order of the leaves
   std::vector<Box> Boxes;         ///< of the triangles
   std::vector<Node> Nodes;

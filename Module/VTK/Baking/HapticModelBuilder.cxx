@@ -95,6 +95,37 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
+/** Gives all frames but the last one their isosurfaces. */
+void MeshFrames(const std::vector<HapticFrame>& read, double value, HapticModelDescription& d)
+{
+  for (std::size_t i = 0; i + 1 < d.Frames.size(); ++i)
+  {
+    d.Frames[i].Mesh =
+      MeshFrame(d.Frames[i], d.Frames[i + 1], read[i].Component, value, d.IndexToWorld);
+  }
+}
+
+/** That of the frames which has the most triangles; null, with an error, if none has any. */
+std::shared_ptr<const SurfaceMesh> FindLargestMesh(
+  const std::vector<VolumeFrame>& frames, double value, std::string& error)
+{
+  std::shared_ptr<const SurfaceMesh> largest;
+  for (const VolumeFrame& frame : frames)
+  {
+    const std::int64_t most = largest ? largest->GetNumberOfTriangles() : 0;
+    largest = frame.Mesh && frame.Mesh->GetNumberOfTriangles() > most ? frame.Mesh : largest;
+  }
+  if (!largest)
+  {
+    std::ostringstream message;
+    message << "There is no isosurface at the IsoValue " << value
+            << " of vtkVolumeHapticsFilter in any frame of the image on input port 0. "
+               "SetIsoValue() to a value between its scalars.";
+    error = message.str();
+  }
+  return largest;
+}
+
 /** The mesh and the proxy's radius, if the method touches a mesh. */
 bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
@@ -109,11 +140,16 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
     d.Settings.ProxyRadius = 0.5 * SmallestSpacing(image);
   }
   d.Settings.HasIsoSurface = options.Surface == nullptr;
+  if (!d.Frames.empty())
+  {
+    MeshFrames(options.Frames, d.Settings.IsoValue, d);
+  }
   const std::int64_t* const first = d.View.First;
   const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue,
     { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
     !ResidentBox(d.View).IsWhole() };
-  d.Mesh = options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error);
+  d.Mesh = d.Frames.empty() ? options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error)
+                            : FindLargestMesh(d.Frames, d.Settings.IsoValue, error);
   if (!d.Mesh)
   {
     return false;
@@ -150,11 +186,11 @@ bool AreAlike(const VolumeView& a, const VolumeView& b)
 bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
 {
   const std::vector<HapticFrame>& frames = options.Frames;
-  if (!frames.empty() && d.Settings.Method == HapticMethod::SurfaceProxy)
+  if (!frames.empty() && d.Settings.Method == HapticMethod::SurfaceProxy && options.Surface)
   {
-    error = "SURFACE_PROXY touches a mesh, which does not move, and the image on input port 0 has "
-            "several frames. Choose another method, for example with "
-            "SetMethodToLocalSurface, or stop time with SetTimeUnitsPerSecond(0).";
+    error = "The surface on input port 2 does not move, and the image on input port 0 has several "
+            "frames. Disconnect the surface to touch the isosurface at IsoValue, which moves, or "
+            "stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
   if (!frames.empty() && d.Settings.Method == HapticMethod::Primitives)
@@ -227,7 +263,7 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
   const VolumeView& before = last.Field.GetView();
   HapticVolume volume;
   std::string error;
-  if (!first.Array ||
+  if (!first.Array || last.Mesh || // which would be another one
     !ReadVolume(first.Image, first.Array, first.Component, kernelRadius, volume, error))
   {
     return nullptr;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticSurface.h"
 
+#include "Core/Field/IsoMotion.h"
 #include "Core/Math/Vector3.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticTuples.h"
@@ -44,9 +45,12 @@ constexpr double ShortMeshing = 40e-3;
 /** Longer (s) than any mesh takes. */
 constexpr double Forever = 1e9;
 
+/** The motions of points in the world; empty for a mesh that stands still. */
+using MotionsOf = std::function<std::vector<Vector3>(const std::vector<Vector3>&)>;
+
 /** Triangles and points of a surface of triangles; points by one map, normals by another. */
-std::shared_ptr<const SurfaceMesh> MakeMesh(
-  vtkPolyData* surface, const Affine3& map, const Matrix3& mapNormals)
+std::shared_ptr<const SurfaceMesh> MakeMesh(vtkPolyData* surface, const Affine3& map,
+  const Matrix3& mapNormals, const MotionsOf& findMotions = {})
 {
   const vtkIdType count = surface->GetNumberOfPoints();
   vtkDataArray* const wanted = surface->GetPointData()->GetNormals();
@@ -79,7 +83,9 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(
         static_cast<std::int32_t>(corners[1]), static_cast<std::int32_t>(corners[2]) });
     }
   }
-  return std::make_shared<SurfaceMesh>(std::move(points), triangles, std::move(directions));
+  std::vector<Vector3> motions = findMotions ? findMotions(points) : std::vector<Vector3>();
+  return std::make_shared<SurfaceMesh>(
+    std::move(points), triangles, std::move(directions), std::move(motions));
 }
 
 std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& error)
@@ -266,8 +272,12 @@ double EstimateTriangles(const IsoSurface& iso)
 
 } // namespace
 
-std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
-  int component, double value, const Affine3& indexToWorld)
+namespace
+{
+
+/** An isosurface and, if asked for, how it moves. */
+std::shared_ptr<const SurfaceMesh> MeshMovingSurface(vtkDataArray* scalars, const int extent[6],
+  int component, double value, const Affine3& indexToWorld, const MotionsOf& findMotions)
 {
   // Computed in index steps: the geometry of the whole image gives the places in the world.
   vtkNew<vtkImageData> samples;
@@ -282,8 +292,39 @@ std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const i
   edges->ComputeScalarsOff();
   edges->Update();
   return edges->GetOutput()->GetNumberOfPoints() > 0
-    ? MakeMesh(edges->GetOutput(), indexToWorld, Transpose(Inverse(indexToWorld.Linear)))
+    ? MakeMesh(
+        edges->GetOutput(), indexToWorld, Transpose(Inverse(indexToWorld.Linear)), findMotions)
     : nullptr;
+}
+
+} // namespace
+
+std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
+  int component, double value, const Affine3& indexToWorld)
+{
+  return MeshMovingSurface(scalars, extent, component, value, indexToWorld, {});
+}
+
+std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const VolumeFrame& next,
+  int component, double value, const Affine3& indexToWorld)
+{
+  int extent[6];
+  for (int a = 0; a < 3; ++a)
+  {
+    extent[2 * a] = static_cast<int>(frame.View.First[a]);
+    extent[2 * a + 1] = static_cast<int>(frame.View.Last(a));
+  }
+  // See ShareArray of the model's builder.
+  auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
+  auto mesh = MeshMovingSurface(scalars, extent, component, value, indexToWorld,
+    [&](const std::vector<Vector3>& points)
+    {
+      return FindIsoMotions(
+        points, value, { frame.View, next.View, frame.Displacements, indexToWorld });
+    });
+  return mesh ? mesh
+              : std::make_shared<const SurfaceMesh>(std::vector<Vector3>(),
+                  std::vector<SurfaceMesh::Indices>(), std::vector<Vector3>());
 }
 
 HapticSurface::Made HapticSurface::Make(vtkPolyData* surface)

@@ -7,6 +7,7 @@
 #ifndef HapticSurface_h
 #define HapticSurface_h
 
+#include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/SurfaceMesh.h"
 #include "VTK/Work/BackgroundWork.h"
 
@@ -22,8 +23,6 @@ class vtkPolyData;
 
 namespace VolumeHaptics
 {
-struct Affine3;
-
 /** The image and the value of an isosurface. */
 struct IsoSurface
 {
@@ -44,6 +43,14 @@ struct IsoSurface
  * if there are none. Any thread may call it: the array has to be of VTK's standard memory layout.
  */
 std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
+  int component, double value, const Affine3& indexToWorld);
+
+/**
+ * The triangles of the isosurface in a frame of a volume that moves, on their way to the next one;
+ * none if it has no isosurface. The frames keep vtkDataArrays alive. Any thread may call it: the
+ * arrays have to be of VTK's standard memory layout.
+ */
+std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const VolumeFrame& next,
   int component, double value, const Affine3& indexToWorld);
 
 /** Makes meshes, and keeps the last one until its input changes. */

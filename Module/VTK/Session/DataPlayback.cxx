@@ -4,7 +4,6 @@
 
 #include "Core/Servo/ServoClock.h"
 #include "VTK/Baking/HapticBaker.h"
-#include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Files/HapticFiles.h"
@@ -24,6 +23,7 @@
 #include <cmath>
 #include <new>
 #include <sstream>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -247,6 +247,8 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   this->Window.reset();
   this->GivenUp.clear();
   this->Failed = None;
+  this->Meshless.clear();
+  this->Mesher.End();
   this->AreComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
   std::vector<HapticFrame> read;
   if (!(this->AreComponents ? this->ReadComponents(filter, read) : this->ReadSteps(filter, read)))
@@ -369,6 +371,7 @@ std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count
     const std::size_t offset = (step + this->Steps.size() - this->First) % this->Steps.size();
     const FieldFrame& frame = this->Window->Frames[offset];
     frames.push_back({ frame.Time, frame.Field.GetView(), frame.Samples });
+    frames.back().Mesh = frame.Mesh;
     if (frame.Motion)
     {
       frames.back().Displacements = frame.Motion->GetView();
@@ -423,6 +426,10 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
   {
     return nullptr;
   }
+  if (!this->Meshless.empty())
+  {
+    return this->ShowMeshed(filter, this->MeshlessFirst, std::exchange(this->Meshless, {}));
+  }
   const double wanted = report.IsWaiting ? report.Wanted : this->Time;
   const Need need = this->FindNeed(wanted, report.IsBackward);
   const std::size_t second = this->After(need.First);
@@ -456,7 +463,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
     }
     std::vector<VolumeFrame> frames = this->Keep(need.First, 2);
     frames.insert(begin == need.First ? frames.end() : frames.begin(), frame);
-    return this->Show(begin, std::move(frames));
+    return this->ShowMeshed(filter, begin, std::move(frames));
   }
   std::vector<VolumeFrame> frames;
   for (const std::size_t step : { need.First, second })
@@ -474,7 +481,20 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
       return nullptr;
     }
   }
-  return this->Show(need.First, std::move(frames));
+  return this->ShowMeshed(filter, need.First, std::move(frames));
+}
+
+/** The window, or null until it has its meshes. */
+std::shared_ptr<const HapticModel> DataPlayback::ShowMeshed(
+  vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames)
+{
+  if (this->Mesher.Follow(*this->Window, filter->GetProperty()->GetComponent(), frames))
+  {
+    return this->Show(first, std::move(frames));
+  }
+  this->Meshless = std::move(frames);
+  this->MeshlessFirst = first;
+  return nullptr;
 }
 
 } // namespace VolumeHaptics

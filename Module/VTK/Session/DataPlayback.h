@@ -11,6 +11,8 @@
  * in memory at most: one that is no longer needed is given up first. A series of up to three steps
  * is published whole; and so are components, which are in memory anyway.
  *
+ * For SURFACE_PROXY, a window is published when its meshes have been made, in the background.
+ *
  * The steps of a vtkHapticFrameSource that is streamed are whole series, too, each of which goes on
  * where the last one was.
  */
@@ -21,6 +23,7 @@
 #include "Core/Servo/DataClock.h"
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Session/DeviceSession.h"
+#include "VTK/Session/FrameMesher.h"
 
 #include "vtkType.h"
 
@@ -106,6 +109,8 @@ private:
   bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame);
   std::shared_ptr<const HapticModel> Show(std::size_t first, std::vector<VolumeFrame>&& frames);
   bool IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const;
+  std::shared_ptr<const HapticModel> ShowMeshed(
+    vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames);
   bool IsAtPlace() const;
   void Send();
 
@@ -126,6 +131,10 @@ private:
   std::vector<std::weak_ptr<const void>> GivenUp;
   std::int64_t GivenUpAt = 0; ///< ns
   std::size_t Failed = None;  ///< a step that can't be read
+  /** A window that waits for its meshes. */
+  std::vector<VolumeFrame> Meshless;
+  std::size_t MeshlessFirst = 0; ///< step of its first frame
+  FrameMesher Mesher;
 };
 
 } // namespace VolumeHaptics

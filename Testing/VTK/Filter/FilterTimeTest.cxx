@@ -214,14 +214,6 @@ TEST_F(FilterTime, ASourceThatFailedHalfWayIsReadAnew)
   EXPECT_EQ(this->Source->Asked, (std::vector<double>{ 10.0, 14.0, 13.0, 12.0, 11.0, 10.0 }));
 }
 
-TEST_F(FilterTime, AMeshDoesNotMove)
-{
-  this->Filter->SetTimeUnitsPerSecond(4.0);
-  this->Filter->SetMethodToSurfaceProxy();
-  this->Filter->SetIsoValue(500.0);
-  this->ExpectError({ "SURFACE_PROXY", "SetTimeUnitsPerSecond(0)" });
-}
-
 namespace
 {
 /// The frames of FilterTime from time 0 on, as components of one array; or that at a time, five

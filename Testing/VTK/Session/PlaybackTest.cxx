@@ -467,14 +467,27 @@ TEST_F(PlaybackOfSteps, AStepWithoutNumbersHoldsNothingAndTimeGoesOn)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
-/// The servo goes on with what it has, and the error says what to do.
-TEST_F(PlaybackOfSteps, AMeshThatWouldHaveToMoveIsAnError)
+/// A sphere of 1 mm rolls before the wall's mesh, which is made a step ahead.
+TEST_F(PlaybackOfSteps, AMeshGoesAlong)
 {
   this->Filter->SetMethodToSurfaceProxy();
   this->Filter->SetIsoValue(500.0);
+  this->Filter->SetProxyRadius(1.0);
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  this->Device->SetPlaybackToPingPong();
   this->Rest();
   this->Device->Play();
-  ASSERT_TRUE(this->WaitTicks(20));
-  this->ExpectFilterError("SURFACE_PROXY touches a mesh, which does not move");
-  EXPECT_FALSE(this->Device->HasFrames());
+  double most = 0.0;
+  double latest = 0.0;
+  this->Watch(1.8,
+    [&]
+    {
+      latest = this->Device->GetDataTime();
+      const double deep = latest == 0.0 ? 0.0 : std::max(0.0, FindWall(latest) + 1.0 - TipRests);
+      EXPECT_NEAR(this->Device->GetComputedForce()[0], 0.001 * WallStiffness * deep, 2e-3)
+        << "at " << latest;
+      most = std::max(most, this->Device->GetComputedForce()[0]);
+    });
+  EXPECT_GT(most, 0.9);
+  EXPECT_LT(latest, 14.0); // it came back
 }

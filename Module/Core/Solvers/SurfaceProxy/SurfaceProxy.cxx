@@ -7,6 +7,9 @@
 #include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/ServoState.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace VolumeHaptics
 {
 namespace
@@ -36,12 +39,21 @@ constexpr double LeastCosine = 0.8;
 constexpr double SlowRate = 0.2;
 constexpr double SlowestRate = 0.9;
 
+/** The longest way (radii) of triangles that carry the sphere at once, and how often at most. */
+constexpr double LongestCarry = 0.25;
+constexpr int MostCarries = 16;
+/** By so much (radii) a sphere that overlaps a triangle comes out of it, if this moves. */
+constexpr double Recovery = 0.01;
+
 /** A sphere among triangles, in world units. */
 class Sphere
 {
 public:
-  Sphere(const HapticModel& model, const Vector3& centre) noexcept
-    : Mesh(*model.Baked->Mesh)
+  /** @param share of the triangles' way to the next frame */
+  Sphere(
+    const HapticModel& model, const SurfaceMesh& mesh, double share, const Vector3& centre) noexcept
+    : Mesh(mesh)
+    , Share(share)
     , Radius(model.Baked->Settings.ProxyRadius)
     , IsShaded(model.Baked->Settings.ForceShading && this->Mesh.HasNormals())
     , Centre(centre)
@@ -73,14 +85,15 @@ public:
   {
     const Vector3 displacement = std::min(1.0, LongestMove * this->Radius / Norm(whole)) * whole;
     double first = Never;
-    const bool isWhole = this->Mesh.VisitAlong(this->Centre, displacement, this->Radius,
-      this->Budget,
-      [&](std::int32_t i)
-      {
-        first = std::min(first,
-          MeetingTime(this->Mesh.GetTriangle(i), this->Centre, displacement, this->Radius, first));
-        return std::min(first, 1.0);
-      });
+    const bool isWhole =
+      this->Mesh.VisitAlong(this->Centre, displacement, this->Radius, this->Budget,
+        [&](std::int32_t i)
+        {
+          first = std::min(first,
+            MeetingTime(this->Mesh.GetTriangle(i, this->Share), this->Centre, displacement,
+              this->Radius, first));
+          return std::min(first, 1.0);
+        });
     if (!isWhole)
     {
       return;
@@ -101,11 +114,12 @@ private:
 
   void Touch(std::int32_t i) noexcept
   {
-    const TrianglePoint nearest = NearestPoint(this->Mesh.GetTriangle(i), this->Centre);
+    const TrianglePoint nearest =
+      NearestPoint(this->Mesh.GetTriangle(i, this->Share), this->Centre);
     const Vector3 off = this->Centre - nearest.Position;
     const double distance = Norm(off);
     // A centre on a triangle is on neither side of it.
-    if (distance > this->Radius * (1.0 + Margin) || distance == 0.0)
+    if (!(distance <= this->Radius * (1.0 + Margin)) || distance == 0.0)
     {
       return;
     }
@@ -127,6 +141,7 @@ private:
   }
 
   const SurfaceMesh& Mesh;
+  const double Share;
   double Radius; ///< while it overlaps a triangle, its distance
   const bool IsShaded;
   int Budget = MaximumVisits;
@@ -135,6 +150,53 @@ private:
   HalfSpaces True;
   HalfSpaces Shaded;
 };
+
+/** Where triangles that come push a sphere, which would rest otherwise. */
+Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
+{
+  Vector3 centre = from;
+  const double longest = way.Mesh->GetLongestMotion() * std::abs(way.To - way.From);
+  if (!(longest > 0.0))
+  {
+    return centre;
+  }
+  const int steps = static_cast<int>(
+    std::clamp(std::ceil(longest / (LongestCarry * radius)), 1.0, double{ MostCarries }));
+  const double reach = radius * (1.0 + Margin) + longest / steps;
+  int budget = MaximumVisits;
+  for (int step = 0; step < steps; ++step)
+  {
+    const double before = way.From + (way.To - way.From) * step / steps;
+    const double after = way.From + (way.To - way.From) * (step + 1) / steps;
+    HalfSpaces sides;
+    way.Mesh->VisitNear(centre, reach, budget,
+      [&](std::int32_t i)
+      {
+        const TrianglePoint nearest = NearestPoint(way.Mesh->GetTriangle(i, before), centre);
+        const Vector3 off = centre - nearest.Position;
+        const double distance = Norm(off);
+        if (!(distance <= reach) || distance == 0.0)
+        {
+          return;
+        }
+        const Triangle there = way.Mesh->GetTriangle(i, after);
+        Vector3 place;
+        for (int c = 0; c < 3; ++c)
+        {
+          place += nearest.Weight[c] * there.Corner[c];
+        }
+        const Vector3 normal = (1.0 / distance) * off;
+        const double kept = std::min((1.0 + Distance) * radius, distance + Recovery * radius);
+        const double bound = Dot(normal, place) + kept;
+        if (Dot(normal, centre) < bound)
+        {
+          sides.Add({ normal, bound });
+        }
+      });
+    centre = sides.Nearest(centre, centre);
+  }
+  return centre;
+}
 
 } // namespace
 
@@ -150,7 +212,23 @@ void StepSurfaceProxy(
   const double scale = model.WorldUnitsPerMeter;
   const double radius = model.Baked->Settings.ProxyRadius;
   const Vector3 goal = model.DeviceToWorld(record.Tip);
-  Sphere sphere(model, model.DeviceToWorld(state.Proxy));
+  MeshWay ways[BakedVolume::MostMeshWays];
+  const int count = model.Baked->FindMeshWays(state.CarriedTo, state.DataTime, ways);
+  const MeshWay& last = ways[count - 1];
+  if (!last.Mesh)
+  {
+    return;
+  }
+  const Vector3 start = model.DeviceToWorld(state.Proxy);
+  Vector3 centre = start;
+  for (const MeshWay* way = ways; way != ways + count; ++way)
+  {
+    centre = way->Mesh ? Carry(*way, radius, centre) : centre;
+  }
+  const Vector3 lag = model.DeviceToWorld(state.PreviousTip) - start;
+  const Vector3 carried = centre - start;
+  record.WallWork = 0.5 * k * (Dot(carried, carried) - 2.0 * Dot(lag, carried)) / (scale * scale);
+  Sphere sphere(model, *last.Mesh, last.To, centre);
   bool slides = false;
   Vector3 held = goal - sphere.GetCentre();
   double rest = 0.0;

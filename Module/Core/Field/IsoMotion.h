@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How the points of an isosurface get from one frame of a volume that moves to the next one.
+ *
+ * A point follows its level through the blends of the frames (FieldAtTime.h), along the gradient,
+ * by Newton's method; where displacements are known, it goes along with its material first, and the
+ * level in the next frame only corrects that. If the level vanishes on the way, as that of a
+ * structure which is no longer there, the point stays where it lost it.
+ */
+#ifndef IsoMotion_h
+#define IsoMotion_h
+
+#include "Core/Field/DisplacementField.h"
+#include "Core/Field/VolumeView.h"
+#include "Core/Math/Vector3.h"
+
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** Two frames of the same geometry. */
+struct IsoFrames
+{
+  VolumeView First;
+  VolumeView Second;
+  /** On the points of First, to Second; no Data: the motion is not known. */
+  DisplacementView Displacements;
+  Affine3 IndexToWorld;
+};
+
+/** The motions of points of the isosurface in the first frame (both in world units). */
+std::vector<Vector3> FindIsoMotions(
+  const std::vector<Vector3>& points, double value, const IsoFrames& frames);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A sphere of 1 mm on meshes that move: it rests on them, so that the force is known at all times.
+ */
+
+#include "Rigs/SurfaceRig.h"
+
+#include <cmath>
+#include <functional>
+
+using namespace coretest;
+
+namespace
+{
+/// Points by frame, 1 apart in time; the mesh of each goes to the next one.
+class MovingMesh : public testing::Test
+{
+protected:
+  using Place = std::function<Vector3(const Vector3& point, int frame)>;
+
+  HapticModelDescription Describe(
+    const Corners& points, const Faces& faces, int frames, const Place& place)
+  {
+    HapticModelDescription description = DescribeMesh(this->Volume, nullptr);
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      Corners here;
+      Corners motions;
+      for (const Vector3& point : points)
+      {
+        here.push_back(place(point, frame));
+        motions.push_back(place(point, frame + 1) - here.back());
+      }
+      VolumeFrame made{ static_cast<double>(frame), this->Volume.View, nullptr };
+      made.Mesh = std::make_shared<SurfaceMesh>(here, faces, Corners{}, motions);
+      description.Frames.push_back(made);
+    }
+    description.Mesh = description.Frames.front().Mesh;
+    return description;
+  }
+  /// A floor of 2 n^2 triangles from -50 to 50 mm.
+  HapticModelDescription DescribeFloor(int frames, const Place& place)
+  {
+    Corners points;
+    Faces faces;
+    constexpr int n = 10;
+    for (int p = 0; p < (n + 1) * (n + 1); ++p)
+    {
+      points.push_back({ 10.0 * (p % (n + 1)) - 50.0, 10.0 * (p / (n + 1)) - 50.0, 0.0 });
+      if (p % (n + 1) < n && p / (n + 1) < n)
+      {
+        faces.push_back({ p, p + 1, p + n + 2 });
+        faces.push_back({ p, p + n + 2, p + n + 1 });
+      }
+    }
+    return this->Describe(points, faces, frames, place);
+  }
+
+  const TestVolume Volume = MakeRamp();
+};
+} // namespace
+
+/// V3: 5 mm a frame against a tip that rests at 4 mm, and back again.
+TEST_F(MovingMesh, AFloorThatComesPushesATipThatRests)
+{
+  const auto height = [](double time) { return time < 2.0 ? 5.0 * time : 20.0 - 5.0 * time; };
+  Hand hand(this->DescribeFloor(5,
+              [&](const Vector3& point, int frame) {
+                return point + Vector3{ 0.0, 0.0, height(frame) };
+              }),
+    { 0.3, 0.2, 4.0 });
+  double work = 0.0;
+  double given = 0.0;
+  for (int tick = 1; tick <= 4000; ++tick)
+  {
+    hand.State.DataTime = 0.001 * tick;
+    const double before = hand.Record.Force.Z;
+    hand.Tick();
+    const double force = 0.5 * std::max(0.0, height(hand.State.DataTime) + 1.0 - 4.0);
+    ASSERT_NEAR(hand.Record.Force.Z, force, 1e-4) << "tick " << tick;
+    ASSERT_LT(std::hypot(hand.Record.Force.X, hand.Record.Force.Y), 1e-9) << "tick " << tick;
+    work += hand.Record.WallWork;
+    given += 0.5 * (before + hand.Record.Force.Z) * 0.001 *
+      (height(hand.State.DataTime) - height(hand.State.DataTime - 0.001));
+    if (tick == 2000)
+    {
+      // What the spring has: 7 mm of 500 N/m.
+      EXPECT_NEAR(work, 0.5 * 500.0 * 0.007 * 0.007, 1e-5);
+    }
+  }
+  EXPECT_NEAR(given, 0.0, 1e-5);
+}
+
+/// The floor leaps by 40 mm in a tick, in which no triangle may pass the sphere.
+TEST_F(MovingMesh, AFastFloorDoesNotPass)
+{
+  Hand hand(this->DescribeFloor(3,
+              [](const Vector3& point, int frame) {
+                return point + Vector3{ 0.0, 0.0, 4.0 * frame };
+              }),
+    { 1.3, 2.2, 3.0 });
+  for (const double time : { 0.0, 0.9, 1.9, 0.2, 2.0 })
+  {
+    hand.State.DataTime = time;
+    hand.Tick();
+    hand.Tick();
+    EXPECT_NEAR(hand.Record.Force.Z, 0.5 * std::max(0.0, 4.0 * time + 1.0 - 3.0), 1e-4)
+      << "at " << time;
+  }
+}
+
+/// A floor that slides below a sphere takes nothing along; a ramp that slides pushes it up.
+TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
+{
+  constexpr double slope = 0.2;
+  const auto at = [](const Vector3& point, int frame) {
+    return Vector3{ point.X - 5.0 * frame, point.Y, slope * point.X };
+  };
+  Hand hand(this->DescribeFloor(4, at), { 0.0, 0.2, 5.0 });
+  hand.Lead({ 0.0, 0.2, -1.0 });
+  const double length = std::hypot(1.0, slope);
+  for (int tick = 1; tick <= 3000; ++tick)
+  {
+    hand.State.DataTime = 0.001 * tick;
+    hand.Tick();
+    // The distance of the tip below the plane z = slope (x + 5 t), and the sphere's radius.
+    const double deep = (slope * 5.0 * hand.State.DataTime + 1.0) / length + 1.0;
+    if (tick > 1)
+    {
+      ASSERT_NEAR(Norm(hand.Record.Force), 0.5 * std::max(0.0, deep), 0.02) << "tick " << tick;
+    }
+  }
+}

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * SURFACE_PROXY through the time steps of a source: the mesh goes along, and pushes a tip that
+ * rests.
+ */
+
+#include "Rigs/ApiRig.h"
+#include "Rigs/TimeSource.h"
+
+#include <vtkAlgorithmOutput.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double MeshStiffness = 500.0;
+constexpr double MeshRest = 12.0;
+
+/// The wall is at 9 at time 10, and comes by 1 a step.
+double MeshWallAt(double time)
+{
+  return 9.0 + time - 10.0;
+}
+
+class FilterMovingMesh : public ApiTest
+{
+protected:
+  FilterMovingMesh()
+  {
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    this->Filter->SetMethodToSurfaceProxy();
+    this->Filter->SetIsoValue(500.0);
+  }
+  vtkNew<TimeSource> Source;
+};
+} // namespace
+
+/// A sphere of 1 mm rolls before the wall's mesh.
+TEST_F(FilterMovingMesh, AMeshMovesWithItsVolume)
+{
+  this->Source->Steps = { 10.0, 11.0, 12.0, 13.0, 14.0 };
+  this->Source->Make = [](double time)
+  {
+    return MakeImage(24, VTK_DOUBLE,
+      [wall = MeshWallAt(time)](const Point& p)
+      { return 500.0 * (1.0 - std::tanh((p[0] - wall) / 1.5)); });
+  };
+  const Point at{ MeshRest, 11.5, 11.5 };
+  this->Filter->SetPathData(MakePath({ at, at }, { 0.0, 1.0 }));
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  this->Filter->SetProxyRadius(1.0);
+  vtkPolyData* const trace = this->Run(1001);
+  for (vtkIdType tick = 0; tick <= 1000; ++tick)
+  {
+    const double wall = MeshWallAt(Get(trace, "DataTime", tick));
+    ASSERT_NEAR(
+      Get(trace, "Force", tick), 0.001 * MeshStiffness * std::max(0.0, wall + 1.0 - MeshRest), 1e-3)
+      << "tick " << tick;
+  }
+  this->Filter->SetSurfaceData(MakePath({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, { 0.0, 1.0 }));
+  this->ExpectError({ "surface on input port 2", "SetTimeUnitsPerSecond(0)" });
+}
+
+/// V1: a ball whose radius goes from 8 mm to 12 and back pushes a tip that rests at 9 mm by 1.5 N
+/// at most, but for the sphere of 0.1 mm between. The mesh is flatter than the ball by 0.02 mm.
+TEST_F(FilterMovingMesh, AMeshThatBeatsPushesATipThatRests)
+{
+  const auto radius = [](int frame) { return 10.0 - 2.0 * std::cos(0.7853981633974483 * frame); };
+  this->Source->Steps = { 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0 };
+  this->Source->Make = [radius](double time)
+  {
+    return MakeImage(30, VTK_DOUBLE,
+      [r = radius(static_cast<int>(time))](const Point& p)
+      {
+        const double rho = std::sqrt((p[0] - 14.6) * (p[0] - 14.6) + (p[1] - 14.6) * (p[1] - 14.6) +
+          (p[2] - 14.6) * (p[2] - 14.6));
+        return 500.0 * (1.0 - std::tanh((rho - r) / 1.5));
+      });
+  };
+  const Point at{ 14.6 + 9.0 / std::sqrt(2.0), 14.6, 14.6 + 9.0 / std::sqrt(2.0) };
+  this->Filter->SetPathData(MakePath({ at, at }, { 0.0, 1.0 }));
+  this->Filter->SetTimeUnitsPerSecond(8.0);
+  this->Filter->SetProxyRadius(0.1);
+  vtkPolyData* const trace = this->Run(1001);
+  double most = 0.0;
+  for (vtkIdType tick = 0; tick <= 1000; ++tick)
+  {
+    const double time = Get(trace, "DataTime", tick);
+    const int frame = std::min(static_cast<int>(time), 7);
+    const double r = radius(frame) + (time - frame) * (radius(frame + 1) - radius(frame));
+    const double force = std::hypot(Get(trace, "Force", tick, 0), Get(trace, "Force", tick, 2));
+    ASSERT_NEAR(force, 0.001 * MeshStiffness * std::max(0.0, r + 0.1 - 9.0), 0.015)
+      << "at " << time;
+    most = std::max(most, force);
+  }
+  EXPECT_NEAR(most, 1.5 + 0.001 * MeshStiffness * 0.1, 0.015);
+}
