@@ -17,32 +17,41 @@ namespace
 constexpr int Blends = 8;
 constexpr int MostSteps = 4;
 ///@{
-/** Voxels: the longest step, and one after which the level is found. */
+/** Voxels: the longest step, one after which the level is found, and one after which it is lost. */
 constexpr double LongestStep = 0.5;
 constexpr double ShortStep = 1e-4;
+constexpr double LostStep = 0.1;
 ///@}
 
-/** Moves an index to a level; no farther if there is no way to it. */
-Vector3 GoToLevel(const FieldSampler& inside, const FieldAtTime& field, double value, Vector3 index)
+/** A step of Newton's method to a level, along the gradient. */
+Vector3 FindStep(const FieldAtTime& field, double value, const Vector3& index)
 {
+  const Vector3 slope = field.Gradient(index).Gradient;
+  return ((value - field.Value(index)) / Dot(slope, slope)) * slope;
+}
+
+/** Moves an index to a level; not at all if there is no way to it. */
+Vector3 GoToLevel(
+  const FieldSampler& inside, const FieldAtTime& field, double value, const Vector3& start)
+{
+  Vector3 index = inside.Nearest(start);
+  double length = 0.0;
   for (int step = 0; step < MostSteps; ++step)
   {
-    index = inside.Nearest(index);
-    const Vector3 slope = field.Gradient(index).Gradient;
-    const Vector3 whole = ((value - field.Value(index)) / Dot(slope, slope)) * slope;
-    const double length = Norm(whole);
+    const Vector3 whole = FindStep(field, value, index);
+    length = Norm(whole);
     // Also false for NaN.
     if (!(length < 1e9))
     {
-      return index;
+      return start;
     }
-    index += std::fmin(1.0, LongestStep / length) * whole;
+    index = inside.Nearest(index + std::fmin(1.0, LongestStep / length) * whole);
     if (length < ShortStep)
     {
       return index;
     }
   }
-  return index;
+  return length < LostStep ? index : start;
 }
 
 } // namespace
@@ -65,7 +74,10 @@ std::vector<Vector3> FindIsoMotions(
   {
     const Vector3 begin = worldToIndex(point);
     Vector3 end = material ? material->Find(begin, 0.0).Second : begin;
-    for (int blend = material ? Blends : 1; blend <= Blends; ++blend)
+    // A level that is near needs no blends in between.
+    const bool isNear =
+      material || Norm(FindStep(FieldAtTime(second), value, first.Nearest(begin))) < LongestStep;
+    for (int blend = isNear ? Blends : 1; blend <= Blends; ++blend)
     {
       const double share = static_cast<double>(blend) / Blends;
       end = GoToLevel(first, FieldAtTime(first, second, share), value, end);

@@ -154,7 +154,7 @@ BakedVolume::BakedVolume(
   , Settings(other.Settings)
   , ResidentShare(other.ResidentShare)
   , Samples(frames.front().Samples)
-  , Mesh(other.Mesh)
+  , Mesh(other.Mesh ? frames.front().Mesh : nullptr)
   , Labels(other.Labels)
   , Walls(other.Walls)
   , Modes(other.Modes)
@@ -244,17 +244,21 @@ int BakedVolume::FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]
 {
   if (!this->IsMoving())
   {
-    ways[0] = { this->Mesh.get(), 0.0, 0.0 };
+    ways[0] = { this->Mesh.get(), 0.0, 0.0, false };
     return 1;
   }
   const std::size_t first = this->FindFrame(from);
   const std::size_t last = this->FindFrame(to);
   const double begin = this->FindShare(first, from);
   const double end = this->FindShare(last, to);
-  const auto mesh = [this](std::size_t frame) { return this->Frames[frame].Mesh.get(); };
+  const auto way = [this](std::size_t frame, double begin, double end)
+  {
+    const FieldFrame& of = this->Frames[frame];
+    return MeshWay{ of.Mesh.get(), begin, end, of.Motion.has_value() };
+  };
   if (first == last)
   {
-    ways[0] = { mesh(first), begin, end };
+    ways[0] = way(first, begin, end);
     return 1;
   }
   // The first frame may follow the last one.
@@ -264,11 +268,11 @@ int BakedVolume::FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]
   const std::size_t after = isForward ? last : first;
   if (after == before + 1 || (isOverEnd && after == 0 && before + 2 == this->Frames.size()))
   {
-    ways[0] = { mesh(first), begin, isForward ? 1.0 : 0.0 };
-    ways[1] = { mesh(last), isForward ? 0.0 : 1.0, end };
+    ways[0] = way(first, begin, isForward ? 1.0 : 0.0);
+    ways[1] = way(last, isForward ? 0.0 : 1.0, end);
     return 2;
   }
-  ways[0] = { mesh(last), end, end };
+  ways[0] = way(last, end, end);
   return 1;
 }
 

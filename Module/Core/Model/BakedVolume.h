@@ -42,6 +42,8 @@ struct MeshWay
   const SurfaceMesh* Mesh; ///< null: there is none
   double From;
   double To;
+  /** Whether its points go along with the material, and not only with their level. */
+  bool IsMaterial;
 };
 
 /** The part of a model that does not depend on the device's placement. Immutable. */

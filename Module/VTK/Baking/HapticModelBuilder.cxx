@@ -96,12 +96,12 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
 }
 
 /** Gives all frames but the last one their isosurfaces. */
-void MeshFrames(const std::vector<HapticFrame>& read, double value, HapticModelDescription& d)
+void MeshFrames(const std::vector<HapticFrame>& read, double value, const Affine3& indexToWorld,
+  std::vector<VolumeFrame>& frames)
 {
-  for (std::size_t i = 0; i + 1 < d.Frames.size(); ++i)
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
   {
-    d.Frames[i].Mesh =
-      MeshFrame(d.Frames[i], d.Frames[i + 1], read[i].Component, value, d.IndexToWorld);
+    frames[i].Mesh = MeshFrame(frames[i], frames[i + 1], read[i].Component, value, indexToWorld);
   }
 }
 
@@ -142,7 +142,7 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   d.Settings.HasIsoSurface = options.Surface == nullptr;
   if (!d.Frames.empty())
   {
-    MeshFrames(options.Frames, d.Settings.IsoValue, d);
+    MeshFrames(options.Frames, d.Settings.IsoValue, d.IndexToWorld, d.Frames);
   }
   const std::int64_t* const first = d.View.First;
   const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue,
@@ -263,7 +263,7 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
   const VolumeView& before = last.Field.GetView();
   HapticVolume volume;
   std::string error;
-  if (!first.Array || last.Mesh || // which would be another one
+  if (!first.Array ||
     !ReadVolume(first.Image, first.Array, first.Component, kernelRadius, volume, error))
   {
     return nullptr;
@@ -284,6 +284,10 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
     {
       return nullptr; // a new bake tells why
     }
+  }
+  if (last.Mesh)
+  {
+    MeshFrames(frames, last.Settings.IsoValue, last.IndexToWorld, made);
   }
   return std::make_shared<const BakedVolume>(last, made, series);
 }

@@ -58,7 +58,8 @@ bool MakeVolumeFrame(
   const HapticFrame& read, const FrameShape& shape, VolumeFrame& frame, std::string& error);
 
 /**
- * A baked volume with other frames of it, which may be of another region. Bakes nothing again.
+ * A baked volume with other frames of it, which may be of another region. Bakes nothing again but
+ * the meshes of SURFACE_PROXY.
  * Null if the frames can't be touched, or are not alike: their geometry or their numbers.
  * @param displacements the name of their array; empty if there are none
  */

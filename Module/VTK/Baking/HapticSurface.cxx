@@ -316,11 +316,11 @@ std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const Vol
   }
   // See ShareArray of the model's builder.
   auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
+  // How the material gets from the last frame of a series back to the first one is not known.
+  const DisplacementView known = frame.Time < next.Time ? frame.Displacements : DisplacementView{};
   auto mesh = MeshMovingSurface(scalars, extent, component, value, indexToWorld,
-    [&](const std::vector<Vector3>& points)
-    {
-      return FindIsoMotions(
-        points, value, { frame.View, next.View, frame.Displacements, indexToWorld });
+    [&](const std::vector<Vector3>& points) {
+      return FindIsoMotions(points, value, { frame.View, next.View, known, indexToWorld });
     });
   return mesh ? mesh
               : std::make_shared<const SurfaceMesh>(std::vector<Vector3>(),

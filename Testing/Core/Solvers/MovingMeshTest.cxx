@@ -133,3 +133,38 @@ TEST_F(MovingMesh, ASlopeThatSlidesLiftsTheSphere)
     }
   }
 }
+
+/// A floor that slides takes along a sphere that sticks to it, if displacements tell: until the
+/// friction of 0.4 times 1 N lets it slip. Levels alone don't tell.
+TEST_F(MovingMesh, AFloorThatSlidesTakesAlongWhatSticks)
+{
+  const auto at = [](const Vector3& point, int frame) {
+    return point + Vector3{ 5.0 * frame, 0.0, 0.0 };
+  };
+  HapticModelDescription description = this->DescribeFloor(3, at);
+  description.Material.Friction = ConstantPolyline(0.4);
+  const std::int64_t* const n = this->Volume.View.Dimensions;
+  std::vector<double> motion(3 * n[0] * n[1] * n[2]);
+  for (std::size_t i = 0; i < motion.size(); i += 3)
+  {
+    motion[i] = 5.0;
+  }
+  for (const bool isKnown : { true, false })
+  {
+    for (VolumeFrame& frame : description.Frames)
+    {
+      frame.Displacements = { isKnown ? motion.data() : nullptr, ScalarType::Float64 };
+    }
+    // Within a triangle: where two meet, both hold.
+    Hand hand(description, { 8.0, 2.0, 4.0 });
+    hand.Lead({ 8.0, 2.0, -1.0 });
+    for (int tick = 1; tick <= 1200; ++tick)
+    {
+      hand.State.DataTime = 0.001 * tick;
+      hand.Tick();
+      const double along = isKnown ? std::min(0.4, 0.5 * 5.0 * hand.State.DataTime) : 0.0;
+      ASSERT_NEAR(hand.Record.Force.X, along, 1e-3) << "tick " << tick;
+      ASSERT_NEAR(hand.Record.Force.Z, 1.0, 1e-3) << "tick " << tick;
+    }
+  }
+}

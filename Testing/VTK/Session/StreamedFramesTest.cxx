@@ -21,9 +21,10 @@ namespace
 constexpr double StreamedStiffness = 500.0;
 constexpr double StreamedTip = 12.0;
 
-double ForceOfTheStreamedWall(double time)
+/// @param radius of a sphere that rests on the wall
+double ForceOfTheStreamedWall(double time, double radius)
 {
-  return 0.001 * StreamedStiffness * std::max(0.0, 9.0 + time - StreamedTip);
+  return 0.001 * StreamedStiffness * std::max(0.0, 9.0 + time + radius - StreamedTip);
 }
 
 class StreamedFrames : public DeviceTest
@@ -75,7 +76,8 @@ protected:
         const double now = this->Device->GetDataTime();
         if (this->Device->GetTickRate() > 0.0)
         {
-          EXPECT_NEAR(this->Device->GetComputedForce()[0], ForceOfTheStreamedWall(now), 0.02)
+          EXPECT_NEAR(
+            this->Device->GetComputedForce()[0], ForceOfTheStreamedWall(now, this->Radius), 0.02)
             << "at " << now;
         }
         return now == time;
@@ -83,6 +85,7 @@ protected:
       << time;
   }
   vtkNew<vtkHapticFrameSource> Source;
+  double Radius = 0.0;
 };
 } // namespace
 
@@ -129,6 +132,26 @@ TEST_F(StreamedFrames, MayBeRegionsOfAVolume)
   // Newton's method goes on where the last tick on the way has left it.
   EXPECT_NEAR(this->Device->GetComputedForce()[0], force, 1e-5);
   EXPECT_EQ(this->Device->GetResidency(), 1.0);
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// Each has its mesh on the way to the next one, also if the regions change.
+TEST_F(StreamedFrames, MayBeMeshes)
+{
+  const int region[] = { 0, 35, 3, 37, 4, 39 };
+  this->Radius = 1.0;
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetIsoValue(500.0);
+  this->Filter->SetProxyRadius(this->Radius);
+  this->Give(0.0, 1.0);
+  this->Begin();
+  for (int i = 1; i < 5; ++i)
+  {
+    this->Give(i, i + 1.0, i < 3 ? nullptr : region);
+    ASSERT_TRUE(this->Device->Publish());
+    this->GoTo(i + 1.0);
+  }
+  EXPECT_NEAR(this->Device->GetComputedForce()[0], 1.5, 0.02);
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 

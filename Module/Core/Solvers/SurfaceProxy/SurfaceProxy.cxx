@@ -151,7 +151,7 @@ private:
   HalfSpaces Shaded;
 };
 
-/** Where triangles that come push a sphere, which would rest otherwise. */
+/** Where triangles take a sphere along that would rest otherwise, and push it if they come. */
 Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
 {
   Vector3 centre = from;
@@ -169,6 +169,8 @@ Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
     const double before = way.From + (way.To - way.From) * step / steps;
     const double after = way.From + (way.To - way.From) * (step + 1) / steps;
     HalfSpaces sides;
+    double touched = (1.0 + Distance + Margin) * radius;
+    Vector3 along;
     way.Mesh->VisitNear(centre, reach, budget,
       [&](std::int32_t i)
       {
@@ -186,6 +188,12 @@ Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
           place += nearest.Weight[c] * there.Corner[c];
         }
         const Vector3 normal = (1.0 / distance) * off;
+        if (way.IsMaterial && distance < touched)
+        {
+          touched = distance;
+          const Vector3 motion = place - nearest.Position;
+          along = motion - Dot(motion, normal) * normal;
+        }
         const double kept = std::min((1.0 + Distance) * radius, distance + Recovery * radius);
         const double bound = Dot(normal, place) + kept;
         if (Dot(normal, centre) < bound)
@@ -193,7 +201,8 @@ Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
           sides.Add({ normal, bound });
         }
       });
-    centre = sides.Nearest(centre, centre);
+    const Vector3 goal = centre + along;
+    centre = sides.Nearest(goal, goal);
   }
   return centre;
 }

@@ -25,8 +25,9 @@
  *
  * If the volume moves, triangles go from each frame to the next one along straight ways
  * (SurfaceMesh.h), and before a tick those that come push the sphere: each to the side on which the
- * sphere is of it. In the next frame the surface has other triangles, at the same place but for the
- * mesh's own roughness.
+ * sphere is of it. If displacements are known, the nearest triangle that it touches takes it along
+ * sideways, as far as friction then holds it there. In the next frame the surface has other
+ * triangles, at the same place but for the mesh's own roughness.
  *
  * Stiffness and friction are those of the material at HapticSettings::IsoValue. Surfaces hold
  * without limit; there is no drag. A tick takes at most MaximumPasses; if these do not suffice, the
