@@ -61,6 +61,8 @@ set(Explore_SOURCES
   Volume/DicomFolder.cxx
   Volume/HeaderText.cxx
   Volume/LabelLoader.cxx
+  Volume/LargeLoader.cxx
+  Volume/RawHeader.cxx
   Volume/VolumeChecks.cxx
   Volume/VolumeLoader.cxx
   Volume/VolumeOrientation.cxx

@@ -109,7 +109,12 @@ int Run(const Explore::Options& options)
   std::cout << "Reading " << options.VolumePath << std::endl;
   std::vector<std::string> paths{ options.VolumePath };
   paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
-  Explore::Volume volume = Explore::LoadVolumes(paths);
+  Explore::Volume volume = Explore::LoadVolumes(paths, options.Large);
+  if (volume.Large && options.Live)
+  {
+    throw Explore::InputError(options.VolumePath,
+      "is read where the hand is, and recordings are of volumes in memory", "leave --live out");
+  }
   if (!options.Labels.empty())
   {
     Explore::LoadLabels(volume, options.Labels, options.Materials);

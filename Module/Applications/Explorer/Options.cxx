@@ -245,6 +245,10 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.Live = true;
     }
+    else if (word == "--large")
+    {
+      options.Large = true;
+    }
     else if (word == "--sound" && (i + 1 >= argc || !IsSoundFile(argv[i + 1])))
     {
       SetSound(options, "");
@@ -292,7 +296,9 @@ dense inside, drags it there, and says what a hand would feel. Then, if there is
 window in which the mouse, or a device, touches the volume. Without a display, or with --pictures, writes
 pictures, the trace and a summary.
 
-VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices. A volume that moves is several of these
+VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr, or a folder of DICOM slices; or one that may be larger than memory:
+         .vtkhdf, a folder .zarr (of a Zarr array or an OME-Zarr image), or raw samples behind .mhd .mha .nrrd
+         .nhdr. These are felt from the file, and the window shows a coarse level. A volume that moves is several of these
          files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
          names; a .pvd file with times (s); or a NIfTI file with several times. The window plays it: space holds,
          arrows go from frame to frame, comma and period change the speed. Files without times are 1/10 s apart
@@ -327,6 +333,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices. A volum
   --up AXIS         where the top is: +z (default), ...
   --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt
                     there is recorded in live.vtp and shown in the pictures
+  --large           read .mhd .mha .nrrd .nhdr where the hand is (default: if they take more than half of the
+                    free memory)
   --check-display   do nothing but test whether the display can draw pictures: exit status 0 if it can;
                     if not, VTK may crash
   --help            this text

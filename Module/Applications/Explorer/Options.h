@@ -17,6 +17,7 @@ struct Options
   bool Help = false;
   bool CheckDisplay = false; // test the display and do nothing else
   bool Live = false;         // in real time through the servo loop, too
+  bool Large = false;        // read it where the hand is, whatever its size
   std::string VolumePath;
   std::vector<std::string> MorePaths; // further frames of a volume that moves
   std::string Labels;                 // file of a segmentation

@@ -70,6 +70,10 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   ScaleMethods(filter, result.Values, result.Body);
   filter->SetMethodByName(settings.Method.c_str());
   result.Method = filter->GetMethodText();
+  if (volume.Large)
+  {
+    filter->SetInputConnection(0, volume.Large->GetOutputPort());
+  }
   filter->SetInputData(1, result.Tip.Path);
   const double start = vtkTimerLog::GetUniversalTime();
   {

@@ -30,7 +30,8 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-constexpr const char* KNOWN = ".vti .mhd .mha .nii .nii.gz .nrrd .pvd, or a folder of DICOM slices";
+constexpr const char* KNOWN = ".vti .mhd .mha .nii .nii.gz .nrrd .nhdr .vtkhdf .pvd, a folder "
+                              ".zarr, or a folder of DICOM slices";
 
 bool EndsWith(const std::string& text, const std::string& ending)
 {
@@ -176,7 +177,7 @@ Volume ReadFile(const std::string& path, bool timesAreComponents)
   {
     return ReadNifti(path, timesAreComponents);
   }
-  if (EndsWith(lower, ".nrrd"))
+  if (EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr"))
   {
     return ReadNrrd(path);
   }

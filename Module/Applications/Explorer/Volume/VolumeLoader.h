@@ -5,6 +5,7 @@
 
 #include "vtkHapticFrameSource.h"
 #include "vtkHapticLabelTable.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -28,6 +29,8 @@ struct Volume
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
   // If it moves: all frames, at times in seconds, the first of which is the image.
   vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
+  // If it is read where the hand is: what reads it. The image is a coarse level of it.
+  vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
 };
 
 /// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along

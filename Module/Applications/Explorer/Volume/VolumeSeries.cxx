@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Volume/VolumeSeries.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Volume/LargeLoader.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
@@ -286,12 +287,16 @@ Volume LoadNiftiSeries(const std::string& path, double spacing)
 
 namespace Explore
 {
-Volume LoadVolumes(const std::vector<std::string>& paths)
+Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge)
 {
   const std::string& path = paths.front();
   if (paths.size() > 1)
   {
     return LoadFrames(path, MakeFrames(paths));
+  }
+  if (IsLargeVolume(path, isLarge))
+  {
+    return LoadLargeVolume(path);
   }
   if (Files::FileIsDirectory(path))
   {

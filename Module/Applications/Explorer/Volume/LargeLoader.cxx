@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Volume/LargeLoader.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Volume/RawHeader.h"
+#include "Applications/Explorer/Volume/VolumeChecks.h"
+#include "Applications/Explorer/Volume/VolumeOrientation.h"
+
+#include <vtksys/SystemInformation.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+using Explore::InputError;
+using Files = vtksys::SystemTools;
+
+constexpr vtkIdType MOST_COARSE_VOXELS = 1 << 22;
+
+/// Without the slash that shells put behind the names of folders.
+std::string PlainName(const std::string& path)
+{
+  std::string name = path;
+  Files::ConvertToUnixSlashes(name);
+  return name;
+}
+
+std::string EndingOf(const std::string& path)
+{
+  return Files::LowerCase(Files::GetFilenameLastExtension(PlainName(path)));
+}
+
+bool OpensItself(const std::string& path)
+{
+  const std::string ending = EndingOf(path);
+  return ending == ".vtkhdf" || ending == ".zarr";
+}
+
+void OpenItself(const std::string& path, vtkHapticRegionSource* source)
+{
+  const Explore::MessageCapture capture;
+  if (!source->OpenFile(PlainName(path).c_str()))
+  {
+    throw InputError(path, "can't be opened (" + capture.FirstError() + ")",
+      "do what stands there; volumehaptics.open_large() in Python opens what zarr and h5py read");
+  }
+}
+
+void MakeCoarse(const std::string& path, vtkHapticRegionSource* source)
+{
+  std::cout << "Making a coarse level of it for the picture" << std::endl;
+  const Explore::MessageCapture capture;
+  if (!source->MakeCoarseImage(MOST_COARSE_VOXELS))
+  {
+    throw InputError(path, "can't be read (" + capture.FirstError() + ")",
+      "copy it again, and check that the copy is complete");
+  }
+}
+} // namespace
+
+namespace Explore
+{
+bool IsLargeVolume(const std::string& path, bool isWanted)
+{
+  if (OpensItself(path))
+  {
+    return true;
+  }
+  if (!HasRawHeader(path) || !Files::FileExists(path, true))
+  {
+    return false;
+  }
+  if (isWanted)
+  {
+    return true;
+  }
+  constexpr double mebibyte = 1048576.0;
+  vtksys::SystemInformation system;
+  system.RunMemoryCheck();
+  const double free = mebibyte * static_cast<double>(system.GetAvailablePhysicalMemory());
+  return free > 0.0 && FindRawSize(path) > 0.5 * free;
+}
+
+Volume LoadLargeVolume(const std::string& path)
+{
+  if (!Files::PathExists(path))
+  {
+    throw InputError(path, "there is no such file or folder", "check the spelling");
+  }
+  Volume volume;
+  volume.Name = Files::GetFilenameName(PlainName(path));
+  volume.Large = vtkSmartPointer<vtkHapticRegionSource>::New();
+  if (OpensItself(path))
+  {
+    OpenItself(path, volume.Large);
+    volume.Format = EndingOf(path) == ".zarr" ? "Zarr" : "VTKHDF";
+  }
+  else
+  {
+    volume.Notes = OpenRawHeader(path, volume.Large);
+    volume.Format = "raw samples";
+  }
+  if (!volume.Large->GetCoarseImage())
+  {
+    MakeCoarse(path, volume.Large);
+  }
+  volume.Image = volume.Large->GetCoarseImage();
+  CheckVolume(path, volume);
+  volume.Image = AlignToAxes(volume.Image);
+  const int* const whole = volume.Large->GetWholeExtent();
+  const double* const spacing = volume.Large->GetSpacing();
+  std::ostringstream note;
+  note << "a coarse level, which the picture shows; felt are " << whole[1] - whole[0] + 1 << " x "
+       << whole[3] - whole[2] + 1 << " x " << whole[5] - whole[4] + 1 << " voxels of " << spacing[0]
+       << " x " << spacing[1] << " x " << spacing[2] << ", read from the file where the hand is";
+  volume.Notes.push_back(note.str());
+  return volume;
+}
+} // namespace Explore
