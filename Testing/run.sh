@@ -246,7 +246,7 @@ echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir
 if [ $full = yes ]; then
   run_tests "$build_dir-sanitize" "$jobs" -LE package || status=$?
 else
-  run_tests "$build_dir-sanitize" "$jobs" -R "$sanitized" || status=$?
+  run_tests "$build_dir-sanitize" "$((2 * jobs))" -R "$sanitized" || status=$?
 fi
 
 finish thread
@@ -258,7 +258,7 @@ if [ $full = yes ]; then
     -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Large|Recording|Scene|Session|Setup|Work)[.])' ||
     status=$?
 else
-  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
+  run_tests "$build_dir-thread" "$((2 * jobs))" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
 fi
 unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 
