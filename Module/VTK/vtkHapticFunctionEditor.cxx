@@ -5,8 +5,7 @@
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticFunctionChart.h"
 #include "VTK/Charts/HapticLabelSheet.h"
-#include "VTK/Proposal/FunctionSearch.h"
-#include "VTK/Proposal/HapticProposal.h"
+#include "VTK/Charts/HapticProposalView.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"
@@ -17,13 +16,10 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkTable.h"
-#include "vtkTimeStamp.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <utility>
 
 vtkStandardNewMacro(vtkHapticFunctionEditor);
 
@@ -53,66 +49,22 @@ const Choice Choices[] = {
 //------------------------------------------------------------------------------
 struct vtkHapticFunctionEditor::vtkInternals
 {
-  vtkSmartPointer<vtkHapticProperty> Property;
   vtkSmartPointer<vtkVolumeProperty> VolumeProperty;
-  vtkSmartPointer<vtkImageData> Image;
   vtkWeakPointer<vtkRenderer> Renderer; // that shows the editor
   VolumeHaptics::HapticFunctionChart Chart;
+  VolumeHaptics::HapticProposalView Proposed{ Chart };
   VolumeHaptics::HapticLabelSheet Labels;
   int Held = 0;     // the button, between press and release
   int CanDraw = -1; // not known yet
   bool IsCounting = false;
   bool WaitsForProposal = false;
-  VolumeHaptics::FunctionSearch Search;
-  vtkSmartPointer<vtkHapticProperty> Proposal; // not taken yet
-  vtkSmartPointer<vtkTable> Boundaries;        // that the chart shows
-  vtkTimeStamp EdgeTime;
 
   /** No work goes on with an image that was taken away. */
   void EndOtherCounts()
   {
-    this->Chart.EndCountUnless(this->Image);
+    this->Chart.EndCountUnless(this->Proposed.Image);
     this->Labels.List.EndOtherCount();
-    this->Search.EndUnless(this->Image);
-  }
-
-  int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
-
-  /** The property whose edges are to be shown: the proposal, or one that was proposed before. */
-  vtkHapticProperty* GetProposed() const
-  {
-    vtkHapticProperty* const any = this->Proposal ? this->Proposal : this->Property;
-    return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
-  }
-
-  /** The image and the component that are searched for edges; shows its histogram first. */
-  VolumeHaptics::SearchedData GetSearched()
-  {
-    this->Chart.ShowData(this->Image, this->GetComponent());
-    VolumeHaptics::SearchedData data;
-    data.Image = this->Image;
-    data.Component = this->GetComponent();
-    std::copy_n(this->Chart.GetDataRange(), 2, data.Values);
-    return data;
-  }
-
-  /** Shows what was found; returns whether there is a proposal. */
-  bool Show(const VolumeHaptics::FoundFunctions& found)
-  {
-    if (found.Proposal)
-    {
-      this->Proposal = vtkSmartPointer<vtkHapticProperty>::New();
-      VolumeHaptics::FillFromProposal(*found.Proposal, this->Proposal);
-      this->ShowEdges(found.Edges);
-    }
-    return found.Proposal.has_value();
-  }
-
-  void ShowEdges(const VolumeHaptics::EdgeHistogram& edges)
-  {
-    this->Boundaries = this->GetProposed()->GetProposedBoundaries();
-    this->EdgeTime.Modified();
-    this->Chart.ShowEdges(edges, this->Boundaries);
+    this->Proposed.EndOtherSearch();
   }
 
   /** From the display to the viewport. */
@@ -175,9 +127,9 @@ vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
     return this->Internals->member;                     \
   }
 
-vtkHapticEditorObjectMacro(Property, vtkHapticProperty, Property);
+vtkHapticEditorObjectMacro(Property, vtkHapticProperty, Proposed.Property);
 vtkHapticEditorObjectMacro(VolumeProperty, vtkVolumeProperty, VolumeProperty);
-vtkHapticEditorObjectMacro(InputData, vtkImageData, Image);
+vtkHapticEditorObjectMacro(InputData, vtkImageData, Proposed.Image);
 vtkHapticEditorObjectMacro(LabelTable, vtkHapticLabelTable, Labels.List.Table);
 vtkHapticEditorObjectMacro(LabelData, vtkImageData, Labels.List.Image);
 
@@ -283,14 +235,13 @@ vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
   if (this->Function == OPACITY)
   {
     // As vtkHapticProperty::SetVisibilityFrom chooses it.
-    const int component =
-      d.Property && d.VolumeProperty && d.VolumeProperty->GetIndependentComponents()
-      ? std::min(d.Property->GetComponent(), VTK_MAX_VRCOMP - 1)
+    const int component = d.VolumeProperty && d.VolumeProperty->GetIndependentComponents()
+      ? std::min(d.Proposed.GetComponent(), VTK_MAX_VRCOMP - 1)
       : 0;
     return d.VolumeProperty ? d.VolumeProperty->GetScalarOpacity(component) : nullptr;
   }
   const auto get = Choices[this->Function].Get;
-  return d.Property && get ? (d.Property.Get()->*get)() : nullptr;
+  return d.Proposed.Property && get ? (d.Proposed.Property.Get()->*get)() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -306,14 +257,14 @@ double vtkHapticFunctionEditor::GetCountedShare()
   const auto& d = *this->Internals;
   const double counted =
     this->Function == LABELS ? d.Labels.List.GetCountedShare() : d.Chart.GetCountedShare();
-  return std::min(counted, d.Search.GetProgress());
+  return std::min(counted, d.Proposed.GetProgress());
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::CanPropose()
 {
   const auto& d = *this->Internals;
-  const bool isComplete = d.Property && d.Image && !d.IsCounting;
+  const bool isComplete = d.Proposed.Property && d.Proposed.Image && !d.IsCounting;
   if (!isComplete)
   {
     vtkErrorMacro("There is nothing to propose functions from: call SetProperty and SetInputData.");
@@ -330,14 +281,13 @@ bool vtkHapticFunctionEditor::Propose()
     return false;
   }
   const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
-  d.Search.Drop();
   VolumeHaptics::FoundFunctions found;
   d.WaitsForProposal = true;
   d.DoLongWork(this,
     [&]
     {
-      found = VolumeHaptics::FunctionSearch::FindNow(d.GetSearched());
-      if (d.Show(found))
+      found = d.Proposed.FindNow();
+      if (found.Proposal)
       {
         this->Modified();
       }
@@ -359,7 +309,7 @@ bool vtkHapticFunctionEditor::BeginProposal()
     return false;
   }
   std::string error;
-  if (!d.Search.IsUnderWay() && !d.Search.Begin(d.GetSearched(), error))
+  if (!d.Proposed.Begin(error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -371,21 +321,16 @@ bool vtkHapticFunctionEditor::BeginProposal()
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::IsProposing()
 {
-  return this->Internals->Search.IsUnderWay();
+  return this->Internals->Proposed.IsUnderWay();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::FollowProposal()
 {
-  auto& d = *this->Internals;
-  if (!d.Search.IsUnderWay())
-  {
-    return;
-  }
-  if (const auto found = d.Search.Follow(d.GetSearched()))
+  if (const auto found = this->Internals->Proposed.Follow())
   {
     this->Modified();
-    if (!d.Show(*found))
+    if (!found->Proposal)
     {
       vtkErrorMacro(<< found->Error);
     }
@@ -395,66 +340,30 @@ void vtkHapticFunctionEditor::FollowProposal()
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::HasProposal()
 {
-  return this->Internals->Proposal != nullptr;
+  return this->Internals->Proposed.IsThere();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::TakeProposal()
 {
-  auto& d = *this->Internals;
-  const auto proposal = std::exchange(d.Proposal, nullptr);
-  if (!proposal || !d.Property)
+  const bool isTaken = this->Internals->Proposed.Take();
+  if (isTaken)
   {
-    return false;
+    this->Modified();
+    this->InvokeEvent(vtkCommand::InteractionEvent);
   }
-  VolumeHaptics::CopyProposal(proposal, d.Property);
-  this->Modified();
-  this->InvokeEvent(vtkCommand::InteractionEvent);
-  return true;
+  return isTaken;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::DropProposal()
 {
-  auto& d = *this->Internals;
-  const bool isThere = std::exchange(d.Proposal, nullptr) != nullptr || d.Search.IsUnderWay();
-  if (isThere)
+  const bool wasThere = this->Internals->Proposed.Drop();
+  if (wasThere)
   {
-    d.Search.Drop();
     this->Modified();
   }
-  return isThere;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHapticFunctionEditor::ShowsEdges()
-{
-  const auto& d = *this->Internals;
-  vtkHapticProperty* const proposed = d.GetProposed();
-  return proposed
-    ? d.Boundaries == proposed->GetProposedBoundaries() && d.EdgeTime > d.Image->GetMTime()
-    : !d.Chart.ShowsEdges();
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticFunctionEditor::FollowEdges()
-{
-  auto& d = *this->Internals;
-  vtkHapticProperty* const proposed = d.GetProposed();
-  if (this->ShowsEdges())
-  {
-    return;
-  }
-  if (!proposed)
-  {
-    d.Boundaries = nullptr;
-    d.Chart.HideEdges();
-  }
-  else if (const VolumeHaptics::EdgeHistogram* const edges = d.Search.FollowEdges(d.GetSearched(),
-             proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius()))
-  {
-    d.ShowEdges(*edges);
-  }
+  return wasThere;
 }
 
 //------------------------------------------------------------------------------
@@ -474,12 +383,12 @@ void vtkHapticFunctionEditor::Update()
       d.DoLongWork(this, [&d] { d.Labels.List.Count(); });
     }
   }
-  else if (!d.Chart.ShowsData(d.Image, d.GetComponent()))
+  else if (!d.Chart.ShowsData(d.Proposed.Image, d.Proposed.GetComponent()))
   {
-    d.DoLongWork(this, [&] { d.Chart.ShowData(d.Image, d.GetComponent()); });
+    d.DoLongWork(this, [&d] { d.Chart.ShowData(d.Proposed.Image, d.Proposed.GetComponent()); });
   }
   this->FollowProposal();
-  this->FollowEdges();
+  d.Proposed.FollowEdges();
 }
 
 //------------------------------------------------------------------------------
@@ -494,15 +403,7 @@ void vtkHapticFunctionEditor::UpdateChart()
   }
   vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
   d.Chart.Place(this->Rectangle);
-  const auto get = Choices[this->Function].Get;
-  d.Chart.NoteSearch(d.Search.GetProgress());
-  d.Chart.ShowProposed(d.Proposal && get ? (d.Proposal.Get()->*get)() : nullptr);
-  if (vtkHapticProperty* const felt = d.GetProposed())
-  {
-    vtkPiecewiseFunction* const distinctness = felt->GetDistinctness();
-    const double* const range = distinctness->GetRange();
-    d.Chart.ShowDistinctness(range[0], range[1]);
-  }
+  d.Proposed.ShowFunction(Choices[this->Function].Get);
   d.Chart.ShowFunction(function, Choices[this->Function].Quantity, d.Held != 0);
   if (!function)
   {
@@ -686,12 +587,12 @@ void vtkHapticFunctionEditor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto& d = *this->Internals;
-  os << indent << "Property: " << d.Property.Get() << "\n";
+  os << indent << "Property: " << d.Proposed.Property.Get() << "\n";
   os << indent << "VolumeProperty: " << d.VolumeProperty.Get() << "\n";
-  os << indent << "InputData: " << d.Image.Get() << "\n";
+  os << indent << "InputData: " << d.Proposed.Image.Get() << "\n";
   os << indent << "LabelTable: " << d.Labels.List.Table.Get() << "\n";
   os << indent << "LabelData: " << d.Labels.List.Image.Get() << "\n";
-  os << indent << "Proposal: " << (d.Proposal ? "to be taken" : "(none)") << "\n";
+  os << indent << "Proposal: " << (d.Proposed.IsThere() ? "to be taken" : "(none)") << "\n";
   os << indent << "Function: " << this->GetTitle() << "\n";
   os << indent << "Rectangle: " << this->Rectangle[0] << ", " << this->Rectangle[1] << ", "
      << this->Rectangle[2] << ", " << this->Rectangle[3] << "\n";

@@ -291,10 +291,8 @@ private:
   void operator=(const vtkHapticFunctionEditor&) = delete;
 
   void UpdateChart();
-  bool ShowsEdges();
   bool CanPropose();
   void FollowProposal();
-  void FollowEdges();
   bool Send(int event, int button, int x, int y);
 
   struct vtkInternals;
