@@ -135,10 +135,16 @@ fits()
   return 1
 }
 
+# usage: configure PRESET BUILD_DIR [OPTION OF CMAKE...]
+configure()
+{
+  cmake -S "$root" --preset "$1" -B "$2" "${@:3}"
+}
+
 # usage: build PRESET BUILD_DIR [TARGET [OPTION OF CMAKE...]]
 build()
 {
-  cmake -S "$root" --preset "$1" -B "$2" "${@:4}"
+  configure "$1" "$2" "${@:4}"
   cmake --build "$2" -j "$jobs" --target "${3:-all}"
 }
 
@@ -179,12 +185,14 @@ else
   paraview=no
   echo "!!!! SKIPPED: ParaView could not be installed, so its plugin is neither built nor tested !!!!" >&2
 fi
-"$root/Testing/lint.sh" format columns spelling python shell documents
+start lint "$root/Testing/lint.sh" format columns spelling python shell documents
 
 echo "== Building in $build_dir"
 build_seconds=$SECONDS
-build release "$build_dir" all -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
+configure release "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
   -DVolumeHaptics_BUILD_BENCHMARKS="$benchmarks" -DCMAKE_UNITY_BUILD=$unity "${optimised[@]}" "$cache"
+finish lint
+cmake --build "$build_dir" -j "$jobs"
 build_seconds=$((SECONDS - build_seconds))
 # Those with a device in real time have the machine for themselves. What fails is told at the end, too.
 echo "== Tests with devices"
