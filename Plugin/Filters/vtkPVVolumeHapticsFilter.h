@@ -89,6 +89,20 @@ public:
   void SetStandOff(double distance);
   ///@}
 
+  ///@{
+  /**
+   * Rows of texts, a vtkHapticMode each: its kind (VectorFollow, VectorFront, VectorFrontTwoSided,
+   * Vortex, Shear, TensorFollow, Ridge, RidgeDark or Surface), the point array (empty: the active
+   * vectors or tensors), its Strength, and the second function of kinds that have one (Push,
+   * AxisStrength, SheetStrength). A function is a number of newtons, pairs such as "0 0, 0.5 2" of
+   * what it depends on and newtons, or empty for the mode's default. A row that can't be read is an
+   * error, and the output is empty.
+   */
+  void AddModeRow(
+    const char* kind, const char* array, const char* strength, const char* secondStrength);
+  void RemoveAllModeRows();
+  ///@}
+
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
   /**
    * An empty name, as in batch jobs that have not set one, means the active scalars.
@@ -120,6 +134,8 @@ private:
   vtkMTimeType GetMaterialTime() const;
   /** Makes the label table. */
   void FillTable();
+  /** Makes the modes. */
+  void FillModes();
 
   std::string Preset = "Custom";
   Curve Stiffness;
@@ -138,6 +154,9 @@ private:
   double StandOff = 0.0;
   bool IsTableDirty = false;
   bool IsTableGood = true;
+  std::vector<std::array<std::string, 4>> ModeRows;
+  bool AreModesDirty = false;
+  bool AreModesGood = true;
 
   vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;
   void operator=(const vtkPVVolumeHapticsFilter&) = delete;

@@ -58,9 +58,10 @@ bool HapticFrameLink::IsMoving(
   vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter)
 {
   const int method = filter->GetMethod();
-  const bool canMove = filter->GetTimeUnitsPerSecond() != 0.0 &&
-    filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS &&
-    method != vtkVolumeHapticsFilter::SURFACE_PROXY && method != vtkVolumeHapticsFilter::PRIMITIVES;
+  const bool isFixed = method == vtkVolumeHapticsFilter::PRIMITIVES ||
+    (method == vtkVolumeHapticsFilter::SURFACE_PROXY && filter->GetNumberOfInputConnections(2) > 0);
+  const bool canMove = !isFixed && filter->GetTimeUnitsPerSecond() != 0.0 &&
+    filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS;
   vtkSMOutputPort* const output = canMove && volume ? volume->GetOutputPort(port) : nullptr;
   if (!output)
   {

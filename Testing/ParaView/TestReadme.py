@@ -11,7 +11,7 @@ DOCUMENT = os.path.join(SOURCE, "Documentation", "paraview.md")
 with open(DOCUMENT, encoding="utf-8") as file:
     text = file.read()
 scripts = [script for script in re.findall("```python\n(.*?)```", text, re.S) if "Connect(" not in script]
-assert len(scripts) == 3
+assert len(scripts) == 4
 scripts[0], replaced = re.subn(r'"build/plugin/[^"]*VolumeHapticsPlugin\.so"', repr(PLUGIN), scripts[0])
 assert replaced == 1, scripts[0]
 
@@ -25,5 +25,7 @@ touch, device, link = names["touch"], names["device"], names["link"]
 assert touch.PointData["Force"].GetRange(-1)[1] > 1.0
 assert touch.Preset == "Custom" and touch.StiffnessScale == 800
 assert max(sum(f * f for f in force) ** 0.5 for force in felt[1:]) > 0.5, felt
+held = names["follow"].PointData["Force"].GetRange(-1)[1]
+assert 0.3 < held <= 0.8 + 1e-9, held
 assert link.Attached == 1
 link.Attached = 0

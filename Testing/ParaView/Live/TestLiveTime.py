@@ -3,7 +3,8 @@
 """The animation's time drives the device: a wall that comes with it pushes a hand that rests, in this process or from a server.
 
 The wall is at z = 10 + t and 500 N/m stiff, and the hand at z = 12: the force is 0.5 max(0, t - 2) N, whatever the hand
-did before. A volume that was published anew at each time would come up around the hand, with no force.
+did before. A volume that was published anew at each time would come up around the hand, with no force. The wall's mesh
+does the same to a sphere, one radius sooner.
 """
 import builtins  # ParaView gives scripts other functions of these names
 import sys
@@ -12,8 +13,9 @@ from paraview import servermanager, simple
 
 import live
 
-REMOTE = sys.argv[3] == "Remote"
+REMOTE, MESH = (sys.argv[3] == case for case in ("Remote", "Mesh"))
 TIP = 12.0
+RADIUS = 0.25 if MESH else 0.0
 INFORMATION = """
 executive = self.GetExecutive()
 information = executive.GetOutputInformation(0)
@@ -43,7 +45,7 @@ if not controller or controller.GetLocalProcessId() + 1 == controller.GetNumberO
 
 
 def expected(time):
-    return 0.5 * (time - 2.0) if time > 2.0 else 0.0
+    return 0.5 * builtins.max(0.0, time - 2.0 + RADIUS)
 
 
 def is_force(time):
@@ -70,6 +72,8 @@ def touch():
     scene.AnimationTime = 0.0
     filter = simple.VolumeHaptics(Input=volume, Scalars=["POINTS", "Wall"], MaterialPlacement=0)
     filter.SurfaceStrength.Points = [0.0, 1.0, 0.5, 0.0, 1000.0, 1.0, 0.5, 0.0]
+    if MESH:
+        filter.Method, filter.IsoValue, filter.ProxyRadius = "Surface proxy", 500.0, RADIUS
     device = simple.HapticDevice(Touch=filter, MaximumRegionVoxels=44**3, VirtualTip=[20.0, 12.0, TIP])
     device.Running = 1
     live.check(live.poll(device, lambda: device.TickRate > 0 and live.distance(device.TipPosition, [20, 12, TIP]) < 1e-9
