@@ -10,12 +10,12 @@ import pyvista as pv
 from volumehaptics.pyvista import add_haptics
 
 RADIUS, STROKE, REST = 20.0, 2.0, 19.0  # mm: the ball's mean radius and its change, and where the hand rests
-FRAMES = 16  # of a beat, which takes a second
+FRAMES = 24  # of a beat, which takes a second
 STIFFNESS = 0.5  # N/mm
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
-parser.add_argument("--movie", metavar="FILE", help="write a movie of a beat (.ogv), ten times slower")
+parser.add_argument("--movie", metavar="FILE", help="write a movie of a beat (.ogv), half as fast")
 chosen = parser.parse_args()
 
 
@@ -34,7 +34,7 @@ def frame(at):
 times = [i / FRAMES for i in range(FRAMES)]
 frames = [frame(at) for at in times]
 hidden = chosen.picture is not None or chosen.movie is not None
-plotter = gallery.make_plotter("" if hidden else None)
+plotter = gallery.make_plotter("" if hidden else None, (640, 480) if chosen.movie else (1000, 750))
 ball = plotter.add_volume(
     frames[0], clim=(0, 1000), opacity=[0.0, 0.05, 0.5, 0.6, 0.7], cmap=["#3c4758", "#b13a4c", "#e0977d"], shade=True,
     opacity_unit_distance=3, show_scalar_bar=False)
@@ -55,9 +55,7 @@ strongest = scene.strongest(2.5)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * (RADIUS + STROKE - REST):.3f} N")
 
 if chosen.movie:
-    device.SetPlaybackSpeed(0.1)
-    with gallery.Movie(plotter, chosen.movie, rate=10) as movie:
-        scene.watch(11.0, movie.add)
+    scene.film(chosen.movie, FRAMES, span=1.0, rate=12)
 if chosen.picture:
     device.SetPlaybackSpeed(0.25)
     scene.watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # where the ball is largest

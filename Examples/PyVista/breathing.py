@@ -19,8 +19,7 @@ from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Data"))
 import moving  # noqa: E402
 
-FRAMES = 5  # from breathed out to breathed in
-SECONDS = 2.0  # between these
+SECONDS = 2.0  # from breathed out to breathed in
 STIFFNESS, STRENGTH = 0.5, 3.0  # N/mm, N
 AIR, TISSUE = -600, -200  # HU
 DEEP = 4.0  # mm: by so much a surface pushes the hand, or by half of what it moves
@@ -31,7 +30,7 @@ parser.add_argument("--every", type=int, default=1, help="takes every so manieth
 parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
 parser.add_argument("--movie", metavar="FILE", help="write a movie of a breath (.ogv)")
 chosen = parser.parse_args()
-
+FRAMES = 13 if chosen.movie else 5  # from breathed out to breathed in
 
 
 def read(file):
@@ -96,14 +95,16 @@ place, fall = find_surface()
 deep = min(DEEP, 0.5 * fall)
 rest = (place[0], place[1], place[2] - deep)
 
-plotter = gallery.make_plotter("" if hidden else None)
+plotter = gallery.make_plotter("" if hidden else None, (640, 480) if chosen.movie else (1000, 750))
 body = plotter.add_volume(
     frames[0], clim=(-1000, 1000), cmap=gallery.CHEST, opacity=gallery.CHEST_OPACITY, shade=True, ambient=0.25,
     diffuse=0.8, specular=0.15, opacity_unit_distance=6, show_scalar_bar=False)
 body.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, np.linspace(0.0, SECONDS, FRAMES), visibility=False)
 haptics.filter.SetDisplacementArrayName("motion")
-haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, STRENGTH)
+# The lung has faint edges of its own, which would push on the way.
+haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(AIR, 0.0)
+haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(TISSUE, STRENGTH)
 device = haptics.device
 device.SetPlaybackToPingPong()
 device.SetDataTime(SECONDS)
@@ -117,9 +118,7 @@ scene = gallery.Scene(plotter, haptics, hidden)
 strongest = scene.strongest(2.0 * SECONDS + 1.0)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * deep:.3f} N, by what goes down by {fall:.1f} mm")
 if chosen.movie:
-    with gallery.Movie(plotter, chosen.movie, rate=10) as movie:
-        device.SetPlaybackSpeed(0.25)
-        scene.watch(8.0 * SECONDS, movie.add)
+    scene.film(chosen.movie, 2 * FRAMES - 2, span=2.0 * SECONDS, rate=8)
     device.SetPlaybackSpeed(1.0)
 if chosen.picture:
     scene.watch(8.0, lambda: device.GetDataTime() < 0.02 * SECONDS)  # breathed out

@@ -118,10 +118,10 @@ def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
 
 
 class Movie:
-    """A movie of a plotter, by VTK's own writer (.ogv), of so many pictures a second as it is played."""
+    """A movie of a plotter, by VTK's own writer (.ogv), of so many pictures a second."""
 
     def __init__(self, plotter, file, rate):
-        self.plotter, self.rate = plotter, rate
+        self.plotter = plotter
         self.capture = vtkWindowToImageFilter()
         self.capture.SetInput(plotter.render_window)
         self.capture.ReadFrontBufferOff()
@@ -138,11 +138,10 @@ class Movie:
         self.writer.End()
 
     def add(self):
-        """What is seen now; not sooner than a viewer will see the next picture, twice as fast."""
+        """What is seen now."""
         self.plotter.render()
         self.capture.Modified()
         self.writer.Write()
-        time.sleep(0.5 / self.rate)
 
 
 class Scene:
@@ -165,6 +164,37 @@ class Scene:
         forces = [0.0]
         self.watch(seconds, lambda: forces.append(np.linalg.norm(self.haptics.device.GetComputedForce())))
         return max(forces)
+
+    def film(self, file, pictures, span, rate):
+        """A movie of a span of data time, which a loop or a ping-pong takes, in evenly spaced pictures.
+
+        Time stands still while a picture is taken, however long that takes, and goes on slowly to the next one: the
+        hand meets what moves as it does when it is played.
+        """
+        device = self.haptics.device
+        self.haptics.head_up_display.PlotVisibilityOff()  # against the time of the hand
+        device.SetPlaybackSpeed(5.0 * span / pictures)  # a fifth of a second to the next picture
+        attention = device.GetAttentionTime()
+        device.SetAttentionTime(600.0)  # a picture takes seconds without a graphics card
+        last, gone = device.GetDataTime(), 0.0
+
+        def has_come(share):
+            nonlocal last, gone
+            step = abs(device.GetDataTime() - last)
+            gone += min(step, span - step)  # also over the end of a loop
+            last = device.GetDataTime()
+            return gone >= share * span
+
+        with Movie(self.plotter, file, rate) as movie:
+            for number in range(pictures):
+                device.Play()
+                self.watch(60.0, lambda share=number / pictures: has_come(share))
+                device.Hold()
+                self.watch(0.1)
+                movie.add()
+        device.SetAttentionTime(attention)
+        device.Play()
+        self.haptics.head_up_display.PlotVisibilityOn()
 
     def take(self, picture):
         """Holds the time, and writes what is seen then."""
