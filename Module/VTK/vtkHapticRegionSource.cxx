@@ -345,6 +345,14 @@ bool vtkHapticRegionSource::IsWaiting()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHapticRegionSource::HasSamples()
+{
+  vtkImageData* const image = this->GetOutput();
+  vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  return scalars && scalars == this->Store->GetSamples() && !this->Store->IsStandIn();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHapticRegionSource::GetStatusText()
 {
   const std::string& trouble = this->Store->GetTrouble();
@@ -419,22 +427,6 @@ bool vtkHapticRegionSource::ReadRegion(const int region[6], vtkImageData* image,
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRegionSource::FindPlaceholder(int extent[6]) const
-{
-  // As thin as a kernel allows, so that nothing in it counts as resident.
-  const int width = 2 * this->KernelRadius + 1;
-  for (int a = 0; a < 6; a += 2)
-  {
-    const int first = this->WholeExtent[a];
-    const int last = this->WholeExtent[a + 1];
-    const vtkTypeInt64 spare = vtkTypeInt64{ last } - first + 1 - width;
-    extent[a] = first + static_cast<int>(std::max<vtkTypeInt64>(spare / 2, 0));
-    extent[a + 1] =
-      static_cast<int>(std::min<vtkTypeInt64>(vtkTypeInt64{ extent[a] } + width - 1, last));
-  }
-}
-
-//------------------------------------------------------------------------------
 int vtkHapticRegionSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -444,14 +436,13 @@ int vtkHapticRegionSource::RequestInformation(
     vtkErrorMacro(<< error);
     return 0;
   }
-  int region[6];
-  this->FindPlaceholder(region);
-  if (this->Store->GetSamples())
-  {
-    std::copy_n(this->Store->GetRegion().begin(), 6, region);
-  }
+  BoxExtent region;
+  std::copy_n(this->WholeExtent, 6, region.begin());
+  // Without samples it is as thin as a kernel allows, so that nothing in it counts as resident.
+  region = this->Store->GetSamples() ? this->Store->GetRegion()
+                                     : FindMiddle(region, 2 * this->KernelRadius + 1);
   vtkInformation* const info = outputs->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), region, 6);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), region.data(), 6);
   info->Set(vtkDataObject::ORIGIN(), this->Origin, 3);
   info->Set(vtkDataObject::SPACING(), this->Spacing, 3);
   info->Set(vtkDataObject::DIRECTION(), this->Direction, 9);

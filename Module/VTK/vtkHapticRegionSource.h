@@ -34,7 +34,7 @@
  * field arrays of vtkHapticRegionFilter; a few voxels of zeros in the middle of the volume before
  * there is one. Its scalars are called "Scalars" and have one component.
  *
- * @sa vtkHapticRegionPlanner, vtkHapticRegionFilter, vtkVolumeHapticsFilter, vtkHapticDevice
+ * @sa vtkHapticRegionPlanner, vtkHapticRegionPicture, vtkVolumeHapticsFilter, vtkHapticDevice
  */
 #ifndef vtkHapticRegionSource_h
 #define vtkHapticRegionSource_h
@@ -239,6 +239,9 @@ public:
   /** Whether a region was ordered by Follow that has not come yet. */
   bool IsWaiting();
 
+  /** Whether the output has samples that were read, and not those of the CoarseImage, or zeros. */
+  bool HasSamples();
+
   /** Tells for what it waits, and why the last read failed; empty if nothing is awaited. */
   std::string GetStatusText();
 
@@ -254,7 +257,6 @@ private:
   std::string CheckSettings();
   /** Brings the store up to the settings; false, with the fault, if they are not complete. */
   bool Prepare(std::string& error);
-  void FindPlaceholder(int extent[6]) const;
   /** Hands the coarse image to the store; false, with the fault, if it can't stand in. */
   bool UpdateCoarse(std::string& error);
 

@@ -92,7 +92,7 @@ allow(VTK/Recording Core VTK/Files VTK/Trace)
 # Threads for work on volumes: of the core, only the clock.
 allow(VTK/Work Core/Servo/ServoClock.h)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Trace VTK/Recording VTK/Work)
-allow(VTK/Scene Core VTK/Baking VTK/Session)
+allow(VTK/Scene Core VTK/Baking VTK/Session VTK/Work)
 allow(VTK/Charts VTK/Proposal/EdgeHistogram.h VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking)
 

@@ -89,8 +89,13 @@ def test_a_volume_larger_than_memory_is_shown_by_its_coarse_level(window):
     wait(lambda: "100 % of the force" in device.GetStatusText())
     device.SetVirtualTip(0, 0, 15)
     wait(lambda: device.GetForce()[2] > 0.5)
+    picture = haptics._picture
+    wait(lambda: plotter.render() or picture.IsRefined())
+    fine = picture.GetFineVolume().GetMapper().GetInputDataObject(0, 0)
+    assert fine.GetSpacing() == (2, 2, 2)
+    assert list(shown.mapper.GetCroppingRegionPlanes()) == pytest.approx(large.GetOutput().GetBounds())
     plotter.close()
-    assert haptics.closed
+    assert haptics.closed and not picture.IsRefined()
 
 
 def test_closing_the_plotter_stops_everything(window, hands):

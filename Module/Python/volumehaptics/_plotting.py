@@ -22,6 +22,7 @@ from .vtkVolumeHaptics import (
     vtkHapticDevice,
     vtkHapticFrameSource,
     vtkHapticHeadUpDisplay,
+    vtkHapticRegionPicture,
     vtkHapticRegionSource,
     vtkHapticRepresentation,
     vtkInteractorStyleHaptic,
@@ -67,6 +68,7 @@ class Haptics:
         self._style_before = None
         self._in_scene: list[Any] = []
         self._outline: vtkActor | None = None
+        self._picture: vtkHapticRegionPicture | None = None
 
     def update(self) -> bool:
         """One step of the plotter's timer, for programs without an event loop. True: there is something new."""
@@ -86,6 +88,8 @@ class Haptics:
             renderer.RemoveViewProp(self.head_up_display)
             if self._outline is not None:
                 renderer.RemoveViewProp(self._outline)
+        if self._picture is not None:
+            self._picture.SetRenderer(None)
         if plotter is not None:
             _touchable.pop(plotter, None)
             if plotter.iren is not None and plotter.iren.style is self.style:
@@ -116,7 +120,7 @@ class Haptics:
         _touchable[plotter] = self
 
     def _frame(self, large: vtkHapticRegionSource) -> None:
-        """Draws a frame around the samples that are in memory."""
+        """Shows the samples that are in memory, in a frame."""
         outline, mapper, self._outline = vtkOutlineFilter(), vtkPolyDataMapper(), vtkActor()
         outline.SetInputConnection(large.GetOutputPort())
         mapper.SetInputConnection(outline.GetOutputPort())
@@ -125,6 +129,12 @@ class Haptics:
         self._outline.PickableOff()
         self._outline.GetProperty().SetColor(1.0, 0.8, 0.2)
         self._renderer().AddViewProp(self._outline)
+        shown = [prop for prop in self._in_scene if isinstance(prop, vtkVolume)]
+        if shown:
+            self._picture = vtkHapticRegionPicture()
+            self._picture.SetSource(large)
+            self._picture.SetVolume(shown[0])
+            self._picture.SetRenderer(self._renderer())
 
     def _check_scene(self) -> None:
         """Ends the touch if the volume or the hand was taken out of the scene."""
@@ -281,8 +291,8 @@ def add_haptics(
         show it, such as an isosurface. Default: the plotter's only volume. Or a list of images of one geometry,
         the frames of a volume that moves: it plays in a loop at once, and an actor of the first of them shows what
         is felt; see vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory,
-        of open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and a frame
-        around the region that is in memory.
+        of open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and the region
+        that is in memory finely, in a frame.
     times: of frames, in seconds, or in other units with time_units_per_second=...; they may stand in the place of
         preset: add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.

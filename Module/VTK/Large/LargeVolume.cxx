@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/LargeVolume.h"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -42,6 +43,19 @@ double CountSamples(const BoxExtent& extent)
     count *= static_cast<double>(extent[a + 1]) - extent[a] + 1.0;
   }
   return count;
+}
+
+BoxExtent FindMiddle(const BoxExtent& whole, int width)
+{
+  BoxExtent box;
+  for (int a = 0; a < 6; a += 2)
+  {
+    const vtkTypeInt64 spare = vtkTypeInt64{ whole[a + 1] } - whole[a] + 1 - width;
+    box[a] = whole[a] + static_cast<int>(std::max<vtkTypeInt64>(spare / 2, 0));
+    box[a + 1] =
+      static_cast<int>(std::min<vtkTypeInt64>(vtkTypeInt64{ box[a] } + width - 1, whole[a + 1]));
+  }
+  return box;
 }
 
 bool ReadSamples(const LargeVolume& volume, const BoxExtent& box, void* samples, std::string& error)

@@ -40,6 +40,9 @@ struct LargeVolume
 /** The number of samples of an extent, as a double: the product may exceed all integers. */
 double CountSamples(const BoxExtent& extent);
 
+/** A box of a width (samples) in the middle of an extent, or as much of it as there is. */
+BoxExtent FindMiddle(const BoxExtent& whole, int width);
+
 /**
  * Reads a box of the volume; no exception leaves this. False, with the box and the reason in
  * `error`, if that fails.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticXRController and
- * vtkInteractorStyleHaptic, one row each: see HapticSetting.h.
+ * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticRegionPicture,
+ * vtkHapticXRController and vtkInteractorStyleHaptic, one row each: see HapticSetting.h.
  */
 #ifndef HapticSceneSettings_h
 #define HapticSceneSettings_h
@@ -11,6 +11,7 @@
 #include "VTK/Baking/HapticSetting.h"
 
 #include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticRegionPicture.h"
 #include "vtkHapticRepresentation.h"
 #include "vtkHapticXRController.h"
 #include "vtkInteractorStyleHaptic.h"
@@ -20,6 +21,7 @@ namespace VolumeHaptics
 
 using RepresentationSetting = HapticSetting<vtkHapticRepresentation>;
 using DisplaySetting = HapticSetting<vtkHapticHeadUpDisplay>;
+using PictureSetting = HapticSetting<vtkHapticRegionPicture>;
 using XRControllerSetting = HapticSetting<vtkHapticXRController>;
 using StyleSetting = HapticSetting<vtkInteractorStyleHaptic>;
 
@@ -66,6 +68,16 @@ inline constexpr DisplaySetting All[] = {
 };
 } // namespace DisplaySettingRows
 
+namespace PictureSettingRows
+{
+using Owner = vtkHapticRegionPicture;
+
+inline constexpr PictureSetting All[] = {
+  HapticIntegerMacro(MaximumVoxels, 1000, 1073741824, 262144, "", NotBaked,
+    "The most voxels of the box, 1000 to 2^30. Default 262144."),
+};
+} // namespace PictureSettingRows
+
 inline constexpr SettingChoice HandNames[] = { { "Left", "Left" }, { "Right", "Right" } };
 
 namespace XRControllerSettingRows
@@ -100,6 +112,7 @@ inline constexpr StyleSetting All[] = {
 
 inline constexpr const auto& RepresentationSettings = RepresentationSettingRows::All;
 inline constexpr const auto& DisplaySettings = DisplaySettingRows::All;
+inline constexpr const auto& PictureSettings = PictureSettingRows::All;
 inline constexpr const auto& XRControllerSettings = XRControllerSettingRows::All;
 inline constexpr const auto& StyleSettings = StyleSettingRows::All;
 

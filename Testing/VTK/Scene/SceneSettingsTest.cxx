@@ -15,6 +15,7 @@ TEST(SceneSettings, HeadersHaveTheDefaultsAndKeepTheRanges)
 {
   ExpectHeadersBehave<vtkHapticRepresentation>(RepresentationSettings);
   ExpectHeadersBehave<vtkHapticHeadUpDisplay>(DisplaySettings);
+  ExpectHeadersBehave<vtkHapticRegionPicture>(PictureSettings);
   ExpectHeadersBehave<vtkHapticXRController>(XRControllerSettings);
   ExpectHeadersBehave<vtkInteractorStyleHaptic>(StyleSettings);
 }
@@ -27,6 +28,7 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
   std::vector<std::string> display = Names(DisplaySettings);
   display.emplace_back("Notice"); // a text
   ExpectRows("vtkHapticHeadUpDisplay", display);
+  ExpectRows("vtkHapticRegionPicture", Names(PictureSettings));
   std::vector<std::string> controller = Names(XRControllerSettings);
   controller.emplace_back("ActionName"); // a text
   ExpectRows("vtkHapticXRController", controller);
@@ -37,6 +39,7 @@ TEST(SceneSettings, CommentsOfTheHeadersBeginWithTheDocumentation)
 {
   ExpectComments("vtkHapticRepresentation", RepresentationSettings);
   ExpectComments("vtkHapticHeadUpDisplay", DisplaySettings);
+  ExpectComments("vtkHapticRegionPicture", PictureSettings);
   ExpectComments("vtkHapticXRController", XRControllerSettings);
   ExpectComments("vtkInteractorStyleHaptic", StyleSettings);
 }

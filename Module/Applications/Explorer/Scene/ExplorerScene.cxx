@@ -84,9 +84,10 @@ bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageD
   return fits && mapper->IsRenderSupported(window, property);
 }
 
-void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysis& analysis,
+void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Exploration& exploration,
   const Explore::SceneOptions& options)
 {
+  const Explore::Analysis& analysis = exploration.Values;
   vtkVolumeProperty* const property = scene.Look;
   Explore::SetVolumeLook(analysis, property);
   const bool gpu = options.Mapper == MapperChoice::GPU ||
@@ -105,6 +106,12 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Analysi
   volume->SetProperty(property);
   volume->SetUserMatrix(toWorld);
   scene.Renderer->AddVolume(volume);
+  if (exploration.Input.Large)
+  {
+    scene.Refined->SetSource(exploration.Input.Large);
+    scene.Refined->SetVolume(volume);
+    scene.Refined->SetRenderer(scene.Renderer);
+  }
   scene.MapperName = gpu ? "vtkGPUVolumeRayCastMapper" : "vtkFixedPointVolumeRayCastMapper";
 }
 
@@ -183,7 +190,7 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   AddLights(scene.Renderer); // before anything renders, or VTK adds one of its own
   // A volume that moves is shown as it is felt.
   const bool isMoving = exploration.Input.Frames != nullptr;
-  AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, analysis, options);
+  AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, exploration, options);
   if (!options.Interactive)
   {
     AddTrail(scene.Renderer, scene.Overlay, exploration.Trace, analysis.MetersPerWorldUnit,

@@ -5,6 +5,7 @@
 
 #include "Applications/Explorer/Exploration/Exploration.h"
 
+#include "vtkHapticRegionPicture.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -41,6 +42,7 @@ struct ExplorerScene
   vtkNew<vtkRenderer> Overlay;  // the hidden parts of the trail, through the same camera
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
   vtkNew<vtkVolumeProperty> Look;
+  vtkNew<vtkHapticRegionPicture> Refined; // of a large volume, where the hand is
   std::string MapperName;
 };
 
