@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRegionPicture.h"
 
+#include "VTK/Baking/HapticVolume.h"
 #include "VTK/Scene/FineBox.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/RegionParts.h"
@@ -129,12 +130,6 @@ void CopyQuality(vtkVolumeMapper* from, vtkVolumeMapper* to, double scale)
     fineCpu->SetImageSampleDistance(cpu->GetImageSampleDistance());
     fineCpu->SetSampleDistance(static_cast<float>(scale * cpu->GetSampleDistance()));
   }
-}
-
-double SmallestSpacing(vtkImageData* image)
-{
-  const double* const spacing = image->GetSpacing();
-  return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 } // namespace
 
