@@ -90,7 +90,7 @@ def test_a_volume_larger_than_memory_is_shown_by_its_coarse_level(window):
     device.SetVirtualTip(0, 0, 15)
     wait(lambda: device.GetForce()[2] > 0.5)
     picture = haptics._picture
-    wait(lambda: plotter.render() or picture.IsRefined())
+    wait(lambda: picture.Update() or picture.IsRefined())
     fine = picture.GetFineVolume().GetMapper().GetInputDataObject(0, 0)
     assert fine.GetSpacing() == (2, 2, 2)
     assert list(shown.mapper.GetCroppingRegionPlanes()) == pytest.approx(large.GetOutput().GetBounds())
