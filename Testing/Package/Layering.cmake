@@ -93,7 +93,7 @@ allow(VTK/Recording Core VTK/Files VTK/Trace)
 allow(VTK/Work Core/Servo/ServoClock.h)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Trace VTK/Recording VTK/Work)
 allow(VTK/Scene Core VTK/Baking VTK/Session VTK/Work)
-allow(VTK/Charts VTK/Proposal/EdgeHistogram.h VTK/Work)
+allow(VTK/Charts VTK/Proposal VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
