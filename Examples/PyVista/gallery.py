@@ -168,27 +168,29 @@ class Scene:
     def film(self, file, pictures, span, rate):
         """A movie of a span of data time, which a loop or a ping-pong takes, in evenly spaced pictures.
 
-        Time stands still while a picture is taken, however long that takes, and goes on slowly to the next one: the
-        hand meets what moves as it does when it is played.
+        Time stands still while a picture is taken, however long that takes. Each picture comes a whole span and a bit
+        after the last one, so that the hand meets what moves anew: on a computer that is busy with a picture the servo
+        may stand still for so long that a contact ends.
         """
         device = self.haptics.device
         self.haptics.head_up_display.PlotVisibilityOff()  # against the time of the hand
-        device.SetPlaybackSpeed(5.0 * span / pictures)  # a fifth of a second to the next picture
+        step = span / pictures
+        device.SetPlaybackSpeed(step / 0.15)  # so slow (s) that looks in between are frequent
         attention = device.GetAttentionTime()
         device.SetAttentionTime(600.0)  # a picture takes seconds without a graphics card
         last, gone = device.GetDataTime(), 0.0
 
-        def has_come(share):
+        def has_come(place):
             nonlocal last, gone
-            step = abs(device.GetDataTime() - last)
-            gone += min(step, span - step)  # also over the end of a loop
+            way = abs(device.GetDataTime() - last)
+            gone += min(way, span - way)  # also over the end of a loop
             last = device.GetDataTime()
-            return gone >= share * span
+            return gone >= place
 
         with Movie(self.plotter, file, rate) as movie:
             for number in range(pictures):
                 device.Play()
-                self.watch(60.0, lambda share=number / pictures: has_come(share))
+                self.watch(60.0, lambda place=number * (span + step): has_come(place))
                 device.Hold()
                 self.watch(0.1)
                 movie.add()
