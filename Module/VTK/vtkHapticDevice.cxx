@@ -5,6 +5,7 @@
 #include "VTK/Session/DeviceOrders.h"
 #include "VTK/Session/DeviceRecorder.h"
 #include "VTK/Session/DeviceSession.h"
+#include "VTK/Session/FollowedPolyData.h"
 #include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Session/ModelSource.h"
 #include "VTK/Session/VirtualTip.h"
@@ -12,6 +13,7 @@
 #include "vtkCommand.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -257,6 +259,32 @@ vtkHapticDeviceStateMacro(double*, MediumPosition, MediumPosition);
 vtkHapticDeviceStateMacro(double, Residency, GetState().Residency);
 vtkHapticDeviceStateMacro(vtkIdType, Tick, GetState().Tick);
 vtkHapticDeviceStateMacro(double, Time, GetState().Time);
+
+//------------------------------------------------------------------------------
+double* vtkHapticDevice::GetModeForce(int mode)
+{
+  const bool isThere = mode >= 0 && mode < MostPrimitives;
+  return this->Internals->Session.ModeForces[isThere ? mode : MostPrimitives];
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::GetFollowed(vtkPolyData* shapes, double reach)
+{
+  DeviceSession& session = this->Internals->Session;
+  const HapticModel* const model = session.FindModel();
+  if (!shapes)
+  {
+    vtkErrorMacro("GetFollowed() needs a polydata to write to, but got a null pointer.");
+  }
+  else if (model && session.GetState().Time > 0.0)
+  {
+    WriteFollowed(*model, session.GetState().Record.Proxy, reach, shapes);
+  }
+  else
+  {
+    shapes->Initialize();
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkHapticDevice::DrainStates(vtkTable* states, int reader)

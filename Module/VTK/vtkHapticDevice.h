@@ -68,6 +68,7 @@
 
 class vtkMatrix4x4;
 class vtkImageData;
+class vtkPolyData;
 class vtkTable;
 class vtkVolumeHapticsFilter;
 
@@ -412,6 +413,21 @@ public:
   double GetDragForce();
   ///@}
   /**
+   * Of the latest state: the force of a mode of PRIMITIVES on the hand (N, world axes), before
+   * MaximumForce; zero for other methods and numbers. Modes count from 0 as in GetMode of the
+   * filter.
+   */
+  double* GetModeForce(int mode) VTK_SIZEHINT(3);
+
+  /**
+   * What the modes that are felt hold the hand on, at the proxy of the latest state: lines such as
+   * that of the flow, up to `reach` voxels to either side, and fronts as polygons with a radius of
+   * a quarter of that, with point normals to the free side. Made of what the servo reads, in world
+   * units. The cell array Mode has the number of the mode. Empty for other methods.
+   */
+  void GetFollowed(vtkPolyData* shapes, double reach = 32.0);
+
+  /**
    * Of the latest state: the label just inside the surface, that is, at the proxy plus r times the
    * normal; 0 if the filter has no label image, or none there. vtkHapticLabelTable has its name.
    */
@@ -444,9 +460,10 @@ public:
    * All states since the last call, oldest first, as rows of a table that is overwritten. Its
    * columns are Time (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact,
    * Armed, Fault, Residency, with three components Tip, Proxy (world), Force (computed) and Command
-   * (sent; N, world axes), and with four Orientation (world; w, x, y, z; all 0 if the device has
-   * none). The first call begins to keep states; a reader that does not call for 100000 ticks loses
-   * the oldest. Each reader has a number, and gets all states; a call
+   * (sent; N, world axes), with four Orientation (world; w, x, y, z; all 0 if the device has none),
+   * and with eight ModeForces (N, magnitudes of GetModeForce). The first call begins to keep
+   * states; a reader that does not call for 100000 ticks loses the oldest. Each reader has a
+   * number, and gets all states; a call
    * with nullptr as the table ends the reading. The first vtkInteractorStyleHaptic of a device has
    * number 0, further ones have -1, -2 and so on: see AddReader.
    */

@@ -5,6 +5,7 @@
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticForceChart.h"
 #include "VTK/Charts/HapticForceHistory.h"
+#include "VTK/Charts/HapticModeList.h"
 #include "VTK/Charts/HapticOverlayPicture.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/TouchedLabel.h"
@@ -13,6 +14,7 @@
 #include "vtkContextDevice2D.h"
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
+#include "vtkHapticMode.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
@@ -20,6 +22,7 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkViewport.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 #include <chrono>
@@ -45,6 +48,41 @@ struct Tissue
 double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
+}
+
+/** The filter whose modes are felt; null for other methods. */
+vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
+  return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES ? filter : nullptr;
+}
+
+/** The names of all modes, each another one. */
+std::vector<std::string> NameModes(vtkHapticDevice* device)
+{
+  std::vector<std::string> names;
+  vtkVolumeHapticsFilter* const filter = FindModes(device);
+  for (int i = 0; filter && i < filter->GetNumberOfModes(); ++i)
+  {
+    names.push_back(std::to_string(i + 1) + " " + filter->GetMode(i)->GetText());
+  }
+  return names;
+}
+
+/** A line for each mode, with its force. */
+std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device)
+{
+  std::vector<ModeLine> lines;
+  for (const std::string& name : NameModes(device))
+  {
+    const auto mode = static_cast<int>(lines.size());
+    const bool isActive = FindModes(device)->GetMode(mode)->GetActive();
+    std::ostringstream text;
+    text << name << ": " << std::fixed << std::setprecision(2);
+    isActive ? text << vtkMath::Norm(device->GetModeForce(mode)) << " N" : text << "off";
+    lines.push_back({ text.str(), isActive });
+  }
+  return lines;
 }
 
 /** A line on the time of a volume that moves; empty without one. */
@@ -83,6 +121,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Drawn; // the time of the last picture
   vtkNew<vtkTextActor> Text;
+  HapticModeList Modes;
   vtkNew<vtkTable> PlotTable; // the table for the caller
   int CanDraw = -1;           // not known yet
 
@@ -139,6 +178,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
       return;
     }
   }
+  auto* const modes = vtkDataArray::SafeDownCast(states->GetColumnByName("ModeForces"));
   const vtkIdType rows = columns[0]->GetNumberOfTuples();
   for (vtkIdType i = 0; i < rows; ++i)
   {
@@ -152,10 +192,16 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     }
     double command[3];
     columns[4]->GetTuple(i, command);
-    this->Internals->History.Add({ columns[0]->GetComponent(i, 0),
-                                   { columns[1]->GetComponent(i, 0), columns[2]->GetComponent(i, 0),
-                                     columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } },
-      GetShownSpan(this->TimeSpan));
+    HapticForceHistory::State state{ columns[0]->GetComponent(i, 0),
+      { columns[1]->GetComponent(i, 0), columns[2]->GetComponent(i, 0),
+        columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } };
+    for (int c = 0; modes && i < modes->GetNumberOfTuples() && c < modes->GetNumberOfComponents() &&
+         HapticForceTable::Curves + c < HapticForceHistory::Curves;
+         ++c)
+    {
+      state.Forces[HapticForceTable::Curves + c] = modes->GetComponent(i, c);
+    }
+    this->Internals->History.Add(state, GetShownSpan(this->TimeSpan));
   }
 }
 
@@ -199,6 +245,7 @@ vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
 {
   // Not the table that is drawn, which has to stay unchanged.
   auto& d = *this->Internals;
+  d.History.SetModes(NameModes(d.Device));
   d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));
   return d.PlotTable;
 }
@@ -263,6 +310,14 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
 }
 
 //------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::FindMode(int x, int y)
+{
+  auto& d = *this->Internals;
+  return this->GetVisibility() && this->TextVisibility && FindModes(d.Device) ? d.Modes.Find(x, y)
+                                                                              : -1;
+}
+
+//------------------------------------------------------------------------------
 int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
 {
   if (!VolumeHaptics::IsDrawing(viewport))
@@ -279,6 +334,17 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
     d.Text->SetInput(this->GetText().c_str());
     d.Text->RenderOpaqueGeometry(viewport); // draws the letters into the texture that is shown next
     drawn += d.Text->RenderOverlay(viewport);
+    double size[2] = { 0.0, 0.0 };
+    d.Text->GetSize(viewport, size);
+    const int* const view = viewport->GetSize();
+    constexpr double top = 0.975; // of the text
+    constexpr double gap = 8.0;
+    drawn += d.Modes.Render(
+      DescribeModeForces(d.Device), static_cast<int>(top * view[1] - size[1] - gap), viewport);
+  }
+  else
+  {
+    d.Modes.Hide();
   }
   if (!this->PlotVisibility)
   {
@@ -310,6 +376,9 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now - d.Drawn >= std::chrono::milliseconds(50);
   const double span = GetShownSpan(this->TimeSpan);
+  const std::vector<std::string> modes = NameModes(d.Device);
+  d.History.SetModes(modes);
+  d.Chart.SetModes(modes);
   const bool isStale = isDue &&
     d.Chart.Show(d.History.Plot(span), { -span, 0.0, this->GetForceRange() }, this->GetPlotTitle());
   if (isStale)
@@ -323,6 +392,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
 void vtkHapticHeadUpDisplay::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Picture.ReleaseGraphicsResources(window);
+  this->Internals->Modes.Release(window);
   this->Internals->Chart.GetActor()->ReleaseGraphicsResources(window);
   this->Internals->Text->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);

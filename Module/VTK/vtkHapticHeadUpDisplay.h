@@ -5,7 +5,9 @@
  * @brief   forces and contact, in figures and as a plot, over the scene
  *
  * The plot shows the normal, friction and drag force of the last seconds and, in grey, the whole
- * force that was sent to the hand; its title is the method. The text shows the device's status, or
+ * force that was sent to the hand; its title is the method. With the modes of PRIMITIVES it shows
+ * the force of each mode instead of these parts, in the colour that its name has in a list below
+ * the text; a mode that is off is grey. The text shows the device's status, or
  * its fault; the rate of the servo and the ticks it has missed; the force, the contact and the
  * touched tissue; and of a volume that moves, its time and that of the frame that is nearest.
  *
@@ -91,7 +93,8 @@ public:
   /** The number of states in the plot. */
   vtkIdType GetNumberOfStates();
   /**
-   * The plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N). They hold the
+   * The plotted columns: Time (s, up to 0), Normal, Friction, Drag and Whole (N), and one for each
+   * mode of PRIMITIVES, under its name, such as "1 vector follow, velocity" (N). They hold the
    * smallest and the largest value in each of a few hundred intervals, so that no peak is lost.
    */
   vtkTable* GetPlotTable();
@@ -100,6 +103,12 @@ public:
   /** The text as it would be shown, and the plot's title: the name of the method. */
   std::string GetText();
   std::string GetPlotTitle();
+
+  /**
+   * The number of the mode whose line in the list is at a position (pixels of the viewport, from
+   * its lower left corner); -1 if there is none.
+   */
+  int FindMode(int x, int y);
 
   ///@{
   /** For the renderer. */

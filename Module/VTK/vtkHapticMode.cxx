@@ -3,6 +3,7 @@
 #include "vtkHapticMode.h"
 
 #include "VTK/Baking/HapticModeSettings.h"
+#include "VTK/Baking/ModeProposal.h"
 
 #include "vtkPiecewiseFunction.h"
 
@@ -71,6 +72,29 @@ void vtkHapticMode::SetSecondStrength(vtkPiecewiseFunction* strength)
 vtkPiecewiseFunction* vtkHapticMode::GetSecondStrength()
 {
   return Provide(this->SecondStrength);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticMode::ProposeFromImage(vtkImageData* image)
+{
+  std::string error;
+  if (!image)
+  {
+    vtkErrorMacro("ProposeFromImage() needs an image, but got a null pointer.");
+    return false;
+  }
+  if (!VolumeHaptics::ProposeStrength(this, image, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticMode::GetText()
+{
+  return VolumeHaptics::GetModeText(this);
 }
 
 //------------------------------------------------------------------------------

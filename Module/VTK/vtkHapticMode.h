@@ -42,6 +42,7 @@
 
 #include <string> // for std::string
 
+class vtkImageData;
 class vtkPiecewiseFunction;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticMode : public vtkObject
@@ -72,6 +73,15 @@ public:
   vtkPiecewiseFunction* GetStrength();
   ///@}
 
+  /**
+   * Sets the Strength to one that suits an image: 0 where that which it depends on (|v|, vorticity,
+   * rate of stretch, how tubular the scalars are) is a tenth of what is large in this image, and 2
+   * N from the half of it on. Large is what 95 % of the places with any have less of; of vessels,
+   * 99.5 %. A tensor's is 0 up to the anisotropy 0.15 and 2 N from 0.4 on; a guide's is the
+   * default. Returns false, with an error and no change, if the image has nothing for this mode.
+   */
+  bool ProposeFromImage(vtkImageData* image);
+
   ///@{
   /**
    * Whether the mode is felt. Default on. It may change while a hand feels it: after the next
@@ -99,6 +109,9 @@ public:
   void SetAxesToWorld() { this->SetAxes(WORLD); }
   void SetAxesToImage() { this->SetAxes(IMAGE); }
   ///@}
+
+  /** What it is, for the user, such as "vector follow, velocity". */
+  std::string GetText();
 
   /** Includes the functions. */
   vtkMTimeType GetMTime() override;

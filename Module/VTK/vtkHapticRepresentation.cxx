@@ -3,6 +3,7 @@
 #include "vtkHapticRepresentation.h"
 
 #include "VTK/Charts/HapticDrawing.h"
+#include "VTK/Scene/FollowedScene.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/SceneMarker.h"
 #include "vtkHapticStateSource.h"
@@ -41,6 +42,7 @@ struct vtkHapticRepresentation::vtkInternals
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 }, { SceneMarker::Rod, 0.75, 0.75, 0.75 },
     { SceneMarker::Arrow, 0.97, 0.97, 0.97 }, { SceneMarker::Arrow, 0.15, 0.5, 0.95 },
     { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
+  FollowedScene Followed;
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
   bool HasState = false;
   vtkSmartPointer<vtkPolyData> Trail;
@@ -56,6 +58,8 @@ namespace
 {
 /// Of the stylus: its length, when StylusLength is 0, in radii of the proxy.
 constexpr double StylusRadii = 25.0;
+/// Of what is followed: its radius, in radii of the proxy.
+constexpr double FollowedRadii = 0.22;
 /// By contact; the colour-blind can tell them apart, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
@@ -167,6 +171,8 @@ void vtkHapticRepresentation::UpdateMarkers()
     d.Markers[Source::MEDIUM_POSITION].Show(this->MarkerVisibility);
   }
   this->UpdateStylus();
+  d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
+    this->FollowedReach, FollowedRadii * this->Radius);
   std::ostringstream text;
   text << "1 N = " << 1.0 / this->ForceScale << " " << this->WorldUnitName;
   d.ScaleText->SetInput(text.str().c_str());
@@ -223,6 +229,7 @@ double* vtkHapticRepresentation::GetBounds()
     marker.AddTo(d.Box);
   }
   d.Stylus.AddTo(d.Box);
+  d.Followed.AddTo(d.Box);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
     d.Box.AddBounds(d.Trail->GetBounds());
@@ -249,6 +256,7 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
     marker.RenderOpaque(viewport);
   }
   d.Stylus.RenderOpaque(viewport);
+  d.Followed.RenderOpaque(viewport);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
     this->UpdateTrail();
@@ -268,6 +276,15 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
   vtkRenderer* const renderer = vtkRenderer::SafeDownCast(viewport);
   auto* const window =
     renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (d.Followed.HasFronts() && window)
+  {
+    vtkOpenGLState* const state = window->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable depth(state, GL_DEPTH_TEST);
+    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    d.Followed.RenderFronts(viewport);
+  }
   if (this->HiddenVisibility && window)
   {
     vtkOpenGLState* const state = window->GetState();
@@ -275,7 +292,8 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
-    d.Stylus.RenderHidden(viewport); // first, so that it covers no other
+    d.Followed.RenderHidden(viewport);
+    d.Stylus.RenderHidden(viewport); // first, so that it covers no marker
     for (SceneMarker& marker : d.Markers)
     {
       marker.RenderHidden(viewport);
@@ -298,6 +316,7 @@ void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
     marker.Release(window);
   }
   d.Stylus.Release(window);
+  d.Followed.Release(window);
   d.TrailActor->ReleaseGraphicsResources(window);
   d.ScaleText->ReleaseGraphicsResources(window);
 }

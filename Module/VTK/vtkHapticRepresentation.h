@@ -129,6 +129,22 @@ public:
 
   ///@{
   /**
+   * Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the
+   * line of a flow through the proxy, a core line, fibre, vessel or guide, and fronts as discs.
+   * Default on. See vtkHapticDevice::GetFollowed.
+   */
+  vtkSetMacro(FollowedVisibility, bool);
+  vtkGetMacro(FollowedVisibility, bool);
+  ///@}
+
+  ///@{
+  /** How far these lines are followed to either side (voxels), 1 to 1000. Default 48. */
+  vtkSetClampMacro(FollowedReach, double, 1.0, 1000.0);
+  vtkGetMacro(FollowedReach, double);
+  ///@}
+
+  ///@{
+  /**
    * A line through the points of a trace (default none), coloured by one of its point arrays
    * (default "Force"; vectors count by their length), through a lookup table (default: from blue to
    * red over the array's range).
@@ -165,6 +181,8 @@ protected:
   double StylusLength = 0.0;
   bool ScaleTextVisibility = true;
   bool HiddenVisibility = true;
+  bool FollowedVisibility = true;
+  double FollowedReach = 48.0;
 
 private:
   vtkHapticRepresentation(const vtkHapticRepresentation&) = delete;

@@ -35,6 +35,8 @@
  *   Home        search for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
+ *   M           of the modes of PRIMITIVES the next one alone; after the last one, all together. A
+ *               click on a mode in the head-up display turns it on and off
  *   h and g     head-up display: text and graph
  *   v and n     function editor: on and off, and the next function
  *   l           materials of labels in the function editor: on, with the touched label selected,

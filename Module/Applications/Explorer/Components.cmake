@@ -35,6 +35,7 @@ set(Explore_SOURCES
   Exploration/Exploration.cxx
   Exploration/HeardTicks.cxx
   Exploration/MethodScale.cxx
+  Exploration/ModeChoice.cxx
   Exploration/TissueTable.cxx
   Live/LiveRun.cxx
   Live/TouchScene.cxx
@@ -64,6 +65,7 @@ set(Explore_SOURCES
   Volume/LargeLoader.cxx
   Volume/RawHeader.cxx
   Volume/VolumeChecks.cxx
+  Volume/VolumeFields.cxx
   Volume/VolumeLoader.cxx
   Volume/VolumeOrientation.cxx
   Volume/VolumeSeries.cxx)

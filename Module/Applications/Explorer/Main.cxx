@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Explores a volume by touch, without a device: the project's main task from the command line.
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/Options.h"
@@ -98,6 +99,7 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   paper.Width = options.Width;
   paper.Height = options.Width * 3 / 5;
   paper.Title = "Force on the hand: " + exploration.Input.Name + ", " + exploration.Method;
+  paper.Modes = Explore::NameModes(exploration.Filter);
   Explore::ForcePicture chart;
   Explore::BuildForcePicture(chart, exploration.Trace, exploration.Tip.Phases, paper);
   Explore::WritePicture(chart.Window, options.Folder + "/force.png");

@@ -3,11 +3,11 @@
 #include "Applications/Explorer/Options.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/View/StereoModes.h"
 
 #include "vtkHapticProperty.h"
-#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -51,26 +51,11 @@ Value Choose(
   throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
 }
 
-/// The names of the methods that need nothing beside a volume of scalars.
-vtkSmartPointer<vtkStringArray> MethodNames()
-{
-  auto names = vtkSmartPointer<vtkStringArray>::New();
-  vtkStringArray* const all = vtkVolumeHapticsFilter::GetMethodNames();
-  for (vtkIdType i = 0; i < all->GetNumberOfValues(); ++i)
-  {
-    if (all->GetValue(i) != "primitives")
-    {
-      names->InsertNextValue(all->GetValue(i));
-    }
-  }
-  return names;
-}
-
-/// These, each mapped to itself.
+/// All methods, each mapped to itself.
 std::map<std::string, std::string> Methods()
 {
   std::map<std::string, std::string> methods;
-  const auto names = MethodNames();
+  vtkStringArray* const names = vtkVolumeHapticsFilter::GetMethodNames();
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     methods[names->GetValue(i)] = names->GetValue(i);
@@ -177,6 +162,11 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   {
     options.How.Method = Choose(Methods(), name, value);
   }
+  else if (name == "--mode")
+  {
+    Explore::CheckMode(value);
+    options.How.Modes.push_back(value);
+  }
   else if (name == "--mapper")
   {
     options.Mapper = Choose(MAPPERS, name, value);
@@ -277,6 +267,10 @@ Options ParseOptions(int argc, char* argv[])
     throw InputError("volumehaptics-explore", "no volume was named",
       "name a volume file or a DICOM folder; Examples/explore.sh gets a head CT by itself");
   }
+  if (!options.How.Modes.empty())
+  {
+    options.How.Method = "primitives";
+  }
   if (!options.Materials.empty() && options.Labels.empty())
   {
     throw InputError("--materials " + options.Materials.front(), "has no labels that it is for",
@@ -288,7 +282,7 @@ Options ParseOptions(int argc, char* argv[])
 std::string HelpText()
 {
   const std::string presets = List(vtkHapticProperty::GetPresetNames(), "\"");
-  const std::string methods = List(MethodNames(), "").substr(2);
+  const std::string methods = List(vtkVolumeHapticsFilter::GetMethodNames(), "").substr(2);
   return R"(Usage: volumehaptics-explore VOLUME [options]
 
 Feels its way over a volume: presses a tip into the outer surface, drags it, presses through to what is
@@ -325,7 +319,12 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr, or a folder of DICOM slices; o
                     stiffness, friction, viscosity, strength; several of these options add up
   --method NAME     of the path, and the first of the window: )" +
     methods + R"(
-                    (default proxy, the others for comparison)
+                    (default proxy, the others for comparison; primitives feels the modes)
+  --mode NAME[:ARRAY]
+                    a mode of the method primitives, which this chooses, too: )" +
+    ListModes() + R"(;
+                    ARRAY has its vectors or tensors (default: the first that fits). Several of these options
+                    add up; without any, the vectors are followed, else the tensors
   --estimator NAME  gradient: central, gaussian (default), bspline
   --size PX         width of the picture (default 900)
   --mapper NAME     volume rendering: auto (default), gpu, cpu

@@ -239,6 +239,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   {
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
       this->Fitter.FindResult(*model, this->State.Local), this->Gate);
+    s.Modes = FindModeForces(*model, this->State);
     this->Fitter.Send(*model, this->State.Local);
     this->Samples.Follow(s.Record.Tip, s.Record.Proxy);
     if (s.Record.IsUnfinished)
@@ -249,6 +250,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   else
   {
     s.Record = TickRecord{};
+    s.Modes = {};
     s.Record.Tip = s.Record.Proxy = sample.Tip;
     this->Servo.Rest(period, this->Gate);
   }

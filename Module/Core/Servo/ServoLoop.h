@@ -36,6 +36,7 @@
 #include "Core/Servo/TimeHistogram.h"
 #include "Core/Servo/TraceRing.h"
 #include "Core/Servo/TripleBuffer.h"
+#include "Core/Solvers/Primitives/PrimitivesMethod.h"
 
 #include <atomic>
 #include <memory>
@@ -48,6 +49,7 @@ struct ServoSnapshot
 {
   TickRecord Record;            ///< computed by the tick, before the safety stage
   ServoState Before;            ///< the state before the tick; if not enabled, f = 0
+  ModeForces Modes{};           ///< N, of the modes of PRIMITIVES, before the safety stage
   Vector3 Command;              ///< N, sent to the device
   Vector3 Torque;               ///< N m, sent to the device; always zero as yet
   double Time = 0.0;            ///< s since the loop started

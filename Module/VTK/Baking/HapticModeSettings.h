@@ -107,6 +107,9 @@ bool HasModeKind(vtkHapticMode* mode);
 /** The kind of a mode that has one. */
 const ModeKindRow& FindModeKind(vtkHapticMode* mode);
 
+/** A mode as the user sees it, such as "vector follow, velocity". */
+std::string GetModeText(vtkHapticMode* mode);
+
 /** Prints the settings that all kinds have, for PrintSelf. */
 void PrintMode(std::ostream& os, vtkIndent indent, vtkHapticMode* mode);
 

@@ -322,6 +322,23 @@ const ModeKindRow& FindModeKind(vtkHapticMode* mode)
   return GetModeKinds()[IndexOfKind(mode)];
 }
 
+std::string GetModeText(vtkHapticMode* mode)
+{
+  std::string text;
+  if (HasModeKind(mode))
+  {
+    for (const char* c = FindModeKind(mode).Name; *c; ++c)
+    {
+      const bool isCapital = *c >= 'A' && *c <= 'Z';
+      text += isCapital && !text.empty() ? " " : "";
+      text += isCapital ? static_cast<char>(*c - 'A' + 'a') : *c;
+    }
+    const std::string array = mode->GetArrayName();
+    text += FindModeKind(mode).Input == ModeInput::None || array.empty() ? "" : ", " + array;
+  }
+  return text;
+}
+
 void PrintMode(std::ostream& os, vtkIndent indent, vtkHapticMode* mode)
 {
   PrintSettings(os, indent, mode, ModeTexts);

@@ -154,17 +154,59 @@ void HapticForceChart::Build()
   legend->GetPen()->SetOpacity(0);
   for (const int c : DrawingOrder)
   {
-    vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
-    vtkNew<vtkFloatArray> time;
-    vtkNew<vtkFloatArray> force;
-    time->SetName("Time");
-    force->SetName("Force");
-    this->Lines[c]->AddColumn(time);
-    this->Lines[c]->AddColumn(force);
-    line->SetInputData(this->Lines[c], 0, 1);
+    vtkPlot* const line = this->AddLine(c);
     line->SetLabel(c == Whole ? look.WholeLabel : PartLabels[c]);
     line->SetColor(look.Curves[c].Red, look.Curves[c].Green, look.Curves[c].Blue, 255);
     line->SetWidth(c == Whole ? look.WholeWidth : 1.8f);
+  }
+}
+
+vtkPlot* HapticForceChart::AddLine(int curve)
+{
+  vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
+  vtkNew<vtkFloatArray> time;
+  vtkNew<vtkFloatArray> force;
+  time->SetName("Time");
+  force->SetName("Force");
+  this->Lines[curve]->AddColumn(time);
+  this->Lines[curve]->AddColumn(force);
+  line->SetInputData(this->Lines[curve], 0, 1);
+  this->Plots[curve] = line;
+  return line;
+}
+
+void HapticForceChart::SetModes(const std::vector<std::string>& names)
+{
+  if (names == this->Modes)
+  {
+    return;
+  }
+  this->Modes = names;
+  this->Shown = nullptr; // so that all is drawn
+  const auto& colors = this->On == Ground::Panel ? ModeColors : ModePageColors;
+  for (std::size_t mode = 0; mode < ModeColorCount; ++mode)
+  {
+    const int c = HapticForceTable::Curves + static_cast<int>(mode);
+    const bool isNamed = mode < names.size();
+    if (isNamed)
+    {
+      vtkPlot* const line = this->Plots[c] ? this->Plots[c] : this->AddLine(c);
+      line->SetLabel(names[mode]);
+      line->SetColor(colors[mode][0], colors[mode][1], colors[mode][2], 255);
+      line->SetWidth(1.8f);
+    }
+    if (this->Plots[c])
+    {
+      this->Plots[c]->SetVisible(isNamed);
+      // On a panel there is little room, and the list of modes beside it.
+      this->Plots[c]->SetLegendVisibility(isNamed && this->On == Ground::Page);
+    }
+  }
+  // The whole force is left.
+  for (int c = 0; c < Whole; ++c)
+  {
+    this->Plots[c]->SetVisible(names.empty());
+    this->Plots[c]->SetLegendVisibility(names.empty());
   }
 }
 
@@ -232,7 +274,8 @@ bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::st
     this->Chart->RecalculateBounds();
   }
   const double pixel = extent.Force / this->Height; // N
-  for (const int c : DrawingOrder)
+  const auto modes = static_cast<int>(std::min(this->Modes.size(), ModeColorCount));
+  for (int c = 0; c < HapticForceTable::Curves + modes; ++c)
   {
     Simplify(vtkFloatArray::SafeDownCast(table->GetColumn(0)),
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);

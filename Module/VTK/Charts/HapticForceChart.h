@@ -18,6 +18,7 @@
 class vtkBlockItem;
 class vtkChartXY;
 class vtkContextActor;
+class vtkPlot;
 class vtkTable;
 
 namespace VolumeHaptics
@@ -53,6 +54,11 @@ public:
 
   /** Call it once, when charts can be drawn. */
   void Build();
+  /**
+   * Draws the curves of modes, too, which then stand for all parts of the force. Call it after
+   * Build, with the names of HapticForceTable::SetModes.
+   */
+  void SetModes(const std::vector<std::string>& names);
   /** Fits the chart into a viewport of this size (pixels). */
   void Fit(int width, int height);
   /** The corner of the viewport that it takes up (pixels). */
@@ -69,13 +75,16 @@ public:
 
 private:
   void SetLetters(int size);
+  vtkPlot* AddLine(int curve);
 
   const Ground On;
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
   vtkNew<vtkContextActor> Actor;
-  vtkNew<vtkTable> Lines[HapticForceTable::Curves]; ///< as few points as look the same
-  int Viewport[2] = { 0, 0 };                       ///< pixels, as the next two
+  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< as few points as look the same
+  vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< of the chart; null before SetModes
+  std::vector<std::string> Modes;
+  int Viewport[2] = { 0, 0 }; ///< pixels, as the next two
   int Corner[2] = { 0, 0 };
   double Height = 1.0;
   vtkTable* Shown = nullptr; ///< the source of the lines

@@ -46,6 +46,14 @@ void HapticForceHistory::Clear()
   this->IsPlotted = false;
 }
 
+void HapticForceHistory::SetModes(const std::vector<std::string>& names)
+{
+  if (this->Table.SetModes(names))
+  {
+    this->IsPlotted = false;
+  }
+}
+
 vtkTable* HapticForceHistory::Plot(double span)
 {
   if (this->IsPlotted)
@@ -54,6 +62,7 @@ vtkTable* HapticForceHistory::Plot(double span)
   }
   this->IsPlotted = true;
   this->Table.Clear();
+  const int curves = this->Table.GetCurves();
   const double end = this->States.empty() ? 0.0 : this->States.back().Time;
   const double width = span / Intervals;
   // Intervals are counted from time 0, not from the present: a peak then stays in its interval.
@@ -67,7 +76,7 @@ vtkTable* HapticForceHistory::Plot(double span)
     auto to = from;
     do
     {
-      for (int c = 0; c < Curves; ++c)
+      for (int c = 0; c < curves; ++c)
       {
         const double force = to->Forces[c];
         isFalling[c] = force < low[c] || (isFalling[c] && force <= high[c]);
@@ -80,7 +89,7 @@ vtkTable* HapticForceHistory::Plot(double span)
     for (int i = 0; i < 2; ++i)
     {
       this->Table.GetTime()->InsertNextValue(static_cast<float>(times[i] - end));
-      for (int c = 0; c < Curves; ++c)
+      for (int c = 0; c < curves; ++c)
       {
         const bool isLow = (i == 1) == isFalling[c];
         this->Table.GetForce(c)->InsertNextValue(static_cast<float>(isLow ? low[c] : high[c]));

@@ -18,14 +18,14 @@ namespace VolumeHaptics
 class HapticForceHistory
 {
 public:
-  static constexpr int Curves = HapticForceTable::Curves;
+  static constexpr int Curves = HapticForceTable::MostCurves;
   /** Intervals that the time span is divided into; each gives two points a curve. */
   static constexpr int Intervals = 240;
 
   struct State
   {
     double Time;                       ///< s
-    std::array<double, Curves> Forces; ///< N
+    std::array<double, Curves> Forces; ///< N; of modes that are not named, 0
   };
 
   HapticForceHistory();
@@ -38,6 +38,8 @@ public:
    */
   void Add(const State& state, double span);
   void Clear();
+  /** See HapticForceTable. */
+  void SetModes(const std::vector<std::string>& names);
   std::size_t GetSize() const { return this->States.size(); }
 
   /** Brings the table up to date: time relative to the last state, then the curves. */

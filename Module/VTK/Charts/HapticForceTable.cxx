@@ -28,6 +28,34 @@ HapticForceTable::HapticForceTable()
 
 HapticForceTable::~HapticForceTable() = default;
 
+bool HapticForceTable::SetModes(const std::vector<std::string>& names)
+{
+  const int count = Curves + static_cast<int>(std::min(names.size(), ModeColorCount));
+  bool isSame = count == this->Count;
+  for (int c = Curves; isSame && c < count; ++c)
+  {
+    const char* const name = this->GetForce(c)->GetName();
+    isSame = name && names[static_cast<std::size_t>(c - Curves)] == name;
+  }
+  if (isSame)
+  {
+    return false;
+  }
+  this->Table->Initialize();
+  this->Count = count;
+  for (int c = Curves; c < count; ++c)
+  {
+    this->GetForce(c)->SetName(names[static_cast<std::size_t>(c - Curves)].c_str());
+  }
+  this->Clear();
+  for (int c = 0; c <= count; ++c)
+  {
+    this->Table->AddColumn(this->Columns[c]);
+  }
+  this->Table->Modified();
+  return true;
+}
+
 void HapticForceTable::Clear()
 {
   for (auto& column : this->Columns)
@@ -59,6 +87,12 @@ void HapticForceTable::Read(vtkPolyData* trace)
   insert(this->GetForce(3), "Force",
     [](vtkDataArray* array, vtkIdType i)
     { return MakeDrawable(vtkMath::Norm(array->GetTuple3(i))); });
+  for (int c = Curves; c < this->Count; ++c)
+  {
+    insert(this->GetForce(c), ("ModeForce_" + std::to_string(c - Curves)).c_str(),
+      [](vtkDataArray* array, vtkIdType i)
+      { return MakeDrawable(vtkMath::Norm(array->GetTuple3(i))); });
+  }
   this->Table->Modified();
 }
 

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The table that a force chart draws: Time (s), and a column for each of its curves (N).
+ * The table that a force chart draws: Time (s), and a column for each of its curves (N), of which
+ * the first four are there in any case, and those of modes if they are named.
  */
 #ifndef HapticForceTable_h
 #define HapticForceTable_h
 
+#include "VTK/Charts/HapticModeColors.h"
+
 #include "vtkNew.h"
+
+#include <string>
+#include <vector>
 
 class vtkFloatArray;
 class vtkPolyData;
@@ -20,6 +26,7 @@ class HapticForceTable
 {
 public:
   static constexpr int Curves = 4; ///< normal, friction, drag, whole
+  static constexpr int MostCurves = Curves + static_cast<int>(ModeColorCount);
 
   HapticForceTable();
   ~HapticForceTable();
@@ -27,6 +34,13 @@ public:
   vtkTable* Get() { return this->Table; }
   vtkFloatArray* GetTime() { return this->Columns[0]; }
   vtkFloatArray* GetForce(int curve) { return this->Columns[1 + curve]; }
+  /** The curves of the table, those of modes among them. */
+  int GetCurves() const { return this->Count; }
+  /**
+   * Names the modes whose curves follow the four. If others were named, removes all rows, and
+   * returns true.
+   */
+  bool SetModes(const std::vector<std::string>& names);
   /** Removes all rows. After adding rows, call Get()->Modified(). */
   void Clear();
 
@@ -38,7 +52,8 @@ public:
 
 private:
   vtkNew<vtkTable> Table;
-  vtkNew<vtkFloatArray> Columns[1 + Curves];
+  vtkNew<vtkFloatArray> Columns[1 + MostCurves];
+  int Count = Curves;
 };
 
 } // namespace VolumeHaptics

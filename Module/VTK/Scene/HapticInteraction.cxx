@@ -40,6 +40,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Touch(Scene, Window, Workspace)
   , Publisher(Scene)
   , Playback(Scene)
+  , Modes(Scene)
 {
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
@@ -164,6 +165,12 @@ bool HapticInteraction::PressLeftButton()
     this->EditorHasMouse = true;
     return true;
   }
+  if (this->Modes.Click(at[0], at[1]))
+  {
+    this->ListHasMouse = true;
+    this->Frames.Draw(true);
+    return true;
+  }
   if (this->Touch.LeadsTip())
   {
     this->Scene.Device->SetVirtualButtons(1);
@@ -183,6 +190,10 @@ bool HapticInteraction::ReleaseLeftButton()
       this->Scene.Editor->ButtonRelease(LeftButton, at[0], at[1]);
       this->Frames.Draw(true);
     }
+    return true;
+  }
+  if (std::exchange(this->ListHasMouse, false))
+  {
     return true;
   }
   if (this->Touch.LeadsTip())
@@ -273,6 +284,10 @@ bool HapticInteraction::PressKey(const std::string& key)
   else if (key == "m" && scene.Device)
   {
     this->NextMethod();
+  }
+  else if (key == "M" && this->Modes.Next())
+  {
+    // Frames.Draw below shows it.
   }
   else if (key == "h")
   {
@@ -422,7 +437,8 @@ bool HapticInteraction::TypeKey(char key) const
 {
   // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
   // animation, and its p picks a prop.
-  return (this->Touch.IsOn() && key == 'f') || key == 'm' || (key == 'p' && this->Scene.Editor);
+  return (this->Touch.IsOn() && key == 'f') || key == 'm' || key == 'M' ||
+    (key == 'p' && this->Scene.Editor);
 }
 
 //------------------------------------------------------------------------------

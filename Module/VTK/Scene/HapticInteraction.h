@@ -12,6 +12,7 @@
 #include "VTK/Scene/HapticShownVolumes.h"
 #include "VTK/Scene/HapticStateWatch.h"
 #include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/ModeKeys.h"
 #include "VTK/Scene/PlaybackKeys.h"
 #include "VTK/Scene/SceneFrames.h"
 #include "VTK/Scene/TouchMode.h"
@@ -109,12 +110,14 @@ private:
 
   FilterPublisher Publisher;
   PlaybackKeys Playback;
+  ModeKeys Modes;
   HapticShownFrames ShownFrames;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
   int Reader = 0;       ///< the number of this reader of the device's states
   double Updated = 0.0; ///< the device's time (s) at the last update
   bool EditorHasMouse = false;
+  bool ListHasMouse = false; ///< that of the modes
   bool IsProposing = false;
   vtkWeakPointer<vtkHapticFunctionEditor> ProposingEditor;
   vtkNew<vtkCallbackCommand> DisarmObserver;

@@ -53,6 +53,12 @@ inline constexpr RepresentationSetting All[] = {
     "Whether a text shows the length of a newton. Default on."),
   HapticFlagMacro(HiddenVisibility, true, NotBaked,
     "Whether markers behind a surface or inside the volume show through. Default on."),
+  HapticFlagMacro(FollowedVisibility, true, NotBaked,
+    "Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the "
+    "line of a flow through the proxy, a core line, fibre, vessel or guide, and fronts as discs. "
+    "Default on."),
+  HapticNumberMacro(FollowedReach, 1.0, 1000.0, 48.0, "voxels", NotBaked,
+    "How far these lines are followed to either side (voxels), 1 to 1000. Default 48."),
 };
 } // namespace RepresentationSettingRows
 

@@ -307,6 +307,10 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   const Vector3 reach = (model ? model->KernelLength : 0.0) * record.Normal;
   Copy(toWorld(start + reach), this->SurfacePosition);
   Copy(toWorld(start - reach), this->MediumPosition);
+  for (std::size_t mode = 0; mode < this->State.Modes.size(); ++mode)
+  {
+    Copy(rotation * this->State.Modes[mode], this->ModeForces[mode]);
+  }
   this->Label = model ? GetTraceLabel(*model, record) : 0;
   this->IsAtForbidden = model && IsHeldAtForbidden(*model, record);
   this->FollowRoundTrip();

@@ -162,6 +162,11 @@ public:
   /** Takes the latest state; without a model, the placement is used. */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
+  /** The model of the latest state; null without one. */
+  const HapticModel* FindModel()
+  {
+    return this->Servo ? this->Servo->GetTicks().FindModel(this->State.Generation) : nullptr;
+  }
 
   /**
    * All states since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates.
@@ -185,6 +190,7 @@ public:
   double Normal[3] = {};
   double SurfacePosition[3] = {};
   double MediumPosition[3] = {};
+  double ModeForces[MostPrimitives + 1][3] = {}; ///< N, world axes; the last one is 0
   ///@}
   /// w, x, y, z of the latest state, in the world; not turned if the device has none
   std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 };

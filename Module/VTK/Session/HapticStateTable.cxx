@@ -5,6 +5,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 namespace VolumeHaptics
 {
 
@@ -27,6 +29,8 @@ StateRow::StateRow(const ServoSnapshot& state)
   , Armed(state.IsArmed())
   , HasOrientation(state.HasOrientation)
 {
+  std::transform(state.Modes.begin(), state.Modes.end(), this->ModeForces.begin(),
+    [](const Vector3& force) { return static_cast<float>(Norm(force)); });
 }
 
 StateTable::StateTable()
@@ -45,6 +49,8 @@ StateTable::StateTable()
   }
   this->Orientations->SetName("Orientation");
   this->Orientations->SetNumberOfComponents(4);
+  this->ModeForces->SetName("ModeForces");
+  this->ModeForces->SetNumberOfComponents(MostPrimitives);
 }
 
 StateTable::~StateTable() = default;
@@ -67,6 +73,7 @@ void StateTable::Append(const StateRow& state, const Affine3& toWorld)
   }
   const Quaternion q = TurnedBy(rotation, state.Orientation, state.HasOrientation);
   this->Orientations->InsertNextTuple4(q.W, q.X, q.Y, q.Z);
+  this->ModeForces->InsertNextTuple(state.ModeForces.data());
 }
 
 void StateTable::WriteTo(vtkTable* table)
@@ -81,6 +88,7 @@ void StateTable::WriteTo(vtkTable* table)
     table->AddColumn(column);
   }
   table->AddColumn(this->Orientations);
+  table->AddColumn(this->ModeForces);
 }
 
 } // namespace VolumeHaptics

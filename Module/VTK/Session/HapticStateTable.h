@@ -11,6 +11,8 @@
 
 #include "vtkNew.h"
 
+#include <array>
+
 class vtkDoubleArray;
 class vtkTable;
 
@@ -36,6 +38,7 @@ struct StateRow
   double DragForce;
   double SurfaceValue;
   double Residency;
+  std::array<float, MostPrimitives> ModeForces; ///< N, magnitudes
   std::uint64_t Tick;
   std::uint64_t Generation;
   ContactState Contact;
@@ -83,6 +86,7 @@ private:
   vtkNew<vtkDoubleArray> ScalarColumns[Scalars];
   vtkNew<vtkDoubleArray> VectorColumns[Vectors];
   vtkNew<vtkDoubleArray> Orientations;
+  vtkNew<vtkDoubleArray> ModeForces;
 };
 
 } // namespace VolumeHaptics

@@ -10,8 +10,11 @@
 #include "HeadExploration.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkXMLImageDataWriter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +51,55 @@ double Largest(const Explore::Exploration& e, const char* array, const std::stri
   }
   return largest;
 }
+/// A flow around z, as the only array of a file; and what is said of modes that it does not have.
+void ExpectModesOfAFlow(const std::string& head)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(24, 24, 24);
+  image->SetOrigin(-11.5, -11.5, -11.5);
+  vtkNew<vtkFloatArray> flow;
+  flow->SetName("flow");
+  flow->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* const x = image->GetPoint(i);
+    const double fall = std::exp(-0.02 * (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
+    flow->InsertNextTuple3(-x[1] * fall, x[0] * fall, 0.0);
+  }
+  image->GetPointData()->AddArray(flow);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetFileName("ExploreFlow.vti");
+  writer->SetInputData(image);
+  writer->Write();
+  const Explore::Volume volume = Explore::LoadVolume("ExploreFlow.vti");
+  vtkDataArray* const kept = volume.Image->GetPointData()->GetArray("flow");
+  Expect(kept && kept->GetComponent(100, 1) == flow->GetComponent(100, 1), "vectors are kept");
+  Expect(volume.Image->GetPointData()->GetScalars()->GetNumberOfComponents() == 1,
+    "their magnitude is seen");
+  const Explore::Options options =
+    Parse({ "explore", "ExploreFlow.vti", "--mode", "vortex", "--mode=vector-follow:flow" });
+  Expect(options.How.Method == "primitives", "a mode chooses its method");
+  const Explore::Exploration e = Explore::ExploreVolume(volume, options.How);
+  Expect(e.Filter->GetNumberOfModes() == 2, "both modes are there");
+  Expect(
+    Largest(e, "ModeForce_0", "slide outside") + Largest(e, "ModeForce_1", "slide outside") > 0.0,
+    "the flow is felt");
+  for (const std::string mode : { "vector-follow", "tensor-follow", "spin", "ridge:flow" })
+  {
+    std::string said;
+    try
+    {
+      const Explore::Options wrong = Parse({ "explore", head, "--mode", mode });
+      Explore::ExploreVolume(Explore::LoadVolume(head), wrong.How);
+    }
+    catch (const Explore::InputError& error)
+    {
+      said = error.what();
+    }
+    Expect(said.find("--mode") != std::string::npos && said.find(mode) != std::string::npos,
+      "an error names " + mode);
+  }
+}
 } // namespace
 
 int TestExploreMethods(int argc, char* argv[])
@@ -59,10 +111,6 @@ int TestExploreMethods(int argc, char* argv[])
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
   {
     const std::string name = names->GetValue(i);
-    if (name == "primitives")
-    {
-      continue; // it feels modes, of which the explorer has none
-    }
     const Explore::Options options = Parse({ "explore", volume, "--method", name });
     Expect(options.How.Method == name && help.find(name) != std::string::npos, name + " is known");
     const Explore::Exploration e = ExploreHead(argc, argv, options.How);
@@ -104,5 +152,6 @@ int TestExploreMethods(int argc, char* argv[])
     message = error.what();
   }
   Expect(message.find("force-field") != std::string::npos, "another name lists the known ones");
+  ExpectModesOfAFlow(volume);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

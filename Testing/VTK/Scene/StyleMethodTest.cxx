@@ -9,7 +9,9 @@
 
 #include <vtkDataArray.h>
 #include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticRidgeMode.h>
 #include <vtkHapticSurfaceMode.h>
+#include <vtkHapticVectorFollowMode.h>
 #include <vtkStringArray.h>
 
 using namespace scenetest;
@@ -117,4 +119,59 @@ TEST_F(StyleMethod, TheForceGoesOverWithoutAJolt)
   }
   EXPECT_GT(fall, 0.4) << "there was something to go over";
   EXPECT_LE(jolt, 1e-3 * this->Device->GetMaximumForceRate() + 1e-9);
+}
+
+TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
+{
+  const auto shown = [this]
+  {
+    std::string modes;
+    for (int i = 0; i < this->Filter->GetNumberOfModes(); ++i)
+    {
+      modes += this->Filter->GetMode(i)->GetActive() ? '+' : '-';
+    }
+    return modes;
+  };
+  this->Filter->AddMode(vtkNew<vtkHapticSurfaceMode>());
+  vtkNew<vtkHapticRidgeMode> ridge;
+  ridge->GetStrength()->AddPoint(0.0, 0.0); // nothing, so that the force is that of the surface
+  this->Filter->AddMode(ridge);
+  this->Touch();
+  this->Press("M");
+  EXPECT_EQ(shown(), "++") << "not the method";
+  this->Filter->SetMethodToPrimitives();
+  this->Style->UpdateHaptics();
+  this->Settle();
+  EXPECT_GT(Length(this->Device->GetModeForce(0)), 0.5);
+  EXPECT_EQ(Length(this->Device->GetModeForce(1)), 0.0);
+  EXPECT_EQ(Length(this->Device->GetModeForce(-1)) + Length(this->Device->GetModeForce(8)), 0.0);
+  EXPECT_NEAR(
+    Length(this->Device->GetModeForce(0)), Length(this->Device->GetComputedForce()), 1e-12);
+  vtkTable* const plot = this->Display->GetPlotTable();
+  auto* const curve = vtkDataArray::SafeDownCast(plot->GetColumnByName("1 surface"));
+  ASSERT_TRUE(curve);
+  const vtkIdType last = curve->GetNumberOfTuples() - 1;
+  EXPECT_NEAR(curve->GetComponent(last, 0), Length(this->Device->GetModeForce(0)), 0.1);
+  for (const char* const wanted : { "+-", "-+", "++" })
+  {
+    this->Press("M");
+    EXPECT_EQ(shown(), wanted);
+    this->Settle();
+    // The tip is inside: what comes back is felt when the hand moves.
+    EXPECT_EQ(Length(this->Device->GetModeForce(0)) > 0.5, wanted[1] == '-') << wanted;
+  }
+  // A mode that can't be felt is left off again.
+  vtkNew<vtkHapticVectorFollowMode> follow;
+  follow->ActiveOff();
+  this->Filter->AddMode(follow);
+  this->Style->UpdateHaptics();
+  this->Press("M"); // two of three: the first one alone
+  this->Press("M");
+  EXPECT_EQ(shown(), "-+-");
+  EXPECT_STREQ(this->Display->GetNotice(), "");
+  this->Press("M");
+  EXPECT_EQ(shown(), "-+-");
+  EXPECT_NE(std::string(this->Display->GetNotice()).find("can't be felt"), std::string::npos);
+  EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
 }

@@ -6,6 +6,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/MethodScale.h"
+#include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Path/SurfaceMap.h"
 
@@ -68,6 +69,10 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
     filter->SetLabelTable(volume.LabelTable);
   }
   ScaleMethods(filter, result.Values, result.Body);
+  if (settings.Method == "primitives")
+  {
+    AddModes(settings.Modes, volume.Image, filter);
+  }
   filter->SetMethodByName(settings.Method.c_str());
   result.Method = filter->GetMethodText();
   if (volume.Large)

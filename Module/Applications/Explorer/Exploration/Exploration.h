@@ -13,6 +13,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <string>
+#include <vector>
 
 namespace Explore
 {
@@ -30,7 +31,8 @@ struct Settings
   std::string Front = "-y"; // world axis along which a face looks
   std::string Up = "+z";    // world axis to the top
   Estimator Gradient = Estimator::Gaussian;
-  std::string Method = "proxy"; // see vtkVolumeHapticsFilter::GetMethodNames
+  std::string Method = "proxy";   // see vtkVolumeHapticsFilter::GetMethodNames
+  std::vector<std::string> Modes; // of the method primitives: see ModeChoice.h
 };
 
 /// The results: all that the pictures and the summary show.

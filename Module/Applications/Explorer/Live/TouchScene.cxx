@@ -61,6 +61,7 @@ The mouse turns the head. Press t with the pointer on it to touch it, then
 Keys
   t  touch mode       a  arm, disarm        Escape  let go
   m  next method      h  status             g  graph              3  stereo
+  M  of the modes of primitives the next one alone, then all; or click on their names
   v  function editor  n  next function      c  recentre           k  clutch
   p  propose functions, again: take them    Backspace  drop the proposal
   l  materials of labels: click on a label, drag its sliders

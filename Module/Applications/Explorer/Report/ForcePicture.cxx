@@ -15,16 +15,18 @@ namespace Explore
 void BuildForcePicture(ForcePicture& picture, vtkPolyData* trace, const std::vector<Phase>& phases,
   const ForcePictureOptions& options)
 {
+  picture.Forces.SetModes(options.Modes);
   picture.Forces.Read(trace);
   vtkDataArray* const time = trace->GetPointData()->GetArray("Time");
   const double end = time->GetComponent(time->GetNumberOfTuples() - 1, 0);
   double largest = 0.0;
-  for (int c = 0; c < VolumeHaptics::HapticForceTable::Curves; ++c)
+  for (int c = 0; c < picture.Forces.GetCurves(); ++c)
   {
     largest = std::max(largest, picture.Forces.GetForce(c)->GetRange()[1]);
   }
 
   picture.Chart.Build();
+  picture.Chart.SetModes(options.Modes);
   picture.Chart.Fit(options.Width, options.Height);
   picture.Chart.Show(
     picture.Forces.Get(), { 0.0, end, std::max(0.1, 1.08 * largest) }, options.Title);

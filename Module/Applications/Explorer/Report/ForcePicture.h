@@ -23,6 +23,7 @@ struct ForcePictureOptions
   int Width = 1000;
   int Height = 600;
   std::string Title = "Force on the hand";
+  std::vector<std::string> Modes; // names of those of the trace
 };
 
 /// A window with the parts of the force against time, and along the top the actions of the hand.

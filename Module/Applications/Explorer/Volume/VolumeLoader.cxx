@@ -6,6 +6,7 @@
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Volume/DicomFolder.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
+#include "Applications/Explorer/Volume/VolumeFields.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
 #include "vtkDataArray.h"
@@ -248,8 +249,14 @@ double FindNiftiSpacing(const std::string& path, double unknown)
 Volume LoadVolume(const std::string& path)
 {
   Volume volume = ReadVolume(path);
+  VolumeFields fields;
+  if (fields.Take(volume.Image))
+  {
+    volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
+  }
   CheckVolume(path, volume);
   volume.Image = AlignToAxes(volume.Image);
+  fields.GiveTo(volume.Image);
   return volume;
 }
 } // namespace Explore

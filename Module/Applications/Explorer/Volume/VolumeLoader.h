@@ -15,7 +15,8 @@
 namespace Explore
 {
 /// A volume ready to be touched: one finite scalar component, at least two voxels along every axis,
-/// lengths in millimetres if the file says so, index axes within 45 degrees of the world's.
+/// lengths in millimetres if the file says so, index axes within 45 degrees of the world's. Its
+/// vectors and tensors are further point arrays.
 /// World axes of medical formats are the DICOM ones: +x to the patient's left, +y to the back,
 /// +z to the head.
 struct Volume

@@ -360,6 +360,15 @@ Vector3 ModeField::ForceOf(int mode, const PrimitiveForces& forces) const noexce
   return sum;
 }
 
+void ModeField::Read(int mode, const Vector3& place, PrimitiveSet& set) const noexcept
+{
+  if (this->Modes[mode])
+  {
+    const Vector3 index = this->DeviceToIndex(place);
+    ModeReader(*this, *this->Modes[mode], index, place, set).Read();
+  }
+}
+
 void ModeField::Find(const void* context, const Vector3& place, PrimitiveSet& set) noexcept
 {
   const auto& field = *static_cast<const ModeField*>(context);

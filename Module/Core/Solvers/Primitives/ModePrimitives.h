@@ -83,6 +83,8 @@ public:
   PrimitiveField GetField() const noexcept { return { &ModeField::Find, this }; }
 
   int GetCount() const noexcept { return this->Count; }
+  /** Adds the primitives of one mode at a place (m); none if it is not felt. */
+  void Read(int mode, const Vector3& place, PrimitiveSet& set) const noexcept;
   /** The force of one mode (N, on the hand), of those of all primitives. */
   Vector3 ForceOf(int mode, const PrimitiveForces& forces) const noexcept;
 

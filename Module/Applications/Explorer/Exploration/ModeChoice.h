@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ModeChoice_h
+#define Explore_ModeChoice_h
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkVolumeHapticsFilter;
+
+namespace Explore
+{
+/// The names of --mode, such as "vector-follow", for texts.
+std::string ListModes();
+
+/// Throws InputError if this is not the name of a mode, or not one with an array's after a colon.
+void CheckMode(const std::string& mode);
+
+/// Adds modes to a filter, with strengths that suit the image. Without names: the vectors are
+/// followed, else the tensors, else the surfaces are felt. Throws InputError if the image lacks the
+/// array of a mode.
+void AddModes(
+  const std::vector<std::string>& modes, vtkImageData* image, vtkVolumeHapticsFilter* filter);
+
+/// The names of a filter's modes if its method feels them, each another one.
+std::vector<std::string> NameModes(vtkVolumeHapticsFilter* filter);
+} // namespace Explore
+
+#endif

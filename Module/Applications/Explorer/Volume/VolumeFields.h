@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeFields_h
+#define Explore_VolumeFields_h
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+namespace Explore
+{
+/// The point arrays of an image that modes can be about: vectors of 3 components, and tensors of 6
+/// or 9. They go with the image, whatever becomes of its scalars.
+class VolumeFields
+{
+public:
+  /// An image that has no active scalars, but a field, gets the magnitude of its first field as
+  /// scalars, so that there is something to be seen. Returns whether it did.
+  bool Take(vtkImageData* image);
+  /// Gives the fields to the image that was made of the other one, along the axes of the world.
+  /// Vectors stay as they are: their components are along the axes of the world.
+  void GiveTo(vtkImageData* aligned) const;
+
+private:
+  vtkSmartPointer<vtkImageData> Source; // the geometry
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+};
+} // namespace Explore
+
+#endif

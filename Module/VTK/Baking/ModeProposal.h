@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Strengths of modes that suit an image: see vtkHapticMode::ProposeFromImage.
+ */
+#ifndef ModeProposal_h
+#define ModeProposal_h
+
+#include <string>
+
+class vtkHapticMode;
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** Replaces the Strength of a mode. False, with the reason in `error`, if there is none. */
+bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/FollowedScene.h"
+
+#include "VTK/Charts/HapticModeColors.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkHapticDevice.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double FrontOpacity = 0.4;
+/** The opacity of lines behind other objects, as that of markers. */
+constexpr double HiddenOpacity = 0.35;
+
+vtkSmartPointer<vtkUnsignedCharArray> NewColors()
+{
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  return colors;
+}
+
+} // namespace
+
+FollowedScene::FollowedScene()
+{
+  this->Tubes->SetInputData(this->Lines);
+  this->Tubes->SetNumberOfSides(10);
+  this->Tubes->CappingOn();
+  this->LineMapper->SetInputConnection(this->Tubes->GetOutputPort());
+  this->DiscMapper->SetInputData(this->Discs);
+  this->LineMapper->SetScalarModeToUseCellData();
+  this->LineMapper->SetColorModeToDirectScalars();
+  // VTK 9.1 loses cell colours of polygons with many corners.
+  this->DiscMapper->SetScalarModeToUsePointData();
+  this->DiscMapper->SetColorModeToDirectScalars();
+  this->Solid->SetMapper(this->LineMapper);
+  this->Solid->GetProperty()->SetAmbient(0.3);
+  this->Solid->GetProperty()->SetDiffuse(0.7);
+  this->Ghost->SetMapper(this->LineMapper);
+  this->Ghost->GetProperty()->LightingOff();
+  this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
+  // vtkHapticRepresentation draws these in the overlay pass, which does not sort.
+  this->Ghost->ForceOpaqueOn();
+  this->Fronts->ForceOpaqueOn();
+  this->Fronts->SetMapper(this->DiscMapper);
+  this->Fronts->GetProperty()->LightingOff();
+  this->Fronts->GetProperty()->SetOpacity(FrontOpacity);
+}
+
+FollowedScene::~FollowedScene() = default;
+
+void FollowedScene::Update(vtkHapticDevice* device, double reach, double radius)
+{
+  const double* const proxy = device ? device->GetProxyPosition() : this->Proxy;
+  const double time = device ? device->GetTime() : -1.0;
+  if (time != this->Time || reach != this->Reach || !std::equal(proxy, proxy + 3, this->Proxy))
+  {
+    this->Time = time;
+    this->Reach = reach;
+    std::copy_n(proxy, 3, this->Proxy);
+    this->Shapes->Initialize();
+    if (device)
+    {
+      device->GetFollowed(this->Shapes, reach);
+    }
+    this->Draw();
+  }
+  this->Tubes->SetRadius(radius);
+}
+
+void FollowedScene::Draw()
+{
+  vtkDataArray* const modes = this->Shapes->GetCellData()->GetArray("Mode");
+  const auto lineColors = NewColors();
+  const auto discColors = NewColors(); // of points
+  discColors->SetNumberOfTuples(this->Shapes->GetNumberOfPoints());
+  discColors->Fill(0.0);
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType count = this->Shapes->GetNumberOfCells();
+  for (vtkIdType cell = 0; modes && cell < count; ++cell)
+  {
+    const auto mode = static_cast<std::size_t>(modes->GetComponent(cell, 0)) % ModeColorCount;
+    const bool isFront = cell >= this->Shapes->GetNumberOfLines();
+    vtkNew<vtkIdList> points;
+    this->Shapes->GetCellPoints(cell, points);
+    if (isFront)
+    {
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+      {
+        discColors->SetTypedTuple(points->GetId(i), ModeColors[mode]);
+      }
+      points->InsertNextId(points->GetId(0));
+    }
+    lines->InsertNextCell(points);
+    lineColors->InsertNextTypedTuple(ModeColors[mode]);
+  }
+  this->Lines->Initialize();
+  this->Lines->SetPoints(this->Shapes->GetPoints());
+  this->Lines->SetLines(lines);
+  this->Lines->GetCellData()->SetScalars(lineColors);
+  this->Discs->Initialize();
+  this->Discs->SetPoints(this->Shapes->GetPoints());
+  this->Discs->SetPolys(this->Shapes->GetPolys());
+  this->Discs->GetPointData()->SetScalars(discColors);
+}
+
+void FollowedScene::RenderOpaque(vtkViewport* viewport)
+{
+  if (this->Lines->GetNumberOfLines() > 0)
+  {
+    this->Solid->RenderOpaqueGeometry(viewport);
+  }
+}
+
+void FollowedScene::RenderFronts(vtkViewport* viewport)
+{
+  if (this->HasFronts())
+  {
+    this->Fronts->RenderOpaqueGeometry(viewport);
+  }
+}
+
+void FollowedScene::RenderHidden(vtkViewport* viewport)
+{
+  if (this->Lines->GetNumberOfLines() > 0)
+  {
+    this->Ghost->RenderOpaqueGeometry(viewport);
+  }
+}
+
+void FollowedScene::Release(vtkWindow* window)
+{
+  this->Solid->ReleaseGraphicsResources(window);
+  this->Ghost->ReleaseGraphicsResources(window);
+  this->Fronts->ReleaseGraphicsResources(window);
+}
+
+void FollowedScene::AddTo(vtkBoundingBox& box)
+{
+  if (this->Lines->GetNumberOfLines() > 0)
+  {
+    box.AddBounds(this->Lines->GetBounds());
+  }
+}
+
+} // namespace VolumeHaptics

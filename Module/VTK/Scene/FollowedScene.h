@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What modes hold the hand on, in the scene: lines as tubes, fronts as discs, in the colours of
+ * their modes.
+ */
+#ifndef FollowedScene_h
+#define FollowedScene_h
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTubeFilter.h"
+
+class vtkBoundingBox;
+class vtkHapticDevice;
+
+namespace VolumeHaptics
+{
+
+class FollowedScene
+{
+public:
+  FollowedScene();
+  ~FollowedScene();
+
+  /** Shows the latest state; nothing without a device. The radius is in world units. */
+  void Update(vtkHapticDevice* device, double reach, double radius);
+
+  void RenderOpaque(vtkViewport* viewport);
+  bool HasFronts() const { return this->Shapes->GetNumberOfPolys() > 0; }
+  /** Draws the discs, which let through what is behind them, as far as nothing is before them. */
+  void RenderFronts(vtkViewport* viewport);
+  /** Draws the faint copy of the lines. */
+  void RenderHidden(vtkViewport* viewport);
+  void Release(vtkWindow* window);
+  void AddTo(vtkBoundingBox& box);
+
+private:
+  void Draw();
+
+  vtkNew<vtkPolyData> Shapes;
+  vtkNew<vtkPolyData> Lines; ///< with the rims of fronts
+  vtkNew<vtkPolyData> Discs;
+  vtkNew<vtkTubeFilter> Tubes;
+  vtkNew<vtkPolyDataMapper> LineMapper;
+  vtkNew<vtkPolyDataMapper> DiscMapper;
+  vtkNew<vtkActor> Solid;
+  vtkNew<vtkActor> Ghost;
+  vtkNew<vtkActor> Fronts;
+  double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< of the shapes, with the next two
+  double Time = -1.0;
+  double Reach = 0.0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

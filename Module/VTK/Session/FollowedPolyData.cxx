@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Session/FollowedPolyData.h"
+
+#include "Core/Solvers/Primitives/FollowedShapes.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int FrontCorners = 48;
+/** The radius of a front, as a share of the reach along lines. */
+constexpr double FrontShare = 0.25;
+
+class ShapeWriter
+{
+public:
+  explicit ShapeWriter(const HapticModel& model)
+    : Model(model)
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Normals->SetName("Normals");
+    this->Normals->SetNumberOfComponents(3);
+    this->Modes->SetName("Mode");
+  }
+
+  void AddLine(const FollowedShape& shape)
+  {
+    this->Lines->InsertNextCell(static_cast<vtkIdType>(shape.Line.size()));
+    for (const Vector3& place : shape.Line)
+    {
+      this->Lines->InsertCellPoint(this->AddPoint(place, {}));
+    }
+    this->Modes->InsertNextValue(shape.Mode);
+  }
+
+  void AddFront(const FollowedShape& shape, double radius)
+  {
+    const Vector3& n = shape.Normal;
+    const Vector3 aside =
+      Cross(n, std::abs(n.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 });
+    const Vector3 a = (1.0 / Norm(aside)) * aside;
+    const Vector3 b = Cross(n, a);
+    constexpr double turn = 6.283185307179586 / FrontCorners;
+    this->Fronts->InsertNextCell(FrontCorners);
+    for (int i = 0; i < FrontCorners; ++i)
+    {
+      const Vector3 corner = std::cos(turn * i) * a + std::sin(turn * i) * b;
+      this->Fronts->InsertCellPoint(this->AddPoint(shape.Centre + radius * corner, n));
+    }
+    this->Modes->InsertNextValue(shape.Mode);
+  }
+
+  void WriteTo(vtkPolyData* shapes)
+  {
+    shapes->Initialize();
+    shapes->SetPoints(this->Points);
+    shapes->SetLines(this->Lines);
+    shapes->SetPolys(this->Fronts);
+    shapes->GetPointData()->SetNormals(this->Normals);
+    shapes->GetCellData()->AddArray(this->Modes);
+  }
+
+private:
+  vtkIdType AddPoint(const Vector3& place, const Vector3& normal)
+  {
+    const Vector3 world = this->Model.DeviceToWorld(place);
+    const Vector3 turned = this->Model.DeviceToWorldRotation * normal;
+    this->Normals->InsertNextTuple3(turned.X, turned.Y, turned.Z);
+    return this->Points->InsertNextPoint(world.X, world.Y, world.Z);
+  }
+
+  const HapticModel& Model;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkIntArray> Modes;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkCellArray> Fronts;
+};
+
+} // namespace
+
+void WriteFollowed(
+  const HapticModel& model, const Vector3& proxy, double reach, vtkPolyData* shapes)
+{
+  const std::vector<FollowedShape> found = FindFollowedShapes(model, proxy, reach);
+  ShapeWriter writer(model);
+  // Cells are numbered lines first, and so is the array.
+  for (const FollowedShape& shape : found)
+  {
+    if (!shape.Line.empty())
+    {
+      writer.AddLine(shape);
+    }
+  }
+  for (const FollowedShape& shape : found)
+  {
+    if (shape.Line.empty())
+    {
+      writer.AddFront(shape, FrontShare * reach / model.MostVoxelsPerMeter);
+    }
+  }
+  writer.WriteTo(shapes);
+}
+
+} // namespace VolumeHaptics

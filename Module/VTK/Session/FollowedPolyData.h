@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What modes hold the hand on, as polydata in the world.
+ */
+#ifndef FollowedPolyData_h
+#define FollowedPolyData_h
+
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+class HapticModel;
+struct Vector3;
+
+/** Replaces the contents of `shapes`: see vtkHapticDevice::GetFollowed. The proxy is in metres. */
+void WriteFollowed(
+  const HapticModel& model, const Vector3& proxy, double reach, vtkPolyData* shapes);
+
+} // namespace VolumeHaptics
+
+#endif

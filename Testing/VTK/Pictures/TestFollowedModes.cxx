@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What modes hold the hand on: the stream line through the proxy, the core of the vortex, a guide
+// and a front. A helix around z: its lines keep their distance from the axis, and climb in
+// proportion to the angle; its core is the axis.
+#include "Factories.h"
+
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkHapticDevice.h>
+#include <vtkHapticGuideMode.h>
+#include <vtkHapticRepresentation.h>
+#include <vtkHapticVectorFollowMode.h>
+#include <vtkHapticVectorFrontMode.h>
+#include <vtkHapticVortexMode.h>
+#include <vtkIdList.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkRegressionTestImage.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolumeHapticsFilter.h>
+
+#include <chrono>
+#include <cmath>
+#include <initializer_list>
+#include <iostream>
+#include <thread>
+
+namespace
+{
+constexpr double Pitch = 0.12; // climb (mm) for a mm around the axis at a distance of 1 mm
+
+vtkSmartPointer<vtkImageData> MakeHelix()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(41, 41, 41);
+  image->SetOrigin(-20.0, -20.0, -20.0);
+  vtkNew<vtkDoubleArray> flow;
+  flow->SetName("flow");
+  flow->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* const x = image->GetPoint(i);
+    flow->InsertNextTuple3(-x[1], x[0], 10.0 * Pitch);
+  }
+  image->GetPointData()->AddArray(flow);
+  return image;
+}
+
+/// Upright, at x = y = -12.
+vtkSmartPointer<vtkPolyData> MakeGuide()
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(-12.0, -12.0, -15.0);
+  points->InsertNextPoint(-12.0, -12.0, 15.0);
+  auto guide = vtkSmartPointer<vtkPolyData>::New();
+  guide->SetPoints(points);
+  return guide;
+}
+
+bool Fail(const char* what, double is, double should)
+{
+  std::cerr << what << " is " << is << ", and should be " << should << ".\n";
+  return false;
+}
+
+/// The lines: of mode 0 a helix through the proxy, of mode 1 the axis, of mode 2 the guide.
+bool CheckLines(vtkPolyData* shapes, const double* proxy)
+{
+  vtkDataArray* const modes = shapes->GetCellData()->GetArray("Mode");
+  const double radius = std::hypot(proxy[0], proxy[1]);
+  int lines = 0;
+  for (vtkIdType cell = 0; modes && cell < shapes->GetNumberOfLines(); ++cell)
+  {
+    const int mode = static_cast<int>(modes->GetComponent(cell, 0));
+    vtkNew<vtkIdList> ids;
+    shapes->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const double* const x = shapes->GetPoint(ids->GetId(i));
+      const double r = std::hypot(x[0], x[1]);
+      const double wanted = mode == 0 ? radius : mode == 1 ? 0.0 : std::hypot(12.0, 12.0);
+      if (std::abs(r - wanted) > 0.01)
+      {
+        return Fail("the distance from the axis", r, wanted);
+      }
+      const double angle =
+        std::atan2(x[1] * proxy[0] - x[0] * proxy[1], x[0] * proxy[0] + x[1] * proxy[1]);
+      const double turns = (x[2] - proxy[2]) / (10.0 * Pitch) - angle;
+      const double whole = std::round(turns / (2.0 * std::acos(-1.0)));
+      if (mode == 0 && std::abs(turns - whole * 2.0 * std::acos(-1.0)) > 0.01)
+      {
+        return Fail("the height on the helix", x[2], proxy[2] + 10.0 * Pitch * angle);
+      }
+    }
+    ++lines;
+  }
+  const vtkIdType cells = shapes->GetNumberOfCells();
+  return (lines == 3 || Fail("the number of lines", lines, 3)) &&
+    (cells == 4 || Fail("the number of lines and fronts", static_cast<double>(cells), 4));
+}
+} // namespace
+
+int TestFollowedModes(int argc, char* argv[])
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputData(MakeHelix());
+  vtkNew<vtkHapticVectorFollowMode> follow;
+  vtkNew<vtkHapticVortexMode> vortex;
+  vtkNew<vtkHapticGuideMode> guide;
+  vtkNew<vtkHapticVectorFrontMode> front;
+  guide->SetPath(MakeGuide());
+  for (vtkHapticMode* const mode : std::initializer_list<vtkHapticMode*>{ follow, vortex, front })
+  {
+    mode->SetArrayName("flow");
+  }
+  filter->AddMode(follow);
+  filter->AddMode(vortex);
+  filter->AddMode(guide);
+  filter->AddMode(front);
+  filter->SetMethodToPrimitives();
+  vtkNew<vtkHapticDevice> device;
+  device->SetVolumeHaptics(filter);
+  device->Open("virtual");
+  device->SetVirtualTip(9.0, -3.0, -2.0);
+  if (!device->Start())
+  {
+    return EXIT_FAILURE;
+  }
+  while (device->GetTick() < 20)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    device->UpdateState();
+  }
+  vtkNew<vtkPolyData> shapes;
+  device->GetFollowed(shapes, 48.0);
+  if (!CheckLines(shapes, device->GetProxyPosition()))
+  {
+    return EXIT_FAILURE;
+  }
+
+  vtkNew<vtkHapticRepresentation> hand;
+  hand->SetDevice(device);
+  hand->SetScaleTextVisibility(false);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.16, 0.19, 0.24);
+  renderer->AddViewProp(hand);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(300, 300);
+  window->AddRenderer(renderer);
+  renderer->GetActiveCamera()->SetPosition(18.0, -70.0, 30.0);
+  renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+  renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+  renderer->ResetCameraClippingRange(-30.0, 30.0, -30.0, 30.0, -30.0, 30.0);
+  window->Render();
+  return vtkRegressionTestImage(window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+}
