@@ -7,12 +7,14 @@
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Large/CoarseImage.h"
 #include "VTK/Large/CoarseLevel.h"
+#include "VTK/Large/DataSetSampler.h"
 #include "VTK/Large/LargeFile.h"
 #include "VTK/Large/RawVolumeFile.h"
 #include "VTK/Large/RegionStore.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkHapticRegionPlanner.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -76,6 +78,7 @@ void vtkHapticRegionSource::SetDirection(const double direction[9])
 void vtkHapticRegionSource::SetReader(Reader reader, bool isAwaited)
 {
   this->Function = std::move(reader);
+  this->Sampler.reset();
   this->IsAwaited = isAwaited;
   this->OpenedName.clear();
   std::fill_n(this->ChunkSize, 3, 0);
@@ -117,6 +120,101 @@ bool vtkHapticRegionSource::OpenFile(const char* fileName, std::string& error)
   {
     error = "The file " + name + " can't be opened: " + failure.what();
     return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::OpenDataSet(vtkDataObject* data, double spacing, const char* arrayNames)
+{
+  std::vector<std::string> arrays;
+  std::istringstream names(arrayNames ? arrayNames : "");
+  for (std::string name; std::getline(names, name, ';');)
+  {
+    arrays.push_back(name);
+  }
+  std::string error;
+  if (this->OpenDataSet(data, spacing, arrays, error))
+  {
+    return true;
+  }
+  vtkErrorMacro(<< Printable(error));
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionSource::OpenDataSet(
+  vtkDataObject* data, double spacing, const std::vector<std::string>& arrays, std::string& error)
+{
+  if (!data)
+  {
+    error = "OpenDataSet() needs data, but got a null pointer.";
+    return false;
+  }
+  const std::shared_ptr<DataSetSampler> sampler =
+    DataSetSampler::Make(data, arrays, spacing, error);
+  if (!sampler)
+  {
+    return false;
+  }
+  const SamplingGrid& grid = sampler->GetGrid();
+  const double straight[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
+  const int* const n = grid.Dimensions;
+  this->SetWholeExtent(0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1);
+  this->SetOrigin(grid.Origin[0], grid.Origin[1], grid.Origin[2]);
+  this->SetSpacing(grid.Spacing, grid.Spacing, grid.Spacing);
+  this->SetDirection(straight);
+  this->SetScalarType(VTK_FLOAT);
+  this->SetCoarseImage(nullptr);
+  this->OpenedName.clear();
+  this->SetReader(
+    [sampler](const int box[6], void* samples)
+    {
+      sampler->Read(box, static_cast<float*>(samples));
+      return true;
+    });
+  this->Sampler = sampler;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRegionSource::CountValues() const
+{
+  return this->Sampler ? this->Sampler->CountValues() : 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::PutSamples(vtkDataArray* values, vtkImageData* image)
+{
+  vtkPointData* const arrays = image->GetPointData();
+  if (!this->Sampler)
+  {
+    arrays->SetScalars(values);
+    return;
+  }
+  const vtkIdType count = image->GetNumberOfPoints();
+  vtkIdType first = 0;
+  for (const SampledArray& sampled : this->Sampler->GetArrays())
+  {
+    vtkNew<vtkFloatArray> array;
+    array->SetName(sampled.Name.c_str());
+    array->SetNumberOfComponents(sampled.Components);
+    array->SetNumberOfTuples(count);
+    const auto* const from = static_cast<const float*>(values->GetVoidPointer(first));
+    std::copy_n(from, count * sampled.Components, array->GetPointer(0));
+    first += count * sampled.Components;
+    arrays->AddArray(array);
+    if (sampled.Components == 1 && !arrays->GetScalars())
+    {
+      arrays->SetActiveScalars(array->GetName());
+    }
+    else if (sampled.Components == 3 && !arrays->GetVectors())
+    {
+      arrays->SetActiveVectors(array->GetName());
+    }
+    else if (sampled.Components > 3 && !arrays->GetTensors())
+    {
+      arrays->SetActiveTensors(array->GetName());
+    }
   }
 }
 
@@ -179,17 +277,25 @@ bool vtkHapticRegionSource::Prepare(std::string& error)
     key.HeaderSize = this->HeaderSize;
     key.ByteOrder = this->ByteOrder;
   }
-  const int size = vtkDataArray::GetDataTypeSize(this->ScalarType);
+  const int size = this->CountValues() * vtkDataArray::GetDataTypeSize(this->ScalarType);
   if (!this->Store->IsOf(key))
   {
     auto volume = std::make_shared<LargeVolume>();
     volume->Extent = key.Extent;
     volume->ScalarType = key.ScalarType;
     volume->SampleSize = static_cast<std::size_t>(size);
+    if (this->Sampler)
+    {
+      volume->ValuesPerSample = this->CountValues();
+      volume->IsSmooth = true;
+      volume->BorderValue = this->Sampler->GetLeastScalar();
+    }
     volume->IsAwaited = this->IsAwaited || !this->Function;
     if (this->Function)
     {
-      volume->Name = this->OpenedName.empty() ? "the reader" : "the file " + this->OpenedName;
+      volume->Name = this->Sampler ? "the data set"
+        : this->OpenedName.empty() ? "the reader"
+                                   : "the file " + this->OpenedName;
       volume->Read = this->Function;
       std::copy_n(this->ChunkSize, 3, volume->ChunkSize.begin());
     }
@@ -421,7 +527,7 @@ bool vtkHapticRegionSource::ReadRegion(const int region[6], vtkImageData* image,
   image->SetOrigin(this->Origin);
   image->SetSpacing(this->Spacing);
   image->SetDirectionMatrix(this->Direction);
-  image->GetPointData()->SetScalars(samples);
+  this->PutSamples(samples, image);
   this->Store->WriteFacts(image);
   return true;
 }
@@ -467,10 +573,10 @@ int vtkHapticRegionSource::RequestData(
   {
     samples = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->ScalarType));
     samples->SetName("Scalars");
-    samples->SetNumberOfTuples(output->GetNumberOfPoints());
+    samples->SetNumberOfTuples(output->GetNumberOfPoints() * this->CountValues());
     samples->Fill(0.0);
   }
-  output->GetPointData()->SetScalars(samples);
+  this->PutSamples(samples, output);
   this->Store->WriteFacts(output);
   return 1;
 }

@@ -48,13 +48,17 @@
 
 #ifndef __VTK_WRAP__
 #include <functional> // for std::function
+#include <vector>     // for std::vector
 
 namespace VolumeHaptics
 {
+class DataSetSampler;
 class RegionStore;
-}
+} // namespace VolumeHaptics
 #endif
 
+class vtkDataArray;
+class vtkDataObject;
 class vtkHapticRegionPlanner;
 class vtkImageData;
 class vtkVolumeHapticsFilter;
@@ -230,6 +234,22 @@ public:
   void NoteUseTime(double seconds);
 #endif
 
+  /**
+   * Stand for a vtkDataSet that is no image, or for the parts with cells of a vtkCompositeDataSet:
+   * its arrays are resampled where the hand needs them, with a spacing (world units); 0 is the edge
+   * of a cube as large as a cell is on average. Cell arrays are averaged to the points. Of its
+   * arrays there are the active scalars, vectors and tensors, and those named (separated by
+   * semicolons). Outside of all cells, scalars are those of the border, and others are 0. The data
+   * are copied. False, with an error, if they have no cells, volume or arrays. A
+   * vtkVolumeHapticsFilter does this by itself with data on its port 0.
+   */
+  bool OpenDataSet(vtkDataObject* data, double spacing = 0.0, const char* arrayNames = nullptr);
+#ifndef __VTK_WRAP__
+  /** The same, with the error as a text. */
+  bool OpenDataSet(vtkDataObject* data, double spacing, const std::vector<std::string>& arrays,
+    std::string& error);
+#endif
+
   /** Take what planner and first output need from a filter; the filter itself calls it. */
   void UseSettingsOf(vtkVolumeHapticsFilter* filter);
 
@@ -260,8 +280,14 @@ private:
   /** Hands the coarse image to the store; false, with the fault, if it can't stand in. */
   bool UpdateCoarse(std::string& error);
 
+  /** Gives values as they were read to an image, as its arrays. */
+  void PutSamples(vtkDataArray* values, vtkImageData* image);
+  /** The values that a sample has. */
+  int CountValues() const;
+
   Reader Function;
-  std::string OpenedName;                  ///< of the file behind the reader
+  std::shared_ptr<VolumeHaptics::DataSetSampler> Sampler; ///< of OpenDataSet
+  std::string OpenedName;                                 ///< of the file behind the reader
   vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< of that file; zeros if it has no chunks
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
 #endif

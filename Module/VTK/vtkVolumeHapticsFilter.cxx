@@ -26,7 +26,9 @@
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -81,12 +83,6 @@ std::string DescribeLackOfMemory(vtkImageData* image)
              "SURFACE_PROXY "
              "takes the most.";
   return message.str();
-}
-
-/** The source of the image if it has regions of a volume only; else null. */
-vtkHapticRegionSource* FindRegionSource(vtkAlgorithm* filter)
-{
-  return vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));
 }
 
 /** Runs the sources of the image, the surface and the labels; false if one of them failed. */
@@ -194,11 +190,74 @@ vtkMTimeType vtkVolumeHapticsFilter::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+vtkHapticRegionSource* vtkVolumeHapticsFilter::GetRegionSource()
+{
+  if (auto* const source = vtkHapticRegionSource::SafeDownCast(this->GetInputAlgorithm(0, 0)))
+  {
+    return source;
+  }
+  vtkDataObject* const data = this->GetInputDataObject(0, 0);
+  const bool isSet = vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data);
+  if (!isSet || vtkImageData::SafeDownCast(data))
+  {
+    this->Resampled = {};
+    return nullptr;
+  }
+  std::vector<std::string> arrays;
+  const char* const name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  arrays.emplace_back(name ? name : "");
+  for (vtkHapticMode* const mode : this->Modes)
+  {
+    const bool isFelt = this->Method == PRIMITIVES && mode->GetActive();
+    arrays.push_back(isFelt ? mode->GetArrayName() : std::string());
+  }
+  arrays.erase(std::remove(arrays.begin(), arrays.end(), std::string()), arrays.end());
+  auto& now = this->Resampled;
+  if (now.Of != data || now.Time != data->GetMTime() || now.Arrays != arrays)
+  {
+    now = { vtkSmartPointer<vtkHapticRegionSource>::New(), data, data->GetMTime(), arrays, {} };
+    if (!now.Source->OpenDataSet(data, 0.0, arrays, now.Error))
+    {
+      now.Source = nullptr;
+    }
+  }
+  return now.Source;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkVolumeHapticsFilter::GetTouchedImage()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkHapticRegionSource* const source = this->GetRegionSource();
+  if (source && source != this->GetInputAlgorithm(0, 0))
+  {
+    source->UseSettingsOf(this);
+    source->Update();
+    return source->GetOutput();
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVolumeHapticsFilter::DescribeLackOfImage()
+{
+  vtkDataObject* const data = this->GetInputDataObject(0, 0);
+  if (!this->Resampled.Error.empty())
+  {
+    return VolumeHaptics::Printable(this->Resampled.Error);
+  }
+  return data ? std::string("A ") + data->GetClassName() +
+      " can't be touched. Connect a vtkImageData, or a data set with cells, to input port 0."
+              : "There is no image to touch. Connect a vtkImageData to input port 0.";
+}
+
+//------------------------------------------------------------------------------
 int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
   {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    // Also data sets, and composite ones as a whole: see GetTouchedImage.
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
     return 1;
   }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 3 ? "vtkImageData" : "vtkPolyData");
@@ -368,7 +427,7 @@ bool vtkVolumeHapticsFilter::PrepareLabels()
 //------------------------------------------------------------------------------
 bool vtkVolumeHapticsFilter::PrepareSurface()
 {
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkImageData* const image = this->GetTouchedImage();
   vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
   const int component = this->GetProperty()->GetComponent();
   VolumeHaptics::HapticVolume volume;
@@ -445,7 +504,7 @@ double vtkVolumeHapticsFilter::EstimateBakeTime()
   {
     return 0.0; // Bake() reports it
   }
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkImageData* const image = this->GetTouchedImage();
   vtkDataArray* const scalars = image ? this->GetInputArrayToProcess(0, image) : nullptr;
   if (!scalars)
   {
@@ -488,16 +547,16 @@ std::shared_ptr<const VolumeHaptics::HapticModel> vtkVolumeHapticsFilter::BakeIn
 {
   const bool isMoving = !frames.Frames.empty();
   std::string error;
-  if (vtkHapticRegionSource* const source = FindRegionSource(this))
+  if (auto* const source = vtkHapticRegionSource::SafeDownCast(this->GetInputAlgorithm(0, 0)))
   {
     source->UseSettingsOf(this);
   }
   const char* const hint = UpdateSources(this) ? "" : FailedSource;
   vtkDataObject* const surface = this->GetInputDataObject(2, 0);
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkImageData* const image = this->GetTouchedImage();
   if (!image)
   {
-    vtkErrorMacro("There is no image to touch. Connect a vtkImageData to input port 0." << hint);
+    vtkErrorMacro(<< this->DescribeLackOfImage() << hint);
     return nullptr;
   }
   // If only the device has moved, as it does with every frame while it follows the camera, or holds
@@ -554,7 +613,9 @@ std::array<VolumeHaptics::TouchedArray, 2> vtkVolumeHapticsFilter::GetTouched()
   constexpr int ports[] = { 0, 3 };
   for (int i = 0; i < 2; ++i)
   {
-    vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(ports[i], 0));
+    vtkImageData* const image = i == 0
+      ? this->GetTouchedImage()
+      : vtkImageData::SafeDownCast(this->GetInputDataObject(ports[i], 0));
     if (vtkDataArray* const array = image ? this->GetInputArrayToProcess(i, image) : nullptr)
     {
       touched[i].Array = array;
@@ -636,7 +697,12 @@ int vtkVolumeHapticsFilter::RequestData(
     output->Initialize();
     return 1;
   }
-  vtkImageData* const image = vtkImageData::GetData(inputs[0]);
+  vtkImageData* const image = this->GetTouchedImage();
+  if (!image)
+  {
+    vtkErrorMacro(<< this->DescribeLackOfImage());
+    return 0;
+  }
   vtkIdType ticks = 0;
   try
   {
@@ -682,7 +748,7 @@ void vtkVolumeHapticsFilter::WarnOfFastMotion(
 //------------------------------------------------------------------------------
 bool vtkVolumeHapticsFilter::CollectComponents(std::vector<VolumeHaptics::HapticFrame>& frames)
 {
-  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkImageData* const image = this->GetTouchedImage();
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* const array = image ? this->GetInputArrayToProcess(0, image, association) : nullptr;
   if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
@@ -771,7 +837,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   TipPaths paths;
   const bool readable = !path || paths.Read(path, period, error);
   const RecordedPath* const recording = paths.GetRecording();
-  vtkHapticRegionSource* const source = FindRegionSource(this);
+  vtkHapticRegionSource* const source = this->GetRegionSource();
   if (source && (!path || !readable || recording))
   {
     error = recording ? "The path on port 1 is a recording, which can't be replayed through a "

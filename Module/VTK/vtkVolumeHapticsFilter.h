@@ -53,6 +53,11 @@
  * vtkHapticRegionSource, which reads the regions by itself, ticks along a path wait for their data
  * instead.
  *
+ * Any other vtkDataSet with cells (rectilinear, structured or unstructured), and a
+ * vtkCompositeDataSet of such, is resampled where the path or the hand is, by a
+ * vtkHapticRegionSource of this filter's own: see its OpenDataSet(), which an application calls
+ * itself for a spacing of its choice. Point and cell arrays can be touched and be those of modes.
+ *
  * If the source of port 0 has several time steps, or the components of the touched array are frames
  * (SetFramesToComponents), the volume moves. The steps that the path needs are requested one after
  * the other and kept, and blended linearly between their times. The data time is the first step's
@@ -149,6 +154,7 @@
 #include <vector>  // for std::vector
 
 class vtkHapticLabelTable;
+class vtkHapticRegionSource;
 class vtkImageData;
 class vtkInformation;
 class vtkMatrix4x4;
@@ -220,6 +226,14 @@ public:
   /** The same of the labels on port 3. */
   std::string HashLabels();
 
+  /**
+   * The image that is touched: that on port 0, or of other data there the region that was resampled
+   * last, after an update of port 0; nullptr if there is none.
+   */
+  vtkImageData* GetTouchedImage();
+  /** What reads regions if port 0 has no image: its source, or one that resamples; else nullptr. */
+  vtkHapticRegionSource* GetRegionSource();
+
 protected:
   vtkVolumeHapticsFilter();
   ~vtkVolumeHapticsFilter() override;
@@ -231,6 +245,20 @@ protected:
 
 private:
 #ifndef __VTK_WRAP__
+  /** Why there is no image to touch. */
+  std::string DescribeLackOfImage();
+
+  /** Data on port 0 that are no image, and the regions of them that are resampled. */
+  struct ResampledData
+  {
+    vtkSmartPointer<vtkHapticRegionSource> Source; ///< null if they can't be
+    const void* Of = nullptr;
+    vtkMTimeType Time = 0;
+    std::vector<std::string> Arrays;
+    std::string Error;
+  };
+  ResampledData Resampled;
+
   friend class VolumeHaptics::HapticBaker;
 
   ///@{

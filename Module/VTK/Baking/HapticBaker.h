@@ -78,7 +78,7 @@ public:
         ? ReadTimeSteps(this->Filter->GetInputInformation(0, 0))
         : std::vector<double>();
     }
-    auto* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
+    vtkImageData* const image = this->Filter->GetTouchedImage();
     vtkDataArray* const array = image ? this->GetReading().GetArray(image) : nullptr;
     const int count = array ? array->GetNumberOfComponents() : 0;
     std::vector<double> times;

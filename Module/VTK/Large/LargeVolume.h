@@ -28,13 +28,17 @@ struct LargeVolume
 {
   BoxExtent Extent;
   int ScalarType = VTK_SHORT;
-  std::size_t SampleSize = sizeof(short); ///< bytes
+  std::size_t SampleSize = sizeof(short); ///< bytes of all values
+  int ValuesPerSample = 1;                ///< values of this type that a sample has
   std::string Name;                       ///< for messages, such as "the file Bone.raw"
   BoxReader Read;
   /** Whether its user waits for a read that is under way before it ends. */
   bool IsAwaited = true;
   /** Of what is read at once, in samples along x, y and z; zeros if boxes of any size are. */
   std::array<std::int64_t, 3> ChunkSize{};
+  /** Whether it is known to be without noise, and the value outside: then nothing is surveyed. */
+  bool IsSmooth = false;
+  double BorderValue = 0.0;
 };
 
 /** The number of samples of an extent, as a double: the product may exceed all integers. */

@@ -53,6 +53,10 @@ void RegionStore::SetVolume(const LargeVolumeKey& key, std::shared_ptr<const Lar
   this->Clear();
   this->Key = key;
   this->Volume = std::move(volume);
+  if (this->Volume->IsSmooth)
+  {
+    this->NoteFacts({ 0.0, this->Volume->BorderValue });
+  }
 }
 
 void RegionStore::Clear()
@@ -114,7 +118,8 @@ vtkSmartPointer<vtkDataArray> RegionStore::Read(const BoxExtent& region, std::st
       return nullptr;
     }
     auto samples = NewSamples(this->Volume->ScalarType);
-    samples->SetNumberOfTuples(static_cast<vtkIdType>(CountSamples(region)));
+    samples->SetNumberOfTuples(
+      static_cast<vtkIdType>(CountSamples(region)) * this->Volume->ValuesPerSample);
     return ReadSamples(*this->Volume, region, samples->GetVoidPointer(0), error) ? samples
                                                                                  : nullptr;
   }
@@ -149,7 +154,8 @@ void RegionStore::Show(RegionSamples&& region, bool standsIn)
 {
   const auto samples = NewSamples(this->Volume->ScalarType);
   samples->SetVoidArray(region.Samples.release(),
-    static_cast<vtkIdType>(CountSamples(region.Extent)), 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+    static_cast<vtkIdType>(CountSamples(region.Extent)) * this->Volume->ValuesPerSample, 0,
+    vtkAbstractArray::VTK_DATA_ARRAY_FREE);
   this->Samples = samples;
   this->Region = region.Extent;
   this->StandsIn = standsIn;

@@ -91,7 +91,7 @@ public:
   /** How long (s) it takes until a region that has come can be felt. */
   void SetUseTime(double seconds) { this->UseTime = seconds; }
 
-  /** The resident samples; null before there are any. */
+  /** All values of the resident samples, as they were read; null before there are any. */
   vtkDataArray* GetSamples() const { return this->Samples; }
   const BoxExtent& GetRegion() const { return this->Region; }
   /** Whether the resident samples are those of the coarse level. */

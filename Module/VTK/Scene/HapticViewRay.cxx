@@ -105,7 +105,7 @@ bool FindFirstContact(
   vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position)
 {
   const char* const awaited = HapticBaker(filter).Prepare();
-  vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
+  vtkImageData* const image = filter->GetTouchedImage();
   const bool isIsoSurface = image && awaited == MeshingWork && !filter->GetInputDataObject(2, 0);
   Probe probe;
   if (isIsoSurface)

@@ -28,7 +28,7 @@ vtkRenderer* TouchedScene::FindRenderer() const
 vtkImageData* TouchedScene::FindImage() const
 {
   vtkVolumeHapticsFilter* const filter = this->Device ? this->Device->GetVolumeHaptics() : nullptr;
-  return filter ? vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0)) : nullptr;
+  return filter ? filter->GetTouchedImage() : nullptr;
 }
 
 bool TouchedScene::IsArmed() const

@@ -8,6 +8,7 @@
 #define HapticChangeTime_h
 
 #include "vtkDataObject.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
@@ -41,9 +42,10 @@ inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving
   }
   vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
   vtkDataObject* const image = filter->GetInputDataObject(0, 0);
+  vtkAlgorithm* const regions = filter->GetRegionSource();
   const bool isStep = isMoving && filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS;
   return std::max({ FindChangeTimeBesideImage(filter), source ? source->GetMTime() : 0,
-    image && !isStep ? image->GetMTime() : 0 });
+    regions ? regions->GetMTime() : 0, image && !isStep ? image->GetMTime() : 0 });
 }
 
 } // namespace VolumeHaptics

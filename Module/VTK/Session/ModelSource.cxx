@@ -22,7 +22,7 @@ namespace
 
 vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* filter)
 {
-  return filter ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) : nullptr;
+  return filter ? filter->GetRegionSource() : nullptr;
 }
 
 } // namespace

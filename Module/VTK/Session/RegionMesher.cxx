@@ -142,7 +142,7 @@ std::optional<SurfaceRegion> RegionMesher::Follow(
   vtkVolumeHapticsFilter* filter, const double tip[3])
 {
   const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
-  vtkImageData* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
+  vtkImageData* const image = filter->GetTouchedImage();
   WholeFacts facts;
   std::string error;
   // Where a given surface is missing can't be told: it has no regions. What is a region itself is
