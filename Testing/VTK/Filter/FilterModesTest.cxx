@@ -340,6 +340,75 @@ TEST_F(FilterModes, AGuideLeadsAroundItsCornerAndEnds)
   ExpectNear(Last(this->Run(2), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
 }
 
+TEST_F(FilterModes, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
+{
+  // P3, Poiseuille's profile with R = 20 mm: S = 2 (1 - r^2/R^2) N, so that the proxy is at r if
+  // the tip is at r + S(r)/k: at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for 16.75 mm.
+  // A cubic B-spline of samples 1 mm apart adds 1/3 mm^2 to the square of each coordinate.
+  constexpr double axis = 23.5;
+  this->Image = MakeImage(48, VTK_DOUBLE, [](const Point&) { return 0.0; });
+  this->Filter->SetInputData(this->Image);
+  this->AddArray("flow", 3,
+    [](const Point& p, double* v)
+    {
+      v[0] = v[1] = 0.0;
+      v[2] = 1.0 - (std::pow(p[0] - axis, 2) + std::pow(p[1] - axis, 2)) / 400.0;
+    });
+  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  mode->GetStrength()->AddPoint(0.0, 0.0);
+  mode->GetStrength()->AddPoint(1.0, 2.0);
+  this->Filter->AddMode(mode);
+  for (const double tip : { 13.0, 16.75 })
+  {
+    this->Follow(Line({ axis, axis, axis }, { axis + 0.8 * tip, axis - 0.6 * tip, axis }, 500));
+    vtkPolyData* const trace = this->Run(501);
+    const double proxy =
+      50.0 * (1.0 - std::sqrt(1.0 - 0.04 * (tip - 4.0 + 4.0 * 2.0 / 3.0 / 400.0)));
+    const double force = SpringPerMm * (tip - proxy);
+    EXPECT_NEAR(Get(trace, "NormalForce", 500), force, 0.001 * force);
+    ExpectNear(LastProxy(trace), { axis + 0.8 * proxy, axis - 0.6 * proxy, axis }, 0.002);
+    EXPECT_NEAR(force, tip == 13.0 ? 1.5 : 0.875, 0.006) << "of the flow itself";
+  }
+}
+
+TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
+{
+  // P8, the shear v = (y, 0, 0), across y = 0.
+  this->AddArray("flow", 3,
+    [](const Point& p, double* v)
+    {
+      v[0] = p[1] - Middle;
+      v[1] = v[2] = 0.0;
+    });
+  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  mode->GetStrength()->AddPoint(0.0, 0.0);
+  mode->GetStrength()->AddPoint(4.0, 1.0);
+  this->Filter->AddMode(mode);
+  this->Follow(Line({ 8, Middle - 5.0, 12 }, { 8, Middle + 5.0, 12 }, 1000));
+  vtkPolyData* const trace = this->Run(1001);
+  double before = 0.0;
+  double nearest = 10.0;
+  double force = 1.0;
+  for (vtkIdType tick = 0; tick <= 1000; ++tick)
+  {
+    double proxy[3];
+    trace->GetPoint(tick, proxy);
+    const double now = Get(trace, "Force", tick, 1);
+    ASSERT_TRUE(std::isfinite(now));
+    ASSERT_EQ(Get(trace, "Force", tick, 2), 0.0);
+    // The hold is 0.25 N/mm of the distance from the middle: half of what the spring has.
+    ASSERT_LT(std::abs(now - before), 0.5 * 0.01 * 2.0 + 1e-9) << tick;
+    before = now;
+    if (std::abs(proxy[1] - Middle) < nearest)
+    {
+      nearest = std::abs(proxy[1] - Middle);
+      force = std::abs(now);
+    }
+  }
+  EXPECT_LT(nearest, 0.02);
+  EXPECT_LT(force, 0.02);
+}
+
 TEST_F(FilterModes, WhatHasNoDirectionOrIsNotFiniteIsNotFelt)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,242 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Feel fields along a path: a hand is drawn through one of four, and what holds it back is shown.
+
+python3 felt_fields.py pipe      a swirling flow in a bent pipe, on an unstructured grid
+python3 felt_fields.py fibres    a diffusion phantom: a bundle that turns, crossed by a straight one
+python3 felt_fields.py charges   the equipotentials of point charges
+python3 felt_fields.py vessels   a tree of vessels, of which one is followed by its ridge
+
+Add --picture FILE for a PNG instead of a window.
+"""
+import argparse
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonColor import vtkNamedColors
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkContourFilter, vtkTubeFilter
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
+    vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from volumehaptics import (
+    vtkHapticRidgeMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode, vtkHapticVectorFrontMode,
+    vtkVolumeHapticsFilter)
+
+STRONGEST = 2.0  # N
+
+
+def add_array(data, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    data.GetPointData().AddArray(array)
+    return array
+
+
+def make_image(size, spacing=1.0):
+    """An image around the origin, and the coordinates of its points."""
+    image = vtkImageData()
+    image.SetDimensions(size)
+    image.SetSpacing(spacing, spacing, spacing)
+    image.SetOrigin([-0.5 * spacing * (n - 1) for n in size])
+    axes = [spacing * (np.arange(n) - 0.5 * (n - 1)) for n in size]
+    z, y, x = np.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
+    return image, np.stack([x, y, z], -1).reshape(-1, 3)
+
+
+def make_path(places, speed=50.0):
+    """A path through the places (mm) at a speed (mm/s), a point in each tick of a millisecond."""
+    places = np.asarray(places, float)
+    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(places, axis=0), axis=1))])
+    ticks = np.arange(0.0, way[-1], 1e-3 * speed)
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for along in ticks:
+        points.InsertNextPoint([np.interp(along, way, places[:, c]) for c in range(3)])
+    path = vtkPolyData()
+    path.SetPoints(points)
+    return path
+
+
+def pipe():
+    """Poiseuille's profile along a bend of 90 degrees, with a swirl around its middle."""
+    bend, radius, n = 40.0, 10.0, (49, 17, 25)  # mm; along the bend, out from the middle, around it
+    angle, out, turn = (a.ravel(order="F") for a in np.meshgrid(
+        np.linspace(0, np.pi / 2, n[0]), np.linspace(0, radius, n[1]), np.linspace(0, 2 * np.pi, n[2]), indexing="ij"))
+    away = bend + out * np.cos(turn)
+    places = np.stack([away * np.cos(angle), away * np.sin(angle), out * np.sin(turn)], -1)
+    along = np.stack([-np.sin(angle), np.cos(angle), 0 * angle], -1)
+    outward = np.stack([np.cos(angle), np.sin(angle), 0 * angle], -1)
+    around = -np.sin(turn)[:, None] * outward + np.cos(turn)[:, None] * [[0, 0, 1]]
+    speed = 0.4 * (1 - (out / radius) ** 2)  # m/s
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(n)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    grid.SetPoints(points)
+    add_array(grid, "U", speed[:, None] * (along + 0.8 * (out / radius)[:, None] * around))
+    append = vtkAppendFilter()
+    append.SetInputData(grid)
+    append.Update()
+    mode = vtkHapticVectorFollowMode()
+    mode.SetArrayName("U")
+    mode.GetStrength().AddPoint(0.0, 0.0)
+    mode.GetStrength().AddPoint(0.3, STRONGEST)
+    steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
+    middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
+    return append.GetOutput(), mode, make_path(middle), None
+
+
+def fibres():
+    """Tensors of a bundle that turns by 90 degrees; where it crosses another one, they are flat."""
+    image, x = make_image((81, 61, 25))
+    share = np.clip((x[:, 0] + 30) / 60, 0, 1)
+    angle = 0.5 * np.pi * share
+    turning = np.stack([np.sin(angle), np.cos(angle), 0 * angle], -1)
+    crossing = np.broadcast_to([0.0, 1.0, 0.0], x.shape)
+    weight = np.exp(-((x[:, 0] - 18) / 5) ** 2)[:, None, None]
+    tensor = np.eye(3) * 0.3e-3 + 1.4e-3 * (
+        (1 - 0.5 * weight) * turning[:, :, None] * turning[:, None, :]
+        + 0.5 * weight * crossing[:, :, None] * crossing[:, None, :])
+    add_array(image, "tensor", tensor[:, [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]])
+    mode = vtkHapticTensorFollowMode()
+    mode.SetArrayName("tensor")
+    mode.ProposeFromImage(image)
+    return image, mode, make_path([[-30, -20, 0], [30, 8, 0]]), None
+
+
+def charges():
+    """Fronts of the field of two charges and an opposite one: the hand slides along equipotentials."""
+    image, x = make_image((81, 61, 41))
+    potential, field = np.zeros(len(x)), np.zeros_like(x)
+    for charge, place in ((1.0, (-18, 0, 0)), (1.0, (18, 8, 0)), (-1.0, (4, -16, 0))):
+        away = x - place
+        distance = np.maximum(np.linalg.norm(away, axis=1), 3.0)
+        potential += 100 * charge / distance
+        field += 100 * charge * away / distance[:, None] ** 3
+    add_array(image, "field", field)
+    image.GetPointData().SetScalars(add_array(image, "potential", potential))
+    mode = vtkHapticVectorFrontMode()
+    mode.SetArrayName("field")
+    mode.TwoSidedOn()
+    mode.ProposeFromImage(image)
+    contour = vtkContourFilter()
+    contour.SetInputData(image)
+    contour.SetValue(0, 5.0)
+    return image, mode, make_path([[-8, 0, 0], [-14, 12, 0], [-30, 2, 0], [-20, -14, 0]]), contour
+
+
+def vessels():
+    """Bright tubes that branch; the hand is held on the middle of the one that it follows."""
+    image, x = make_image((81, 61, 31))
+    value = np.zeros(len(x))
+    ends = {"trunk": ((-38, -4, 0), (0, 0, 0), 4.0), "left": ((0, 0, 0), (32, 22, 6), 2.8),
+            "right": ((0, 0, 0), (34, -18, -5), 2.5), "twig": ((16, 11, 3), (34, 2, 8), 1.8)}
+    for start, end, width in ends.values():
+        start, end = np.array(start, float), np.array(end, float)
+        share = np.clip((x - start) @ (end - start) / np.dot(end - start, end - start), 0, 1)
+        distance = np.linalg.norm(x - start - share[:, None] * (end - start), axis=1)
+        value = np.maximum(value, 1000 * np.exp(-(distance / width) ** 2))
+    image.GetPointData().SetScalars(add_array(image, "brightness", value))
+    mode = vtkHapticRidgeMode()
+    mode.ProposeFromImage(image)
+    contour = vtkContourFilter()
+    contour.SetInputData(image)
+    contour.SetValue(0, 500.0)
+    return image, mode, make_path([[-34, -2, 1], [-2, 1.5, 0.5], [28, 20, 6]]), contour
+
+
+def make_actor(data, radius=0.0, colours=None, opacity=1.0):
+    mapper = vtkPolyDataMapper()
+    if radius > 0.0:
+        tube = vtkTubeFilter()
+        tube.SetInputData(data)
+        tube.SetRadius(radius)
+        tube.SetNumberOfSides(12)
+        mapper.SetInputConnection(tube.GetOutputPort())
+    else:
+        mapper.SetInputConnection(data.GetOutputPort())
+    mapper.SetScalarVisibility(colours is not None)
+    if colours:
+        mapper.SetLookupTable(colours)
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("NormalForce")
+        mapper.UseLookupTableScalarRangeOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.6, 0.66, 0.74)
+    actor.GetProperty().SetOpacity(opacity)
+    return actor
+
+
+def as_line(path):
+    line = vtkPolyData()
+    line.SetPoints(path.GetPoints())
+    cells = vtkCellArray()
+    cells.InsertNextCell(path.GetNumberOfPoints())
+    for i in range(path.GetNumberOfPoints()):
+        cells.InsertCellPoint(i)
+    line.SetLines(cells)
+    return line
+
+
+def main():
+    fields = {function.__name__: function for function in (pipe, fibres, charges, vessels)}
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("field", choices=fields)
+    parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
+    options = parser.parse_args()
+    data, mode, path, surface = fields[options.field]()
+    touch = vtkVolumeHapticsFilter()
+    touch.SetInputData(0, data)
+    touch.SetPathData(path)
+    touch.AddMode(mode)
+    touch.SetMethodToPrimitives()
+    touch.Update()
+    trace = touch.GetOutput()
+    force = vtk_to_numpy(trace.GetPointData().GetArray("NormalForce"))
+    if not len(force):
+        raise SystemExit("Nothing was felt: see the errors above.")
+    apart = vtk_to_numpy(trace.GetPoints().GetData()) - vtk_to_numpy(trace.GetPointData().GetArray("Tip"))
+    print(f"{mode.GetText()}: {len(force)} ticks, strongest {force.max():.2f} N, "
+          f"felt in {100 * (force > 0.01).mean():.0f} % of them, "
+          f"held back by {np.linalg.norm(apart, axis=1).max():.1f} mm at most")
+
+    colours = vtkColorTransferFunction()
+    for share, name in ((0.0, "RoyalBlue"), (0.3, "MediumSeaGreen"), (0.6, "Gold"), (1.0, "OrangeRed")):
+        colours.AddRGBPoint(share * STRONGEST, *vtkNamedColors().GetColor3d(name))
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.07, 0.08, 0.11)
+    renderer.AddActor(make_actor(as_line(path), 0.15))
+    renderer.AddActor(make_actor(trace, 0.5, colours))
+    if surface:
+        renderer.AddActor(make_actor(surface, opacity=0.3))
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(options.picture is not None)
+    window.SetSize(1000, 700)
+    window.AddRenderer(renderer)
+    renderer.ResetCamera(data.GetBounds())
+    renderer.GetActiveCamera().Elevation(-35)
+    renderer.GetActiveCamera().Zoom(1.4)
+    renderer.ResetCameraClippingRange()
+    if options.picture:
+        window.Render()
+        grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
+        grab.SetInput(window)
+        writer.SetInputConnection(grab.GetOutputPort())
+        writer.SetFileName(options.picture)
+        writer.Write()
+        return
+    interactor = vtkRenderWindowInteractor()
+    interactor.SetRenderWindow(window)
+    interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+    interactor.Start()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Data sets that are no images, resampled where the path or the hand is. Their fields are linear,
+ * so that neither cells nor splines change them: forces are those of closed forms.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkAppendFilter.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkHapticDevice.h>
+#include <vtkHapticRegionSource.h>
+#include <vtkHapticVectorFollowMode.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+using namespace apitest;
+
+namespace
+{
+constexpr int Edge = 21;      // points
+constexpr double Half = 16.0; // mm
+constexpr double PerMm = 0.5; // N/mm, the spring
+
+/// A flow around z, and 100 z as scalars.
+void AddFields(vtkDataSet* data)
+{
+  vtkNew<vtkDoubleArray> flow;
+  vtkNew<vtkDoubleArray> height;
+  flow->SetName("flow");
+  flow->SetNumberOfComponents(3);
+  height->SetName("height");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double* const x = data->GetPoint(i);
+    flow->InsertNextTuple3(-x[1], x[0], 0.0);
+    height->InsertNextValue(100.0 * x[2]);
+  }
+  data->GetPointData()->AddArray(flow);
+  data->GetPointData()->SetScalars(height);
+}
+
+/// Points closer together in the middle.
+vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
+{
+  vtkNew<vtkDoubleArray> places;
+  for (int i = 0; i < Edge; ++i)
+  {
+    const double t = 2.0 * i / (Edge - 1) - 1.0;
+    places->InsertNextValue(Half * t * (0.7 + 0.3 * t * t));
+  }
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetDimensions(Edge, Edge, Edge);
+  grid->SetXCoordinates(places);
+  grid->SetYCoordinates(places);
+  grid->SetZCoordinates(places);
+  AddFields(grid);
+  return grid;
+}
+
+/// Slabs that lean over, from one height to another.
+vtkSmartPointer<vtkStructuredGrid> MakeStructured(double low, double high)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int k = 0; k < Edge; ++k)
+  {
+    for (int j = 0; j < Edge; ++j)
+    {
+      for (int i = 0; i < Edge; ++i)
+      {
+        const double z = low + (high - low) * k / (Edge - 1);
+        points->InsertNextPoint(
+          Half * (2.0 * i / (Edge - 1) - 1.0) + 0.1 * z, Half * (2.0 * j / (Edge - 1) - 1.0), z);
+      }
+    }
+  }
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(Edge, Edge, Edge);
+  grid->SetPoints(points);
+  AddFields(grid);
+  return grid;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeUnstructured(vtkDataSet* data)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->SetInputData(data);
+  append->Update();
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->ShallowCopy(append->GetOutput());
+  return grid;
+}
+
+/// Two halves, which are unlike.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetBlock(0, MakeUnstructured(MakeStructured(-Half, 0.0)));
+  blocks->SetBlock(2, MakeStructured(0.0, Half));
+  return blocks;
+}
+
+class FilterDataSets : public ApiTest
+{
+protected:
+  FilterDataSets()
+  {
+    this->Follow->SetArrayName("flow");
+    this->Filter->AddMode(this->Follow);
+    this->Filter->SetMethodToPrimitives();
+    this->Filter->SetPathData(MakePath(Line({ 8, 0, -1 }, { 9.4, 0, 1 }, 100)));
+  }
+  void ExpectFlow(vtkDataObject* data)
+  {
+    this->Filter->SetInputData(0, data);
+    vtkPolyData* const trace = this->Run(101);
+    // It moves freely neither outward nor up: the spring is held across the flow.
+    const double wanted[3] = { -1.4 * PerMm, 0.0, -2.0 * PerMm };
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(Get(trace, "Force", 100, c), wanted[c], 1e-4) << data->GetClassName();
+    }
+    EXPECT_NEAR(Get(trace, "Value", 100), -100.0, 0.01) << "of the scalars, at the proxy";
+  }
+
+  vtkNew<vtkHapticVectorFollowMode> Follow;
+};
+} // namespace
+
+TEST_F(FilterDataSets, AreFeltAsTheFieldThatTheyHold)
+{
+  this->ExpectFlow(MakeRectilinear());
+  this->ExpectFlow(MakeStructured(-Half, Half));
+  this->ExpectFlow(MakeUnstructured(MakeStructured(-Half, Half)));
+  this->ExpectFlow(MakeBlocks());
+  // Scalars alone, by eq. 1: the force is the gain times the gradient.
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.01);
+  vtkPolyData* const trace = this->Run(101);
+  EXPECT_NEAR(Get(trace, "GradientMagnitude", 50), 100.0, 0.01);
+  EXPECT_NEAR(std::abs(Get(trace, "Force", 50, 2)), 1.0, 1e-4);
+}
+
+TEST_F(FilterDataSets, MayHaveTheirFieldsInTheCells)
+{
+  const auto grid = MakeUnstructured(MakeRectilinear());
+  vtkNew<vtkDoubleArray> flow;
+  flow->SetName("spin");
+  flow->SetNumberOfComponents(3);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    double bounds[6];
+    grid->GetCellBounds(cell, bounds);
+    flow->InsertNextTuple3(-0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[0] + bounds[1]), 0.0);
+  }
+  grid->GetCellData()->AddArray(flow);
+  this->Follow->SetArrayName("spin");
+  this->Filter->SetInputData(0, grid);
+  vtkPolyData* const trace = this->Run(101);
+  // Averages of uneven cells are a little off.
+  EXPECT_NEAR(Get(trace, "Force", 100, 0), -1.4 * PerMm, 0.02);
+  EXPECT_NEAR(Get(trace, "Force", 100, 2), -2.0 * PerMm, 0.02);
+}
+
+TEST_F(FilterDataSets, AreFeltLiveAroundTheHand)
+{
+  this->Filter->SetInputData(0, MakeUnstructured(MakeRectilinear()));
+  vtkNew<vtkHapticDevice> device;
+  device->SetVolumeHaptics(this->Filter);
+  ASSERT_TRUE(device->Open("virtual"));
+  device->SetVirtualTip(8.0, 0.0, -1.0);
+  ASSERT_TRUE(device->Start());
+  const auto await = [&](const std::function<bool()>& isDone)
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!isDone() && std::chrono::steady_clock::now() < end)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      device->UpdateState();
+    }
+    return isDone();
+  };
+  ASSERT_TRUE(await([&] { return device->GetTick() > 5 && device->GetResidency() == 1.0; }))
+    << device->GetStatusText();
+  device->SetVirtualTip(9.4, 0.0, 1.0);
+  EXPECT_TRUE(await([&] { return std::abs(device->GetComputedForce()[0] + 0.7) < 1e-3; }))
+    << device->GetComputedForce()[0];
+  EXPECT_NEAR(device->GetComputedForce()[2], -1.0, 1e-3);
+  EXPECT_NEAR(device->GetModeForce(0)[2], -1.0, 1e-3);
+  // Beyond the data nothing is felt.
+  device->SetVirtualTip(40.0, 0.0, 1.0);
+  EXPECT_TRUE(await([&] { return std::abs(device->GetComputedForce()[0]) < 1e-9; }));
+}
+
+TEST_F(FilterDataSets, ThatCanNotBeFeltGiveOneErrorWithTheCure)
+{
+  const vtkNew<vtkUnstructuredGrid> empty;
+  this->Filter->SetInputData(0, empty);
+  this->ExpectError({ "vtkUnstructuredGrid", "port 0", "no cells", "vtkDelaunay3D" });
+  const auto flat = MakeStructured(0.0, 0.0);
+  this->Filter->SetInputData(0, flat);
+  this->ExpectError({ "vtkStructuredGrid", "port 0", "no volume" });
+  const auto grid = MakeRectilinear();
+  this->Filter->SetInputData(0, grid);
+  this->Follow->SetArrayName("wind");
+  this->ExpectError({ "vtkRectilinearGrid", "port 0", "\"wind\"", "flow" });
+  this->Follow->SetArrayName("height");
+  this->ExpectError({ "\"height\"", "1 component(s)", "SetArrayName()" });
+  this->Filter->RemoveAllModes();
+  grid->GetPointData()->Initialize();
+  grid->Modified();
+  this->ExpectError({ "vtkRectilinearGrid", "no numeric point or cell array" });
+}
+
+TEST_F(FilterDataSets, AreResampledWithASpacingOfTheUsersChoice)
+{
+  vtkNew<vtkHapticRegionSource> source;
+  ASSERT_TRUE(source->OpenDataSet(MakeRectilinear(), 0.5, "flow"));
+  EXPECT_EQ(source->GetSpacing()[1], 0.5);
+  EXPECT_EQ(source->GetWholeExtent()[5], 64);
+  vtkNew<vtkImageData> image;
+  const int region[6] = { 20, 30, 31, 33, 60, 64 };
+  ASSERT_TRUE(source->ReadRegion(region, image));
+  vtkDataArray* const flow = image->GetPointData()->GetArray("flow");
+  ASSERT_TRUE(flow);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* const x = image->GetPoint(i);
+    EXPECT_NEAR(flow->GetComponent(i, 0), -x[1], 1e-5);
+    EXPECT_NEAR(image->GetPointData()->GetScalars()->GetComponent(i, 0), 100.0 * x[2], 1e-3);
+  }
+}
