@@ -25,8 +25,8 @@ namespace
 {
 
 /** Samples along the shortest edge of the data, at least: kernels need some. */
-constexpr double LeastSamples = 24.0;
-constexpr double MostSamples = 1e6; ///< along an edge
+constexpr double LeastAlongEdge = 24.0;
+constexpr double MostAlongEdge = 1e6; ///< along an edge
 
 /** The parts with cells: the data set, or the leaves of a composite one. */
 std::vector<vtkDataSet*> FindParts(vtkDataObject* data)
@@ -76,7 +76,7 @@ std::string ListArrays(vtkDataSet* part)
 }
 
 /** Adds an array of all parts; false if one of them lacks it. */
-bool AddArray(
+bool AddSampled(
   const std::vector<vtkDataSet*>& parts, const std::string& name, std::vector<SampledArray>& arrays)
 {
   vtkDataArray* const first = parts.front()->GetPointData()->GetArray(name.c_str());
@@ -121,11 +121,11 @@ bool MakeGrid(const std::vector<vtkDataSet*>& parts, double spacing, SamplingGri
     shortest = std::min(shortest, high[a] - low[a]);
   }
   grid.Spacing =
-    spacing > 0.0 ? spacing : std::min(std::cbrt(volume / cells), shortest / LeastSamples);
+    spacing > 0.0 ? spacing : std::min(std::cbrt(volume / cells), shortest / LeastAlongEdge);
   for (int a = 0; a < 3; ++a)
   {
     const double count = std::floor((high[a] - low[a]) / grid.Spacing * (1.0 + 1e-12)) + 1.0;
-    if (!(high[a] > low[a]) || !std::isfinite(count) || count > MostSamples)
+    if (!(high[a] > low[a]) || !std::isfinite(count) || count > MostAlongEdge)
     {
       return false;
     }
@@ -190,12 +190,12 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   {
     if (CanBeSampled(array))
     {
-      AddArray(parts, array->GetName(), fields);
+      AddSampled(parts, array->GetName(), fields);
     }
   }
   for (const std::string& name : wanted)
   {
-    if (!AddArray(parts, name, fields))
+    if (!AddSampled(parts, name, fields))
     {
       error = std::string("The ") + data->GetClassName() + " on input port 0 has no array \"" +
         name + "\" of 1, 3, 6 or 9 numbers" + (isComposite ? " in all of its parts" : "") +
@@ -207,7 +207,7 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   {
     if (CanBeSampled(arrays->GetArray(i)))
     {
-      AddArray(parts, arrays->GetArray(i)->GetName(), fields);
+      AddSampled(parts, arrays->GetArray(i)->GetName(), fields);
     }
   }
   if (fields.empty())

@@ -28,9 +28,9 @@ using namespace apitest;
 
 namespace
 {
-constexpr int Edge = 21;      // points
-constexpr double Half = 16.0; // mm
-constexpr double PerMm = 0.5; // N/mm, the spring
+constexpr int Edge = 21;          // points
+constexpr double HalfEdge = 16.0; // mm
+constexpr double PerMm = 0.5;     // N/mm, the spring
 
 /// A flow around z, and 100 z as scalars.
 void AddFields(vtkDataSet* data)
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear()
   for (int i = 0; i < Edge; ++i)
   {
     const double t = 2.0 * i / (Edge - 1) - 1.0;
-    places->InsertNextValue(Half * t * (0.7 + 0.3 * t * t));
+    places->InsertNextValue(HalfEdge * t * (0.7 + 0.3 * t * t));
   }
   auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
   grid->SetDimensions(Edge, Edge, Edge);
@@ -80,8 +80,8 @@ vtkSmartPointer<vtkStructuredGrid> MakeStructured(double low, double high)
       for (int i = 0; i < Edge; ++i)
       {
         const double z = low + (high - low) * k / (Edge - 1);
-        points->InsertNextPoint(
-          Half * (2.0 * i / (Edge - 1) - 1.0) + 0.1 * z, Half * (2.0 * j / (Edge - 1) - 1.0), z);
+        points->InsertNextPoint(HalfEdge * (2.0 * i / (Edge - 1) - 1.0) + 0.1 * z,
+          HalfEdge * (2.0 * j / (Edge - 1) - 1.0), z);
       }
     }
   }
@@ -106,8 +106,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeUnstructured(vtkDataSet* data)
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  blocks->SetBlock(0, MakeUnstructured(MakeStructured(-Half, 0.0)));
-  blocks->SetBlock(2, MakeStructured(0.0, Half));
+  blocks->SetBlock(0, MakeUnstructured(MakeStructured(-HalfEdge, 0.0)));
+  blocks->SetBlock(2, MakeStructured(0.0, HalfEdge));
   return blocks;
 }
 
@@ -141,8 +141,8 @@ protected:
 TEST_F(FilterDataSets, AreFeltAsTheFieldThatTheyHold)
 {
   this->ExpectFlow(MakeRectilinear());
-  this->ExpectFlow(MakeStructured(-Half, Half));
-  this->ExpectFlow(MakeUnstructured(MakeStructured(-Half, Half)));
+  this->ExpectFlow(MakeStructured(-HalfEdge, HalfEdge));
+  this->ExpectFlow(MakeUnstructured(MakeStructured(-HalfEdge, HalfEdge)));
   this->ExpectFlow(MakeBlocks());
   // Scalars alone, by eq. 1: the force is the gain times the gradient.
   this->Filter->SetMethodToForceField();
