@@ -3,6 +3,7 @@
 #include "vtkHapticRepresentation.h"
 
 #include "VTK/Charts/HapticDrawing.h"
+#include "VTK/Charts/HapticModeColors.h"
 #include "VTK/Scene/FollowedScene.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/SceneMarker.h"
@@ -42,7 +43,7 @@ struct vtkHapticRepresentation::vtkInternals
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 }, { SceneMarker::Rod, 0.75, 0.75, 0.75 },
     { SceneMarker::Arrow, 0.97, 0.97, 0.97 }, { SceneMarker::Arrow, 0.15, 0.5, 0.95 },
     { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
-  FollowedScene Followed;
+  FollowedScene Followed{ ModeColors, ModeColorCount };
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
   bool HasState = false;
   vtkSmartPointer<vtkPolyData> Trail;

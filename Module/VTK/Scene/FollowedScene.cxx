@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/FollowedScene.h"
 
-#include "VTK/Charts/HapticModeColors.h"
-
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -35,7 +33,9 @@ vtkSmartPointer<vtkUnsignedCharArray> NewColors()
 
 } // namespace
 
-FollowedScene::FollowedScene()
+FollowedScene::FollowedScene(const Color* colors, std::size_t count)
+  : Colors(colors)
+  , ColorCount(count)
 {
   this->Tubes->SetInputData(this->Lines);
   this->Tubes->SetNumberOfSides(10);
@@ -93,7 +93,7 @@ void FollowedScene::Draw()
   const vtkIdType count = this->Shapes->GetNumberOfCells();
   for (vtkIdType cell = 0; modes && cell < count; ++cell)
   {
-    const auto mode = static_cast<std::size_t>(modes->GetComponent(cell, 0)) % ModeColorCount;
+    const auto mode = static_cast<std::size_t>(modes->GetComponent(cell, 0)) % this->ColorCount;
     const bool isFront = cell >= this->Shapes->GetNumberOfLines();
     vtkNew<vtkIdList> points;
     this->Shapes->GetCellPoints(cell, points);
@@ -101,12 +101,12 @@ void FollowedScene::Draw()
     {
       for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
       {
-        discColors->SetTypedTuple(points->GetId(i), ModeColors[mode]);
+        discColors->SetTypedTuple(points->GetId(i), this->Colors[mode]);
       }
       points->InsertNextId(points->GetId(0));
     }
     lines->InsertNextCell(points);
-    lineColors->InsertNextTypedTuple(ModeColors[mode]);
+    lineColors->InsertNextTypedTuple(this->Colors[mode]);
   }
   this->Lines->Initialize();
   this->Lines->SetPoints(this->Shapes->GetPoints());

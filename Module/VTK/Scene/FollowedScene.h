@@ -14,6 +14,8 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkTubeFilter.h"
 
+#include <cstddef>
+
 class vtkBoundingBox;
 class vtkHapticDevice;
 
@@ -23,7 +25,9 @@ namespace VolumeHaptics
 class FollowedScene
 {
 public:
-  FollowedScene();
+  using Color = unsigned char[3];
+  /** Borrows the colours of modes, of which there is one at least, by their number. */
+  FollowedScene(const Color* colors, std::size_t count);
   ~FollowedScene();
 
   /** Shows the latest state; nothing without a device. The radius is in world units. */
@@ -50,6 +54,8 @@ private:
   vtkNew<vtkActor> Solid;
   vtkNew<vtkActor> Ghost;
   vtkNew<vtkActor> Fronts;
+  const Color* const Colors;
+  const std::size_t ColorCount;
   double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< of the shapes, with the next two
   double Time = -1.0;
   double Reach = 0.0;
