@@ -3,8 +3,6 @@
 #include "VTK/Large/Hdf5File.h"
 
 #include <algorithm>
-#include <cstring>
-#include <limits>
 
 namespace VolumeHaptics
 {
@@ -14,6 +12,8 @@ namespace
 /** Of all parts of an object's header; real ones have some hundred bytes. */
 constexpr std::size_t MostHeaderParts = 4096;
 constexpr std::uint64_t MostStructureBytes = std::uint64_t{ 1 } << 26;
+/** Of all blocks of a file: a damaged tree may lead to the same ones again and again. */
+constexpr std::uint64_t MostBytesInAll = std::uint64_t{ 1 } << 30;
 
 constexpr int SpaceMessage = 1;
 constexpr int LinkInfoMessage = 2;
@@ -28,147 +28,31 @@ constexpr int ContinuationMessage = 16;
 constexpr int GroupMessage = 17;
 constexpr int SharedFlag = 2;
 
-template <typename T>
-double NumberAt(const char* bytes)
-{
-  T number;
-  std::memcpy(&number, bytes, sizeof(T));
-  return static_cast<double>(number);
-}
+constexpr std::size_t MostLinks = 65536;
 
-/** One number, least significant byte first as this computer has it, or NaN. */
-double NumberOf(const Hdf5Type& type, const char* bytes)
+/** What is left of a node of a B-tree behind its head; the number of its children. */
+struct TreeNode
 {
-  if (type.Kind == Hdf5Type::Float)
+  TreeNode(Hdf5Block block, int kind, int level, std::size_t offsetSize)
+    : Block(std::move(block))
   {
-    return type.Size == 4 ? NumberAt<float>(bytes) : NumberAt<double>(bytes);
-  }
-  switch (type.Size)
-  {
-    case 1:
-      return type.IsSigned ? NumberAt<std::int8_t>(bytes) : NumberAt<std::uint8_t>(bytes);
-    case 2:
-      return type.IsSigned ? NumberAt<std::int16_t>(bytes) : NumberAt<std::uint16_t>(bytes);
-    case 4:
-      return type.IsSigned ? NumberAt<std::int32_t>(bytes) : NumberAt<std::uint32_t>(bytes);
-    case 8:
-      return type.IsSigned ? NumberAt<std::int64_t>(bytes) : NumberAt<std::uint64_t>(bytes);
-    default:
-      return std::numeric_limits<double>::quiet_NaN();
-  }
-}
-
-/** Numbers of a length that this computer has, without unused bits; all others are Other. */
-Hdf5Type ParseType(Hdf5Block& body)
-{
-  Hdf5Type type;
-  const int kind = body.Byte() & 15;
-  const auto bits = static_cast<unsigned int>(body.Number(3));
-  type.Size = static_cast<std::size_t>(body.Number(4));
-  const bool hasUsualSize = type.Size == 1 || type.Size == 2 || type.Size == 4 || type.Size == 8;
-  type.IsBig = (bits & 1U) != 0;
-  if (kind == 3)
-  {
-    type.Kind = Hdf5Type::Text;
-  }
-  else if (kind == 0 && hasUsualSize)
-  {
-    const std::uint64_t first = body.Number(2);
-    const std::uint64_t precision = body.Number(2);
-    type.IsSigned = (bits & 8U) != 0;
-    type.Kind = first == 0 && precision == 8 * type.Size ? Hdf5Type::Integer : Hdf5Type::Other;
-  }
-  else if (kind == 1 && (type.Size == 4 || type.Size == 8))
-  {
-    body.Skip(4);
-    const int exponentAt = body.Byte();
-    const int exponentSize = body.Byte();
-    const bool isIeee = (bits & 64U) == 0 &&
-      (type.Size == 4 ? exponentAt == 23 && exponentSize == 8
-                      : exponentAt == 52 && exponentSize == 11);
-    type.Kind = isIeee ? Hdf5Type::Float : Hdf5Type::Other;
-    type.IsSigned = true;
-  }
-  return type;
-}
-
-std::vector<char> ParseFill(Hdf5Block& body)
-{
-  const int version = body.Byte();
-  bool isDefined = false;
-  if (version >= 3)
-  {
-    isDefined = (body.Byte() & 32) != 0;
-  }
-  else
-  {
-    body.Skip(2);
-    isDefined = body.Byte() != 0 || version < 2;
-  }
-  return isDefined ? body.Take(static_cast<std::size_t>(body.Number(4))) : std::vector<char>();
-}
-
-std::vector<Hdf5Filter> ParseFilters(Hdf5Block& body)
-{
-  const int version = body.Byte();
-  const int count = body.Byte();
-  body.Skip(version == 1 ? 6 : 0);
-  std::vector<Hdf5Filter> filters;
-  for (int i = 0; i < count; ++i)
-  {
-    Hdf5Filter filter;
-    filter.Id = static_cast<int>(body.Number(2));
-    const bool hasName = version == 1 || filter.Id >= 256;
-    const auto name = static_cast<std::size_t>(hasName ? body.Number(2) : 0);
-    body.Skip(2);
-    const auto values = static_cast<std::size_t>(body.Number(2));
-    body.Skip(version == 1 ? (name + 7) / 8 * 8 : name);
-    for (std::size_t v = 0; v < values; ++v)
+    const bool isTree = this->Block.Begins("TREE");
+    const bool isOfKind = this->Block.Byte() == kind;
+    this->Level = this->Block.Byte();
+    if (!isTree || !isOfKind || (level >= 0 && this->Level != level))
     {
-      const auto value = static_cast<std::size_t>(body.Number(4));
-      filter.SampleSize = v == 0 ? value : filter.SampleSize;
+      Hdf5Block::ThrowDamaged();
     }
-    body.Skip(version == 1 && values % 2 == 1 ? 4 : 0);
-    filters.push_back(filter);
+    this->Count = static_cast<std::size_t>(this->Block.Number(2));
+    this->Block.Skip(2 * offsetSize);
   }
-  return filters;
-}
+
+  Hdf5Block Block;
+  int Level = 0;
+  std::size_t Count = 0;
+};
 
 } // namespace
-
-std::vector<double> Hdf5Attribute::GetNumbers() const
-{
-  std::vector<double> numbers;
-  const bool isNumber = this->Type.Kind == Hdf5Type::Integer || this->Type.Kind == Hdf5Type::Float;
-  if (!isNumber)
-  {
-    return numbers;
-  }
-  const std::uint16_t probe = 1;
-  const bool isHostBig = *reinterpret_cast<const unsigned char*>(&probe) == 0;
-  std::vector<char> number(this->Type.Size);
-  for (std::size_t at = 0; at + this->Type.Size <= this->Bytes.size(); at += this->Type.Size)
-  {
-    std::copy_n(
-      this->Bytes.begin() + static_cast<std::ptrdiff_t>(at), number.size(), number.begin());
-    if (this->Type.IsBig != isHostBig)
-    {
-      std::reverse(number.begin(), number.end());
-    }
-    numbers.push_back(NumberOf(this->Type, number.data()));
-  }
-  return numbers;
-}
-
-std::string Hdf5Attribute::GetText() const
-{
-  if (this->Type.Kind != Hdf5Type::Text)
-  {
-    return {};
-  }
-  const std::string text(this->Bytes.begin(), this->Bytes.end());
-  return text.substr(0, text.find('\0'));
-}
 
 Hdf5File::Hdf5File(const std::string& name)
   : File(name)
@@ -229,11 +113,12 @@ bool Hdf5File::IsAddress(std::uint64_t address) const
   return address != undefined;
 }
 
-Hdf5Block Hdf5File::ReadBlock(std::uint64_t address, std::uint64_t size) const
+Hdf5Block Hdf5File::ReadBlock(std::uint64_t address, std::uint64_t size)
 {
   const std::uint64_t at = address + this->Base;
+  this->BytesInAll += std::min(size, MostStructureBytes) + 64;
   if (at < address || at > this->FileSize || size > this->FileSize - at ||
-    size > MostStructureBytes)
+    size > MostStructureBytes || this->BytesInAll > MostBytesInAll)
   {
     Hdf5Block::ThrowDamaged();
   }
@@ -356,7 +241,7 @@ void Hdf5File::ParseAttribute(Hdf5Block& body, Hdf5Object& object) const
     return; // its type stands elsewhere: none of those that image files have
   }
   Hdf5Attribute attribute;
-  attribute.Type = ParseType(type);
+  attribute.Type = ParseHdf5Type(type);
   const std::vector<std::uint64_t> shape = this->ParseSpace(space);
   std::uint64_t size = attribute.Type.Size;
   for (const std::uint64_t count : shape)
@@ -459,10 +344,10 @@ Hdf5Object Hdf5File::ReadObject(std::uint64_t address)
         break;
       }
       case TypeMessage:
-        object.Type = ParseType(body);
+        object.Type = ParseHdf5Type(body);
         break;
       case FillMessage:
-        object.FillValue = ParseFill(body);
+        object.FillValue = ParseHdf5FillValue(body);
         break;
       case LinkMessage:
         this->ParseLink(body, object);
@@ -475,7 +360,7 @@ Hdf5Object Hdf5File::ReadObject(std::uint64_t address)
         this->ParseLayout(body, object, index);
         break;
       case FilterMessage:
-        object.Filters = ParseFilters(body);
+        object.Filters = ParseHdf5Filters(body);
         break;
       case AttributeMessage:
         this->ParseAttribute(body, object);
@@ -495,6 +380,180 @@ Hdf5Object Hdf5File::ReadObject(std::uint64_t address)
     this->ReadChunks(index, object);
   }
   return object;
+}
+
+void Hdf5File::ReadLinks(std::uint64_t tree, std::uint64_t heap, Hdf5Object& object)
+{
+  Hdf5Block head = this->ReadBlock(heap, 8 + 2 * this->LengthSize + this->OffsetSize);
+  if (!head.Begins("HEAP"))
+  {
+    Hdf5Block::ThrowDamaged();
+  }
+  head.Skip(4);
+  const std::uint64_t size = this->Length(head);
+  this->Length(head); // free space
+  Hdf5Block names = this->ReadBlock(this->Offset(head), size);
+  this->ReadLinkNode(tree, -1, names, object);
+}
+
+void Hdf5File::ReadLinkNode(std::uint64_t address, int level, Hdf5Block& names, Hdf5Object& object)
+{
+  const std::size_t headSize = 8 + 2 * this->OffsetSize;
+  const std::size_t entry = this->LengthSize + this->OffsetSize;
+  const TreeNode head(this->ReadBlock(address, headSize), 0, level, this->OffsetSize);
+  Hdf5Block body = this->ReadBlock(address + headSize, head.Count * entry);
+  for (std::size_t i = 0; i < head.Count; ++i)
+  {
+    this->Length(body); // the key
+    const std::uint64_t child = this->Offset(body);
+    if (head.Level > 0)
+    {
+      this->ReadLinkNode(child, head.Level - 1, names, object);
+      continue;
+    }
+    Hdf5Block first = this->ReadBlock(child, 8);
+    if (!first.Begins("SNOD") || object.Links.size() > MostLinks)
+    {
+      Hdf5Block::ThrowDamaged();
+    }
+    first.Skip(2);
+    const auto count = static_cast<std::size_t>(first.Number(2));
+    Hdf5Block symbols = this->ReadBlock(child + 8, count * (2 * this->OffsetSize + 24));
+    for (std::size_t s = 0; s < count; ++s)
+    {
+      names.Go(static_cast<std::size_t>(this->Offset(symbols)));
+      const std::uint64_t header = this->Offset(symbols);
+      constexpr std::uint64_t soft = 2;
+      if (symbols.Number(4) == soft)
+      {
+        object.HasOtherLinks = true;
+      }
+      else
+      {
+        object.Links[names.Text()] = header;
+      }
+      symbols.Skip(20);
+    }
+  }
+}
+
+void Hdf5File::AddChunk(
+  const std::vector<std::uint64_t>& first, Hdf5Chunk chunk, Hdf5Object& object) const
+{
+  const std::size_t rank = object.Shape.size();
+  std::uint64_t number = 0;
+  for (std::size_t d = 0; d < rank; ++d)
+  {
+    const std::uint64_t size = object.ChunkShape[d];
+    if (first[d] % size != 0 || first[d] >= object.Shape[d])
+    {
+      return; // of an array that was larger before
+    }
+    if (d + 3 < rank)
+    {
+      if (first[d] != 0)
+      {
+        return;
+      }
+      continue;
+    }
+    number = number * ((object.Shape[d] + size - 1) / size) + first[d] / size;
+  }
+  chunk.Address += this->Base;
+  object.Chunks[number] = chunk;
+}
+
+void Hdf5File::ReadChunks(const ChunkIndex& index, Hdf5Object& object)
+{
+  std::uint64_t size = object.Type.Size;
+  for (const std::uint64_t count : object.ChunkShape)
+  {
+    constexpr std::uint64_t most = std::uint64_t{ 1 } << 32;
+    if (count == 0 || count > most || size > most)
+    {
+      Hdf5Block::ThrowDamaged();
+    }
+    size *= count;
+  }
+  if (object.ChunkShape.size() != object.Shape.size() || object.Shape.empty() || size == 0)
+  {
+    Hdf5Block::ThrowDamaged();
+  }
+  constexpr int tree = 0;
+  constexpr int single = 1;
+  constexpr int implicit = 2;
+  if (index.Type > implicit)
+  {
+    throw std::runtime_error(
+      "the list of its chunks is of a kind that is not read here. Convert it with h5repack -f NONE "
+      "-l CONTI IN OUT, or write it without libver='latest'.");
+  }
+  if (!this->IsAddress(index.Address))
+  {
+    return; // nothing was written yet
+  }
+  if (index.Type == tree)
+  {
+    this->ReadChunkNode(index.Address, -1, object);
+    return;
+  }
+  Hdf5Chunk chunk = index.Single;
+  chunk.Size = chunk.Size == 0 ? size : chunk.Size;
+  chunk.Address = index.Address;
+  std::vector<std::uint64_t> first(object.Shape.size(), 0);
+  if (index.Type == single)
+  {
+    this->AddChunk(first, chunk, object);
+    return;
+  }
+  // All chunks lie one after another, the last dimension fastest.
+  bool isDone = false;
+  while (!isDone)
+  {
+    this->AddChunk(first, chunk, object);
+    chunk.Address += size;
+    isDone = chunk.Address > this->FileSize;
+    for (std::size_t d = first.size(); d-- > 0;)
+    {
+      first[d] += object.ChunkShape[d];
+      if (first[d] < object.Shape[d])
+      {
+        break;
+      }
+      first[d] = 0;
+      isDone = isDone || d == 0;
+    }
+  }
+}
+
+void Hdf5File::ReadChunkNode(std::uint64_t address, int level, Hdf5Object& object)
+{
+  const std::size_t rank = object.Shape.size();
+  const std::size_t headSize = 8 + 2 * this->OffsetSize;
+  const std::size_t key = 8 + 8 * (rank + 1);
+  const TreeNode head(this->ReadBlock(address, headSize), 1, level, this->OffsetSize);
+  Hdf5Block body = this->ReadBlock(address + headSize, head.Count * (key + this->OffsetSize));
+  for (std::size_t i = 0; i < head.Count; ++i)
+  {
+    Hdf5Chunk chunk;
+    chunk.Size = body.Number(4);
+    chunk.Skipped = body.Number(4);
+    std::vector<std::uint64_t> first;
+    for (std::size_t d = 0; d < rank; ++d)
+    {
+      first.push_back(body.Number(8));
+    }
+    body.Skip(8);
+    chunk.Address = this->Offset(body);
+    if (head.Level > 0)
+    {
+      this->ReadChunkNode(chunk.Address, head.Level - 1, object);
+    }
+    else
+    {
+      this->AddChunk(first, chunk, object);
+    }
+  }
 }
 
 } // namespace VolumeHaptics

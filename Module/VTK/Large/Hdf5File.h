@@ -8,6 +8,7 @@
 #define Hdf5File_h
 
 #include "VTK/Large/Hdf5Block.h"
+#include "VTK/Large/Hdf5Types.h"
 #include "VTK/Large/OpenedFile.h"
 
 #include <cstdint>
@@ -18,43 +19,6 @@
 
 namespace VolumeHaptics
 {
-
-struct Hdf5Type
-{
-  enum KindType
-  {
-    Integer,
-    Float,
-    Text,
-    Other
-  };
-  KindType Kind = Other;
-  std::size_t Size = 0; ///< bytes
-  bool IsSigned = false;
-  bool IsBig = false; ///< the most significant byte comes first
-};
-
-/** An attribute of a group or a dataset. */
-struct Hdf5Attribute
-{
-  Hdf5Type Type;
-  std::vector<char> Bytes;
-
-  /** No numbers if it has others than integers and floating-point numbers. */
-  std::vector<double> GetNumbers() const;
-  /** Empty if it is no text of fixed length. */
-  std::string GetText() const;
-};
-
-struct Hdf5Filter
-{
-  static constexpr int Deflate = 1;
-  static constexpr int Shuffle = 2;
-  static constexpr int Checksum = 3;
-
-  int Id = 0;
-  std::size_t SampleSize = 0; ///< of Shuffle
-};
 
 /** Where the bytes of a chunk lie in the file. */
 struct Hdf5Chunk
@@ -122,7 +86,7 @@ private:
   };
 
   bool ReadSuperblock(std::uint64_t at);
-  Hdf5Block ReadBlock(std::uint64_t address, std::uint64_t size) const;
+  Hdf5Block ReadBlock(std::uint64_t address, std::uint64_t size);
   std::uint64_t Offset(Hdf5Block& block) const { return block.Number(this->OffsetSize); }
   std::uint64_t Length(Hdf5Block& block) const { return block.Number(this->LengthSize); }
   bool IsAddress(std::uint64_t address) const;
@@ -144,7 +108,8 @@ private:
 
   const OpenedFile File;
   const std::uint64_t FileSize;
-  std::uint64_t Base = 0; ///< addresses count from here
+  std::uint64_t BytesInAll = 0; ///< read so far
+  std::uint64_t Base = 0;       ///< addresses count from here
   std::size_t OffsetSize = 8;
   std::size_t LengthSize = 8;
   std::uint64_t Root = 0;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/LargeFile.h"
 
+#include "VTK/Large/VtkHdfFile.h"
+#include "VTK/Large/ZarrFile.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstdint>

@@ -38,15 +38,6 @@ bool IsLargeFileName(const std::string& name);
 LargeFile OpenLargeFile(const std::string& name);
 
 /**
- * A Zarr array, or an OME-Zarr image with its coarser levels. Of times and channels it is the first
- * one. Throws the same.
- */
-LargeFile OpenZarr(const std::string& name);
-
-/** The image of a VTKHDF file, with the array that is active there. Throws the same. */
-LargeFile OpenVtkHdf(const std::string& name);
-
-/**
  * VTK's type of numbers that are integers or not, of a size (bytes); 0 if there is none. Throws
  * nothing.
  */

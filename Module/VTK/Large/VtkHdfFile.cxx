@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file
- * The part of LargeFile.h that reads VTKHDF, by VTK's published specification of the format.
- */
+#include "VTK/Large/VtkHdfFile.h"
+
+#include "VTK/Files/HapticFiles.h"
 #include "VTK/Large/ChunkCodecs.h"
 #include "VTK/Large/ChunkedVolume.h"
 #include "VTK/Large/Hdf5File.h"
-#include "VTK/Large/LargeFile.h"
 #include "VTK/Large/RawVolumeFile.h"
-
-#include "VTK/Files/HapticFiles.h"
 
 #include <algorithm>
 #include <cmath>
