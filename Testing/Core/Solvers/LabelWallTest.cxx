@@ -64,10 +64,10 @@ public:
 };
 
 /// Moves a tip from tick to tick, in millimetres.
-class Hand
+class WallHand
 {
 public:
-  explicit Hand(const HapticModel& model)
+  explicit WallHand(const HapticModel& model)
     : Model(model)
   {
   }
@@ -153,7 +153,7 @@ TEST_P(LabelWallOfSolver, HoldsWhereTheLabelsMeet)
   const HapticModel model(scene.Description);
   for (const auto& [x, stiffness] : { std::pair(6.0, 200.0), std::pair(17.0, 800.0) })
   {
-    Hand hand(model);
+    WallHand hand(model);
     EXPECT_EQ(Norm(hand.MoveTo({ x, 12, 8 }).Force), 0.0);
     EXPECT_EQ(Norm(hand.MoveTo({ x, 12, 11.4 }).Force), 0.0) << "not before the wall";
     const TickRecord& pressed = hand.MoveTo({ x, 12, 13.5 }, 0.01);
@@ -172,7 +172,7 @@ TEST_P(LabelWallOfSolver, GivesWayAtItsStrength)
   LabelledScene scene(40, labels, { Entry(1, 500.0, 1.0) });
   scene.Description.Settings.Solver = this->GetParam();
   const HapticModel model(scene.Description);
-  Hand hand(model);
+  WallHand hand(model);
   hand.MoveTo({ 20, 20, 8 });
   double most = 0.0;
   for (double z = 8.0; z < 22.0; z += 0.05)
@@ -199,7 +199,7 @@ TEST_P(LabelWallOfSolver, IsNotThereIfNothingIsFelt)
   LabelledScene scene(24, labels, { air, skin, Entry(2, 500.0, 50.0) });
   scene.Description.Settings.Solver = this->GetParam();
   const HapticModel model(scene.Description);
-  Hand hand(model);
+  WallHand hand(model);
   for (double z = 4.0; z < 14.4; z += 0.1)
   {
     ASSERT_EQ(Norm(hand.MoveTo({ 12, 12, z }).Force), 0.0) << z;

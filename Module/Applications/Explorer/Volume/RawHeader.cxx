@@ -80,7 +80,7 @@ bool IsTrue(const std::string& word)
   return Files::LowerCase(word) == "true";
 }
 
-RawHeader ReadMeta(const std::string& path)
+RawHeader ReadMetaHeader(const std::string& path)
 {
   const HeaderText text(path, '=');
   RawHeader header;
@@ -98,7 +98,7 @@ RawHeader ReadMeta(const std::string& path)
   return header;
 }
 
-RawHeader ReadNrrd(const std::string& path)
+RawHeader ReadNrrdHeader(const std::string& path)
 {
   const HeaderText text(path, ':');
   RawHeader header;
@@ -127,7 +127,7 @@ RawHeader ReadNrrd(const std::string& path)
 
 RawHeader ReadRawHeader(const std::string& path)
 {
-  RawHeader header = IsMeta(path) ? ReadMeta(path) : ReadNrrd(path);
+  RawHeader header = IsMeta(path) ? ReadMetaHeader(path) : ReadNrrdHeader(path);
   header.Spacing.resize(header.Size.size(), 1.0);
   header.Origin.resize(header.Size.size(), 0.0);
   return header;
