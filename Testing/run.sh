@@ -67,7 +67,7 @@ wheel_dir=$(dirname "$build_dir")/wheel
 run_tests()
 {
   local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.](Emulated|Haply|Hfab|Vendor)|ParaView|'
-  live+='VTK[.](Charts|Emulated|Endings|Recording|Scene|Session|Setup)|Wheel)[.]|VTK::VolumeHapticsCxx-TestTouch)'
+  live+='VTK[.](Charts|Emulated|Endings|Headset|Recording|Scene|Session|Setup)|Wheel)[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then

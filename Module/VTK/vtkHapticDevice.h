@@ -462,7 +462,7 @@ public:
    * Armed, Fault, Residency, with three components Tip, Proxy (world), Force (computed) and Command
    * (sent; N, world axes), with four Orientation (world; w, x, y, z; all 0 if the device has none),
    * and with eight ModeForces (N, magnitudes of GetModeForce). The first call begins to keep
-   * states; a reader that does not call for 100000 ticks loses the oldest. Each reader has a
+   * states; a reader that does not call for 86000 ticks loses the oldest. Each reader has a
    * number, and gets all states; a call
    * with nullptr as the table ends the reading. The first vtkInteractorStyleHaptic of a device has
    * number 0, further ones have -1, -2 and so on: see AddReader.

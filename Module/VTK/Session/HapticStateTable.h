@@ -21,7 +21,7 @@ namespace VolumeHaptics
 
 /**
  * The values of a tick that displays need, in device space. A row has a tenth of the size of a
- * ServoSnapshot: up to 100000 of them wait for a slow reader.
+ * ServoSnapshot: up to 86000 of them wait for a slow reader.
  */
 struct StateRow
 {

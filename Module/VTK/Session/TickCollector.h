@@ -66,7 +66,7 @@ public:
   std::vector<StateRow> TakeStates(int reader);
   void StopTaking(int reader);
   ///@}
-  static constexpr std::size_t MostStates = 100000;
+  static constexpr std::size_t MostStates = 86000; // 20 MB
 
   /** Takes all ticks that the loop has written. */
   void Drain();
