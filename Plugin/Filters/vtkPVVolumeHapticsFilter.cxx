@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVVolumeHapticsFilter.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkHapticRidgeMode.h"
 #include "vtkHapticShearMode.h"
 #include "vtkHapticSurfaceMode.h"
@@ -15,6 +17,7 @@
 #include "vtkHapticVortexMode.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVHapticLargeFile.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
@@ -227,6 +230,13 @@ void vtkPVVolumeHapticsFilter::SetComponent(int component)
 double* vtkPVVolumeHapticsFilter::GetNoiseRamp()
 {
   return this->GetProperty()->GetNoiseRamp();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetInputConnection(int port, vtkAlgorithmOutput* input)
+{
+  vtkPVHapticLargeFile* const file = port == 0 ? vtkPVHapticLargeFile::Find(input) : nullptr;
+  this->Superclass::SetInputConnection(port, file ? file->GetRegions()->GetOutputPort() : input);
 }
 
 //------------------------------------------------------------------------------

@@ -103,6 +103,10 @@ public:
   void RemoveAllModeRows();
   ///@}
 
+  using vtkVolumeHapticsFilter::SetInputConnection;
+  /** A vtkPVHapticLargeFile on port 0 is felt itself, instead of the coarse image that it shows. */
+  void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
+
   using vtkVolumeHapticsFilter::SetInputArrayToProcess;
   /**
    * An empty name, as in batch jobs that have not set one, means the active scalars.

@@ -127,6 +127,11 @@ void HapticDataLink::FollowImage(
     this->Frames.Clear();
     this->Image.Forget();
   }
+  if (this->Large.Follow(HapticImageLink::FindOutput(volume, port), filter))
+  {
+    this->Image.Forget();
+    return;
+  }
   this->Image.Follow(volume, port, filter, 0);
 }
 

@@ -9,6 +9,7 @@
 
 #include "HapticFrameLink.h"
 #include "HapticImageLink.h"
+#include "HapticLargeLink.h"
 #include "HapticOpacityLink.h"
 #include "HapticRegionLink.h"
 #include "HapticTouchLink.h"
@@ -67,6 +68,7 @@ private:
   const std::function<void()> Lost;
   HapticTouchLink Touch;
   HapticImageLink Image;
+  HapticLargeLink Large;  // if the volume is larger than memory
   HapticFrameLink Frames; // if the volume has times
   HapticImageLink Surface;
   HapticImageLink Labels;

@@ -26,19 +26,6 @@ namespace VolumeHapticsLive
 namespace
 {
 
-/** Of an updated source; null without one. */
-vtkAlgorithmOutput* PortOf(vtkSMSourceProxy* source, unsigned int port)
-{
-  if (!source || !source->GetSession())
-  {
-    return nullptr;
-  }
-  source->UpdatePipeline();
-  auto* const implementation =
-    vtkSISourceProxy::SafeDownCast(source->GetSession()->GetSIObject(source->GetGlobalID()));
-  return implementation ? implementation->GetOutputPort(static_cast<int>(port)) : nullptr;
-}
-
 vtkDataObject* DataOf(vtkAlgorithmOutput* output)
 {
   return output ? output->GetProducer()->GetOutputDataObject(output->GetIndex()) : nullptr;
@@ -91,6 +78,18 @@ bool AreNeighbours(vtkAlgorithmOutput* output, double a, double b)
 
 } // namespace
 
+vtkAlgorithmOutput* HapticImageLink::FindOutput(vtkSMSourceProxy* source, unsigned int port)
+{
+  if (!source || !source->GetSession())
+  {
+    return nullptr;
+  }
+  source->UpdatePipeline();
+  auto* const implementation =
+    vtkSISourceProxy::SafeDownCast(source->GetSession()->GetSIObject(source->GetGlobalID()));
+  return implementation ? implementation->GetOutputPort(static_cast<int>(port)) : nullptr;
+}
+
 bool HapticImageLink::IsSeen(vtkDataObject* data, vtkAlgorithm* filter) const
 {
   return data == this->Seen && (data ? data->GetMTime() : 0) == this->SeenTime &&
@@ -112,7 +111,7 @@ void HapticImageLink::Forget()
 void HapticImageLink::Follow(
   vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort)
 {
-  vtkDataObject* const data = DataOf(PortOf(source, port));
+  vtkDataObject* const data = DataOf(FindOutput(source, port));
   if (this->IsSeen(data, filter))
   {
     return;
@@ -130,7 +129,7 @@ void HapticImageLink::Follow(
 void HapticImageLink::FollowFrames(vtkSMSourceProxy* source, unsigned int port, double time,
   vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames)
 {
-  vtkAlgorithmOutput* const output = PortOf(source, port);
+  vtkAlgorithmOutput* const output = FindOutput(source, port);
   auto* const image = vtkImageData::SafeDownCast(DataOf(output));
   if (!image)
   {

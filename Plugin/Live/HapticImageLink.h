@@ -11,6 +11,7 @@
 #include "vtkWeakPointer.h"
 
 class vtkAlgorithm;
+class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkHapticDevice;
 class vtkSMSourceProxy;
@@ -40,6 +41,9 @@ public:
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);
   /** The next Follow gives the output, even if it is the last one. */
   void Forget();
+
+  /** The output of a source of this process, updated; null without one. */
+  static vtkAlgorithmOutput* FindOutput(vtkSMSourceProxy* source, unsigned int port);
 
 private:
   bool IsSeen(vtkDataObject* data, vtkAlgorithm* filter) const;

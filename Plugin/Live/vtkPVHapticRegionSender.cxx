@@ -3,10 +3,12 @@
 #include "vtkPVHapticRegionSender.h"
 
 #include "HapticRegionMessage.h"
+#include "vtkPVHapticLargeFile.h"
 #include "vtkPVHapticRegionFilter.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -39,6 +41,20 @@ namespace
 
 /** A corner in which the largest kernel fits. */
 constexpr int CornerSteps = 39;
+
+/** The region that was asked for, or the corner of a volume. */
+void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
+{
+  std::copy_n(region, 6, wanted);
+  if (region[0] > region[1])
+  {
+    for (int a = 0; a < 6; a += 2)
+    {
+      wanted[a] = whole[a];
+      wanted[a + 1] = std::min(whole[a] + CornerSteps, whole[a + 1]);
+    }
+  }
+}
 
 } // namespace
 
@@ -138,21 +154,12 @@ bool vtkPVHapticRegionSender::Assemble(
                  : filter->SetInputArrayToProcess(0, 0, 0, points, name.c_str());
   }
   const bool hasPiece = !isPresent || this->UpdatePiece(instant);
-  const int* const whole = instant.Whole;
   if (!filter->CanExecute(hasPiece, error))
   {
     return false;
   }
   int wanted[6];
-  std::copy_n(region, 6, wanted);
-  if (region[0] > region[1])
-  {
-    for (int a = 0; a < 6; a += 2)
-    {
-      wanted[a] = whole[a];
-      wanted[a + 1] = std::min(whole[a] + CornerSteps, whole[a + 1]);
-    }
-  }
+  ChooseRegion(instant.Whole, region, wanted);
   filter->SetRegion(wanted);
   filter->Modified(); // on every process, or on none
   if (!filter->UpdateExtent(filter->GetRegion()))
@@ -161,6 +168,22 @@ bool vtkPVHapticRegionSender::Assemble(
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVHapticRegionSender::ReadLargeFile(
+  const int region[6], vtkImageData* image, std::string& error)
+{
+  vtkPVHapticLargeFile* const file = vtkPVHapticLargeFile::Find(this->GetInputConnection(0, 0));
+  if (!file->Open())
+  {
+    error = "The server could not open the file. Its messages say why.";
+    return false;
+  }
+  vtkHapticRegionSource* const regions = file->GetRegions();
+  int wanted[6];
+  ChooseRegion(regions->GetWholeExtent(), region, wanted);
+  return regions->ReadRegion(wanted, image, error);
 }
 
 //------------------------------------------------------------------------------
@@ -174,17 +197,31 @@ void vtkPVHapticRegionSender::Send(
   std::string error;
   try
   {
-    Instant* const instant = this->Find(time, isPresent != 0);
-    const bool isThere = instant && this->Assemble(*instant, isPresent != 0, array, region, error);
-    if (!instant)
+    const bool isFirst = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0;
+    if (vtkPVHapticLargeFile::Find(this->GetInputConnection(0, 0)))
     {
-      error = "The server no longer has the volume at the time that was asked for.";
+      if (!isFirst)
+      {
+        return;
+      }
+      vtkNew<vtkImageData> image;
+      message = this->ReadLargeFile(region, image, error) ? PackRegion(image) : PackError(error);
     }
-    if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() > 0)
+    else
     {
-      return;
+      Instant* const instant = this->Find(time, isPresent != 0);
+      const bool isThere =
+        instant && this->Assemble(*instant, isPresent != 0, array, region, error);
+      if (!instant)
+      {
+        error = "The server no longer has the volume at the time that was asked for.";
+      }
+      if (!isFirst)
+      {
+        return;
+      }
+      message = isThere ? PackRegion(instant->Filter->GetOutput()) : PackError(error);
     }
-    message = isThere ? PackRegion(instant->Filter->GetOutput()) : PackError(error);
   }
   catch (const std::exception& exception)
   {

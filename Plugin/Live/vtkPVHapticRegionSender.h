@@ -8,6 +8,8 @@
  * nothing is read again. The first process sends the region that they assemble. If the data have
  * several times, the pieces of the last two that were sent stay here, so that regions of both can
  * be had. See vtkSMHapticRegionProxy for the other side.
+ *
+ * Of a vtkPVHapticLargeFile, the first process reads regions from the file itself.
  */
 #ifndef vtkPVHapticRegionSender_h
 #define vtkPVHapticRegionSender_h
@@ -17,6 +19,8 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
+
+class vtkImageData;
 
 class VOLUMEHAPTICSLIVE_EXPORT vtkPVHapticRegionSender : public vtkAlgorithm
 {
@@ -49,6 +53,7 @@ private:
 #ifndef __VTK_WRAP__
   Instant* Find(double time, bool isPresent);
   bool UpdatePiece(Instant& instant);
+  bool ReadLargeFile(const int region[6], vtkImageData* image, std::string& error);
   bool Assemble(
     Instant& instant, bool isPresent, const char* array, const int region[6], std::string& error);
 #endif

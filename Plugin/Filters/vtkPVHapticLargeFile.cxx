@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVHapticLargeFile.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataObject.h"
+#include "vtkHapticRegionSource.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <string>
+
+//------------------------------------------------------------------------------
+/** Opens the file before a pipeline looks at it. */
+class vtkPVHapticLargeFile::Regions : public vtkHapticRegionSource
+{
+public:
+  static Regions* New();
+  vtkTypeMacro(Regions, vtkHapticRegionSource);
+
+  vtkMTimeType GetMTime() override
+  {
+    // Not when it is asked for information: opening changes this source.
+    this->IsOpen = this->Owner && this->Owner->Open();
+    return this->Superclass::GetMTime();
+  }
+
+  vtkPVHapticLargeFile* Owner = nullptr; ///< null: the file is no longer in the pipeline
+
+protected:
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    // The owner has said why.
+    return this->IsOpen ? this->Superclass::RequestInformation(request, inputs, outputs) : 0;
+  }
+
+private:
+  bool IsOpen = false;
+};
+
+vtkStandardNewMacro(vtkPVHapticLargeFile::Regions);
+vtkStandardNewMacro(vtkPVHapticLargeFile);
+
+//------------------------------------------------------------------------------
+vtkPVHapticLargeFile::vtkPVHapticLargeFile()
+  : Volume(vtkSmartPointer<Regions>::New())
+{
+  this->Volume->Owner = this;
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkPVHapticLargeFile::~vtkPVHapticLargeFile()
+{
+  this->Volume->Owner = nullptr;
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkPVHapticLargeFile* vtkPVHapticLargeFile::Find(vtkAlgorithmOutput* output)
+{
+  vtkAlgorithm* producer = output ? output->GetProducer() : nullptr;
+  while (producer && producer->IsA("vtkPVPostFilter") && producer->GetNumberOfInputConnections(0))
+  {
+    producer = producer->GetInputAlgorithm(0, 0);
+  }
+  return vtkPVHapticLargeFile::SafeDownCast(producer);
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRegionSource* vtkPVHapticLargeFile::GetRegions()
+{
+  return this->Volume;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHapticRegionSource> vtkPVHapticLargeFile::MakeRegions()
+{
+  if (!this->Open())
+  {
+    return nullptr;
+  }
+  auto regions = vtkSmartPointer<vtkHapticRegionSource>::New();
+  std::string error;
+  if (!regions->OpenFile(this->FileName, error))
+  {
+    vtkErrorMacro(<< error);
+    return nullptr;
+  }
+  regions->SetCoarseImage(this->Volume->GetCoarseImage());
+  return regions;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVHapticLargeFile::Open()
+{
+  if (this->GetMTime() > this->Opened)
+  {
+    this->Opened.Modified(); // what follows calls this again
+    this->IsOpen = false;
+    if (!this->FileName || !*this->FileName)
+    {
+      vtkErrorMacro(<< "No file is chosen. Set FileName to a .vtkhdf file or a .zarr folder.");
+      return false;
+    }
+    std::string error;
+    if (!this->Volume->OpenFile(this->FileName, error))
+    {
+      vtkErrorMacro(<< error);
+      return false;
+    }
+    this->IsOpen = this->Volume->GetCoarseImage() || this->Volume->MakeCoarseImage();
+    this->Opened.Modified();
+  }
+  return this->IsOpen;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVHapticLargeFile::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!this->Open())
+  {
+    return 0;
+  }
+  vtkImageData* const coarse = this->Volume->GetCoarseImage();
+  vtkInformation* const info = outputs->GetInformationObject(0);
+  info->Set(Pipeline::WHOLE_EXTENT(), coarse->GetExtent(), 6);
+  info->Set(vtkDataObject::SPACING(), coarse->GetSpacing(), 3);
+  info->Set(vtkDataObject::ORIGIN(), coarse->GetOrigin(), 3);
+  info->Set(vtkDataObject::DIRECTION(), coarse->GetDirectionMatrix()->GetData(), 9);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(
+    info, coarse->GetScalarType(), coarse->GetNumberOfScalarComponents());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVHapticLargeFile::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* const info = outputs->GetInformationObject(0);
+  vtkImageData* const output = vtkImageData::GetData(info);
+  output->ShallowCopy(this->Volume->GetCoarseImage());
+  // Each process of a server has its piece.
+  output->Crop(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVHapticLargeFile::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "IsOpen: " << this->IsOpen << "\n";
+  os << indent << "Regions:\n";
+  this->Volume->PrintSelf(os, indent.GetNextIndent());
+}

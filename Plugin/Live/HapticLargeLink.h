@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A large file of this process' own pipeline, for a filter in the client.
+ */
+#ifndef HapticLargeLink_h
+#define HapticLargeLink_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+class vtkAlgorithmOutput;
+class vtkHapticRegionSource;
+class vtkPVHapticLargeFile;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHapticsLive
+{
+
+/** The hand has a vtkHapticRegionSource of its own, which the device follows. */
+class HapticLargeLink
+{
+public:
+  /**
+   * If an output is that of a large file, connect the filter with its samples, unless it is. False
+   * if it is no large file.
+   */
+  bool Follow(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
+
+private:
+  vtkSmartPointer<vtkHapticRegionSource> Regions; ///< null if the file can't be opened
+  vtkWeakPointer<vtkPVHapticLargeFile> File;
+  vtkWeakPointer<vtkVolumeHapticsFilter> Filter;
+  vtkMTimeType OpenTime = 0;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A file that is larger than memory: ParaView shows its coarse level, which is 0 everywhere here, and hand and path feel
+the samples, which rise by 8 along x. By eq. 1 of the method Force field the force is then -8 times its gain, anywhere.
+"""
+import json
+import os
+import shutil
+import sys
+
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import live
+
+IS_REMOTE = sys.argv[3] == "Remote"
+SIZE, GAIN, SLOPE = 48, 0.05, 8.0
+FORCE = [-GAIN * SLOPE, 0.0, 0.0]
+
+
+def write(folder):
+    """An OME-Zarr image of two levels, in its version 2, without compression: the format's text says what stands where."""
+    shutil.rmtree(folder, ignore_errors=True)
+    rising = numpy.broadcast_to(SLOPE * numpy.arange(SIZE), (SIZE, SIZE, SIZE))
+    for level, samples in enumerate([rising, numpy.zeros((SIZE // 4,) * 3)]):
+        n = len(samples) // 2
+        os.makedirs(f"{folder}/{level}")
+        head = {"zarr_format": 2, "shape": [2 * n] * 3, "chunks": [n] * 3, "dtype": "<i2", "compressor": None, "fill_value": 0,
+                "order": "C", "filters": None}
+        with open(f"{folder}/{level}/.zarray", "w") as file:
+            json.dump(head, file)
+        for chunk in numpy.ndindex(2, 2, 2):
+            part = samples[tuple(slice(n * i, n * i + n) for i in chunk)]
+            part.astype("<i2").tofile(f"{folder}/{level}/" + ".".join(map(str, chunk)))
+    datasets = [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [1, 1, 1]}]},
+                {"path": "1", "coordinateTransformations": [{"type": "scale", "scale": [4, 4, 4]},
+                                                            {"type": "translation", "translation": [1.5, 1.5, 1.5]}]}]
+    axes = [{"name": name, "type": "space"} for name in "zyx"]
+    with open(f"{folder}/.zgroup", "w") as file:
+        json.dump({"zarr_format": 2}, file)
+    with open(f"{folder}/.zattrs", "w") as file:
+        json.dump({"multiscales": [{"version": "0.4", "axes": axes, "datasets": datasets}]}, file)
+
+
+def is_exact(force):
+    return live.distance(force, FORCE) < 1e-9 * live.norm(FORCE)
+
+
+def feel():
+    live.load_plugin(IS_REMOTE)
+    folder = os.path.join(live.FOLDER, "Rising.zarr")
+    write(folder)
+    volume = simple.OpenDataFile(folder)
+    live.check(volume and volume.GetXMLName() == "HapticLargeFolder", "File > Open knows the folder", volume)
+    volume.UpdatePipeline()
+    shown = volume.GetDataInformation()
+    live.check(shown.GetExtent() == (0, 11, 0, 11, 0, 11), "the coarse level is shown", shown.GetExtent())
+    live.check(shown.GetPointDataInformation().GetArrayInformation(0).GetComponentRange(0) == (0.0, 0.0), "it is 0")
+    settings = {"Method": "Force field", "ForceFieldGain": GAIN, "ForceFieldDamping": 0.0}
+    path = simple.Line(Point1=[10, 20, 20], Point2=[30, 25, 22], Resolution=50)
+    touch = simple.VolumeHaptics(Input=volume, Path=path, **settings)
+    touch.UpdatePipeline()
+    forces = vtk_to_numpy(servermanager.Fetch(touch).GetPointData().GetArray("Force"))
+    # The first tick has no force, because no time has passed.
+    live.check(len(forces) == 51 and all(is_exact(force) for force in forces[1:]), "the path feels the samples", forces)
+
+    device = simple.HapticDevice(Touch=touch)
+    live.press(device, [20, 20, 20], [25, 20, 22])
+    live.check(live.poll(device, lambda: is_exact(device.ComputedForce)), "the hand feels the samples",
+               list(device.ComputedForce), device.StatusText)
+    if not IS_REMOTE:
+        volume.FileName = os.path.join(live.FOLDER, "Missing.zarr")
+        live.check(live.poll(device, lambda: "no image" in device.StatusText), "a missing file is told", device.StatusText)
+        volume.FileName = folder
+        live.check(live.poll(device, lambda: is_exact(device.ComputedForce)), "the file is felt again", device.StatusText)
+    device.Running = 0
+
+
+if IS_REMOTE:
+    with live.Server(2):
+        feel()
+        simple.Disconnect()
+else:
+    feel()
