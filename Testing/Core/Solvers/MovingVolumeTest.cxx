@@ -26,8 +26,8 @@ constexpr double K = 500.0;    // N/m
 constexpr double Width = 1.5;  // mm, of the edges
 constexpr double Period = 1.0; // s, of the ball
 constexpr double Dt = 1e-3;    // s, of a tick
-/// N: a surface is found to 0.02 voxel on any volume, at rest, too.
-constexpr double OfTheVoxels = 0.02 * 0.001 * K;
+/// N, of 1.5 N.
+constexpr double OnePercent = 0.015;
 
 /// Where (mm along x) a surface is at a time (s).
 using Place = std::function<double(double)>;
@@ -135,6 +135,15 @@ HapticModelDescription WithStrength(HapticModelDescription description, double s
   description.Material.SurfaceStrength = ConstantPolyline(strength);
   return description;
 }
+
+/// The Gaussian's blur moves the surface of a ball by 0.03 mm, as the evaluation shows; this one's
+/// by 0.016 mm.
+HapticModelDescription WithSpline(HapticModelDescription description)
+{
+  description.Estimator = GradientEstimator::CubicBSpline;
+  return description;
+}
+
 /// V5: frames that are all the same volume, 10 ms apart, are felt as one that stands still.
 template <typename TipAt>
 void ExpectFramesAlike(HapticModelDescription description, int frames, int ticks, TipAt tipAt)
@@ -169,14 +178,13 @@ void ExpectFramesAlike(HapticModelDescription description, int frames, int ticks
 TEST(MovingVolume, ABallThatPulsatesPushesARestingHand)
 {
   const Movie ball = MakeBall(0.01);
-  RestingHand hand(WithStrength(ball.Describe(), 2.0), 24.0, 19.0);
-  EXPECT_NEAR(hand.Record.Force.X, 0.5, 0.005);
+  RestingHand hand(WithSpline(WithStrength(ball.Describe(), 2.0)), 24.0, 19.0);
+  EXPECT_NEAR(hand.Record.Force.X, 0.5, 0.01);
   double before = hand.Record.Force.X;
   for (double t = Dt; t < 2.0; t += Dt)
   {
     const Vector3 force = hand.Go(t).Force;
-    EXPECT_NEAR(force.X, 0.001 * K * std::max(0.0, BallRadius(t) - 19.0), 0.01 * 1.5 + OfTheVoxels)
-      << "at " << t;
+    EXPECT_NEAR(force.X, 0.001 * K * std::max(0.0, BallRadius(t) - 19.0), OnePercent) << "at " << t;
     EXPECT_NEAR(force.Y, 0.0, 1e-9);
     EXPECT_NEAR(force.Z, 0.0, 1e-9);
     // Twice the step of a surface that is as fast as this one can be.
@@ -204,15 +212,14 @@ TEST(MovingVolume, AWallThatComesThroughAMediumPushesAlone)
 {
   const Place at = [](double t) { return 16.0 + 10.0 * std::min(t, 0.5); };
   const Movie wall = MakeWall(at, 0.02);
-  HapticModelDescription description = WithStrength(wall.Describe(), 2.0);
+  HapticModelDescription description = WithSpline(WithStrength(wall.Describe(), 2.0));
   description.Material.Viscosity = ConstantPolyline(0.5);
   RestingHand hand(description, 20.0, 18.0);
   EXPECT_LT(Norm(hand.Record.Force), 0.51); // of the drag on the way here
   RestingHand rested(description, 18.0, 18.0);
   for (double t = Dt; t < 1.0; t += Dt)
   {
-    EXPECT_NEAR(
-      rested.Go(t).Force.X, 0.001 * K * std::max(0.0, at(t) - 18.0), 0.01 * 1.5 + OfTheVoxels)
+    EXPECT_NEAR(rested.Go(t).Force.X, 0.001 * K * std::max(0.0, at(t) - 18.0), OnePercent)
       << "at " << t;
   }
 }
@@ -223,17 +230,25 @@ TEST(MovingVolume, FramesFarApartAreBlendedToAMotion)
   for (const double step : { 0.05, 0.1 })
   {
     const Movie ball = MakeBall(step);
-    RestingHand hand(WithStrength(ball.Describe(), 2.0), 24.0, 19.0);
+    RestingHand hand(WithSpline(WithStrength(ball.Describe(), 2.0)), 24.0, 19.0);
     double before = hand.Record.Force.X;
     for (double t = Dt; t < 1.0; t += Dt)
     {
-      // All that the frames tell: the radius goes straight from one to the next.
+      // All that the frames tell: where the blend of two edges is half-way.
       const double frame = step * std::floor(t / step);
       const double share = (t - frame) / step;
-      const double radius = (1.0 - share) * BallRadius(frame) + share * BallRadius(frame + step);
+      double low = 17.5;
+      double radius = 22.5;
+      for (double high = radius; high - low > 1e-6; radius = 0.5 * (low + high))
+      {
+        const double blend = (share - 1.0) * std::tanh((radius - BallRadius(frame)) / Width) -
+          share * std::tanh((radius - BallRadius(frame + step)) / Width);
+        (blend > 0.0 ? low : high) = radius;
+      }
       const double force = hand.Go(t).Force.X;
-      EXPECT_NEAR(
-        force, 0.001 * K * std::max(0.0, radius - 19.0), 0.02 * 0.001 * Width * K + OfTheVoxels)
+      // The spline blurs by a variance of 1/3 square voxel.
+      const double seen = radius - 1.0 / (3.0 * radius);
+      EXPECT_NEAR(force, 0.001 * K * std::max(0.0, seen - 19.0), OnePercent)
         << "at " << t << ", frames " << step << " s apart";
       EXPECT_LE(std::abs(force - before), 2.0 * 0.001 * K * 4.0 * Pi * Dt) << "at " << t;
       before = force;
@@ -279,8 +294,7 @@ TEST(MovingVolume, ALocalSurfaceIsCarriedBetweenItsFits)
   for (double t = Dt; t < 1.0 + 0.5 * Dt; t += Dt)
   {
     const double force = hand.Go(t).Force.X;
-    EXPECT_NEAR(force, 0.001 * K * std::max(0.0, BallRadius(t) - 19.0), 0.01 * 1.5 + OfTheVoxels)
-      << "at " << t;
+    EXPECT_NEAR(force, 0.001 * K * std::max(0.0, BallRadius(t) - 19.0), OnePercent) << "at " << t;
     EXPECT_LE(std::abs(force - before), 2.0 * 0.001 * K * 4.0 * Pi * Dt) << "at " << t;
     before = force;
     work += hand.Record.WallWork;
