@@ -4,6 +4,7 @@
 
 #include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Files/ByteOrder.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Large/CoarseImage.h"
 #include "VTK/Large/CoarseLevel.h"

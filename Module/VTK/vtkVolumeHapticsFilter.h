@@ -147,11 +147,8 @@
 #include "vtkVolumeHapticsAlgorithm.h"
 #include "vtkVolumeHapticsModule.h" // for export macro
 
-#include <array>   // for std::array
-#include <memory>  // for std::shared_ptr
-#include <string>  // for std::string
-#include <utility> // for std::pair
-#include <vector>  // for std::vector
+#include <memory> // for std::shared_ptr
+#include <string> // for std::string
 
 class vtkHapticLabelTable;
 class vtkHapticRegionSource;
@@ -163,20 +160,12 @@ class vtkMatrix4x4;
 namespace VolumeHaptics
 {
 class ArrayHash;
+class BakePreparation;
+class FastMotionWarning;
 class HapticBaker;
-class HapticLabels;
 class HapticModel;
-class HapticSurface;
 class RegionSeries;
-class TipPaths;
-struct Affine3;
-struct BakedLabels;
-struct BakedVolume;
-struct ForceCaps;
-struct HapticFrame;
-struct HapticFrames;
-struct SurfaceRegion;
-struct TouchedArray;
+class ResampledInput;
 } // namespace VolumeHaptics
 #endif
 
@@ -245,70 +234,16 @@ protected:
 
 private:
 #ifndef __VTK_WRAP__
-  /** Why there is no image to touch. */
-  std::string DescribeLackOfImage();
-
-  /** Data on port 0 that are no image, and the regions of them that are resampled. */
-  struct ResampledData
-  {
-    vtkSmartPointer<vtkHapticRegionSource> Source; ///< null if they can't be
-    const void* Of = nullptr;
-    vtkMTimeType Time = 0;
-    std::vector<std::string> Arrays;
-    std::string Error;
-  };
-  ResampledData Resampled;
-
   friend class VolumeHaptics::HapticBaker;
 
-  ///@{
-  /** See HapticBaker. */
-  std::shared_ptr<const VolumeHaptics::HapticModel> Bake(double rate,
-    const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
-    VolumeHaptics::HapticFrames&& frames);
-  const char* PrepareBake();
-  bool PrepareLabels();
-  bool PrepareSurface();
-  std::shared_ptr<const VolumeHaptics::HapticModel> BakeRegion(
-    const VolumeHaptics::SurfaceRegion& part, double rate,
-    const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld);
-  double EstimateBakeTime();
-  std::array<VolumeHaptics::TouchedArray, 2> GetTouched();
-  ///@}
-
-  /** Whether baking makes no mesh that takes long; if it does, that is begun in the background. */
-  bool IsSurfaceAtHand();
-  /** Waits for such a mesh; false if the user aborts that. */
-  bool AwaitSurface();
-  /** Bakes the labels, if there are any; false after an error. */
-  bool BakeLabels(std::shared_ptr<const VolumeHaptics::BakedLabels>& labels, std::string& error);
-  /** Whether the scalars of an image on port 0 are to be felt as labels, if they can be some. */
-  bool AreLabels(vtkImageData* image);
-  bool ReadPlacement(
-    vtkMatrix4x4* deviceToWorld, VolumeHaptics::Affine3& placement, std::string& error);
-  std::shared_ptr<const VolumeHaptics::HapticModel> BakeInput(double rate,
-    const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
-    VolumeHaptics::HapticFrames&& frames);
-  /** Whether a path goes through the time steps of port 0, if it has any. */
-  bool FeelsMotion();
-  /** The time steps that paths need, if the volume moves. False after an error. */
-  bool CollectTimeSteps(const VolumeHaptics::TipPaths& paths, VolumeHaptics::HapticFrames& frames);
-  /** Once for each series of frames. */
-  void WarnOfFastMotion(vtkImageData* image, const VolumeHaptics::BakedVolume& volume);
-  bool CollectComponents(std::vector<VolumeHaptics::HapticFrame>& frames);
   int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
-  std::shared_ptr<const VolumeHaptics::HapticModel> BakeImage(vtkImageData* image,
-    double tickPeriod, const VolumeHaptics::ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld,
-    std::string& error, vtkPolyData* recording, VolumeHaptics::HapticFrames&& frames);
 
-  /** A source and its time of change. */
-  using SeriesKey = std::pair<const void*, vtkMTimeType>;
-  SeriesKey LookedAt{ nullptr, 0 };
   std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;
-  std::unique_ptr<VolumeHaptics::HapticSurface> Surfaces;
+  std::unique_ptr<VolumeHaptics::BakePreparation> Preparation;
+  std::unique_ptr<VolumeHaptics::ResampledInput> Resampled;
+  std::unique_ptr<VolumeHaptics::FastMotionWarning> MotionWarning;
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
-  std::unique_ptr<VolumeHaptics::HapticLabels> Labels;
   std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // of scalars and labels
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
 #endif

@@ -4,7 +4,7 @@
 
 #include "Shapes.h"
 
-#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"

@@ -6,7 +6,7 @@
 #include "Shapes.h"
 #include "SmoothedVolume.h"
 
-#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RealVolume.h"
 
-#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "Energy.h"
 #include "Shapes.h"

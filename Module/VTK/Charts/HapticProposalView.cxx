@@ -20,7 +20,7 @@ vtkHapticProperty* HapticProposalView::GetProposed() const
   return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
 }
 
-/** What is searched for edges; shows its histogram first. */
+/** The data that are searched for edges; shows their histogram first. */
 SearchedData HapticProposalView::GetSearched()
 {
   this->Chart.ShowData(this->Image, this->GetComponent());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Labels/NrrdImage.h"
 
+#include "VTK/Files/ByteOrder.h"
 #include "VTK/Labels/LabelText.h"
 
 #include <algorithm>
@@ -57,10 +58,8 @@ bool ReadType(const NrrdHeader& header, NrrdImage& image, std::string& error)
     {
       image.SampleSize = type.Size;
       image.IsSigned = type.IsSigned;
-      const std::uint16_t probe = 1;
-      const bool isBig = reinterpret_cast<const char*>(&probe)[0] == 0;
       const std::string endian = MakeKey(Find(header.Fields, "endian"));
-      image.IsSwapped = type.Size > 1 && !endian.empty() && (endian == "big") != isBig;
+      image.IsSwapped = type.Size > 1 && !endian.empty() && IsOtherByteOrder(endian == "big");
       return true;
     }
   }

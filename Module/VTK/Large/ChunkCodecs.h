@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What compressed chunks of samples are made of.
+ * Unpacks compressed chunks of samples.
  */
 #ifndef ChunkCodecs_h
 #define ChunkCodecs_h

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/Hdf5Types.h"
 
+#include "VTK/Files/ByteOrder.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -52,14 +54,13 @@ std::vector<double> Hdf5Attribute::GetNumbers() const
   {
     return numbers;
   }
-  const std::uint16_t probe = 1;
-  const bool isHostBig = *reinterpret_cast<const unsigned char*>(&probe) == 0;
+  const bool isOther = IsOtherByteOrder(this->Type.IsBig);
   std::vector<char> number(this->Type.Size);
   for (std::size_t at = 0; at + this->Type.Size <= this->Bytes.size(); at += this->Type.Size)
   {
     std::copy_n(
       this->Bytes.begin() + static_cast<std::ptrdiff_t>(at), number.size(), number.begin());
-    if (this->Type.IsBig != isHostBig)
+    if (isOther)
     {
       std::reverse(number.begin(), number.end());
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the messages in an HDF5 file say of a type, a filter, an attribute and a value.
+ * Reads the messages of an HDF5 file that describe types, filters, attributes and values.
  */
 #ifndef Hdf5Types_h
 #define Hdf5Types_h

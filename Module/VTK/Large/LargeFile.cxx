@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <stdexcept>
 
 namespace VolumeHaptics
@@ -63,13 +62,6 @@ int FindScalarType(bool isInteger, bool isSigned, std::size_t size)
     default:
       return 0;
   }
-}
-
-bool IsOtherByteOrder(bool isBig)
-{
-  const std::uint16_t probe = 1;
-  const bool isHostBig = *reinterpret_cast<const unsigned char*>(&probe) == 0;
-  return isBig != isHostBig;
 }
 
 } // namespace VolumeHaptics

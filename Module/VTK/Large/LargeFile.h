@@ -43,9 +43,6 @@ LargeFile OpenLargeFile(const std::string& name);
  */
 int FindScalarType(bool isInteger, bool isSigned, std::size_t size);
 
-/** Whether bytes that come in one order or the other are not in that of this computer. */
-bool IsOtherByteOrder(bool isBig);
-
 } // namespace VolumeHaptics
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/VtkHdfFile.h"
 
+#include "VTK/Files/ByteOrder.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Large/ChunkCodecs.h"
 #include "VTK/Large/ChunkedVolume.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/ZarrFile.h"
 
+#include "VTK/Files/ByteOrder.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Large/ZarrArray.h"
 #include "VTK/Large/ZarrHead.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticShownFrames.h"
 
-#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"

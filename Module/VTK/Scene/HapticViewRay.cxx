@@ -4,8 +4,8 @@
 
 #include "Core/Regions/Residency.h"
 #include "Core/Servo/ServoTick.h"
-#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "vtkBox.h"
 #include "vtkCamera.h"

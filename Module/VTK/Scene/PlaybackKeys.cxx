@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/PlaybackKeys.h"
 
-#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/TouchMode.h"
 
-#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/HapticViewRay.h"
 #include "VTK/Scene/HapticWindowWatch.h"
 #include "VTK/Scene/WorkspaceControl.h"

@@ -3,10 +3,11 @@
 #include "VTK/Session/DataPlayback.h"
 
 #include "Core/Servo/ServoClock.h"
-#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Filter/FilterFrames.h"
+#include "VTK/Filter/HapticBaker.h"
 #include "VTK/Session/HapticChangeTime.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -292,8 +293,10 @@ bool DataPlayback::ReadComponents(vtkVolumeHapticsFilter* filter, std::vector<Ha
     TellUnread(filter);
     return false;
   }
-  if (!HapticBaker(filter).CollectComponents(frames))
+  std::string error;
+  if (!CollectComponents(filter, frames, error))
   {
+    vtkErrorWithObjectMacro(filter, << error);
     return false;
   }
   this->Steps.clear();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/DeviceRecorder.h"
 
-#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticHash.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Filter/HapticBaker.h"
 #include "VTK/Recording/HapticJournal.h"
 #include "VTK/Recording/HapticRecordingFile.h"
 #include "VTK/Session/HapticLongWork.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What modes hold the hand on, as polydata in the world.
+ * The shapes that modes hold the hand on, as polydata in the world.
  */
 #ifndef FollowedPolyData_h
 #define FollowedPolyData_h

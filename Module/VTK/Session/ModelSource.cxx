@@ -3,9 +3,9 @@
 #include "VTK/Session/ModelSource.h"
 
 #include "Core/Servo/ServoClock.h"
-#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticPlacement.h"
+#include "VTK/Filter/HapticBaker.h"
 #include "VTK/Session/HapticChangeTime.h"
 #include "VTK/Session/HapticLongWork.h"
 

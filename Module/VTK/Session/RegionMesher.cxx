@@ -3,11 +3,11 @@
 #include "VTK/Session/RegionMesher.h"
 
 #include "Core/Servo/ServoClock.h"
-#include "VTK/Baking/HapticBaker.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/WholeFacts.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"

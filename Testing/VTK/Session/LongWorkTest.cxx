@@ -8,7 +8,7 @@
 
 #include "Rigs/DeviceRig.h"
 #include "Rigs/GatedArray.h"
-#include "VTK/Baking/HapticBaker.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "Core/Model/HapticModel.h"
 

@@ -3,11 +3,11 @@
 #ifndef HapticBaker_h
 #define HapticBaker_h
 
+#include "Core/Model/ForceCaps.h"
 #include "VTK/Baking/HapticFrames.h"
-#include "VTK/Baking/HapticLabels.h"
-#include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/SurfaceRegion.h"
 #include "VTK/Baking/TouchedArray.h"
+#include "VTK/Filter/BakePreparation.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include "vtkDataArray.h"
@@ -16,14 +16,12 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace VolumeHaptics
 {
-
-/** What HapticBaker::Prepare returns while a mesh is made. */
-inline constexpr char MeshingWork[] = "the surface is meshed";
 
 /**
  * Makes models from a filter and its inputs, for the code that ticks on them: the device, and the
@@ -46,7 +44,7 @@ public:
   std::shared_ptr<const HapticModel> Bake(
     double rate, const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const
   {
-    return this->Filter->Bake(rate, deviceCaps, deviceToWorld, {});
+    return this->BakeOrTell(rate, deviceCaps, deviceToWorld, {});
   }
 
   /**
@@ -56,17 +54,8 @@ public:
     vtkMatrix4x4* deviceToWorld, std::vector<HapticFrame>&& frames,
     const std::vector<double>& steps) const
   {
-    return this->Filter->Bake(
+    return this->BakeOrTell(
       rate, deviceCaps, deviceToWorld, { std::move(frames), MakeSeries(steps) });
-  }
-
-  /**
-   * The components of the touched array as frames, after its source has run; none if Bake() tells
-   * what is missing. False after an error.
-   */
-  bool CollectComponents(std::vector<HapticFrame>& frames) const
-  {
-    return this->Filter->CollectComponents(frames);
   }
 
   /** The data times of the frames of the image; empty if it has less than two. */
@@ -107,34 +96,47 @@ public:
    * can't be touched; there is no error.
    */
   std::shared_ptr<const HapticModel> BakeRegion(const SurfaceRegion& part, double rate,
-    const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const
-  {
-    return this->Filter->BakeRegion(part, rate, deviceCaps, deviceToWorld);
-  }
+    const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const;
+
+  /**
+   * Bakes an image as it is, for ticks of a period (s). Null, with the cure in `error`, if it can't
+   * be touched.
+   * @param recording that is replayed, whose version decides where the material is read; or null
+   */
+  std::shared_ptr<const HapticModel> BakeImage(vtkImageData* image, double tickPeriod,
+    const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
+    vtkPolyData* recording, HapticFrames&& frames) const;
 
   /**
    * Null if Bake() has all that takes long and can be made in the background: the distances to
    * forbidden labels, and a large mesh. If not, its making is under way: a text for the status,
    * such as MeshingWork.
    */
-  const char* Prepare() const { return this->Filter->PrepareBake(); }
+  const char* Prepare() const { return this->Filter->Preparation->Prepare(); }
   /** Ends what Prepare() began. */
-  void EndPreparing() const
-  {
-    this->Filter->Labels->EndPreparing();
-    this->Filter->Surfaces->EndPreparing();
-  }
+  void EndPreparing() const { this->Filter->Preparation->EndPreparing(); }
 
   /**
    * How long (s) Bake() would take now on a desktop computer, approximately and without the
    * pipeline before the filter. Only the mesh of SURFACE_PROXY takes time; 0 if it is up to date.
    */
-  double EstimateTime() const { return this->Filter->EstimateBakeTime(); }
+  double EstimateTime() const { return this->Filter->Preparation->EstimateTime(); }
 
   /** The arrays of HashScalars() and HashLabels(); null for one that is not there. */
-  std::array<TouchedArray, 2> GetTouched() const { return this->Filter->GetTouched(); }
+  std::array<TouchedArray, 2> GetTouched() const;
 
 private:
+  /** Bake(), with the filter's errors. */
+  std::shared_ptr<const HapticModel> BakeOrTell(double rate, const ForceCaps& deviceCaps,
+    vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const;
+  std::shared_ptr<const HapticModel> BakeInput(double rate, const ForceCaps& deviceCaps,
+    vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const;
+  /** Bakes the labels, if there are any; false after an error. */
+  bool BakeLabels(std::shared_ptr<const BakedLabels>& labels, std::string& error) const;
+  /** Whether the scalars of an image on port 0 are to be felt as labels, if they can be some. */
+  bool AreLabels(vtkImageData* image) const;
+  bool ReadPlacement(vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error) const;
+
   vtkVolumeHapticsFilter* const Filter;
 };
 

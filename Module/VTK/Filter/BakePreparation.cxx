@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Filter/BakePreparation.h"
+
+#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Filter/FilterSources.h"
+#include "VTK/Filter/HapticBaker.h"
+#include "vtkVolumeHapticsCompat.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+#include <new>
+
+namespace VolumeHaptics
+{
+
+//------------------------------------------------------------------------------
+const char* BakePreparation::Prepare()
+{
+  vtkVolumeHapticsFilter* const filter = this->Filter;
+  const bool hasLabels = filter->GetLabelTable() && filter->GetInputDataObject(3, 0);
+  const bool hasMesh = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY;
+  if (!hasLabels)
+  {
+    this->Labels.EndPreparing();
+  }
+  if (!hasMesh)
+  {
+    this->Surfaces.EndPreparing();
+  }
+  if (hasLabels || hasMesh)
+  {
+    try
+    {
+      UpdateSources(filter);
+    }
+    catch (const std::bad_alloc&)
+    {
+      return nullptr; // Bake() reports it
+    }
+  }
+  const bool areLabelsReady = !hasLabels || this->PrepareLabels();
+  const bool isMeshReady = !hasMesh || this->PrepareSurface();
+  return !areLabelsReady ? "the distances to forbidden labels are measured"
+    : !isMeshReady       ? MeshingWork
+                         : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void BakePreparation::EndPreparing()
+{
+  this->Labels.EndPreparing();
+  this->Surfaces.EndPreparing();
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::PrepareLabels()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
+  vtkDataArray* const labels = HapticBaker(this->Filter).GetTouched()[1].Array;
+  return !labels || this->Labels.Prepare(image, labels, this->Filter->GetLabelTable());
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::PrepareSurface()
+{
+  vtkImageData* const image = this->Filter->GetTouchedImage();
+  vtkDataArray* const scalars = HapticBaker(this->Filter).GetTouched()[0].Array;
+  const int component = this->Filter->GetProperty()->GetComponent();
+  HapticVolume volume;
+  std::string error;
+  if (!scalars ||
+    !ReadVolume(image, scalars, component, this->Filter->GetKernelRadius(), volume, error))
+  {
+    return true; // Bake() reports what can't be read
+  }
+  const std::int64_t* const first = volume.View.First;
+  return this->Surfaces.Prepare(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),
+    { image, scalars, component, this->Filter->GetIsoValue(),
+      { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
+      volume.Whole.IsThere },
+    volume.IndexToWorld);
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::IsSurfaceAtHand()
+{
+  return this->Filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY ||
+    this->PrepareSurface();
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::AwaitSurface()
+{
+  constexpr double piece = 0.02; // s
+  while (!this->IsSurfaceAtHand())
+  {
+    if (!this->Surfaces.WaitFor(piece))
+    {
+      this->Filter->UpdateProgress(0.0);
+    }
+    if (MustAbort(this->Filter))
+    {
+      this->Surfaces.EndPreparing();
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double BakePreparation::EstimateTime()
+{
+  if (this->Filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY)
+  {
+    return 0.0;
+  }
+  try
+  {
+    UpdateSources(this->Filter);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return 0.0; // Bake() reports it
+  }
+  vtkImageData* const image = this->Filter->GetTouchedImage();
+  vtkDataArray* const scalars = HapticBaker(this->Filter).GetTouched()[0].Array;
+  if (!scalars)
+  {
+    return 0.0; // Bake() reports the error
+  }
+  return this->Surfaces.EstimateTime(
+    vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),
+    { image, scalars, this->Filter->GetProperty()->GetComponent(), this->Filter->GetIsoValue() });
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The parts of a bake that take long.
+ */
+#ifndef BakePreparation_h
+#define BakePreparation_h
+
+#include "VTK/Baking/HapticLabels.h"
+#include "VTK/Baking/HapticSurface.h"
+
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/** What Prepare() returns while a mesh is made. */
+inline constexpr char MeshingWork[] = "the surface is meshed";
+
+/**
+ * The mesh of SURFACE_PROXY and the distances to forbidden labels, which can be made in the
+ * background before a filter bakes.
+ */
+class BakePreparation
+{
+public:
+  explicit BakePreparation(vtkVolumeHapticsFilter* filter)
+    : Filter(filter)
+  {
+  }
+
+  HapticSurface& GetSurfaces() { return this->Surfaces; }
+  HapticLabels& GetLabels() { return this->Labels; }
+
+  /** See HapticBaker::Prepare(). */
+  const char* Prepare();
+  /** See HapticBaker::EndPreparing(). */
+  void EndPreparing();
+
+  /** Whether baking makes no mesh that takes long; if it does, that is begun in the background. */
+  bool IsSurfaceAtHand();
+  /** Waits for such a mesh; false if the user aborts that. */
+  bool AwaitSurface();
+  /** See HapticBaker::EstimateTime(). */
+  double EstimateTime();
+
+private:
+  bool PrepareLabels();
+  bool PrepareSurface();
+
+  vtkVolumeHapticsFilter* const Filter;
+  HapticSurface Surfaces;
+  HapticLabels Labels;
+};
+
+} // namespace VolumeHaptics
+
+#endif

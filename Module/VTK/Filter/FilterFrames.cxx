@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Filter/FilterFrames.h"
+
+#include "Core/Model/BakedVolume.h"
+#include "VTK/Baking/HapticNoise.h"
+#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Filter/HapticBaker.h"
+#include "VTK/Trace/TipPaths.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+double FindLastDataTime(const RecordedPath& recording)
+{
+  return *std::max_element(recording.DataTimes.begin(), recording.DataTimes.end());
+}
+
+/** If a recording went on from the last frame to the first one, the first one follows again. */
+void AddLoop(const RecordedPath& recording, std::vector<HapticFrame>& frames)
+{
+  if (!frames.empty() && FindLastDataTime(recording) > frames.back().Time)
+  {
+    const HapticFrame first = frames.front();
+    frames.push_back(first);
+  }
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+bool AreTimeStepsFelt(vtkVolumeHapticsFilter* filter)
+{
+  return filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS &&
+    filter->GetTimeUnitsPerSecond() != 0.0 && filter->GetNumberOfInputConnections(1) > 0;
+}
+
+//------------------------------------------------------------------------------
+bool CollectComponents(
+  vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames, std::string& error)
+{
+  vtkImageData* const image = filter->GetTouchedImage();
+  vtkDataArray* const array = image ? HapticBaker(filter).GetReading().GetArray(image) : nullptr;
+  if (!array)
+  {
+    return true;
+  }
+  const char* flaw = nullptr;
+  if (array->GetNumberOfComponents() < 2)
+  {
+    flaw = " has one component, and the components are the frames (SetFramesToComponents). Give it "
+           "one for each frame, for example with vtkNIFTIImageReader::TimeAsVectorOn(), or take "
+           "SetFramesToTimeSteps().";
+  }
+  else if (!filter->GetDisplacementArrayName().empty())
+  {
+    flaw = " has frames that are components (SetFramesToComponents), which have no displacements. "
+           "Give them as time steps, or take SetDisplacementArrayName(\"\").";
+  }
+  if (flaw)
+  {
+    error = "The input image's " + Printable(DescribeArray(array)) + flaw;
+    return false;
+  }
+  frames = MakeComponentFrames(image, array, filter->GetFrameSpacing());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool CollectFramesOfPaths(
+  vtkVolumeHapticsFilter* filter, const TipPaths& paths, HapticFrames& frames, std::string& error)
+{
+  const RecordedPath* const recording = paths.GetRecording();
+  const bool isMoving = recording && !recording->DataTimes.empty();
+  if (recording && !isMoving)
+  {
+    return true;
+  }
+  const bool areComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  if (areComponents && filter->GetTimeUnitsPerSecond() != 0.0)
+  {
+    const bool areThere = CollectComponents(filter, frames.Frames, error);
+    if (isMoving)
+    {
+      AddLoop(*recording, frames.Frames);
+    }
+    return areThere;
+  }
+  const std::vector<double> steps = AreTimeStepsFelt(filter)
+    ? ReadTimeSteps(filter->GetInputInformation(0, 0))
+    : std::vector<double>();
+  if (steps.empty())
+  {
+    if (isMoving)
+    {
+      error = "The recording on port 1 is of a volume that moves (it has the point array "
+              "DataTime), and the image on input port 0 does not. Connect the source of its "
+              "time steps, with a TimeUnitsPerSecond that is not 0.";
+    }
+    return !isMoving;
+  }
+  const double last = isMoving
+    ? FindLastDataTime(*recording)
+    : steps.front() + filter->GetTimeUnitsPerSecond() * paths.FindLastTime();
+  frames.Series = MakeSeries(steps);
+  frames.Frames = CollectFrames(filter, steps, last, HapticBaker(filter).GetReading());
+  if (isMoving)
+  {
+    AddLoop(*recording, frames.Frames);
+  }
+  if (frames.Frames.empty())
+  {
+    error = "A time step of the image on input port 0 can't be read: see the errors of its "
+            "source. SetTimeUnitsPerSecond(0) takes one time step alone.";
+  }
+  return !frames.Frames.empty();
+}
+
+//------------------------------------------------------------------------------
+std::string FastMotionWarning::Describe(
+  vtkVolumeHapticsFilter* filter, vtkImageData* image, const BakedVolume& volume)
+{
+  vtkAlgorithm* const producer = filter->GetInputAlgorithm(0, 0);
+  const SeriesKey series = { producer, producer->GetMTime() };
+  if (!filter->GetDisplacementArrayName().empty() || this->LookedAt == series)
+  {
+    return {};
+  }
+  this->LookedAt = series;
+  vtkDataArray* const scalars = HapticBaker(filter).GetReading().GetArray(image);
+  const bool areComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  const int component = areComponents ? 0 : filter->GetProperty()->GetComponent();
+  return DescribeFastMotion(
+    volume, FindNoise(image, scalars, volume.Field.GetView(), component).Noise);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Filter/HapticBaker.h"
+
+#include "VTK/Baking/HapticModelBuilder.h"
+#include "VTK/Baking/HapticPlacement.h"
+#include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Baking/WholeFacts.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Filter/FilterSources.h"
+#include "VTK/Filter/ResampledInput.h"
+#include "VTK/Trace/RecordedLabels.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkHapticLabelTable.h"
+#include "vtkHapticMode.h"
+#include "vtkHapticRegionSource.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const HapticModel> HapticBaker::BakeOrTell(double rate, const ForceCaps& deviceCaps,
+  vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const
+{
+  try
+  {
+    return this->BakeInput(rate, deviceCaps, deviceToWorld, std::move(frames));
+  }
+  catch (const SourceLacksMemory& lack)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "There is not enough memory for the source of input port "
+        << lack.Port
+        << " to run. VTK can't run it again after this, not even with more memory: connect a new "
+           "source, "
+        << "of a smaller image or of a region of it.");
+    return nullptr;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
+    vtkErrorWithObjectMacro(this->Filter, << DescribeLackOfMemory(image));
+    return nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const ForceCaps& deviceCaps,
+  vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const
+{
+  const bool isMoving = !frames.Frames.empty();
+  std::string error;
+  if (auto* const source =
+        vtkHapticRegionSource::SafeDownCast(this->Filter->GetInputAlgorithm(0, 0)))
+  {
+    source->UseSettingsOf(this->Filter);
+  }
+  const char* const hint = UpdateSources(this->Filter) ? "" : FailedSource;
+  vtkDataObject* const surface = this->Filter->GetInputDataObject(2, 0);
+  vtkImageData* const image = this->Filter->GetTouchedImage();
+  if (!image)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      << this->Filter->Resampled->DescribeFault(this->Filter->GetInputDataObject(0, 0)) << hint);
+    return nullptr;
+  }
+  // If only the device has moved, as it does with every frame while it follows the camera, or holds
+  // more or less than before, the baked volume is shared.
+  vtkDataArray* const scalars = this->Filter->GetInputArrayToProcess(0, image);
+  vtkImageData* const labels = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
+  vtkDataArray* const labelArray =
+    labels ? this->Filter->GetInputArrayToProcess(1, labels) : nullptr;
+  const auto getTime = [&]
+  {
+    return std::max({ this->Filter->GetMTime(), image->GetMTime(),
+      scalars ? scalars->GetMTime() : 0, surface ? surface->GetMTime() : 0,
+      labels ? labels->GetMTime() : 0, labelArray ? labelArray->GetMTime() : 0 });
+  };
+  Affine3 placement;
+  auto model = this->Filter->LastBaked.lock();
+  const bool isCurrent = model && !isMoving && getTime() == this->Filter->LastBakedTime &&
+    model->Baked->Settings.TickPeriod == 1.0 / rate;
+  if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
+  {
+    model = std::make_shared<const HapticModel>(*model, placement, deviceCaps);
+  }
+  else if (error.empty())
+  {
+    model = this->BakeImage(
+      image, 1.0 / rate, deviceCaps, deviceToWorld, error, nullptr, std::move(frames));
+  }
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(this->Filter, << Printable(error) << hint);
+    return nullptr;
+  }
+  this->Filter->LastBaked = isMoving ? nullptr : model;
+  // Afterwards: the first bake makes what the property lacks.
+  this->Filter->LastBakedTime = getTime();
+  return model;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, double tickPeriod,
+  const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,
+  vtkPolyData* recording, HapticFrames&& frames) const
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = this->Filter->GetInputArrayToProcess(0, image, association);
+  if (!scalars && this->Filter->Method == vtkVolumeHapticsFilter::PRIMITIVES)
+  {
+    // Modes need no scalars; only the array Value has these.
+    scalars = FindModeArray(this->Filter->Modes, image);
+  }
+  if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    const char* const name =
+      this->Filter->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+    error = (name ? "The input image has no numeric point array \"" + std::string(name) + "\"."
+                  : std::string("The input image has no point scalars to touch.")) +
+      " Give its point data active scalars, or name a numeric point array with "
+      "SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
+    return nullptr;
+  }
+  HapticModelOptions options;
+  error = this->Filter->CheckSettings(1.0 / tickPeriod);
+  if (!error.empty() ||
+    !this->ReadPlacement(deviceToWorld, options.Description.DeviceToWorld, error) ||
+    !this->BakeLabels(options.Description.Labels, error))
+  {
+    return nullptr;
+  }
+  for (const FilterSetting& setting : FilterSettings)
+  {
+    if (setting.Bake)
+    {
+      setting.Bake(this->Filter, options.Description);
+    }
+  }
+  if (recording && IsOlderThanMaterialPlacement(recording))
+  {
+    HapticSettings& settings = options.Description.Settings;
+    settings.Placement = MaterialPlacement::Kernel;
+    settings.Alignment = FindRecordedSetting(recording, "ContactAlignment: ") == "Edge"
+      ? ContactAlignment::Edge
+      : ContactAlignment::Distinctness;
+  }
+  if (frames.Frames.empty() && this->AreLabels(image))
+  {
+    options.Description.Labels = this->Filter->Preparation->GetLabels().GetOfScalars(
+      image, scalars, this->Filter->GetProperty());
+    options.Description.Settings.Geometry =
+      options.Description.Labels ? SurfaceGeometry::Labels : SurfaceGeometry::Scalars;
+  }
+  options.Description.Settings.TickPeriod = tickPeriod;
+  options.Description.Settings.Caps.Stiffness = this->Filter->MaximumStiffness;
+  options.Description.DeviceCaps = deviceCaps;
+  options.Surfaces = &this->Filter->Preparation->GetSurfaces();
+  options.Regions = this->Filter->Regions.get();
+  options.Frames = std::move(frames.Frames);
+  options.Series = frames.Series;
+  options.Displacements = this->Filter->DisplacementArrayName;
+  options.Modes = this->Filter->Modes;
+  options.Surface = vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0));
+  return BuildHapticModel(image, scalars, this->Filter->GetProperty(), options, error);
+}
+
+//------------------------------------------------------------------------------
+bool HapticBaker::BakeLabels(std::shared_ptr<const BakedLabels>& labels, std::string& error) const
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
+  if (!image && this->Filter->Method == vtkVolumeHapticsFilter::PROXY &&
+    this->Filter->Geometry != vtkVolumeHapticsFilter::FROM_SCALARS)
+  {
+    error =
+      "The geometry is to come from labels, and there is no label image. Connect one to input "
+      "port 3 with SetLabelConnection, or call SetGeometryFromScalars.";
+    return false;
+  }
+  if (!image)
+  {
+    return true;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* const array = this->Filter->GetInputArrayToProcess(1, image, association);
+  if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    const char* const name =
+      this->Filter->GetInputArrayInformation(1)->Get(vtkDataObject::FIELD_NAME());
+    error = (name ? "The label image on input port 3 has no numeric point array \"" +
+                  std::string(name) + "\"."
+                  : std::string("The label image on input port 3 has no point scalars.")) +
+      " Give its point data active scalars, or name a numeric point array with "
+      "SetInputArrayToProcess(1, 3, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
+    return false;
+  }
+  labels =
+    this->Filter->Preparation->GetLabels().Get(image, array, this->Filter->LabelTable, error);
+  return labels != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool HapticBaker::AreLabels(vtkImageData* image) const
+{
+  WholeFacts whole;
+  std::string error; // BuildHapticModel reports it
+  return this->Filter->GetProperty()->GetScalarsAreLabels() &&
+    this->Filter->Method == vtkVolumeHapticsFilter::PROXY &&
+    this->Filter->Geometry == vtkVolumeHapticsFilter::FROM_SCALARS &&
+    !this->Filter->GetInputDataObject(3, 0) && ReadWholeFacts(image, 0, whole, error) &&
+    !whole.IsThere;
+}
+
+//------------------------------------------------------------------------------
+bool HapticBaker::ReadPlacement(
+  vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error) const
+{
+  if (deviceToWorld)
+  {
+    return ReadSimilarity(deviceToWorld, placement, error);
+  }
+  placement = ScaledPlacement(this->Filter->MetersPerWorldUnit);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const HapticModel> HapticBaker::BakeRegion(const SurfaceRegion& part, double rate,
+  const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld) const
+{
+  try
+  {
+    std::string error;
+    vtkDataArray* const scalars = part.Image->GetPointData()->GetScalars();
+    this->Filter->Preparation->GetSurfaces().Give(
+      { part.Image, scalars, this->Filter->GetProperty()->GetComponent(), this->Filter->IsoValue },
+      part.Mesh);
+    return this->BakeImage(part.Image, 1.0 / rate, deviceCaps, deviceToWorld, error, nullptr, {});
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr; // the whole tells
+  }
+}
+
+//------------------------------------------------------------------------------
+std::array<TouchedArray, 2> HapticBaker::GetTouched() const
+{
+  std::array<TouchedArray, 2> touched;
+  constexpr int ports[] = { 0, 3 };
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkImageData* const image = i == 0
+      ? this->Filter->GetTouchedImage()
+      : vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(ports[i], 0));
+    if (vtkDataArray* const array =
+          image ? this->Filter->GetInputArrayToProcess(i, image) : nullptr)
+    {
+      touched[i].Array = array;
+      std::copy_n(image->GetDimensions(), 3, touched[i].Dimensions.begin());
+      touched[i].Time = std::max(image->GetMTime(), array->GetMTime());
+    }
+  }
+  return touched;
+}
+
+} // namespace VolumeHaptics

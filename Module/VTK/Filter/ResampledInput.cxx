@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Filter/ResampledInput.h"
+
+#include "VTK/Files/HapticFiles.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkHapticRegionSource.h"
+#include "vtkImageData.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+//------------------------------------------------------------------------------
+vtkHapticRegionSource* ResampledInput::Find(vtkDataObject* data, std::vector<std::string>&& arrays)
+{
+  const bool isSet = vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data);
+  if (!isSet || vtkImageData::SafeDownCast(data))
+  {
+    *this = {};
+    return nullptr;
+  }
+  arrays.erase(std::remove(arrays.begin(), arrays.end(), std::string()), arrays.end());
+  if (this->Of != data || this->Time != data->GetMTime() || this->Arrays != arrays)
+  {
+    this->Source = vtkSmartPointer<vtkHapticRegionSource>::New();
+    this->Of = data;
+    this->Time = data->GetMTime();
+    this->Arrays = std::move(arrays);
+    this->Error.clear();
+    if (!this->Source->OpenDataSet(data, 0.0, this->Arrays, this->Error))
+    {
+      this->Source = nullptr;
+    }
+  }
+  return this->Source;
+}
+
+//------------------------------------------------------------------------------
+std::string ResampledInput::DescribeFault(vtkDataObject* data) const
+{
+  if (!this->Error.empty())
+  {
+    return Printable(this->Error);
+  }
+  return data ? std::string("A ") + data->GetClassName() +
+      " can't be touched. Connect a vtkImageData, or a data set with cells, to input port 0."
+              : "There is no image to touch. Connect a vtkImageData to input port 0.";
+}
+
+} // namespace VolumeHaptics

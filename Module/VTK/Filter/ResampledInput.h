@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Input data of a vtkVolumeHapticsFilter that are no image.
+ */
+#ifndef ResampledInput_h
+#define ResampledInput_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkHapticRegionSource;
+
+namespace VolumeHaptics
+{
+
+/** The regions of a data set that are resampled, kept until the data or the arrays change. */
+class ResampledInput
+{
+public:
+  /** What resamples these arrays of the data; null for an image, and for data without cells. */
+  vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
+  /** Why the data of the last Find() can't be touched, with the cure. */
+  std::string DescribeFault(vtkDataObject* data) const;
+
+private:
+  vtkSmartPointer<vtkHapticRegionSource> Source; ///< null if there can be none
+  const void* Of = nullptr;
+  vtkMTimeType Time = 0;
+  std::vector<std::string> Arrays;
+  std::string Error;
+};
+
+} // namespace VolumeHaptics
+
+#endif
