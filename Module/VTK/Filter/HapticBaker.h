@@ -9,6 +9,7 @@
 #include "VTK/Baking/TouchedArray.h"
 #include "VTK/Filter/BakePreparation.h"
 #include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -27,7 +28,7 @@ namespace VolumeHaptics
  * Makes models from a filter and its inputs, for the code that ticks on them: the device, and the
  * search for a surface under the mouse. Models are no part of the filter's public interface.
  */
-class HapticBaker
+class VTKVOLUMEHAPTICS_EXPORT HapticBaker
 {
 public:
   explicit HapticBaker(vtkVolumeHapticsFilter* filter)
