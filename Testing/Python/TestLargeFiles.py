@@ -81,7 +81,7 @@ def write_attribute(h, where, name, values):
         close(one)
 
 
-def write_array(h, where, name, array, chunk=None, filters=(), early=False, empty=None):
+def write_array(h, where, name, array, chunk=None, filters=(), early=False, empty=None, most=None):
     stored = h.known("T_" + STORED[array.dtype.name if array.dtype.isnative else array.dtype.str])
     options = h.Pcreate(h.known("P_CLS_DATASET_CREATE_ID"))
     if chunk:
@@ -92,7 +92,7 @@ def write_array(h, where, name, array, chunk=None, filters=(), early=False, empt
         h.Pset_alloc_time(options, 1)
     if empty is not None:
         h.Pset_fill_value(options, stored, np.array(empty, array.dtype).tobytes())
-    space = h.Screate_simple(array.ndim, h.sizes(array.shape), None)
+    space = h.Screate_simple(array.ndim, h.sizes(array.shape), most and h.sizes(most))
     data = h.Dcreate2(where, name.encode(), stored, space, 0, options, 0)
     if empty is None:
         h.Dwrite(data, stored, 0, 0, 0, np.ascontiguousarray(array).tobytes())
@@ -165,6 +165,7 @@ def test_vtkhdf_of_all_types(hdf5, tmp_path, dtype):
 
 
 GZIP, SHUFFLE, SUM = ("deflate", 6), ("shuffle",), ("fletcher32",)
+ENDLESS = -1
 LAYOUTS = {
     "newest": dict(version=LATEST), "behind a header": dict(before=2048), "several": dict(names=("a", "b", "c")),
     "many": dict(names=tuple(f"array{i}" for i in range(60))),
@@ -172,6 +173,11 @@ LAYOUTS = {
     "one packed chunk": dict(chunk=SHAPE, version=LATEST, filters=[SHUFFLE, GZIP]),
     "chunks in order": dict(chunk=(5, 4, 7), version=LATEST, early=True),
     "many chunks": dict(chunk=(1, 2, 3)),
+    "fixed array": dict(chunk=(5, 4, 7), version=LATEST), "fixed pages": dict(chunk=(1, 1, 3), version=LATEST),
+    "packed fixed array": dict(chunk=(5, 4, 7), version=LATEST, filters=[GZIP], most=(30, 40, 50)),
+    "extensible": dict(chunk=(1, 1, 3), version=LATEST, most=(ENDLESS, 12, 20)),
+    "packed extensible": dict(chunk=(2, 2, 3), version=LATEST, most=(18, 30, ENDLESS), filters=[SHUFFLE, GZIP]),
+    "extensible in the middle": dict(chunk=(2, 1, 3), version=LATEST, most=(25, ENDLESS, 20)),
     "packed": dict(chunk=(5, 4, 7), filters=[GZIP]), "all filters": dict(chunk=(8, 8, 8), filters=[SHUFFLE, GZIP, SUM]),
 }
 
@@ -198,6 +204,16 @@ def test_chunks_that_were_never_written_have_the_fill_value(hdf5, tmp_path):
     expect_samples(write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, chunk=(5, 4, 7), empty=77), array)
 
 
+def test_vtkhdf_of_so_many_chunks_that_their_lists_have_pages(hdf5, tmp_path):
+    array = make_array("uint8", (140000, 1, 1))
+    path = write_vtkhdf(hdf5, tmp_path / "a.vtkhdf", array, extent=(0, 0, 0, 0, 0, 139999), chunk=(1, 1, 1),
+                        version=LATEST, most=(ENDLESS, 1, 1))
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(path))
+    for first in (0, 131000, 139900):
+        assert np.array_equal(region_of(source, (0, 0, 0, 0, first, first + 90)), array[first:first + 91])
+
+
 def test_vtkhdf_is_felt_as_its_array(hdf5, tmp_path):
     z, y, x = np.meshgrid(*map(np.arange, (60, 50, 70)), indexing="ij", sparse=True)
     bed = np.round(1000 / (1 + np.exp(z - 30 - 3 * np.sin(0.2 * x) + 0.1 * y))).astype(np.int16)
@@ -218,7 +234,7 @@ def test_vtkhdf_that_is_not_read_is_told_with_the_cure(hdf5, tmp_path):
 
     def told(array=array, **how):
         return error_of(write_vtkhdf(hdf5, path, array, **how))
-    assert "h5repack -f NONE -l CONTI" in told(chunk=(5, 4, 7), version=LATEST)
+    assert "h5repack -f NONE -l CONTI" in told(chunk=(5, 4, 7), version=LATEST, most=(ENDLESS, ENDLESS, 20))
     assert "of an image" in told(kind="UnstructuredGrid")
     assert "18 x 12 x 20" in told(extent=(0, 3, 0, 3, 0, 3))
     assert "components" in told(array[..., None] + np.zeros(3, np.int16))
@@ -234,9 +250,11 @@ def test_vtkhdf_that_is_not_read_is_told_with_the_cure(hdf5, tmp_path):
     assert "its ending is not known" in error_of(tmp_path / "b.abc")
 
 
-def test_a_damaged_vtkhdf_ends_nothing(hdf5, tmp_path):
+@pytest.mark.parametrize("how", [{}, {"version": LATEST}, {"version": LATEST, "most": (ENDLESS, 12, 20)}],
+                         ids=["tree", "fixed", "extensible"])
+def test_a_damaged_vtkhdf_ends_nothing(hdf5, tmp_path, how):
     """Whatever byte is wrong, and wherever the file ends, there are samples or one error."""
-    good = write_vtkhdf(hdf5, tmp_path / "good.vtkhdf", make_array(), chunk=(9, 6, 10), filters=[SHUFFLE, GZIP])
+    good = write_vtkhdf(hdf5, tmp_path / "good.vtkhdf", make_array(), chunk=(9, 6, 10), filters=[SHUFFLE, GZIP], **how)
     good = good.read_bytes()
     assert len(good) < 40000
     chance = np.random.default_rng(5)

@@ -113,15 +113,24 @@ std::vector<Hdf5File::Message> Hdf5File::ReadNewMessages(std::uint64_t address)
   return messages;
 }
 
-std::vector<std::uint64_t> Hdf5File::ParseSpace(Hdf5Block& body) const
+std::vector<std::uint64_t> Hdf5File::ParseSpace(
+  Hdf5Block& body, std::vector<std::uint64_t>* most) const
 {
   const int version = body.Byte();
   const int rank = body.Byte();
-  body.Skip(version == 1 ? 6 : 2);
+  const int flags = body.Byte();
+  body.Skip(version == 1 ? 5 : 1);
   std::vector<std::uint64_t> shape;
   for (int d = 0; d < rank; ++d)
   {
     shape.push_back(this->Storage.Length(body));
+  }
+  for (int d = 0; most && d < rank; ++d)
+  {
+    const std::uint64_t length = (flags & 1) != 0 ? this->Storage.Length(body) : shape[d];
+    // Lengths without limit have all bits set, as addresses that are not there.
+    const bool isEndless = length >> (8 * this->Storage.GetLengthSize() - 1) != 0;
+    most->push_back(isEndless ? Hdf5Object::Endless : length);
   }
   return shape;
 }
@@ -207,12 +216,16 @@ void Hdf5File::ParseLayout(Hdf5Block& body, Hdf5Object& object, Hdf5ChunkIndex& 
   if (version >= 4)
   {
     index.Type = body.Byte();
-    if (index.Type == 1 && (flags & 2) != 0)
+    if (index.Type == Hdf5ChunkIndex::Single && (flags & 2) != 0)
     {
-      index.Single.Size = this->Storage.Length(body);
-      index.Single.Skipped = body.Number(4);
+      index.Chunk.Size = this->Storage.Length(body);
+      index.Chunk.Skipped = body.Number(4);
     }
-    index.Address = index.Type <= 2 ? this->Storage.Offset(body) : 0;
+    // What follows for the arrays stands in their headers, too.
+    const bool isFixed = index.Type == Hdf5ChunkIndex::FixedArray;
+    const bool isExtensible = index.Type == Hdf5ChunkIndex::ExtensibleArray;
+    body.Skip(isFixed ? 1 : isExtensible ? 5 : 0);
+    index.Address = index.Type < Hdf5ChunkIndex::NewTree ? this->Storage.Offset(body) : 0;
   }
 }
 
@@ -235,7 +248,8 @@ Hdf5Object Hdf5File::ReadObject(std::uint64_t address)
     switch (message.Type)
     {
       case SpaceMessage:
-        object.Shape = this->ParseSpace(body);
+        object.MostShape.clear();
+        object.Shape = this->ParseSpace(body, &object.MostShape);
         break;
       case LinkInfoMessage:
       {

@@ -49,7 +49,9 @@ private:
   std::vector<Message> ReadNewMessages(std::uint64_t address);
   void AddMessage(Message message, std::vector<Hdf5Block>& rest, std::vector<Message>& messages);
 
-  std::vector<std::uint64_t> ParseSpace(Hdf5Block& body) const;
+  /** `most` gets the shape to which this one may grow. */
+  std::vector<std::uint64_t> ParseSpace(
+    Hdf5Block& body, std::vector<std::uint64_t>* most = nullptr) const;
   void ParseAttribute(Hdf5Block& body, Hdf5Object& object) const;
   void ParseLink(Hdf5Block& body, Hdf5Object& object) const;
   void ParseLayout(Hdf5Block& body, Hdf5Object& object, Hdf5ChunkIndex& index) const;

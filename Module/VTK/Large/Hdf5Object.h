@@ -43,7 +43,10 @@ struct Hdf5Object
 
   LayoutType Layout = NoData;
   Hdf5Type Type;
+  /** Of a dimension that may grow without limit. */
+  static constexpr std::uint64_t Endless = ~std::uint64_t{ 0 };
   std::vector<std::uint64_t> Shape;
+  std::vector<std::uint64_t> MostShape; ///< to which it may grow
   std::vector<char> FillValue; ///< the bytes of a sample that was never written; may be empty
   bool IsAllocated = true;     ///< Contiguous
   std::uint64_t Address = 0;   ///< Contiguous: in the file, in bytes from its beginning

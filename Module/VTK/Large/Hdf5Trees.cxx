@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/Hdf5Trees.h"
 
+#include "VTK/Large/Hdf5ChunkArrays.h"
+
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 
 namespace VolumeHaptics
 {
@@ -135,29 +139,32 @@ void Hdf5Trees::ReadChunks(const Hdf5ChunkIndex& index, Hdf5Object& object)
   {
     Hdf5Block::ThrowDamaged();
   }
-  constexpr int tree = 0;
-  constexpr int single = 1;
-  constexpr int implicit = 2;
-  if (index.Type > implicit)
+  if (index.Type >= Hdf5ChunkIndex::NewTree)
   {
     throw std::runtime_error(
-      "the list of its chunks is of a kind that is not read here. Convert it with h5repack -f NONE "
-      "-l CONTI IN OUT, or write it without libver='latest'.");
+      "several of its dimensions can grow, and the list of its chunks is of a kind that is not "
+      "read here. Convert it with h5repack -f NONE -l CONTI IN OUT, or write it without "
+      "libver='latest'.");
   }
   if (!this->Storage.IsAddress(index.Address))
   {
     return; // nothing was written yet
   }
-  if (index.Type == tree)
+  if (index.Type == Hdf5ChunkIndex::FixedArray || index.Type == Hdf5ChunkIndex::ExtensibleArray)
+  {
+    this->ReadChunkArray(index, size, object);
+    return;
+  }
+  if (index.Type == Hdf5ChunkIndex::Tree)
   {
     this->ReadChunkNode(index.Address, -1, object);
     return;
   }
-  Hdf5Chunk chunk = index.Single;
+  Hdf5Chunk chunk = index.Chunk;
   chunk.Size = chunk.Size == 0 ? size : chunk.Size;
   chunk.Address = index.Address;
   std::vector<std::uint64_t> first(object.Shape.size(), 0);
-  if (index.Type == single)
+  if (index.Type == Hdf5ChunkIndex::Single)
   {
     this->AddChunk(first, chunk, object);
     return;
@@ -180,6 +187,45 @@ void Hdf5Trees::ReadChunks(const Hdf5ChunkIndex& index, Hdf5Object& object)
       isDone = isDone || d == 0;
     }
   }
+}
+
+void Hdf5Trees::ReadChunkArray(const Hdf5ChunkIndex& index, std::uint64_t size, Hdf5Object& object)
+{
+  const std::size_t rank = object.Shape.size();
+  const std::vector<std::uint64_t>& most = object.MostShape;
+  if (most.size() != rank || std::find(most.begin(), most.end(), 0) != most.end())
+  {
+    Hdf5Block::ThrowDamaged();
+  }
+  // Entries are numbered with the last dimension as the fastest, and one without limit as the
+  // slowest.
+  std::vector<std::size_t> order(rank);
+  std::iota(order.begin(), order.end(), 0);
+  const auto endless = std::find(most.begin(), most.end(), Hdf5Object::Endless) - most.begin();
+  if (endless < static_cast<std::ptrdiff_t>(rank))
+  {
+    std::rotate(order.begin(), order.begin() + endless, order.begin() + endless + 1);
+  }
+  const auto add = [&](std::uint64_t number, const Hdf5Chunk& chunk)
+  {
+    std::vector<std::uint64_t> first(rank);
+    for (std::size_t i = rank; i-- > 0;)
+    {
+      const std::size_t d = order[i];
+      const std::uint64_t count = (most[d] - 1) / object.ChunkShape[d] + 1;
+      const std::uint64_t place = i > 0 ? number % count : number;
+      number /= count;
+      if (object.Shape[d] == 0 || place > (object.Shape[d] - 1) / object.ChunkShape[d])
+      {
+        return; // of an array that was larger before
+      }
+      first[d] = place * object.ChunkShape[d];
+    }
+    this->AddChunk(first, chunk, object);
+  };
+  Hdf5ChunkArrays arrays(this->Storage, size, add);
+  index.Type == Hdf5ChunkIndex::FixedArray ? arrays.ReadFixed(index.Address)
+                                           : arrays.ReadExtensible(index.Address);
 }
 
 void Hdf5Trees::ReadChunkNode(std::uint64_t address, int level, Hdf5Object& object)

@@ -19,9 +19,20 @@ namespace VolumeHaptics
 /** How a dataset lists its chunks. */
 struct Hdf5ChunkIndex
 {
-  int Type = 0; ///< 0: a B-tree of version 1; others as in messages of version 4
+  /** As in messages of version 4; a B-tree of version 1 in those before. */
+  enum IndexType
+  {
+    Tree = 0,
+    Single = 1,
+    Implicit = 2,
+    FixedArray = 3,
+    ExtensibleArray = 4,
+    NewTree = 5
+  };
+
+  int Type = Tree;
   std::uint64_t Address = 0;
-  Hdf5Chunk Single;
+  Hdf5Chunk Chunk; ///< of Single, without its address
 };
 
 class Hdf5Trees
@@ -40,6 +51,8 @@ public:
 private:
   void ReadLinkNode(std::uint64_t address, int level, Hdf5Block& names, Hdf5Object& object);
   void ReadChunkNode(std::uint64_t address, int level, Hdf5Object& object);
+  /** `size` is that of a chunk without filters (bytes). */
+  void ReadChunkArray(const Hdf5ChunkIndex& index, std::uint64_t size, Hdf5Object& object);
   void AddChunk(const std::vector<std::uint64_t>& first, Hdf5Chunk chunk, Hdf5Object& object) const;
 
   Hdf5Storage& Storage;
