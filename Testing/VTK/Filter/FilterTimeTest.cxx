@@ -164,6 +164,16 @@ TEST_F(FilterTime, StepsOfOtherTypesAreTaken)
   }
 }
 
+/// Only the touched array has frames: what modes read would stand still while the volume moves.
+TEST_F(FilterTime, ModesOfAVolumeThatMovesAreRefusedUnlessTimeStandsStill)
+{
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  this->Filter->SetMethodToPrimitives();
+  this->ExpectError({ "PRIMITIVES", "one time", "several frames", "SetTimeUnitsPerSecond(0)" });
+  this->Filter->SetTimeUnitsPerSecond(0.0);
+  this->Run(1001);
+}
+
 TEST_F(FilterTime, AStepWithoutTheArrayIsAnError)
 {
   this->Source->Make = [](double time)
