@@ -16,7 +16,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkStructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkContourFilter, vtkTubeFilter
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkContourFilter, vtkTensorGlyph, vtkTubeFilter
+from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -89,7 +92,24 @@ def pipe():
     mode.GetStrength().AddPoint(0.3, STRONGEST)
     steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
     middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
-    return append.GetOutput(), mode, make_path(middle), None
+    return append.GetOutput(), mode, make_path(middle), stream_lines(append.GetOutput(), places[angle == 0.0][::9])
+
+
+def stream_lines(flow, seeds):
+    """Tubes along the lines of the flow U from some places."""
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(seeds), deep=True))
+    source = vtkPolyData()
+    source.SetPoints(points)
+    lines = vtkStreamTracer()
+    lines.SetInputData(flow)
+    lines.SetInputArrayToProcess(0, 0, 0, 0, "U")
+    lines.SetSourceData(source)
+    lines.SetMaximumPropagation(150)
+    tubes = vtkTubeFilter()
+    tubes.SetInputConnection(lines.GetOutputPort())
+    tubes.SetRadius(0.12)
+    return tubes
 
 
 def fibres():
@@ -107,7 +127,23 @@ def fibres():
     mode = vtkHapticTensorFollowMode()
     mode.SetArrayName("tensor")
     mode.ProposeFromImage(image)
-    return image, mode, make_path([[-30, -20, 0], [30, 8, 0]]), None
+    return image, mode, make_path([[-30, -20, 0], [30, 8, 0]]), ellipsoids(image, 5.0 / 1.7e-3)
+
+
+def ellipsoids(image, scale):
+    """Each sixth tensor of the layer in the middle, as an ellipsoid."""
+    layer = vtkExtractVOI()
+    layer.SetInputData(image)
+    layer.SetVOI(0, image.GetDimensions()[0] - 1, 0, image.GetDimensions()[1] - 1, *[image.GetDimensions()[2] // 2] * 2)
+    layer.SetSampleRate(6, 6, 1)
+    sphere = vtkSphereSource()
+    glyphs = vtkTensorGlyph()
+    glyphs.SetInputConnection(layer.GetOutputPort())
+    glyphs.SetSourceConnection(sphere.GetOutputPort())
+    glyphs.SetInputArrayToProcess(0, 0, 0, 0, "tensor")
+    glyphs.SetScaleFactor(scale)
+    glyphs.ColorGlyphsOff()
+    return glyphs
 
 
 def charges():

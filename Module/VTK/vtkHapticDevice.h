@@ -422,8 +422,10 @@ public:
   /**
    * What the modes that are felt hold the hand on, at the proxy of the latest state: lines such as
    * that of the flow, up to `reach` voxels to either side, and fronts as polygons with a radius of
-   * a quarter of that, with point normals to the free side. Made of what the servo reads, in world
-   * units. The cell array Mode has the number of the mode. Empty for other methods.
+   * a quarter of that, with point normals to the free side. Of a mode about tensors, also a vertex
+   * at the proxy with the tensor as point tensors, whose first eigenvalue is scaled to an eighth of
+   * the reach, for vtkTensorGlyph. Made of what the servo reads, in world units. The cell array
+   * Mode has the number of the mode. Empty for other methods.
    */
   void GetFollowed(vtkPolyData* shapes, double reach = 32.0);
 

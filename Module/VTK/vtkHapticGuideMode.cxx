@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticGuideMode.h"
 
+#include "VTK/Baking/HapticModeSettings.h"
+
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -30,15 +33,55 @@ vtkPolyData* vtkHapticGuideMode::GetPath()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticGuideMode::SetSurface(vtkPolyData* surface)
+{
+  if (this->Surface != surface)
+  {
+    this->Surface = surface;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkHapticGuideMode::GetSurface()
+{
+  return this->Surface;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticGuideMode::SetDistanceField(vtkImageData* field)
+{
+  if (this->DistanceField != field)
+  {
+    this->DistanceField = field;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkHapticGuideMode::GetDistanceField()
+{
+  return this->DistanceField;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkHapticGuideMode::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->Path ? std::max(time, this->Path->GetMTime()) : time;
+  vtkMTimeType time = this->Superclass::GetMTime();
+  vtkDataObject* const shapes[] = { this->Path, this->Surface, this->DistanceField };
+  for (vtkDataObject* const shape : shapes)
+  {
+    time = shape ? std::max(time, shape->GetMTime()) : time;
+  }
+  return time;
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticGuideMode::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::GuideModeSettings);
   os << indent << "Path: " << this->Path.Get() << "\n";
+  os << indent << "Surface: " << this->Surface.Get() << "\n";
+  os << indent << "DistanceField: " << this->DistanceField.Get() << "\n";
 }

@@ -2,15 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHapticGuideMode
- * @brief   a path that guides the hand
+ * @brief   a path or a surface that guides the hand
  *
  * A virtual fixture: the hand is drawn to the nearest place on a polyline, and held there, with the
  * Strength (N), a function of the distance from it (world units). It moves freely along the line. A
  * trace of vtkVolumeHapticsFilter, or a stream line of vtkStreamTracer, may be such a path.
  *
+ * Instead of a path, the guide may be a surface, or a level of a distance field:
+ *
+ *   guide->SetSurface(plan);      // a vtkPolyData; the hand moves freely on it
+ *   guide->SetSideToOutside();    // or is only kept outside of it
+ *   guide->SetDistance(2.0);      // or held 2 world units away from it
+ *
  * Corners are rounded over a voxel as far as directions go, so that a hand outside of a corner
  * rests at it; places stay those of the line. Lines with many small corners feel rough: smooth
- * them, for example with vtkSplineFilter.
+ * them, for example with vtkSplineFilter. Edges of a surface are rounded in the same way; its
+ * polygons should all turn the same way, as vtkPolyDataNormals makes them. Beyond the border of a
+ * surface that is open, its last plane goes on.
+ *
+ * A distance field is read as a cubic B-spline of its samples, which lies higher than the samples
+ * by a sixth of their second derivatives: on a sphere of r voxels by 1 / (3 r) voxels.
  *
  * @sa vtkHapticMode
  */
@@ -21,6 +32,7 @@
 #include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
 
+class vtkImageData;
 class vtkPolyData;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticGuideMode : public vtkHapticMode
@@ -40,7 +52,54 @@ public:
   vtkPolyData* GetPath();
   ///@}
 
-  /** Includes the path. */
+  ///@{
+  /**
+   * A surface in world units: the polygons and strips of a polydata. The outside is where they turn
+   * counterclockwise, to which their normals point.
+   */
+  void SetSurface(vtkPolyData* surface);
+  vtkPolyData* GetSurface();
+  ///@}
+
+  ///@{
+  /**
+   * A distance field: an image whose active scalars are distances from a surface (world units),
+   * negative inside of it. It may have any place and spacing; outside of it nothing holds. The
+   * guide needs one of path, surface and distance field.
+   */
+  void SetDistanceField(vtkImageData* field);
+  vtkImageData* GetDistanceField();
+  ///@}
+
+  enum SideType
+  {
+    SURFACE = 0,
+    OUTSIDE = 1,
+    INSIDE = 2
+  };
+
+  ///@{
+  /**
+   * Where a surface or a distance field holds the hand: on its SURFACE (default), or so that it
+   * stays OUTSIDE or INSIDE of it, and is free there.
+   */
+  vtkSetClampMacro(Side, int, SURFACE, INSIDE);
+  vtkGetMacro(Side, int);
+  void SetSideToSurface() { this->SetSide(SURFACE); }
+  void SetSideToOutside() { this->SetSide(OUTSIDE); }
+  void SetSideToInside() { this->SetSide(INSIDE); }
+  ///@}
+
+  ///@{
+  /**
+   * The distance from the surface, or in the distance field, at which the hand is held (world
+   * units). It is negative on the inside. Default 0: on the surface itself.
+   */
+  vtkSetMacro(Distance, double);
+  vtkGetMacro(Distance, double);
+  ///@}
+
+  /** Includes the path, the surface and the distance field. */
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -48,6 +107,10 @@ protected:
   ~vtkHapticGuideMode() override;
 
   vtkSmartPointer<vtkPolyData> Path;
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkSmartPointer<vtkImageData> DistanceField;
+  int Side = SURFACE;
+  double Distance = 0.0;
 
 private:
   vtkHapticGuideMode(const vtkHapticGuideMode&) = delete;

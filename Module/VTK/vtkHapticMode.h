@@ -24,7 +24,7 @@
  *   vtkHapticShearMode         free in the direction in which a flow stretches
  *   vtkHapticTensorFollowMode  free along fibres, or within sheets
  *   vtkHapticRidgeMode         drawn to the middle of vessels in the scalars, free along them
- *   vtkHapticGuideMode         drawn to a polyline, free along it
+ *   vtkHapticGuideMode         drawn to a polyline, a mesh or a distance field, free along it
  *   vtkHapticSurfaceMode       the surfaces of the scalars, with the material of the property
  *
  * Vectors and tensors are interpolated by cubic B-splines; eigenvectors never are. Over the last

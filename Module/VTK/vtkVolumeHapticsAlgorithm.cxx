@@ -5,6 +5,7 @@
 #include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Baking/ModePresets.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkHapticMode.h"
@@ -104,6 +105,32 @@ vtkHapticMode* vtkVolumeHapticsAlgorithm::GetMode(int mode)
   return mode >= 0 && mode < this->GetNumberOfModes()
     ? this->Modes[static_cast<std::size_t>(mode)].Get()
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsAlgorithm::ApplyModePreset(const char* name, vtkImageData* image)
+{
+  std::string error;
+  const VolumeHaptics::HapticModeList modes = VolumeHaptics::MakeModePreset(name, image, error);
+  if (modes.empty())
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  this->RemoveAllModes();
+  for (vtkHapticMode* const mode : modes)
+  {
+    this->AddMode(mode);
+  }
+  this->SetMethodToPrimitives();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkVolumeHapticsAlgorithm::GetModePresetNames()
+{
+  static const vtkSmartPointer<vtkStringArray> names = VolumeHaptics::MakeModePresetNames();
+  return names;
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,7 @@
 
 class vtkHapticMode;
 class vtkHapticProperty;
+class vtkImageData;
 class vtkStringArray;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkVolumeHapticsAlgorithm : public vtkPolyDataAlgorithm
@@ -89,6 +90,28 @@ public:
 
   /** A mode by its number, which counts from 0 as in the array ModeForce_i; nullptr beyond. */
   vtkHapticMode* GetMode(int mode);
+
+  /**
+   * Set the method to PRIMITIVES, and replace all modes by those of a named way to feel:
+   *
+   * - "Follow the flow": held across vectors, free along them.
+   * - "Drift with the flow": the same, and pushed along, with a quarter of the strength.
+   * - "Feel wave fronts": held along vectors, free across them.
+   * - "Find a vortex": held in around a vortex, and, more gently, along its axis.
+   * - "Feel where a flow stretches": free along the direction that stretches most.
+   * - "Slide along fibres", "Slide along fibres and sheets": tensors.
+   * - "Follow a vessel", "Follow a dark vessel": ridges of the scalars, bright or dark.
+   * - "Follow the flow and touch surfaces": with the material of the property, too.
+   *
+   * Strengths suit the image (vtkHapticMode::ProposeFromImage). Without active vectors or tensors,
+   * the modes are about the first array that fits. If the image is nullptr, strengths are 2 N.
+   * Returns false, with an error and no change, for another name, or if the image has nothing to
+   * feel in this way.
+   */
+  bool ApplyModePreset(const char* name, vtkImageData* image);
+
+  /** The names that ApplyModePreset understands. */
+  static vtkStringArray* GetModePresetNames();
 
   enum SolverType
   {

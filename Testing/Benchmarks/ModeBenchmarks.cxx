@@ -4,6 +4,7 @@
 #include "Medians.h"
 
 #include "Core/Servo/ServoTick.h"
+#include "Core/Solvers/Primitives/PrimitivesMethod.h"
 
 #include <benchmark/benchmark.h>
 
@@ -121,6 +122,26 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   }
 }
 
+/** What a servo and the filter do after each tick to tell the force of each mode. */
+void MeasureModeForces(benchmark::State& bench, const std::vector<ModeDescription>& modes)
+{
+  HapticModelDescription d;
+  d.View = modes.front().View.Volume;
+  d.Samples = modes.front().Samples;
+  d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
+  d.Settings.Method = HapticMethod::Primitives;
+  d.Modes = modes;
+  const HapticModel model(d);
+  ServoState state;
+  TickRecord record;
+  Tick(model, state, 0.001 * GridMiddle, record);
+  Tick(model, state, 0.001 * (GridMiddle + Vector3{ 1.0, 2.0, 0.5 }), record);
+  for (auto _ : bench)
+  {
+    benchmark::DoNotOptimize(FindModeForces(model, state));
+  }
+}
+
 } // namespace
 
 void RegisterModeBenchmarks()
@@ -131,6 +152,8 @@ void RegisterModeBenchmarks()
   benchmark::RegisterBenchmark("mode_tick/vortex/slide/96^3", MeasureModes,
     std::vector<ModeDescription>{ MakeFlow(ModeKind::VortexTube, up, 2.0) });
   benchmark::RegisterBenchmark("mode_tick/four_oblique/slide/96^3", MeasureModes, MakeOblique());
+  benchmark::RegisterBenchmark(
+    "mode_forces/four_oblique/slide/96^3", MeasureModeForces, MakeOblique());
 }
 
 } // namespace benchmarks

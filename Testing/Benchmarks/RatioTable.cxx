@@ -114,6 +114,13 @@ void PrintRatios(const Medians& medians)
         NameOf("gather", estimator.Name, motion, volume),
         motion == "slide" ? WarmTarget : (volume == "1GiB" ? ColdTarget : NoTarget));
     });
+  PrintTitle("Tick of PRIMITIVES and the forces of its modes beside PRECISE");
+  for (const char* subject : { "mode_tick/follow", "mode_tick/vortex", "mode_tick/four_oblique",
+         "mode_forces/four_oblique" })
+  {
+    const std::string precise = NameOf("precise_tick", GetEstimators()[2].Name, "slide", "256^3");
+    PrintRatio(medians, std::string(subject) + "/slide/96^3", precise, NoTarget);
+  }
   PrintTitle("Gaussian of radius 3 beside radius 2");
   for (const char* subject : { "tick", "gradient" })
   {

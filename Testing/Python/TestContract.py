@@ -118,7 +118,7 @@ MODES = {
     "Shear": (),
     "TensorFollow": ("SetSheetStrength",),
     "Ridge": ("SetPolarityToDark", "SetSnapDistance"),
-    "Guide": ("SetPath", "GetPath"),
+    "Guide": ("SetPath", "GetPath", "SetSurface", "SetDistanceField", "SetSide", "SetDistance"),
     "Surface": (),
 }
 

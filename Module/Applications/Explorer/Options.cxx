@@ -324,7 +324,9 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr, or a folder of DICOM slices; o
                     a mode of the method primitives, which this chooses, too: )" +
     ListModes() + R"(;
                     ARRAY has its vectors or tensors (default: the first that fits). Several of these options
-                    add up; without any, the vectors are followed, else the tensors
+                    add up; without any, the vectors are followed, else the tensors. NAME may also say what
+                    you want: )" +
+    ListModePresets() + R"(
   --estimator NAME  gradient: central, gaussian (default), bspline
   --size PX         width of the picture (default 900)
   --mapper NAME     volume rendering: auto (default), gpu, cpu

@@ -136,7 +136,7 @@ bool SampleVectors(
 {
   const FieldView& view = field.View;
   Footprint<4> foot;
-  LocateSpline<true>(view, x, y, z, foot);
+  LocateSpline<WithGradient>(view, x, y, z, foot);
   const std::int64_t* const n = view.Volume.Dimensions;
   const std::int64_t* const stride = view.Volume.Stride;
   const std::int64_t* const first = foot.First;

@@ -17,11 +17,12 @@
  * | TensorFollow  | free along fibres; or within sheets         | fibre, of c_l  | sheet, c_p |
  * | Ridge         | drawn to the middle of a vessel, free along | hold, of d     |            |
  * | Guide         | drawn to a line, free along it              | hold, of dist. |            |
+ * | GuideSurface  | held on a surface, or on one side of it     | hold, of dist. |            |
  * | Surface       | the surfaces of the scalars                 |                |            |
  *
  * with c_l = (l_1 - l_2)/l_1 and c_p = (l_2 - l_3)/l_1. Strengths are in newtons. d is the second
  * smallest magnitude of the eigenvalues of the scalars' Hessian minus the smallest one, where the
- * scalars fall to all sides; dist. is the distance from the line, in world units.
+ * scalars fall to all sides; dist. is the distance from the line or surface, in world units.
  */
 #ifndef BakedMode_h
 #define BakedMode_h
@@ -29,6 +30,7 @@
 #include "Core/Field/VectorField.h"
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/GuidePath.h"
+#include "Core/Model/GuideSurface.h"
 
 #include <memory>
 
@@ -45,7 +47,16 @@ enum class ModeKind : std::uint8_t
   TensorFollow,
   Ridge,
   Guide,
+  GuideSurface,
   Surface
+};
+
+/** Where a GuideSurface holds the hand. */
+enum class GuideSide : std::uint8_t
+{
+  Surface, ///< on it
+  Outside, ///< where its normals point, or on it
+  Inside
 };
 
 /** Everything that a mode is baked from. */
@@ -61,6 +72,11 @@ struct ModeDescription
   bool IsDark = false;                     ///< Ridge: a vessel is darker than what is around it
   double SnapDistance = 3.0;               ///< Ridge: within it, the hold is whole (voxels)
   std::shared_ptr<const GuidePath> Guide;  ///< not null for a Guide
+  ///@{
+  /** Of a GuideSurface, for which the surface is not null. */
+  std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
+  GuideSide Side = GuideSide::Surface;
+  ///@}
 };
 
 /** A mode as a tick reads it. Immutable. */
@@ -75,6 +91,8 @@ struct BakedMode
     , IsDark(description.IsDark)
     , SnapDistance(description.SnapDistance)
     , Guide(description.Guide)
+    , GuideSurface(description.GuideSurface)
+    , Side(description.Side)
   {
   }
 
@@ -87,6 +105,8 @@ struct BakedMode
         return this->Field.HasTensors();
       case ModeKind::Guide:
         return this->Guide != nullptr;
+      case ModeKind::GuideSurface:
+        return this->GuideSurface != nullptr;
       case ModeKind::Ridge:
       case ModeKind::Surface:
         return true;
@@ -103,6 +123,8 @@ struct BakedMode
   const bool IsDark;
   const double SnapDistance; ///< voxels
   const std::shared_ptr<const GuidePath> Guide;
+  const std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
+  const GuideSide Side;
 };
 
 } // namespace VolumeHaptics

@@ -148,7 +148,8 @@ std::size_t HapticModel::GetMemorySize() const noexcept
   for (const BakedMode& mode : baked.Modes)
   {
     modes += sizeof(mode) + mode.Strengths.GetMemorySize() - sizeof(mode.Strengths) +
-      (mode.Guide ? mode.Guide->GetSegmentsSize() + mode.Guide->GetBoxesSize() : 0);
+      (mode.Guide ? mode.Guide->GetSegmentsSize() + mode.Guide->GetBoxesSize() : 0) +
+      (mode.GuideSurface ? mode.GuideSurface->GetMemorySize() : 0);
   }
   return modes + sizeof(*this) + sizeof(baked) + baked.Kernel.Table.capacity() * sizeof(double) +
     baked.Materials.GetMemorySize() - sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() -

@@ -92,6 +92,68 @@ Vector3 SurfaceMesh::GetNormal(std::int32_t i, const TrianglePoint& point) const
     point.Weight[2] * this->Normals[corners[2]];
 }
 
+double SurfaceMesh::SquareDistance(const Box& box, const Vector3& position) noexcept
+{
+  const Vector3 below{ box.Low[0] - position.X, box.Low[1] - position.Y, box.Low[2] - position.Z };
+  const Vector3 above{ position.X - box.High[0], position.Y - box.High[1],
+    position.Z - box.High[2] };
+  const Vector3 outside = Most(Most(below, above), Vector3{});
+  return Dot(outside, outside);
+}
+
+MeshPlace SurfaceMesh::FindNearest(const Vector3& position, int budget) const noexcept
+{
+  struct Waiting
+  {
+    std::int32_t Node;
+    double Square;
+  };
+  MeshPlace found;
+  found.Square = std::numeric_limits<double>::infinity();
+  Waiting waiting[Deepest + 1];
+  int count = 0;
+  if (!this->Nodes.empty())
+  {
+    waiting[count++] = { 0, 0.0 };
+  }
+  while (count > 0 && budget > 0)
+  {
+    const Waiting next = waiting[--count];
+    if (!(next.Square < found.Square))
+    {
+      continue;
+    }
+    const Node& node = this->Nodes[next.Node];
+    budget -= 1 + node.Count;
+    if (node.Count == 0)
+    {
+      // The nearer one is looked into first.
+      Waiting near = { node.First, SquareDistance(this->Nodes[node.First].Bounds, position) };
+      Waiting far = { node.First + 1,
+        SquareDistance(this->Nodes[node.First + 1].Bounds, position) };
+      if (far.Square < near.Square)
+      {
+        std::swap(near, far);
+      }
+      waiting[count++] = far;
+      waiting[count++] = near;
+    }
+    for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
+    {
+      if (SquareDistance(this->Boxes[i], position) < found.Square)
+      {
+        const TrianglePoint point = NearestPoint(this->GetTriangle(i), position);
+        const Vector3 away = position - point.Position;
+        if (Dot(away, away) < found.Square)
+        {
+          found = { i, point, Dot(away, away) };
+        }
+      }
+    }
+  }
+  return found;
+}
+
 SurfaceMesh::Box SurfaceMesh::MakeBox(const Triangle& triangle)
 {
   const auto& [a, b, c] = triangle.Corner;

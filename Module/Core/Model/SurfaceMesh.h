@@ -23,6 +23,14 @@
 namespace VolumeHaptics
 {
 
+/** The place of a mesh that is nearest to a position. */
+struct MeshPlace
+{
+  std::int32_t Triangle = -1; ///< none if the mesh has none
+  TrianglePoint Point{};
+  double Square = 0.0; ///< of the distance
+};
+
 class SurfaceMesh
 {
 public:
@@ -55,6 +63,8 @@ public:
     }
     return triangle;
   }
+  const Indices& GetCorners(std::int32_t i) const noexcept { return this->Triangles[i]; }
+  const std::vector<Vector3>& GetPoints() const noexcept { return this->Points; }
   /** The longest way of a point to the next frame (world units). */
   double GetLongestMotion() const noexcept { return this->LongestMotion; }
   /** The interpolated normal at a point of a triangle, not quite of unit length. */
@@ -83,6 +93,12 @@ public:
     };
     return this->Visit(isNear, budget, visit);
   }
+
+  /**
+   * The nearest place to a finite position, of a mesh that does not move. If the budget is spent,
+   * the nearest one that was found by then.
+   */
+  MeshPlace FindNearest(const Vector3& position, int budget) const noexcept;
 
   /**
    * Calls visit(i) for the triangles that a sphere may meet on a displacement. `visit` returns the
@@ -140,6 +156,7 @@ private:
   Box MakeBox(std::int32_t first, std::int32_t count) const;
   static Box MakeBox(const Triangle& triangle);
   static Box Unite(const Box& one, const Box& other);
+  static double SquareDistance(const Box& box, const Vector3& position) noexcept;
 
   template <typename Filter, typename Visitor>
   bool Visit(Filter&& filter, int& budget, Visitor&& visit) const noexcept

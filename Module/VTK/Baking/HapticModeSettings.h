@@ -9,6 +9,7 @@
 
 #include "VTK/Baking/HapticSetting.h"
 
+#include "vtkHapticGuideMode.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticRidgeMode.h"
 #include "vtkHapticVectorFrontMode.h"
@@ -24,9 +25,12 @@ using ModeSetting = HapticSetting<vtkHapticMode>;
 using ModeText = HapticTextSetting<vtkHapticMode>;
 using FrontModeSetting = HapticSetting<vtkHapticVectorFrontMode>;
 using RidgeModeSetting = HapticSetting<vtkHapticRidgeMode>;
+using GuideModeSetting = HapticSetting<vtkHapticGuideMode>;
 
 inline constexpr SettingChoice AxesNames[] = { { "World", "World" }, { "Image", "Image" } };
 inline constexpr SettingChoice PolarityNames[] = { { "Bright", "Bright" }, { "Dark", "Dark" } };
+inline constexpr SettingChoice SideNames[] = { { "Surface", "Surface" }, { "Outside", "Outside" },
+  { "Inside", "Inside" } };
 
 namespace ModeSettingRows
 {
@@ -71,10 +75,25 @@ inline constexpr RidgeModeSetting All[] = {
 };
 } // namespace RidgeModeSettingRows
 
+namespace GuideModeSettingRows
+{
+using Owner = vtkHapticGuideMode;
+
+inline constexpr GuideModeSetting All[] = {
+  HapticChoiceMacro(Side, Owner::SURFACE, NotBaked,
+    "Where a surface or a distance field holds the hand: on its Surface (default), or so that it "
+    "stays Outside or Inside of it, and is free there."),
+  HapticNumberMacro(Distance, -LargestNumber, LargestNumber, 0.0, "world units", NotBaked,
+    "The distance from the surface, or in the distance field, at which the hand is held (world "
+    "units)."),
+};
+} // namespace GuideModeSettingRows
+
 inline constexpr const auto& ModeSettings = ModeSettingRows::All;
 inline constexpr const auto& ModeTexts = ModeSettingRows::Texts;
 inline constexpr const auto& FrontModeSettings = FrontModeSettingRows::All;
 inline constexpr const auto& RidgeModeSettings = RidgeModeSettingRows::All;
+inline constexpr const auto& GuideModeSettings = GuideModeSettingRows::All;
 
 /** A strength function of a mode. */
 struct ModeFunction

@@ -3,11 +3,11 @@
 #include "VTK/Baking/HapticModes.h"
 
 #include "Core/Solvers/Primitives/ModePrimitives.h"
+#include "VTK/Baking/GuideShapes.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticVolume.h"
 
-#include "vtkCellArray.h"
 #include "vtkHapticGuideMode.h"
 #include "vtkHapticRidgeMode.h"
 #include "vtkHapticShearMode.h"
@@ -19,7 +19,6 @@
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +126,7 @@ public:
       }
     }
     auto* const guide = vtkHapticGuideMode::SafeDownCast(mode);
-    return (!guide || this->ReadPath(guide, d)) &&
+    return (!guide || this->ReadGuide(guide, d)) &&
       (kind.Input == ModeInput::None || this->ReadArray(mode, kind, d));
   }
 
@@ -217,65 +216,12 @@ private:
     return true;
   }
 
-  bool ReadPath(vtkHapticGuideMode* mode, ModeDescription& d)
+  bool ReadGuide(vtkHapticGuideMode* mode, ModeDescription& d)
   {
-    vtkPolyData* const path = mode->GetPath();
-    std::vector<GuidePath::Line> lines;
-    if (path && path->GetNumberOfLines() > 0)
-    {
-      const vtkIdType points = path->GetPoints() ? path->GetNumberOfPoints() : 0;
-      vtkCellArray* const cells = path->GetLines();
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-      {
-        cells->GetCellAtId(cell, count, ids);
-        lines.emplace_back();
-        for (vtkIdType i = 0; i < count; ++i)
-        {
-          if (ids[i] < 0 || ids[i] >= points)
-          {
-            this->Message << "A line of the path of a vtkHapticGuideMode has the point " << ids[i]
-                          << ", but the path has " << points
-                          << " points. Correct it, or give the mode another one with SetPath().";
-            return false;
-          }
-          lines.back().push_back(PointOf(path, ids[i]));
-        }
-      }
-    }
-    else if (path)
-    {
-      lines.emplace_back();
-      for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
-      {
-        lines.back().push_back(PointOf(path, i));
-      }
-    }
-    for (const GuidePath::Line& line : lines)
-    {
-      if (!std::all_of(line.begin(), line.end(), [](const Vector3& x) { return IsFinite(x); }))
-      {
-        this->Message << "The path of a vtkHapticGuideMode has a point that is not finite. Correct "
-                         "it, or give the mode another one with SetPath().";
-        return false;
-      }
-    }
-    d.Guide = std::make_shared<const GuidePath>(lines, SmallestSpacing(this->Image));
-    if (d.Guide->IsEmpty())
-    {
-      this->Message
-        << "A vtkHapticGuideMode has no path: it needs at least two points that differ. "
-           "Give it polylines with SetPath(), or switch it off with SetActive(false).";
-      return false;
-    }
-    return true;
-  }
-
-  static Vector3 PointOf(vtkPolyData* path, vtkIdType point)
-  {
-    const double* const x = path->GetPoint(point);
-    return { x[0], x[1], x[2] };
+    std::string error;
+    const bool isThere = DescribeGuide(mode, SmallestSpacing(this->Image), d, error);
+    this->Message << error;
+    return isThere;
   }
 
   vtkImageData* const Image;

@@ -88,15 +88,17 @@ std::shared_ptr<const SurfaceMesh> MakeMesh(vtkPolyData* surface, const Affine3&
     std::move(points), triangles, std::move(directions), std::move(motions));
 }
 
-std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& error)
+} // namespace
+
+std::shared_ptr<const SurfaceMesh> MeshSurface(
+  vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error)
 {
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     const Vector3 point = ReadVector(surface->GetPoints()->GetData(), i);
     if (!(Norm(point) < FarthestPoint))
     {
-      error = "The surface on input port 2 has a coordinate that is NaN, infinite or beyond 1e30 "
-              "at point " +
+      error = name + " has a coordinate that is NaN, infinite or beyond 1e30 at point " +
         std::to_string(i) + ". Replace or remove that point.";
       return nullptr;
     }
@@ -115,8 +117,8 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
     }
     if (least < 0.0 || (most > 0.0 && most >= static_cast<double>(surface->GetNumberOfPoints())))
     {
-      error = "A cell of the surface on input port 2 has a point that does not exist. Correct its "
-              "polygons and strips.";
+      error =
+        name + " has a cell with a point that does not exist. Correct its polygons and strips.";
       return nullptr;
     }
   }
@@ -130,12 +132,21 @@ std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& err
     : nullptr;
   if (!mesh || mesh->GetNumberOfTriangles() == 0)
   {
-    error =
-      "The surface on input port 2 has no triangles to touch. Connect a vtkPolyData with polygons "
-      "or strips, or nothing to touch the isosurface at IsoValue.";
+    error = name + " has no triangles to touch. " + cure;
     return nullptr;
   }
   return mesh;
+}
+
+namespace
+{
+
+std::shared_ptr<const SurfaceMesh> MeshOf(vtkPolyData* surface, std::string& error)
+{
+  return MeshSurface(surface, "The surface on input port 2",
+    "Connect a vtkPolyData with polygons or strips, or nothing to touch the isosurface at "
+    "IsoValue.",
+    error);
 }
 
 /** An isosurface with a reference to its scalars: all that a worker needs. */

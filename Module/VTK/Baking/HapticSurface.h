@@ -53,6 +53,14 @@ std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const i
 std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const VolumeFrame& next,
   int component, double value, const Affine3& indexToWorld);
 
+/**
+ * The triangles of a surface in the world. Null if there are none, a point is not finite, or a cell
+ * has a point that does not exist: `error` is then about the surface of that name; the cure is that
+ * of a surface without triangles.
+ */
+std::shared_ptr<const SurfaceMesh> MeshSurface(
+  vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error);
+
 /** Makes meshes, and keeps the last one until its input changes. */
 class HapticSurface
 {

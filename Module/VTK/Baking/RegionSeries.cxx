@@ -34,7 +34,8 @@ bool IsSameIn(
     [&](const auto& setting) { return !setting.IsSame || setting.IsSame(a, b); });
 }
 
-bool IsSameGuide(const GuidePath* a, const GuidePath* b)
+template <typename Shape>
+bool IsSameGuide(const Shape* a, const Shape* b)
 {
   return a == b || (a && b && a->IsSame(*b));
 }
@@ -44,7 +45,8 @@ bool IsSameMode(const ModeDescription& a, const ModeDescription& b)
   return a.Kind == b.Kind && a.IsActive == b.IsActive && a.Axes == b.Axes && a.IsDark == b.IsDark &&
     a.SnapDistance == b.SnapDistance && a.View.Components == b.View.Components &&
     a.View.Volume.Type == b.View.Volume.Type && IsSameLine(a.First, b.First) &&
-    IsSameLine(a.Second, b.Second) && IsSameGuide(a.Guide.get(), b.Guide.get());
+    IsSameLine(a.Second, b.Second) && IsSameGuide(a.Guide.get(), b.Guide.get()) &&
+    IsSameGuide(a.GuideSurface.get(), b.GuideSurface.get()) && a.Side == b.Side;
 }
 
 bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)

@@ -9,7 +9,9 @@
 #include "vtkHapticDevice.h"
 #include "vtkIdList.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -59,6 +61,17 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   this->Fronts->SetMapper(this->DiscMapper);
   this->Fronts->GetProperty()->LightingOff();
   this->Fronts->GetProperty()->SetOpacity(FrontOpacity);
+  vtkNew<vtkSphereSource> sphere; // of diameter 1
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(16);
+  this->Ellipsoids->SetInputData(this->Tensors);
+  this->Ellipsoids->SetSourceConnection(sphere->GetOutputPort());
+  this->Ellipsoids->ColorGlyphsOff();
+  this->EllipsoidMapper->SetInputConnection(this->Ellipsoids->GetOutputPort());
+  this->EllipsoidMapper->ScalarVisibilityOff();
+  this->EllipsoidActor->SetMapper(this->EllipsoidMapper);
+  this->EllipsoidActor->GetProperty()->SetAmbient(0.3);
+  this->EllipsoidActor->GetProperty()->SetDiffuse(0.7);
 }
 
 FollowedScene::~FollowedScene() = default;
@@ -91,10 +104,11 @@ void FollowedScene::Draw()
   discColors->Fill(0.0);
   vtkNew<vtkCellArray> lines;
   const vtkIdType count = this->Shapes->GetNumberOfCells();
-  for (vtkIdType cell = 0; modes && cell < count; ++cell)
+  const vtkIdType first = this->Shapes->GetNumberOfVerts();
+  for (vtkIdType cell = first; modes && cell < count; ++cell)
   {
     const auto mode = static_cast<std::size_t>(modes->GetComponent(cell, 0)) % this->ColorCount;
-    const bool isFront = cell >= this->Shapes->GetNumberOfLines();
+    const bool isFront = cell >= first + this->Shapes->GetNumberOfLines();
     vtkNew<vtkIdList> points;
     this->Shapes->GetCellPoints(cell, points);
     if (isFront)
@@ -116,6 +130,30 @@ void FollowedScene::Draw()
   this->Discs->SetPoints(this->Shapes->GetPoints());
   this->Discs->SetPolys(this->Shapes->GetPolys());
   this->Discs->GetPointData()->SetScalars(discColors);
+  this->DrawTensors();
+}
+
+void FollowedScene::DrawTensors()
+{
+  vtkDataArray* const modes = this->Shapes->GetCellData()->GetArray("Mode");
+  vtkDataArray* const all = this->Shapes->GetPointData()->GetTensors();
+  vtkNew<vtkPoints> places;
+  const auto tensors = all ? vtkSmartPointer<vtkDataArray>::Take(all->NewInstance()) : nullptr;
+  this->Tensors->Initialize();
+  for (vtkIdType cell = 0; modes && tensors && cell < this->Shapes->GetNumberOfVerts(); ++cell)
+  {
+    vtkNew<vtkIdList> points;
+    this->Shapes->GetCellPoints(cell, points);
+    places->InsertNextPoint(this->Shapes->GetPoint(points->GetId(0)));
+    tensors->SetNumberOfComponents(all->GetNumberOfComponents());
+    tensors->InsertNextTuple(all->GetTuple(points->GetId(0)));
+    const auto mode = static_cast<std::size_t>(modes->GetComponent(cell, 0)) % this->ColorCount;
+    const Color& color = this->Colors[mode];
+    this->EllipsoidActor->GetProperty()->SetColor(
+      color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+  }
+  this->Tensors->SetPoints(places);
+  this->Tensors->GetPointData()->SetTensors(tensors);
 }
 
 void FollowedScene::RenderOpaque(vtkViewport* viewport)
@@ -123,6 +161,10 @@ void FollowedScene::RenderOpaque(vtkViewport* viewport)
   if (this->Lines->GetNumberOfLines() > 0)
   {
     this->Solid->RenderOpaqueGeometry(viewport);
+  }
+  if (this->Tensors->GetNumberOfPoints() > 0)
+  {
+    this->EllipsoidActor->RenderOpaqueGeometry(viewport);
   }
 }
 
@@ -147,6 +189,7 @@ void FollowedScene::Release(vtkWindow* window)
   this->Solid->ReleaseGraphicsResources(window);
   this->Ghost->ReleaseGraphicsResources(window);
   this->Fronts->ReleaseGraphicsResources(window);
+  this->EllipsoidActor->ReleaseGraphicsResources(window);
 }
 
 void FollowedScene::AddTo(vtkBoundingBox& box)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What modes hold the hand on, in the scene: lines as tubes, fronts as discs, in the colours of
- * their modes.
+ * What modes hold the hand on, in the scene: lines as tubes, fronts as discs, tensors as
+ * ellipsoids, in the colours of their modes.
  */
 #ifndef FollowedScene_h
 #define FollowedScene_h
@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkTensorGlyph.h"
 #include "vtkTubeFilter.h"
 
 #include <cstddef>
@@ -44,16 +45,21 @@ public:
 
 private:
   void Draw();
+  void DrawTensors();
 
   vtkNew<vtkPolyData> Shapes;
   vtkNew<vtkPolyData> Lines; ///< with the rims of fronts
   vtkNew<vtkPolyData> Discs;
   vtkNew<vtkTubeFilter> Tubes;
+  vtkNew<vtkPolyData> Tensors;
+  vtkNew<vtkTensorGlyph> Ellipsoids;
   vtkNew<vtkPolyDataMapper> LineMapper;
   vtkNew<vtkPolyDataMapper> DiscMapper;
   vtkNew<vtkActor> Solid;
   vtkNew<vtkActor> Ghost;
   vtkNew<vtkActor> Fronts;
+  vtkNew<vtkPolyDataMapper> EllipsoidMapper;
+  vtkNew<vtkActor> EllipsoidActor;
   const Color* const Colors;
   const std::size_t ColorCount;
   double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< of the shapes, with the next two

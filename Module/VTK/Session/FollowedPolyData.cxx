@@ -23,6 +23,8 @@ namespace
 constexpr int FrontCorners = 48;
 /** The radius of a front, as a share of the reach along lines. */
 constexpr double FrontShare = 0.25;
+/** The length of a tensor, likewise. */
+constexpr double TensorShare = 0.125;
 
 class ShapeWriter
 {
@@ -34,6 +36,21 @@ public:
     this->Normals->SetName("Normals");
     this->Normals->SetNumberOfComponents(3);
     this->Modes->SetName("Mode");
+    this->Tensors->SetName("Tensors");
+    this->Tensors->SetNumberOfComponents(9);
+  }
+
+  /** Its first eigenvalue becomes a length (m). */
+  void AddTensor(const FollowedShape& shape, double length)
+  {
+    this->Places->InsertNextCell(1);
+    this->Places->InsertCellPoint(this->AddPoint(shape.Centre, {}));
+    const double world = length * std::cbrt(Determinant(this->Model.DeviceToWorld.Linear));
+    const Matrix3 tensor = world * shape.Tensor;
+    const double nine[9] = { tensor.Row[0].X, tensor.Row[0].Y, tensor.Row[0].Z, tensor.Row[1].X,
+      tensor.Row[1].Y, tensor.Row[1].Z, tensor.Row[2].X, tensor.Row[2].Y, tensor.Row[2].Z };
+    this->Tensors->SetTuple(this->Tensors->GetNumberOfTuples() - 1, nine);
+    this->Modes->InsertNextValue(shape.Mode);
   }
 
   void AddLine(const FollowedShape& shape)
@@ -67,9 +84,14 @@ public:
   {
     shapes->Initialize();
     shapes->SetPoints(this->Points);
+    shapes->SetVerts(this->Places);
     shapes->SetLines(this->Lines);
     shapes->SetPolys(this->Fronts);
     shapes->GetPointData()->SetNormals(this->Normals);
+    if (this->Places->GetNumberOfCells() > 0)
+    {
+      shapes->GetPointData()->SetTensors(this->Tensors);
+    }
     shapes->GetCellData()->AddArray(this->Modes);
   }
 
@@ -78,7 +100,9 @@ private:
   {
     const Vector3 world = this->Model.DeviceToWorld(place);
     const Vector3 turned = this->Model.DeviceToWorldRotation * normal;
+    constexpr double none[9] = {};
     this->Normals->InsertNextTuple3(turned.X, turned.Y, turned.Z);
+    this->Tensors->InsertNextTuple(none);
     return this->Points->InsertNextPoint(world.X, world.Y, world.Z);
   }
 
@@ -86,6 +110,8 @@ private:
   vtkNew<vtkPoints> Points;
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkIntArray> Modes;
+  vtkNew<vtkDoubleArray> Tensors;
+  vtkNew<vtkCellArray> Places; ///< of tensors
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkCellArray> Fronts;
 };
@@ -97,7 +123,15 @@ void WriteFollowed(
 {
   const std::vector<FollowedShape> found = FindFollowedShapes(model, proxy, reach);
   ShapeWriter writer(model);
-  // Cells are numbered lines first, and so is the array.
+  // Cells are numbered vertices first, then lines, then polygons, and so is the array.
+  const double voxel = 1.0 / model.MostVoxelsPerMeter;
+  for (const FollowedShape& shape : found)
+  {
+    if (shape.IsTensor)
+    {
+      writer.AddTensor(shape, TensorShare * reach * voxel);
+    }
+  }
   for (const FollowedShape& shape : found)
   {
     if (!shape.Line.empty())
@@ -107,9 +141,9 @@ void WriteFollowed(
   }
   for (const FollowedShape& shape : found)
   {
-    if (shape.Line.empty())
+    if (shape.Line.empty() && !shape.IsTensor)
     {
-      writer.AddFront(shape, FrontShare * reach / model.MostVoxelsPerMeter);
+      writer.AddFront(shape, FrontShare * reach * voxel);
     }
   }
   writer.WriteTo(shapes);

@@ -42,6 +42,10 @@ void PassMode(SetupNode& node, vtkHapticMode* mode)
   {
     PassSettings(node, ridge, RidgeModeSettings);
   }
+  if (auto* const guide = vtkHapticGuideMode::SafeDownCast(mode))
+  {
+    PassSettings(node, guide, GuideModeSettings);
+  }
   const vtkSmartPointer<vtkHapticMode> kept = mode;
   for (const ModeFunction& function : FindModeKind(mode).Functions)
   {
@@ -97,6 +101,8 @@ void PassModes(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
     if (before && guide)
     {
       guide->SetPath(before->GetPath());
+      guide->SetSurface(before->GetSurface());
+      guide->SetDistanceField(before->GetDistanceField());
     }
     PassMode(node, read->back());
   }

@@ -16,8 +16,8 @@ namespace VolumeHaptics
 
 /**
  * The entry Modes of the section Haptics. A filter without modes has none; one of a file replaces
- * those of the filter. Paths of guides are data, which no setup has: a guide that stays at its
- * place in the list keeps its path.
+ * those of the filter. Paths, surfaces and distance fields of guides are data, which no setup has:
+ * a guide that stays at its place in the list keeps them.
  */
 void PassModes(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter);
 

@@ -11,6 +11,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
+#include "vtkHapticMode.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
@@ -84,7 +85,13 @@ void ExpectModesOfAFlow(const std::string& head)
   Expect(
     Largest(e, "ModeForce_0", "slide outside") + Largest(e, "ModeForce_1", "slide outside") > 0.0,
     "the flow is felt");
-  for (const std::string mode : { "vector-follow", "tensor-follow", "spin", "ridge:flow" })
+  const Explore::Options wanted =
+    Parse({ "explore", "ExploreFlow.vti", "--mode", "Find a vortex" });
+  Expect(wanted.How.Method == "primitives", "a preset chooses its method");
+  const Explore::Exploration found = Explore::ExploreVolume(volume, wanted.How);
+  Expect(found.Filter->GetMode(0)->IsA("vtkHapticVortexMode"), "a preset makes its mode");
+  for (const std::string mode :
+    { "vector-follow", "tensor-follow", "spin", "ridge:flow", "Slide along fibres" })
   {
     std::string said;
     try

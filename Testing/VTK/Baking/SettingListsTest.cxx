@@ -179,6 +179,7 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticShearMode>(ModeSettings);
   ExpectHeadersBehave<vtkHapticVectorFrontMode>(FrontModeSettings);
   ExpectHeadersBehave<vtkHapticRidgeMode>(RidgeModeSettings);
+  ExpectHeadersBehave<vtkHapticGuideMode>(GuideModeSettings);
   for (const HardwareVector& setting : HardwareVectors)
   {
     SCOPED_TRACE(setting.Name);
@@ -229,6 +230,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkHapticMode", Names(ModeSettings));
   ExpectRows("vtkHapticVectorFrontMode", Names(FrontModeSettings));
   ExpectRows("vtkHapticRidgeMode", Names(RidgeModeSettings));
+  ExpectRows("vtkHapticGuideMode", Names(GuideModeSettings));
 }
 
 TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
@@ -253,6 +255,7 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticMode", ModeTexts);
   ExpectComments("vtkHapticVectorFrontMode", FrontModeSettings);
   ExpectComments("vtkHapticRidgeMode", RidgeModeSettings);
+  ExpectComments("vtkHapticGuideMode", GuideModeSettings);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)

@@ -6,12 +6,10 @@
  * spring k, a line that holds with S and a tip at the distance d from it, min(k d, S) towards it.
  */
 
-#include "Rigs/ApiRig.h"
+#include "FilterModesRig.h"
 #include "Rigs/TimeSource.h"
 
-#include <vtkCellArray.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkHapticGuideMode.h>
 #include <vtkHapticRidgeMode.h>
 #include <vtkHapticShearMode.h>
@@ -21,90 +19,14 @@
 #include <vtkHapticVectorFrontMode.h>
 #include <vtkHapticVortexMode.h>
 #include <vtkMatrix3x3.h>
-#include <vtkPointData.h>
+#include <vtkPiecewiseFunction.h>
 #include <vtkSOADataArrayTemplate.h>
+#include <vtkStringArray.h>
 
-#include <cmath>
 #include <limits>
+#include <map>
 
-using namespace apitest;
-
-namespace
-{
-constexpr double SpringOf = 500.0;  // N/m
-constexpr double SpringPerMm = 0.5; // N/mm
-constexpr double Middle = 11.5;     // of 24 voxels
-
-class FilterModes : public ApiTest
-{
-protected:
-  FilterModes()
-  {
-    this->Image = MakeImage(24, VTK_DOUBLE, [](const Point& p) { return 100.0 * p[2]; });
-    this->Filter->SetInputData(this->Image);
-    this->Filter->SetMethodToPrimitives();
-  }
-
-  /// A point array of the image.
-  template <typename F>
-  vtkSmartPointer<vtkDoubleArray> AddArray(const char* name, int components, F&& f)
-  {
-    auto array = vtkSmartPointer<vtkDoubleArray>::New();
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(this->Image->GetNumberOfPoints());
-    for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
-    {
-      Point p;
-      this->Image->GetPoint(i, p.data());
-      f(p, array->GetPointer(components * i));
-    }
-    this->Image->GetPointData()->AddArray(array);
-    return array;
-  }
-  /// The flow v = (x - 11.5) turned by 90 degrees around z: circles.
-  void AddCircles()
-  {
-    this->AddArray("flow", 3,
-      [](const Point& p, double* v)
-      {
-        v[0] = Middle - p[1];
-        v[1] = p[0] - Middle;
-        v[2] = 0.0;
-      });
-  }
-
-  void Follow(const std::vector<Point>& points) { this->Filter->SetPathData(MakePath(points)); }
-
-  /// Of the last tick.
-  static Point Last(vtkPolyData* trace, const char* array)
-  {
-    const vtkIdType tick = trace->GetNumberOfPoints() - 1;
-    return { Get(trace, array, tick, 0), Get(trace, array, tick, 1), Get(trace, array, tick, 2) };
-  }
-  static Point LastProxy(vtkPolyData* trace)
-  {
-    Point p;
-    trace->GetPoint(trace->GetNumberOfPoints() - 1, p.data());
-    return p;
-  }
-  static void ExpectNear(const Point& a, const Point& b, double tolerance)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
-    }
-  }
-};
-
-template <typename Mode>
-vtkSmartPointer<Mode> NewMode(const char* array = "")
-{
-  auto mode = vtkSmartPointer<Mode>::New();
-  mode->SetArrayName(array);
-  return mode;
-}
-} // namespace
+using namespace modestest;
 
 TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
 {
@@ -307,39 +229,6 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
   }
 }
 
-TEST_F(FilterModes, AGuideLeadsAroundItsCornerAndEnds)
-{
-  const auto mode = NewMode<vtkHapticGuideMode>();
-  mode->SetPath(MakePath({ { 5, 5, 12 }, { 15, 5, 12 }, { 15, 15, 12 } }));
-  this->Filter->AddMode(mode);
-  // Beside the first leg; outside of the corner; beside the second leg; beyond the end.
-  this->Follow(Line({ 6, 5, 12 }, { 10, 4, 12 }, 50));
-  vtkPolyData* trace = this->Run(51);
-  ExpectNear(LastProxy(trace), { 10.0, 5.0, 12.0 }, 1e-9);
-  ExpectNear(Last(trace, "Force"), { 0.0, SpringPerMm, 0.0 }, 1e-9);
-  this->Follow(Line({ 13, 5, 12 }, { 17, 3, 12 }, 200));
-  trace = this->Run(201);
-  ExpectNear(LastProxy(trace), { 15.0, 5.0, 12.0 }, 0.01);
-  ExpectNear(Last(trace, "Force"), { -2.0 * SpringPerMm, 2.0 * SpringPerMm, 0.0 }, 0.01);
-  auto points = Line({ 13, 5, 12 }, { 17, 3, 12 }, 200);
-  for (const Point& p : Line({ 17, 3, 12 }, { 16, 11, 13 }, 200))
-  {
-    points.push_back(p);
-  }
-  this->Follow(points);
-  trace = this->Run(402);
-  ExpectNear(LastProxy(trace), { 15.0, 11.0, 12.0 }, 1e-6);
-  ExpectNear(Last(trace, "Force"), { -SpringPerMm, 0.0, -SpringPerMm }, 1e-6);
-  this->Follow(Line({ 15, 13, 12 }, { 15, 17, 12 }, 50));
-  trace = this->Run(51);
-  ExpectNear(LastProxy(trace), { 15.0, 15.0, 12.0 }, 1e-9);
-  ExpectNear(Last(trace, "Force"), { 0.0, -2.0 * SpringPerMm, 0.0 }, 1e-9);
-  // 1 N beyond a millimetre: farther off, the hand is led back with it.
-  mode->GetStrength()->AddPoint(0.0, 1.0);
-  this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
-  ExpectNear(Last(this->Run(2), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
-}
-
 TEST_F(FilterModes, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
 {
   // P3, Poiseuille's profile with R = 20 mm: S = 2 (1 - r^2/R^2) N, so that the proxy is at r if
@@ -466,18 +355,6 @@ TEST_F(FilterModes, BadInputGivesOneErrorWithItsCure)
   tensors->ActiveOff();
   const auto guide = NewMode<vtkHapticGuideMode>();
   this->Filter->AddMode(guide);
-  this->ExpectError({ "vtkHapticGuideMode", "no path", "SetPath()" });
-  guide->SetPath(MakePath({ { 0, 0, 0 }, { NAN, 0, 0 } }));
-  this->ExpectError({ "vtkHapticGuideMode", "not finite", "SetPath()" });
-  const vtkNew<vtkPolyData> cut; // of points that are not there any more
-  const vtkNew<vtkCellArray> line;
-  line->InsertNextCell({ 0, 1 });
-  cut->SetLines(line);
-  guide->SetPath(cut);
-  this->ExpectError({ "vtkHapticGuideMode", "has 0 points", "SetPath()" });
-  cut->SetPoints(MakePath({ { 0, 0, 0 } })->GetPoints());
-  guide->Modified();
-  this->ExpectError({ "vtkHapticGuideMode", "has the point 1", "SetPath()" });
   guide->SetPath(MakePath({ { 0, 0, 0 }, { 5, 5, 5 } }));
   this->Run(51);
   for (int i = 0; i < 3; ++i)
@@ -494,6 +371,175 @@ TEST_F(FilterModes, BadInputGivesOneErrorWithItsCure)
   this->ExpectError({ "PRIMITIVES", "several frames", "SetTimeUnitsPerSecond(0)" });
   this->Filter->SetTimeUnitsPerSecond(0.0);
   this->Run(51);
+}
+
+TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
+{
+  // P6: rot v = 2 within a = 10 mm, and none outside; S = 2 N where there is more than 1.
+  constexpr double axis = 23.5;
+  this->Image = MakeImage(48, VTK_FLOAT, [](const Point&) { return 0.0; });
+  this->Filter->SetInputData(this->Image);
+  this->AddArray("flow", 3,
+    [](const Point& p, double* v)
+    {
+      const double x = p[0] - axis;
+      const double y = p[1] - axis;
+      const double turn = std::min(1.0, 100.0 / (x * x + y * y));
+      v[0] = -turn * y;
+      v[1] = turn * x;
+      v[2] = 0.0;
+    });
+  const auto mode = NewMode<vtkHapticVortexMode>("flow");
+  mode->GetStrength()->AddPoint(0.99, 0.0);
+  mode->GetStrength()->AddPoint(1.01, 2.0);
+  this->Filter->AddMode(mode);
+  this->Follow(Line({ axis, axis, axis }, { axis + 18.0, axis, axis }, 1800));
+  vtkPolyData* const trace = this->Run(1801);
+  double last = 0.0; // radius with a whole hold
+  for (vtkIdType tick = 450; tick < 1801; ++tick)
+  {
+    double proxy[3];
+    trace->GetPoint(tick, proxy);
+    const double r = proxy[0] - axis;
+    const double force = Get(trace, "NormalForce", tick);
+    if (r < 9.0)
+    {
+      ASSERT_NEAR(force, 2.0, 0.01) << r;
+    }
+    last = force > 1.0 ? r : last;
+  }
+  EXPECT_NEAR(last, 10.0, 0.5) << "within the kernel's voxel";
+  EXPECT_LT(Get(trace, "NormalForce", 1800), 1e-3);
+}
+
+TEST_F(FilterModes, ALineOfADipoleIsKept)
+{
+  // P7: r = C sin^2 of the angle to the axis. Its field is harmonic, so that splines do not lower
+  // it. From the equator to 50 degrees, with the tip 5 % inside.
+  this->Image = MakeImage(48, VTK_FLOAT, [](const Point&) { return 0.0; });
+  this->Image->SetOrigin(10.0, -23.5, -10.0);
+  this->Filter->SetInputData(this->Image);
+  this->AddArray("field", 3,
+    [](const Point& p, double* v)
+    {
+      const double square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+      const double fall = 1e6 * std::pow(square, -2.5);
+      v[0] = fall * 3.0 * p[2] * p[0];
+      v[1] = fall * 3.0 * p[2] * p[1];
+      v[2] = fall * (3.0 * p[2] * p[2] - square);
+    });
+  this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>("field"));
+  constexpr double c = 40.0;
+  std::vector<Point> tips = { { c, 0.0, 0.0 } };
+  for (int i = 0; i <= 500; ++i)
+  {
+    const double angle = std::acos(-1.0) * (90.0 - 40.0 * i / 500.0) / 180.0;
+    const double r = 0.95 * c * std::sin(angle) * std::sin(angle);
+    tips.push_back({ r * std::sin(angle), 0.0, r * std::cos(angle) });
+  }
+  this->Follow(tips);
+  vtkPolyData* const trace = this->Run(502);
+  for (vtkIdType tick = 0; tick < 502; ++tick)
+  {
+    double x[3];
+    trace->GetPoint(tick, x);
+    const double r = std::hypot(x[0], x[1], x[2]);
+    ASSERT_NEAR(r * r * r / (x[0] * x[0] + x[1] * x[1]), c, 0.01) << tick;
+  }
+  EXPECT_GT(LastProxy(trace)[2], 12.0) << "it has followed";
+}
+
+TEST_F(FilterModes, AnObliqueFrontAndALineShareTheSpring)
+{
+  // P10: a line along x and a front across (1, 0, 1), of 1 N each. A lag that both can bear has one
+  // sum of forces only; pulled on along -z, both give way with all of their strengths.
+  this->AddArray("flow", 3,
+    [](const Point&, double* v)
+    {
+      v[0] = 1.0;
+      v[1] = v[2] = 0.0;
+    });
+  this->AddArray("wave", 3,
+    [](const Point&, double* v)
+    {
+      v[0] = v[2] = 3.0;
+      v[1] = 0.0;
+    });
+  const auto line = NewMode<vtkHapticVectorFollowMode>("flow");
+  const auto front = NewMode<vtkHapticVectorFrontMode>("wave");
+  SetConstant(line->GetStrength(), 1.0);
+  SetConstant(front->GetStrength(), 1.0);
+  this->Filter->AddMode(line);
+  this->Filter->AddMode(front);
+  this->Follow(Line({ 12, 12, 16 }, { 11.4, 12.4, 14.8 }, 100));
+  vtkPolyData* trace = this->Run(101);
+  ExpectNear(LastProxy(trace), { 12, 12, 16 }, 1e-9);
+  ExpectNear(Last(trace, "ModeForce_0"), { 0.0, -0.2, 0.3 }, 1e-9);
+  ExpectNear(Last(trace, "ModeForce_1"), { 0.3, 0.0, 0.3 }, 1e-9);
+  this->Follow(Line({ 12, 12, 18 }, { 12, 12, 8 }, 1000));
+  trace = this->Run(1001);
+  const double s = std::sqrt(0.5);
+  ExpectNear(Last(trace, "Force"), { s, 0.0, 1.0 + s }, 1e-4);
+  ExpectNear(LastProxy(trace), { 12 + 2 * s, 12, 10 + 2 * s }, 1e-3);
+}
+
+TEST_F(FilterModes, PresetsMakeTheirModes)
+{
+  this->AddCircles();
+  this->AddArray("tensor", 6,
+    [](const Point&, double* t)
+    {
+      std::fill_n(t, 6, 0.1);
+      t[0] = 1.0;
+    });
+  // A bright tube and a dark one, so that there are vessels of both kinds.
+  for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    this->Image->GetPoint(i, p.data());
+    const double bright = std::exp(-(std::pow(p[1] - 7, 2) + std::pow(p[2] - 7, 2)) / 4.0);
+    const double dark = std::exp(-(std::pow(p[1] - 16, 2) + std::pow(p[2] - 16, 2)) / 4.0);
+    this->Image->GetPointData()->GetScalars()->SetTuple1(i, 500.0 + 400.0 * (bright - dark));
+  }
+  const std::map<std::string, const char*> kinds = { { "Follow the flow", "VectorFollow" },
+    { "Drift with the flow", "VectorFollow" }, { "Feel wave fronts", "VectorFront" },
+    { "Find a vortex", "Vortex" }, { "Feel where a flow stretches", "Shear" },
+    { "Slide along fibres", "TensorFollow" }, { "Slide along fibres and sheets", "TensorFollow" },
+    { "Follow a vessel", "Ridge" }, { "Follow a dark vessel", "Ridge" },
+    { "Follow the flow and touch surfaces", "VectorFollow" } };
+  vtkStringArray* const names = vtkVolumeHapticsFilter::GetModePresetNames();
+  ASSERT_EQ(names->GetNumberOfValues(), static_cast<vtkIdType>(kinds.size()));
+  // The shear of a rotation is 0, so that its preset has nothing to propose.
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    const std::string name = names->GetValue(i);
+    SCOPED_TRACE(name);
+    const bool isStrange = name == "Feel where a flow stretches";
+    this->Filter->SetMethodToProxy();
+    this->Filter->RemoveAllModes();
+    ASSERT_TRUE(
+      this->Filter->ApplyModePreset(name.c_str(), isStrange ? nullptr : this->Image.Get()));
+    EXPECT_EQ(this->Filter->GetMethodName(), "primitives");
+    const bool hasSurface = name.find("surfaces") != std::string::npos;
+    ASSERT_EQ(this->Filter->GetNumberOfModes(), hasSurface ? 2 : 1);
+    vtkHapticMode* const mode = this->Filter->GetMode(0);
+    EXPECT_EQ(mode->GetClassName(), std::string("vtkHaptic") + kinds.at(name) + "Mode");
+    EXPECT_EQ(mode->GetStrength()->GetSize(), isStrange ? 0 : 2);
+  }
+  // What is said to be felt is felt: the vessel's middle, from a millimetre beside it.
+  ASSERT_TRUE(this->Filter->ApplyModePreset("Follow a dark vessel", this->Image));
+  this->Follow(Line({ 8, 15.5, 16 }, { 14, 15.5, 16 }, 100));
+  EXPECT_NEAR(LastProxy(this->Run(101))[1], 16.0, 0.02);
+  // And no other name, nor an image without vectors, changes anything.
+  this->Log.Errors.clear();
+  EXPECT_FALSE(this->Filter->ApplyModePreset("Waltz", this->Image));
+  this->Image->GetPointData()->RemoveArray("flow");
+  EXPECT_FALSE(this->Filter->ApplyModePreset("Find a vortex", this->Image));
+  ASSERT_EQ(this->Log.Errors.size(), 2u);
+  EXPECT_NE(this->Log.Errors[0].find("\"Waltz\". Use one of: \"Follow"), std::string::npos);
+  EXPECT_NE(this->Log.Errors[1].find("no vectors (a point array of 3"), std::string::npos);
+  EXPECT_EQ(this->Filter->GetMode(0)->GetClassName(), std::string("vtkHapticRidgeMode"));
+  this->Log.Errors.clear();
 }
 
 TEST_F(FilterModes, AnImageOfVectorsAloneNeedsNoScalars)

@@ -48,7 +48,10 @@ TEST_F(SetupModes, ComeBackAsTheyWere)
   const auto ridge = AddTo<vtkHapticRidgeMode>(a.Filter);
   ridge->SetPolarityToDark();
   ridge->SetSnapDistance(1.25);
-  AddTo<vtkHapticGuideMode>(a.Filter)->SetPath(MakePath({ { 0, 0, 0 }, { 1, 1, 1 } }));
+  const auto guide = AddTo<vtkHapticGuideMode>(a.Filter);
+  guide->SetPath(MakePath({ { 0, 0, 0 }, { 1, 1, 1 } }));
+  guide->SetSideToInside();
+  guide->SetDistance(-0.3);
   AddTo<vtkHapticSurfaceMode>(a.Filter);
   a.Filter->SetMethodToPrimitives();
   const std::string file = File("Modes.json");
@@ -73,7 +76,10 @@ TEST_F(SetupModes, ComeBackAsTheyWere)
   EXPECT_EQ(read->GetArrayName(), "velocity \"U\"");
   EXPECT_EQ(read->GetPush()->GetValue(0.2), 1.0 / 3.0);
   EXPECT_FALSE(read->GetActive());
-  EXPECT_EQ(vtkHapticGuideMode::SafeDownCast(b.Filter->GetMode(6))->GetPath(), path.Get());
+  auto* const back = vtkHapticGuideMode::SafeDownCast(b.Filter->GetMode(6));
+  EXPECT_EQ(back->GetPath(), path.Get());
+  EXPECT_EQ(back->GetSide(), vtkHapticGuideMode::INSIDE);
+  EXPECT_EQ(back->GetDistance(), -0.3);
   // A setup without modes leaves those that are there.
   const std::string none = File("None.json");
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));

@@ -16,6 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <functional>
@@ -91,8 +92,32 @@ std::string FindField(vtkImageData* image, Needs what)
   return {};
 }
 
+bool IsPreset(const std::string& name)
+{
+  return vtkVolumeHapticsFilter::GetModePresetNames()->LookupValue(name) >= 0;
+}
+
+void AddPreset(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilter* filter)
+{
+  const auto preset = vtkSmartPointer<vtkVolumeHapticsFilter>::New();
+  const Explore::MessageCapture capture;
+  if (!preset->ApplyModePreset(name.c_str(), image))
+  {
+    throw InputError("--mode '" + name + "'", capture.FirstError(), "take another mode");
+  }
+  for (int i = 0; i < preset->GetNumberOfModes(); ++i)
+  {
+    filter->AddMode(preset->GetMode(i));
+  }
+}
+
 void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
+  if (IsPreset(name))
+  {
+    AddPreset(name, image, filter);
+    return;
+  }
   const std::size_t colon = name.find(':');
   const ModeName& known = Modes().at(name.substr(0, colon));
   const ModePointer mode = known.Make();
@@ -131,14 +156,30 @@ std::string ListModes()
   return list;
 }
 
+std::string ListModePresets()
+{
+  vtkStringArray* const names = vtkVolumeHapticsFilter::GetModePresetNames();
+  std::string list;
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    list += (i == 0 ? "\"" : ", \"") + std::string(names->GetValue(i)) + "\"";
+  }
+  return list;
+}
+
 void CheckMode(const std::string& mode)
 {
+  if (IsPreset(mode))
+  {
+    return;
+  }
   const std::size_t colon = mode.find(':');
   const auto known = Modes().find(mode.substr(0, colon));
   if (known == Modes().end() || (colon != std::string::npos && colon + 1 == mode.size()))
   {
     throw InputError("--mode '" + mode + "'", "is not known",
-      "take one of: " + ListModes() + "; the name of an array may follow after a colon");
+      "take one of: " + ListModes() +
+        "; the name of an array may follow after a colon. Or one of: " + ListModePresets());
   }
   if (colon != std::string::npos && known->second.What == Needs::Scalars)
   {

@@ -14,7 +14,11 @@ namespace Explore
 /// The names of --mode, such as "vector-follow", for texts.
 std::string ListModes();
 
-/// Throws InputError if this is not the name of a mode, or not one with an array's after a colon.
+/// The names of vtkVolumeHapticsFilter::GetModePresetNames(), which --mode takes, too, for texts.
+std::string ListModePresets();
+
+/// Throws InputError if this is not the name of a mode, or not one with an array's after a colon;
+/// nor that of a preset.
 void CheckMode(const std::string& mode);
 
 /// Adds modes to a filter, with strengths that suit the image. Without names: the vectors are

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Primitives/FollowedShapes.h"
 
+#include "Core/Math/SymmetricEigen.h"
 #include "Core/Solvers/Primitives/ModePrimitives.h"
 
 #include <algorithm>
@@ -23,7 +24,8 @@ class ShapeFinder
 {
 public:
   ShapeFinder(const HapticModel& model, const ModeField& modes, int mode)
-    : Modes(modes)
+    : Model(model)
+    , Modes(modes)
     , Mode(mode)
     , Kind(model.Baked->Modes[static_cast<std::size_t>(mode)].Kind)
     , Voxel(1.0 / model.MostVoxelsPerMeter)
@@ -41,10 +43,11 @@ public:
     }
     if (const Primitive* const front = this->FindFront())
     {
-      shape.Centre = place;
+      shape.Centre = front->Anchor;
       shape.Normal = front->Direction;
       shapes.push_back(shape);
     }
+    this->AddTensor(shapes, place);
     if (!this->HasLine() || !this->FindStart(start))
     {
       return;
@@ -70,9 +73,26 @@ public:
   }
 
 private:
+  void AddTensor(std::vector<FollowedShape>& shapes, const Vector3& place) const
+  {
+    FollowedShape shape;
+    shape.Mode = this->Mode;
+    shape.Centre = place;
+    shape.IsTensor = this->Kind == ModeKind::TensorFollow &&
+      this->Model.Baked->Modes[static_cast<std::size_t>(this->Mode)].Field.ReadTensor(
+        this->Model.DeviceToIndex(place), shape.Tensor);
+    const double first = shape.IsTensor ? FindEigen(shape.Tensor).Value[0] : 0.0;
+    if (first > 0.0)
+    {
+      shape.Tensor = (1.0 / first) * shape.Tensor;
+      shapes.push_back(shape);
+    }
+  }
+
   bool HasLine() const
   {
-    return this->Kind != ModeKind::VectorFront && this->Kind != ModeKind::TwoSidedFront;
+    return this->Kind != ModeKind::VectorFront && this->Kind != ModeKind::TwoSidedFront &&
+      this->Kind != ModeKind::GuideSurface;
   }
 
   /** Reads the primitives of the mode; false if none of them holds. */
@@ -217,6 +237,7 @@ private:
     return false;
   }
 
+  const HapticModel& Model;
   const ModeField& Modes;
   const int Mode;
   const ModeKind Kind;

@@ -14,8 +14,9 @@
  * | TwoSidedFront | the same                                                  |
  * | VortexTube    | the core line of the vortex around the place              |
  * | Shear         | the line through the place, along the largest stretch     |
- * | TensorFollow  | the fibre through the place; or its sheet                 |
+ * | TensorFollow  | the fibre through the place; or its sheet; and the tensor |
  * | Ridge, Guide  | the line that the hand is drawn to                        |
+ * | GuideSurface  | its tangent plane, as a front                             |
  * | Surface       | nothing: the volume shows it                              |
  *
  * Lines are followed by Runge and Kutta's method of fourth order, in steps of half a voxel; those
@@ -34,12 +35,17 @@ namespace VolumeHaptics
 struct FollowedShape
 {
   int Mode = 0;              ///< its number
-  std::vector<Vector3> Line; ///< m, in the order along it; empty for a front
+  std::vector<Vector3> Line; ///< m, in the order along it; empty for a front or tensor
   bool IsClosed = false;     ///< the line ends where it begins
   ///@{
   /** Of a front: its place (m), and the unit normal to its free side; both sides may be held. */
   Vector3 Centre;
   Vector3 Normal;
+  ///@}
+  ///@{
+  /** Of a tensor, in world axes, at Centre: divided by its first eigenvalue, which is positive. */
+  bool IsTensor = false;
+  Matrix3 Tensor;
   ///@}
 };
 

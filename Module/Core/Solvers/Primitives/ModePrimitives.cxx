@@ -49,6 +49,9 @@ public:
       case ModeKind::Guide:
         this->ReadGuide();
         break;
+      case ModeKind::GuideSurface:
+        this->ReadGuideSurface();
+        break;
       case ModeKind::Surface:
         this->ReadSurface();
         break;
@@ -61,18 +64,17 @@ private:
     this->SetFade(this->Mode.Field.GetSampler().DistanceToBorder(this->Index));
     Vector3 v;
     this->Mode.Field.Read(this->Index, v);
-    const double magnitude = Norm(v);
-    const double strength = this->StrengthAt(0, magnitude);
+    const auto strengths = this->StrengthsAt(Norm(v));
     if (this->Mode.Kind == ModeKind::VectorFollow)
     {
-      this->Add(PrimitiveKind::Line, v, strength);
-      this->Add(PrimitiveKind::Force, v, this->StrengthAt(1, magnitude));
+      this->Add(PrimitiveKind::Line, v, strengths[0]);
+      this->Add(PrimitiveKind::Force, v, strengths[1]);
       return;
     }
-    this->Add(PrimitiveKind::Plane, v, strength);
+    this->Add(PrimitiveKind::Plane, v, strengths[0]);
     if (this->Mode.Kind == ModeKind::TwoSidedFront)
     {
-      this->Add(PrimitiveKind::Plane, -v, strength);
+      this->Add(PrimitiveKind::Plane, -v, strengths[0]);
     }
   }
 
@@ -221,6 +223,19 @@ private:
       this->Modes.WorldToDevice(found.End));
   }
 
+  void ReadGuideSurface() noexcept
+  {
+    const GuideSurfacePlace found =
+      this->Mode.GuideSurface->Find(this->Modes.DeviceToWorld(this->Place));
+    const double strength = found.Share * this->StrengthAt(0, found.Distance);
+    const Vector3 anchor = this->Modes.WorldToDevice(found.Anchor);
+    const GuideSide side = this->Mode.Side;
+    const bool holdsOut = side != GuideSide::Inside;
+    const bool holdsIn = side != GuideSide::Outside;
+    this->Add(PrimitiveKind::Plane, found.Normal, holdsOut ? strength : 0.0, anchor);
+    this->Add(PrimitiveKind::Plane, -found.Normal, holdsIn ? strength : 0.0, anchor);
+  }
+
   void ReadSurface() noexcept
   {
     const HapticModel& model = *this->Modes.Model;
@@ -252,10 +267,16 @@ private:
     this->Fade = std::clamp(voxels / ModeField::FadeDistance, 0.0, 1.0);
   }
 
-  double StrengthAt(int channel, double x) const noexcept
+  PiecewiseTable<2>::Values StrengthsAt(double x) const noexcept
   {
-    return std::isfinite(x) ? this->Fade * this->Mode.Strengths(x)[channel] : 0.0;
+    if (!std::isfinite(x))
+    {
+      return { 0.0, 0.0 };
+    }
+    const PiecewiseTable<2>::Values whole = this->Mode.Strengths(x);
+    return { this->Fade * whole[0], this->Fade * whole[1] };
   }
+  double StrengthAt(int channel, double x) const noexcept { return this->StrengthsAt(x)[channel]; }
 
   /** Of a displacement in the world. */
   Vector3 ToDevice(const Vector3& displacement) const noexcept
@@ -303,6 +324,7 @@ int CountPrimitives(ModeKind kind) noexcept
     case ModeKind::VectorFollow:
     case ModeKind::TwoSidedFront:
     case ModeKind::Guide:
+    case ModeKind::GuideSurface:
       break;
   }
   return 2;

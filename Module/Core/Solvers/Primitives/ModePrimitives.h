@@ -14,6 +14,7 @@
  * | TensorFollow  | LINE e_1, PLANE e_3, PLANE -e_3              |
  * | Ridge         | LINE e_1 of the Hessian, through the ridge   |
  * | Guide         | LINE through the nearest place; PLANE at ends|
+ * | GuideSurface  | PLANE n, PLANE -n through the nearest place  |
  * | Surface       | PLANE, LINE, POINT of MaterialPrimitives.h   |
  *
  * ## The core of a vortex

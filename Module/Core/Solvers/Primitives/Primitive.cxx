@@ -23,13 +23,20 @@ double UsableStrength(const Primitive& primitive) noexcept
 /** The direction with unit length; false if it has none. */
 bool Normalise(Vector3& direction) noexcept
 {
+  constexpr double safe = 1e100;
+  const double square = Dot(direction, direction);
+  if (square < safe && square > 1.0 / safe)
+  {
+    direction = (1.0 / std::sqrt(square)) * direction;
+    return true;
+  }
   const double largest =
     std::fmax(std::abs(direction.X), std::fmax(std::abs(direction.Y), std::abs(direction.Z)));
   if (!IsFinite(direction) || !(largest > 0.0))
   {
     return false;
   }
-  // So that no square overflows, or vanishes. A tiny number's reciprocal may be infinite.
+  // Squares overflow, or vanish. A tiny number's reciprocal may be infinite.
   direction = { direction.X / largest, direction.Y / largest, direction.Z / largest };
   direction = (1.0 / Norm(direction)) * direction;
   return true;

@@ -10,8 +10,22 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The weights of a step's stages, at 0, 1/2 and 3/4 of it. */
-constexpr double StageWeights[3] = { 2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0 };
+/**
+ * The end of the way, as a share of a step: where the quadratic through the lengths that are left
+ * at 0, 1/2 and 3/4 of it is 0.
+ */
+double FindEnd(double atBegin, double atMiddle, double late) noexcept
+{
+  const double early = 2.0 * (atMiddle - atBegin);
+  const double bend = (4.0 / 3.0) * (4.0 * (late - atMiddle) - early);
+  const double atEnd = atBegin + early + 0.5 * bend;
+  const double slope = early + 1.5 * bend;
+  // The weights of the stages lose an order away from the end of the step.
+  constexpr double farthest = 0.1;
+  // Also false for NaN.
+  return slope < 0.0 ? 1.0 + std::clamp(-atEnd / slope, -farthest, farthest) : 1.0;
+}
+
 constexpr double LeastRate = 0.25;
 constexpr double MostRate = 1e12; // a picometre from the axis of a vortex
 /** A step of which the middle shows a rate that is so much more begins again. */
@@ -49,10 +63,17 @@ public:
       middle = this->FindRest(from + (0.5 * length) * first);
     }
     const Vector3 second = Along(middle, first);
-    const Vector3 third = Along(this->FindRest(from + (0.75 * length) * second), second);
-    this->Arrive(from +
-      length * (StageWeights[0] * first + StageWeights[1] * second + StageWeights[2] * third));
-    const double next = (before - Dot(this->Rest, third)) / length;
+    const Vector3 late = this->FindRest(from + (0.75 * length) * second);
+    const Vector3 third = Along(late, second);
+    const double share =
+      std::min(FindEnd(before, Dot(middle, second), Dot(late, third)), longest / length);
+    // The integrals of the quadratic through the stages.
+    const double square = share * share;
+    const double ofFirst = share + square * (8.0 / 9.0 * share - 5.0 / 3.0);
+    const double ofSecond = square * (3.0 - 8.0 / 3.0 * share);
+    const double ofThird = square * (16.0 / 9.0 * share - 4.0 / 3.0);
+    this->Arrive(from + length * (ofFirst * first + ofSecond * second + ofThird * third));
+    const double next = (before - Dot(this->Rest, third)) / (share * length);
     return next > LeastRate ? std::min(next, MostRate) : LeastRate;
   }
 

@@ -19,9 +19,10 @@
  * |D|/r, with r the rate at which D falls along the way: 1 in a uniform field, less or more where
  * lines bend around the tip, or strengths change. r is learned from step to step; a step that the
  * middle shows to be too long begins again, since a strength that rises would hold the proxy where
- * it went too far. Steps end when D is less than FinishedShare of a step. After MostSteps, or if
- * the sweeps of a tick are spent, the next tick goes on; the force is then that of the balance at
- * the place that is reached, so it is never more than the strengths.
+ * it went too far; and the end is moved by up to a tenth to where the stages show that D ends, so
+ * that one step a tick is mostly enough. Steps end when D is less than FinishedShare of a step.
+ * After MostSteps, or if the sweeps of a tick are spent, the next tick goes on; the force is then
+ * that of the balance at the place that is reached, so it is never more than the strengths.
  */
 #ifndef PrimitiveFollower_h
 #define PrimitiveFollower_h

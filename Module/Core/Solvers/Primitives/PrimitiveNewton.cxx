@@ -22,6 +22,8 @@ constexpr int MostConditions = 3;
 constexpr int MostRounds = 6;
 /** Of a strength, so that forces that were cut to it count as such. */
 constexpr double YieldShare = 1.0 - 1e-12;
+/** The same of the forces of other primitives, which those of now differ from a little. */
+constexpr double OldYieldShare = 0.99;
 /** N, and a share of the largest force: what rounding may leave of a condition. */
 constexpr double NewtonSettled = 4e-12;
 constexpr double NewtonShare = 4e-15;
@@ -31,6 +33,13 @@ constexpr double LeastDeterminant = 1e-9;
 Vector3 AcrossOf(const Vector3& v, const Vector3& q) noexcept
 {
   return v - Dot(v, q) * q;
+}
+
+void AddDiagonal(double share, Matrix3& to) noexcept
+{
+  to.Row[0].X += share;
+  to.Row[1].Y += share;
+  to.Row[2].Z += share;
 }
 
 void AddOuter(double share, const Vector3& a, Matrix3& to) noexcept
@@ -43,7 +52,8 @@ void AddOuter(double share, const Vector3& a, Matrix3& to) noexcept
 class ExactBalance
 {
 public:
-  ExactBalance(const HeldPrimitives& held, const PrimitiveForces& forces) noexcept
+  ExactBalance(
+    const HeldPrimitives& held, const PrimitiveForces& forces, double yieldShare) noexcept
     : Held(held)
   {
     double largest = 0.0;
@@ -52,12 +62,12 @@ public:
       const Primitive& p = this->At(at);
       const Vector3& force = forces[static_cast<std::size_t>(held.Number[at])];
       const double square = Dot(force, force);
-      const bool isFull = square >= YieldShare * YieldShare * p.Strength * p.Strength;
+      const bool isFull = square >= yieldShare * yieldShare * p.Strength * p.Strength;
       this->State[at] = isFull                            ? HoldState::Yields
         : p.Kind == PrimitiveKind::Plane && square == 0.0 ? HoldState::IsLeft
                                                           : HoldState::Holds;
-      this->Force[at] = force;
-      this->Sum += force;
+      this->Force[at] = isFull ? (p.Strength / std::sqrt(square)) * force : force;
+      this->Sum += this->Force[at];
       largest = std::max(largest, Dot(held.Spring[at], held.Spring[at]));
     }
     this->Settled = NewtonSettled + NewtonShare * std::sqrt(largest);
@@ -152,6 +162,8 @@ private:
   {
     slope = Matrix3{};
     this->Yielding = {};
+    this->IsCurved = false;
+    this->Curvature = 0.0;
     for (int at = 0; at < this->Held.Count; ++at)
     {
       if (this->State[at] == HoldState::Holds)
@@ -166,26 +178,30 @@ private:
         this->Yielding += this->Force[at];
         continue;
       }
+      this->IsCurved = true;
       const Vector3 r = this->Held.Spring[at] + this->Sum;
       const Vector3 unit = (1.0 / p.Strength) * this->Force[at];
-      const double bend = p.Strength / std::max(-Dot(unit, r), this->Settled);
-      AddOuter(bend, { 1.0, 0.0, 0.0 }, slope);
-      AddOuter(bend, { 0.0, 1.0, 0.0 }, slope);
-      AddOuter(bend, { 0.0, 0.0, 1.0 }, slope);
+      const double curvature = 1.0 / std::max(-Dot(unit, r), this->Settled);
+      const double bend = p.Strength * curvature;
+      this->Curvature = std::max(this->Curvature, curvature);
+      this->Unit[at] = unit;
+      this->Bend[at] = bend;
+      AddDiagonal(bend, slope);
       AddOuter(-bend, unit, slope);
       if (p.Kind == PrimitiveKind::Line)
       {
         AddOuter(-bend, p.Direction, slope);
       }
-      this->Yielding += this->Force[at] - bend * this->AsideOf(at, r);
+      this->Yielding += this->Force[at] - bend * AsideOf(p, unit, r);
     }
   }
 
-  /** The part of a vector in which the force of a line or point that yields turns. */
-  Vector3 AsideOf(int at, const Vector3& v) const noexcept
+  /**
+   * The part of a vector in which the force of a line or point that yields turns, by the force's
+   * direction.
+   */
+  static Vector3 AsideOf(const Primitive& p, const Vector3& unit, const Vector3& v) noexcept
   {
-    const Primitive& p = this->At(at);
-    const Vector3 unit = (1.0 / p.Strength) * this->Force[at];
     const Vector3 aside = AcrossOf(v, unit);
     return p.Kind == PrimitiveKind::Line ? AcrossOf(aside, p.Direction) : aside;
   }
@@ -198,10 +214,8 @@ private:
       const Primitive& p = this->At(at);
       if (this->State[at] == HoldState::Yields && p.Kind != PrimitiveKind::Plane)
       {
-        const Vector3 r = this->Held.Spring[at] + this->Sum;
-        const double bend = 1.0 / std::max(-Dot(this->Force[at], r), this->Settled * p.Strength);
-        const Vector3 turned =
-          this->Force[at] - (bend * p.Strength * p.Strength) * this->AsideOf(at, r + change);
+        const Vector3 r = this->Held.Spring[at] + this->Sum + change;
+        const Vector3 turned = this->Force[at] - this->Bend[at] * AsideOf(p, this->Unit[at], r);
         this->Force[at] = (p.Strength / Norm(turned)) * turned;
       }
     }
@@ -214,43 +228,18 @@ private:
     {
       Matrix3 slope;
       this->FindYielding(slope);
-      const Matrix3 inverse = Inverse(slope);
-      const Vector3 free = inverse * (this->Yielding - this->Sum);
-      // Of the conditions: the multipliers after which the step meets them.
-      Vector3 back[MostConditions];
-      Matrix3 products;
-      Vector3 missing;
-      double* const to[3] = { &missing.X, &missing.Y, &missing.Z };
-      for (int i = 0; i < this->Conditions; ++i)
-      {
-        back[i] = inverse * this->Row[i];
-      }
-      const auto product = [&](int i, int j)
-      {
-        const int most = std::max(i, j);
-        return most < this->Conditions ? Dot(this->Row[i], back[j]) : (i == j ? 1.0 : 0.0);
-      };
-      for (int i = 0; i < MostConditions; ++i)
-      {
-        products.Row[i] = { product(i, 0), product(i, 1), product(i, 2) };
-        *to[i] = i < this->Conditions ? this->Wanted[i] - Dot(this->Row[i], this->Sum + free) : 0.0;
-      }
-      const Vector3 diagonal{ products.Row[0].X, products.Row[1].Y, products.Row[2].Z };
-      if (!(Determinant(products) > LeastDeterminant * diagonal.X * diagonal.Y * diagonal.Z))
+      const Matrix3 inverse = this->IsCurved ? Inverse(slope) : slope;
+      Vector3 change = inverse * (this->Yielding - this->Sum);
+      if (this->Conditions > 0 && !this->MeetConditions(inverse, change))
       {
         return false;
       }
-      this->Multiplier = Inverse(products) * missing;
-      const double* const m[3] = { &this->Multiplier.X, &this->Multiplier.Y, &this->Multiplier.Z };
-      Vector3 change = free;
-      for (int i = 0; i < this->Conditions; ++i)
-      {
-        change += *m[i] * back[i];
-      }
       this->Turn(change);
       this->Sum += change;
-      // Without lines and points that yield, one step is exact; its check costs no step.
-      if (Dot(change, change) <= this->Settled * this->Settled || !this->IsCurved())
+      // Without lines and points that yield, one step is exact; with them, the next one would have
+      // about the square of this one, as a share of the nearest anchor's distance.
+      const double square = Dot(change, change);
+      if (!this->IsCurved || square * this->Curvature <= this->Settled)
       {
         return this->Check();
       }
@@ -258,16 +247,46 @@ private:
     return false;
   }
 
-  bool IsCurved() const noexcept
+  /**
+   * Changes a step by the multipliers after which it meets the conditions; false if they are those
+   * of one plane.
+   */
+  bool MeetConditions(const Matrix3& inverse, Vector3& step) noexcept
   {
-    for (int at = 0; at < this->Held.Count; ++at)
+    const int n = this->Conditions;
+    Vector3 back[MostConditions];
+    Matrix3 products;
+    double missing[MostConditions] = {};
+    for (int i = 0; i < n; ++i)
     {
-      if (this->State[at] == HoldState::Yields && this->At(at).Kind != PrimitiveKind::Plane)
-      {
-        return true;
-      }
+      back[i] = inverse * this->Row[i];
+      missing[i] = this->Wanted[i] - Dot(this->Row[i], this->Sum + step);
     }
-    return false;
+    const auto product = [&](int i, int j) { return Dot(this->Row[i], back[j]); };
+    products.Row[0].X = product(0, 0);
+    if (n > 1)
+    {
+      products.Row[0].Y = products.Row[1].X = product(0, 1);
+      products.Row[1].Y = product(1, 1);
+    }
+    if (n > 2)
+    {
+      products.Row[0].Z = products.Row[2].X = product(0, 2);
+      products.Row[1].Z = products.Row[2].Y = product(1, 2);
+      products.Row[2].Z = product(2, 2);
+    }
+    const double size = products.Row[0].X * products.Row[1].Y * products.Row[2].Z;
+    if (!(Determinant(products) > LeastDeterminant * size))
+    {
+      return false;
+    }
+    this->Multiplier = Inverse(products) * Vector3{ missing[0], missing[1], missing[2] };
+    const double* const m[3] = { &this->Multiplier.X, &this->Multiplier.Y, &this->Multiplier.Z };
+    for (int i = 0; i < n; ++i)
+    {
+      step += *m[i] * back[i];
+    }
+    return true;
   }
 
   /** The forces at the place, and whether they are those of a balance. */
@@ -323,7 +342,7 @@ private:
     else
     {
       const Vector3 r = this->Held.Spring[at] + this->Sum;
-      const Vector3 aside = this->AsideOf(at, r);
+      const Vector3 aside = AsideOf(p, (1.0 / p.Strength) * this->Force[at], r);
       const bool isBack = -Dot(this->Force[at], r) < -this->Settled * p.Strength;
       state = isBack ? HoldState::Holds : HoldState::Yields;
       this->IsOff = this->IsOff || Dot(aside, aside) > this->Settled * this->Settled;
@@ -368,9 +387,7 @@ private:
         AddOuter(p.Strength, p.Direction, all);
         continue;
       }
-      AddOuter(p.Strength, { 1.0, 0.0, 0.0 }, all);
-      AddOuter(p.Strength, { 0.0, 1.0, 0.0 }, all);
-      AddOuter(p.Strength, { 0.0, 0.0, 1.0 }, all);
+      AddDiagonal(p.Strength, all);
       if (p.Kind == PrimitiveKind::Line)
       {
         AddOuter(-p.Strength, p.Direction, all);
@@ -411,6 +428,13 @@ private:
   int Conditions = 0;
   int Contradictions = 0;
   bool IsOff = false; ///< a force that yields is not along its place
+  ///@{
+  /** Of lines and points that yield: the direction of the force, and how fast it turns. */
+  bool IsCurved = false;
+  double Curvature = 0.0; ///< the largest: by how much the direction turns for a newton
+  Vector3 Unit[PrimitiveSet::Most];
+  double Bend[PrimitiveSet::Most] = {};
+  ///@}
   Vector3 Multiplier;
   Vector3 Sum;
   Vector3 Yielding; ///< the sum of the forces of those that do not hold
@@ -419,9 +443,10 @@ private:
 
 } // namespace
 
-bool FindExactBalance(const HeldPrimitives& held, PrimitiveForces& forces, Vector3& sum) noexcept
+bool FindExactBalance(
+  const HeldPrimitives& held, bool isOld, PrimitiveForces& forces, Vector3& sum) noexcept
 {
-  ExactBalance balance(held, forces);
+  ExactBalance balance(held, forces, isOld ? OldYieldShare : YieldShare);
   if (!balance.Solve())
   {
     return false;

@@ -42,8 +42,11 @@ struct HeldPrimitives
 /**
  * Whether the forces, which are within the strengths and nearly those of the balance, tell what
  * holds and what yields. If so, they and their sum become exact; else nothing is written.
+ *
+ * @param isOld the forces are those of another tick: almost a whole strength counts as one
  */
-bool FindExactBalance(const HeldPrimitives& held, PrimitiveForces& forces, Vector3& sum) noexcept;
+bool FindExactBalance(
+  const HeldPrimitives& held, bool isOld, PrimitiveForces& forces, Vector3& sum) noexcept;
 
 } // namespace VolumeHaptics
 

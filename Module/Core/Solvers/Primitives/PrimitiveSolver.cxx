@@ -138,6 +138,51 @@ public:
     this->SumUp();
   }
 
+  /** See PrimitiveNewton.h. */
+  bool FindExact(bool isOld) noexcept
+  {
+    const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
+    return FindExactBalance(held, isOld, this->Forces, this->Sum);
+  }
+
+protected:
+  double Energy() const noexcept
+  {
+    double energy = 0.5 * Dot(this->Sum, this->Sum);
+    for (int at = 0; at < this->Count; ++at)
+    {
+      energy += Dot(this->Forces[this->Number[at]], this->Spring[at]);
+    }
+    return energy;
+  }
+
+  void SumUp() noexcept
+  {
+    this->Sum = {};
+    for (int at = 0; at < this->Count; ++at)
+    {
+      this->Sum += this->Forces[this->Number[at]];
+    }
+  }
+
+  const PrimitiveSet& Set;
+  PrimitiveForces& Forces;
+  Vector3 Spring[PrimitiveSet::Most];  ///< b_i: of the spring and the pushes
+  int Number[PrimitiveSet::Most] = {}; ///< in the set
+  int Count = 0;
+  Vector3 Sum;
+  double Largest = 0.0;
+};
+
+/** Sweeps over the dual problem, with what the last ones left for the acceleration. */
+class Sweeper : public Dual
+{
+public:
+  explicit Sweeper(const Dual& dual) noexcept
+    : Dual(dual)
+  {
+  }
+
   /** The largest change of a force. Writes the changes. */
   double Sweep() noexcept
   {
@@ -221,13 +266,6 @@ public:
     }
   }
 
-  /** See PrimitiveNewton.h. */
-  bool FindExact() noexcept
-  {
-    const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
-    return FindExactBalance(held, this->Forces, this->Sum);
-  }
-
   bool IsSettled(double change) const noexcept
   {
     return change <= SettledChange + SettledShare * this->Largest;
@@ -244,35 +282,9 @@ private:
     Vector3 Force[PrimitiveSet::Most];
   };
 
-  double Energy() const noexcept
-  {
-    double energy = 0.5 * Dot(this->Sum, this->Sum);
-    for (int at = 0; at < this->Count; ++at)
-    {
-      energy += Dot(this->Forces[this->Number[at]], this->Spring[at]);
-    }
-    return energy;
-  }
-
-  void SumUp() noexcept
-  {
-    this->Sum = {};
-    for (int at = 0; at < this->Count; ++at)
-    {
-      this->Sum += this->Forces[this->Number[at]];
-    }
-  }
-
-  const PrimitiveSet& Set;
-  PrimitiveForces& Forces;
-  Vector3 Spring[PrimitiveSet::Most]; ///< b_i: of the spring and the pushes
   Vector3 Change[PrimitiveSet::Most];
   Record Past[Kept];
   int Sweeps = 0;
-  int Number[PrimitiveSet::Most] = {}; ///< in the set
-  int Count = 0;
-  Vector3 Sum;
-  double Largest = 0.0;
 };
 
 Vector3 SumOf(const PrimitiveForces& forces) noexcept
@@ -283,6 +295,27 @@ Vector3 SumOf(const PrimitiveForces& forces) noexcept
     sum += force;
   }
   return sum;
+}
+
+/** Sweeps, until an exact balance is found or they are spent. */
+void DescendBySweeps(const Dual& dual, int mostSweeps, PrimitiveBalance& balance) noexcept
+{
+  Sweeper sweeper(dual);
+  balance.IsUnfinished = true;
+  while (balance.IsUnfinished && balance.Sweeps < mostSweeps)
+  {
+    balance.IsUnfinished = !sweeper.IsSettled(sweeper.Sweep());
+    ++balance.Sweeps;
+    const bool looks = balance.Sweeps <= FirstLooks || balance.Sweeps % SweepsOfALook == 0;
+    if (balance.IsUnfinished && looks)
+    {
+      balance.IsUnfinished = !sweeper.FindExact(false);
+    }
+    if (balance.IsUnfinished)
+    {
+      sweeper.Accelerate();
+    }
+  }
 }
 
 } // namespace
@@ -326,21 +359,11 @@ void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& 
   PrimitiveForces& forces, PrimitiveBalance& balance, int mostSweeps) noexcept
 {
   balance = {};
-  balance.IsUnfinished = true;
   Dual dual(set, k, tip, forces);
-  while (balance.IsUnfinished && balance.Sweeps < mostSweeps)
+  // The forces of the last tick mostly tell what holds and what yields.
+  if (!dual.FindExact(true))
   {
-    balance.IsUnfinished = !dual.IsSettled(dual.Sweep());
-    ++balance.Sweeps;
-    const bool looks = balance.Sweeps <= FirstLooks || balance.Sweeps % SweepsOfALook == 0;
-    if (balance.IsUnfinished && looks)
-    {
-      balance.IsUnfinished = !dual.FindExact();
-    }
-    if (balance.IsUnfinished)
-    {
-      dual.Accelerate();
-    }
+    DescendBySweeps(dual, mostSweeps, balance);
   }
   balance.Force = SumOf(forces);
   balance.Proxy = tip + (1.0 / k) * balance.Force;

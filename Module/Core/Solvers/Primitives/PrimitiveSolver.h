@@ -38,8 +38,9 @@
  * for a plane. It begins with the forces of the last tick. Where the proxy yields a little at a
  * time, or directions are almost parallel, sweeps alone take long; so Anderson's acceleration mixes
  * the last four, if that does not raise the dual energy. All l_i are in C_i at any time: even if
- * the sweeps are spent, no force is more than the strengths, and the next tick goes on. After a
- * sweep or some, it is mostly known which primitives yield; PrimitiveNewton.h then ends this.
+ * the sweeps are spent, no force is more than the strengths, and the next tick goes on. Once it is
+ * known which primitives yield, PrimitiveNewton.h ends this: mostly before the first sweep, since
+ * they are those of the last tick, else after a sweep or some.
  */
 #ifndef PrimitiveSolver_h
 #define PrimitiveSolver_h

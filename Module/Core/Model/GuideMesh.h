@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A mesh that guides a hand, with the nearest place on it and a normal that does not jump.
+ *
+ *   GuideMesh guide(mesh, 1.0);
+ *   const GuideMeshPlace place = guide.Find(world);
+ *
+ * A proxy that is held on the plane through the nearest place rests where the lag is along the
+ * normal, and a tip may be outside of an edge, where no triangle's normal is along any lag. So the
+ * normal turns steadily within half of the rounding from an edge or corner. With u_e = min(1, h_e /
+ * turn), h_e the distance of the place from edge e of its triangle, and a = min(1, d / turn of the
+ * corner), d that from the nearest corner, it is along
+ *
+ *   (1 - a) n_corner + a (w n_face + sum w_e n_e) / (w + sum w_e),
+ *   w = u_0 u_1 u_2,   w_0 = (1 - u_0) u_1 u_2 and so on,
+ *
+ * with n_e the bisector of two faces and n_corner the mean of faces by their angles. On an edge,
+ * both of its triangles give the same. Places stay those of the mesh, and faces that are wider than
+ * the rounding stay flat.
+ */
+#ifndef GuideMesh_h
+#define GuideMesh_h
+
+#include "Core/Model/SurfaceMesh.h"
+
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+struct GuideMeshPlace
+{
+  Vector3 Nearest;
+  Vector3 Normal; ///< unit; to the side from which corners are seen counterclockwise
+  bool IsThere = false;
+};
+
+/** Immutable. */
+class GuideMesh
+{
+public:
+  /** Points of the mesh at the same place are one. @param rounding in the units of the mesh */
+  GuideMesh(std::shared_ptr<const SurfaceMesh> mesh, double rounding);
+
+  /** Of a finite position. It is not there if the mesh has no triangles. */
+  GuideMeshPlace Find(const Vector3& position) const noexcept;
+
+  double GetRounding() const noexcept { return this->Rounding; }
+  std::size_t GetMemorySize() const noexcept;
+
+private:
+  struct Face
+  {
+    Vector3 Normal;
+    Vector3 AtEdge[3]; ///< of the edge opposite to a corner
+    double Height[3] = { 0.0, 0.0, 0.0 };
+    double Turn = 0.0;
+  };
+  struct Corner
+  {
+    Vector3 Normal;
+    double Turn = 0.0;
+  };
+  /** Boxes: many more than what a place near the mesh needs, and some tens of microseconds. */
+  static constexpr int Budget = 2000;
+
+  void FindFaces();
+  /** The numbers of the triangles' corners, of which those at the same place are one. */
+  std::vector<SurfaceMesh::Indices> MergeCorners();
+  void FindCorners(const std::vector<SurfaceMesh::Indices>& merged);
+  void FindEdges(const std::vector<SurfaceMesh::Indices>& merged);
+
+  std::shared_ptr<const SurfaceMesh> Mesh;
+  double Rounding;
+  std::vector<Face> Faces;
+  std::vector<Corner> Corners;
+  std::vector<SurfaceMesh::Indices> CornersOf; ///< of each triangle, in Corners
+};
+
+} // namespace VolumeHaptics
+
+#endif

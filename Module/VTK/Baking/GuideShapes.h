@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The lines and surfaces of vtkHapticGuideMode.
+ */
+#ifndef GuideShapes_h
+#define GuideShapes_h
+
+#include <string>
+
+class vtkHapticGuideMode;
+
+namespace VolumeHaptics
+{
+struct ModeDescription;
+
+/**
+ * Describes the path, the surface or the distance field of a guide, and sets the kind. Corners are
+ * rounded by `rounding` (world units). False, with the reason and the cure in `error`, if it has
+ * none that can be felt, or more than one.
+ */
+bool DescribeGuide(
+  vtkHapticGuideMode* mode, double rounding, ModeDescription& d, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

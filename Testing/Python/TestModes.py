@@ -1,0 +1,181 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Modes from Python: what is seen is what is felt, and the demonstrations show what they say."""
+
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkStaticPointLocator
+from vtkmodules.vtkFiltersCore import vtkTensorGlyph
+from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGReader
+from volumehaptics import (
+    vtkHapticDevice, vtkHapticGuideMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode, vtkVolumeHapticsFilter)
+
+DEMONSTRATIONS = Path(__file__).resolve().parents[2] / "Examples" / "Python"
+
+
+def make_image(name, components, function):
+    image = vtkImageData()
+    image.SetDimensions(31, 31, 31)
+    image.SetOrigin(-15, -15, -15)
+    z, y, x = np.meshgrid(*[np.arange(-15.0, 16.0)] * 3, indexing="ij")
+    values = np.zeros((x.size, components))
+    for c, value in enumerate(function(x.ravel(), y.ravel(), z.ravel())):
+        values[:, c] = value
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    image.GetPointData().AddArray(array)
+    return image
+
+
+def followed(mode, image, tip):
+    """The shapes that a mode shows at a tip of the virtual device, and the proxy there."""
+    touch = vtkVolumeHapticsFilter()
+    touch.SetInputData(image)
+    touch.AddMode(mode)
+    touch.SetMethodToPrimitives()
+    device = vtkHapticDevice()
+    device.SetVolumeHaptics(touch)
+    assert device.Open("virtual")
+    device.SetVirtualTip(*tip)
+    assert device.Start()
+    end = time.monotonic() + 30.0
+    while not (device.UpdateState() and device.GetTick() > 20):
+        assert time.monotonic() < end, device.GetStatusText()
+        time.sleep(0.002)
+    shapes = vtkPolyData()
+    device.GetFollowed(shapes, 24.0)
+    proxy = np.array(device.GetProxyPosition())
+    device.Close()
+    return shapes, proxy
+
+
+def test_a_stream_line_is_that_of_the_stream_tracer():
+    # A field that is linear, so that VTK's trilinear values and the splines of the servo are the same.
+    image = make_image("flow", 3, lambda x, y, z: (-y + 0.1 * z, x, 2.0 + 0.05 * x))
+    mode = vtkHapticVectorFollowMode()
+    mode.SetArrayName("flow")
+    shapes, proxy = followed(mode, image, (6.0, -2.0, -1.0))
+    assert shapes.GetNumberOfLines() == 1
+    ours = vtk_to_numpy(shapes.GetPoints().GetData())
+    seed = vtkPolyData()
+    seed.SetPoints(vtkPoints())
+    seed.GetPoints().SetDataTypeToDouble()
+    seed.GetPoints().InsertNextPoint(proxy)
+    tracer = vtkStreamTracer()
+    tracer.SetInputData(image)
+    tracer.SetInputArrayToProcess(0, 0, 0, 0, "flow")
+    tracer.SetSourceData(seed)
+    tracer.SetIntegratorTypeToRungeKutta45()
+    tracer.SetIntegrationDirectionToBoth()
+    tracer.SetMaximumError(1e-8)
+    tracer.SetIntegrationStepUnit(vtkStreamTracer.LENGTH_UNIT)
+    tracer.SetMaximumPropagation(30.0)
+    tracer.SetMaximumNumberOfSteps(5000)
+    for setting in (tracer.SetInitialIntegrationStep, tracer.SetMinimumIntegrationStep, tracer.SetMaximumIntegrationStep):
+        setting(0.01)
+    tracer.Update()
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(tracer.GetOutput())
+    locator.BuildLocator()
+    assert len(ours) > 60
+    apart = [np.linalg.norm(place - tracer.GetOutput().GetPoint(locator.FindClosestPoint(place))) for place in ours]
+    assert max(apart) < 0.01  # voxels; half of the tracer's step is 0.005
+
+
+def test_a_tensor_is_an_ellipsoid_at_the_proxy():
+    # Eigenvalues 2, 1 and 0.5, the first one along (1, 1, 0).
+    image = make_image("tensor", 6, lambda x, y, z: (1.5, 1.5, 0.5, 0.5, 0.0, 0.0))
+    mode = vtkHapticTensorFollowMode()
+    mode.SetArrayName("tensor")
+    shapes, proxy = followed(mode, image, (1.0, 2.0, -1.0))
+    assert shapes.GetNumberOfVerts() == 1 and shapes.GetNumberOfLines() == 1
+    modes = vtk_to_numpy(shapes.GetCellData().GetArray("Mode"))
+    assert list(modes) == [0, 0]
+    assert np.linalg.norm(np.array(shapes.GetPoint(0)) - proxy) < 1e-9
+    place = vtkPolyData()
+    place.SetPoints(vtkPoints())
+    place.GetPoints().InsertNextPoint(proxy)
+    tensor = np.array(shapes.GetPointData().GetTensors().GetTuple(0))
+    place.GetPointData().SetTensors(numpy_to_vtk(tensor.reshape(1, 9), deep=True))
+    glyph, sphere = vtkTensorGlyph(), vtkSphereSource()
+    sphere.SetThetaResolution(60)
+    sphere.SetPhiResolution(60)
+    glyph.SetInputData(place)
+    glyph.SetSourceConnection(sphere.GetOutputPort())
+    glyph.Update()
+    points = vtk_to_numpy(glyph.GetOutput().GetPoints().GetData()) - proxy
+    # An eighth of the reach of 24 voxels along the fibre, and half and a quarter of that across it.
+    half = np.sqrt(0.5)
+    for axis, length in (((half, half, 0), 3.0), ((half, -half, 0), 1.5), ((0, 0, 1), 0.75)):
+        assert abs(np.ptp(points @ axis) - length) < 0.03 * length
+
+
+def test_a_preset_and_a_surface_from_python():
+    image = make_image("flow", 3, lambda x, y, z: (-y, x, 0.0 * z))
+    touch = vtkVolumeHapticsFilter()
+    names = [touch.GetModePresetNames().GetValue(i) for i in range(touch.GetModePresetNames().GetNumberOfValues())]
+    assert "Find a vortex" in names and touch.ApplyModePreset("Find a vortex", image)
+    assert touch.GetMode(0).GetText() == "vortex, flow"
+    guide, plane = vtkHapticGuideMode(), vtkPlaneSource()
+    plane.SetOrigin(-15, -15, 2)
+    plane.SetPoint1(15, -15, 2)
+    plane.SetPoint2(-15, 15, 2)
+    plane.Update()
+    guide.SetSurface(plane.GetOutput())
+    touch.RemoveAllModes()
+    touch.AddMode(guide)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.zeros(image.GetNumberOfPoints()), deep=True))
+    path = vtkPolyData()
+    path.SetPoints(vtkPoints())
+    for step in range(60):
+        path.GetPoints().InsertNextPoint(0.1 * step, 3.0, 2.0 + 0.05 * step)
+    touch.SetInputData(image)
+    touch.SetPathData(path)
+    touch.Update()
+    trace = touch.GetOutput()
+    assert trace.GetNumberOfPoints() == 60
+    assert np.allclose(trace.GetPoint(59), (5.9, 3.0, 2.0), atol=1e-4)
+    assert np.allclose(trace.GetPointData().GetArray("Force").GetTuple(59), (0, 0, -0.5 * 2.95), atol=1e-4)
+
+
+def run(name, picture, *words):
+    command = [sys.executable, DEMONSTRATIONS / name, *words, "--picture", picture]
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=250, check=False)
+    assert done.returncode == 0, done.stderr
+    reader = vtkPNGReader()
+    reader.SetFileName(str(picture))
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
+    assert len(np.unique(pixels, axis=0)) > 1000, "there is something to see"
+    return done.stdout
+
+
+@pytest.mark.parametrize("field, kind, held", (
+    ("pipe", "vector follow, U", 4.0),
+    ("fibres", "tensor follow, tensor", 4.0),
+    ("charges", "vector front, field", 4.0),
+    ("vessels", "ridge", 4.0)))
+def test_a_field_is_felt(field, kind, held, tmp_path):
+    said = run("felt_fields.py", tmp_path / "picture.png", field)
+    found = re.match(
+        r"(.*): \d+ ticks, strongest ([\d.]+) N, felt in (\d+) % of them, held back by ([\d.]+) mm", said)
+    assert found and found[1] == kind, said
+    # Strengths are 2 N, which are 4 mm of the spring of 500 N/m.
+    assert 0.3 < float(found[2]) < 2.01 and int(found[3]) > 30 and 0.5 < float(found[4]) <= held + 0.1, said
+
+
+def test_two_vortices_hold_the_hand(tmp_path):
+    said = run("vortex_pair.py", tmp_path / "picture.png")
+    found = re.findall(r"core at (-?\d+) mm: strongest ([\d.]+) N", said)
+    assert [float(core) for core, _ in found] == [-12.0, 12.0], said
+    assert all(1.0 < float(force) < 2.05 for _, force in found), said
