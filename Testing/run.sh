@@ -197,7 +197,7 @@ build_seconds=$((SECONDS - build_seconds))
 # Those with a device in real time have the machine for themselves. What fails is told at the end, too.
 echo "== Tests with devices"
 status=0
-run_tests "$build_dir" "$((7 * jobs / 2))" -L '^device$' -LE "^($left_out_of_device)\$" || status=$?
+run_tests "$build_dir" "$((3 * jobs))" -L '^device$' -LE "^($left_out_of_device)\$" || status=$?
 
 if [ $full = yes ]; then
   echo "== Benchmarks"

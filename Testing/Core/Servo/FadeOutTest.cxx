@@ -83,6 +83,7 @@ TEST(FadeOutOrder, NeverUndoesADisarmOfAnotherThread)
       ++ready;
       while (ready < 2)
       {
+        std::this_thread::yield();
       }
       (loop.*give)();
     };
