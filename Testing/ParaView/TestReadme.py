@@ -5,12 +5,15 @@
 import os
 import re
 import sys
+import tempfile
 
 PLUGIN, _, SOURCE, _ = sys.argv[1:5]
 DOCUMENT = os.path.join(SOURCE, "Documentation", "paraview.md")
 with open(DOCUMENT, encoding="utf-8") as file:
     text = file.read()
 scripts = [script for script in re.findall("```python\n(.*?)```", text, re.S) if "Connect(" not in script]
+(large,) = [script for script in scripts if "HapticLargeFile(" in script]
+scripts.remove(large)
 assert len(scripts) == 4
 scripts[0], replaced = re.subn(r'"build/plugin/[^"]*VolumeHapticsPlugin\.so"', repr(PLUGIN), scripts[0])
 assert replaced == 1, scripts[0]
@@ -29,3 +32,15 @@ held = names["follow"].PointData["Force"].GetRange(-1)[1]
 assert 0.3 < held <= 0.8 + 1e-9, held
 assert link.Attached == 1
 link.Attached = 0
+
+# An array in Zarr's version 2 instead of the user's own file.
+with tempfile.TemporaryDirectory(suffix=".zarr") as folder:
+    with open(os.path.join(folder, ".zarray"), "w", encoding="utf-8") as file:
+        file.write('{"zarr_format": 2, "shape": [16, 16, 16], "chunks": [16, 16, 16], "dtype": "<i2", "compressor": null, '
+                   '"fill_value": 0, "order": "C", "filters": null}')
+    with open(os.path.join(folder, "0.0.0"), "wb") as file:
+        file.write(bytes(2 * 16**3))
+    assert "Bone.vtkhdf" in large
+    exec(compile(large.replace("Bone.vtkhdf", folder), DOCUMENT, "exec"), names)
+    names["bone"].UpdatePipeline()
+    assert names["bone"].GetDataInformation().GetNumberOfPoints() > 0
