@@ -11,20 +11,13 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkHapticGuideMode);
+vtkCxxSetSmartPointerMacro(vtkHapticGuideMode, Path, vtkPolyData);
+vtkCxxSetSmartPointerMacro(vtkHapticGuideMode, Surface, vtkPolyData);
+vtkCxxSetSmartPointerMacro(vtkHapticGuideMode, DistanceField, vtkImageData);
 
 //------------------------------------------------------------------------------
 vtkHapticGuideMode::vtkHapticGuideMode() = default;
 vtkHapticGuideMode::~vtkHapticGuideMode() = default;
-
-//------------------------------------------------------------------------------
-void vtkHapticGuideMode::SetPath(vtkPolyData* path)
-{
-  if (this->Path != path)
-  {
-    this->Path = path;
-    this->Modified();
-  }
-}
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkHapticGuideMode::GetPath()
@@ -33,29 +26,9 @@ vtkPolyData* vtkHapticGuideMode::GetPath()
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticGuideMode::SetSurface(vtkPolyData* surface)
-{
-  if (this->Surface != surface)
-  {
-    this->Surface = surface;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkPolyData* vtkHapticGuideMode::GetSurface()
 {
   return this->Surface;
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticGuideMode::SetDistanceField(vtkImageData* field)
-{
-  if (this->DistanceField != field)
-  {
-    this->DistanceField = field;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------

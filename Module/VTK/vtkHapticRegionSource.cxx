@@ -31,6 +31,7 @@
 #include <utility>
 
 vtkStandardNewMacro(vtkHapticRegionSource);
+vtkCxxSetSmartPointerMacro(vtkHapticRegionSource, CoarseImage, vtkImageData);
 
 using namespace VolumeHaptics;
 
@@ -355,16 +356,6 @@ bool vtkHapticRegionSource::UpdateCoarse(std::string& error)
   }
   this->Store->SetCoarseLevel(key, std::move(level));
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkHapticRegionSource::SetCoarseImage(vtkImageData* image)
-{
-  if (this->CoarseImage != image)
-  {
-    this->CoarseImage = image;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------

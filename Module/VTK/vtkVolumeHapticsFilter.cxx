@@ -51,6 +51,7 @@ bool IsLaterPiece(vtkInformationVector* outputs)
 } // namespace
 
 vtkStandardNewMacro(vtkVolumeHapticsFilter);
+vtkCxxSetSmartPointerMacro(vtkVolumeHapticsFilter, LabelTable, vtkHapticLabelTable);
 
 //------------------------------------------------------------------------------
 vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
@@ -86,16 +87,6 @@ void vtkVolumeHapticsFilter::SetSurfaceData(vtkPolyData* surface)
 void vtkVolumeHapticsFilter::SetLabelData(vtkImageData* labels)
 {
   this->SetInputDataInternal(3, labels);
-}
-
-//------------------------------------------------------------------------------
-void vtkVolumeHapticsFilter::SetLabelTable(vtkHapticLabelTable* table)
-{
-  if (this->LabelTable != table)
-  {
-    this->LabelTable = table;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------

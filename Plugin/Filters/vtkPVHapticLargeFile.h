@@ -34,7 +34,7 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** What is behind a connection if ParaView has led it through filters of its own; or null. */
+  /** The large file that a connection comes from, also through ParaView's own filters; or null. */
   static vtkPVHapticLargeFile* Find(vtkAlgorithmOutput* output);
 
   /** The volume in the file, for paths. The file is opened when it is used. */

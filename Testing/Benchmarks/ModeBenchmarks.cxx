@@ -69,8 +69,7 @@ double ReadNanoseconds()
   return std::chrono::duration<double, std::nano>(now).count();
 }
 
-/** A tip near a circle of 20 mm, at 0.1 m/s, with a lag that the modes hold in part. */
-void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& modes)
+HapticModelDescription Describe(const std::vector<ModeDescription>& modes)
 {
   HapticModelDescription d;
   d.View = modes.front().View.Volume;
@@ -78,7 +77,13 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
   d.Settings.Method = HapticMethod::Primitives;
   d.Modes = modes;
-  const HapticModel model(d);
+  return d;
+}
+
+/** A tip near a circle of 20 mm, at 0.1 m/s, with a lag that the modes hold in part. */
+void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& modes)
+{
+  const HapticModel model(Describe(modes));
   std::vector<Vector3> tips;
   constexpr int steps = 1257;
   for (int i = 0; i < steps; ++i)
@@ -122,16 +127,10 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   }
 }
 
-/** What a servo and the filter do after each tick to tell the force of each mode. */
+/** The work of servo and filter after each tick that tells the force of each mode. */
 void MeasureModeForces(benchmark::State& bench, const std::vector<ModeDescription>& modes)
 {
-  HapticModelDescription d;
-  d.View = modes.front().View.Volume;
-  d.Samples = modes.front().Samples;
-  d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
-  d.Settings.Method = HapticMethod::Primitives;
-  d.Modes = modes;
-  const HapticModel model(d);
+  const HapticModel model(Describe(modes));
   ServoState state;
   TickRecord record;
   Tick(model, state, 0.001 * GridMiddle, record);

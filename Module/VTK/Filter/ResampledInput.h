@@ -23,7 +23,10 @@ namespace VolumeHaptics
 class ResampledInput
 {
 public:
-  /** What resamples these arrays of the data; null for an image, and for data without cells. */
+  /**
+   * The source that resamples these arrays of the data; null for an image, and for data without
+   * cells.
+   */
   vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
   /** Why the data of the last Find() can't be touched, with the cure. */
   std::string DescribeFault(vtkDataObject* data) const;

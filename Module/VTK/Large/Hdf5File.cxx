@@ -221,7 +221,7 @@ void Hdf5File::ParseLayout(Hdf5Block& body, Hdf5Object& object, Hdf5ChunkIndex& 
       index.Chunk.Size = this->Storage.Length(body);
       index.Chunk.Skipped = body.Number(4);
     }
-    // What follows for the arrays stands in their headers, too.
+    // The headers of the arrays repeat these parameters.
     const bool isFixed = index.Type == Hdf5ChunkIndex::FixedArray;
     const bool isExtensible = index.Type == Hdf5ChunkIndex::ExtensibleArray;
     body.Skip(isFixed ? 1 : isExtensible ? 5 : 0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What modes hold the hand on, in the scene: lines as tubes, fronts as discs, tensors as
+ * The shapes that modes hold the hand on, in the scene: lines as tubes, fronts as discs, tensors as
  * ellipsoids, in the colours of their modes.
  */
 #ifndef FollowedScene_h

@@ -526,7 +526,7 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     EXPECT_EQ(mode->GetClassName(), std::string("vtkHaptic") + kinds.at(name) + "Mode");
     EXPECT_EQ(mode->GetStrength()->GetSize(), isStrange ? 0 : 2);
   }
-  // What is said to be felt is felt: the vessel's middle, from a millimetre beside it.
+  // The proposed strength is felt: it draws to the vessel's middle from a millimetre beside it.
   ASSERT_TRUE(this->Filter->ApplyModePreset("Follow a dark vessel", this->Image));
   this->Follow(Line({ 8, 15.5, 16 }, { 14, 15.5, 16 }, 100));
   EXPECT_NEAR(LastProxy(this->Run(101))[1], 16.0, 0.02);
