@@ -18,7 +18,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Advances the state by one tick and writes what happened.
+ * Advances the state by one tick and writes what happened: all of the record, whose old contents do
+ * not matter.
  *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
  * finite, or a million kilometres away, gives zero force and disables the state. `result` is for

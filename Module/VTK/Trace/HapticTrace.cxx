@@ -5,7 +5,6 @@
 #include "Core/Model/BakedVolume.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/TraceBlocks.h"
-#include "VTK/Trace/TraceRow.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -68,12 +67,9 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVo
 {
   this->Proxies->SetDataTypeToDouble();
   TraceBlocks::Allocate(this->Proxies->GetData(), ticks);
-  const auto remember = [this](vtkDataArray* array, std::size_t width, std::size_t offset)
-  {
-    this->Memory.push_back(
-      { static_cast<unsigned char*>(array->GetVoidPointer(0)), width, offset });
-  };
-  remember(this->Proxies->GetData(), sizeof(TraceRow::Proxy), offsetof(TraceRow, Proxy));
+  const auto remember = [this](vtkDataArray* array, std::size_t offset)
+  { this->Columns[offset] = static_cast<unsigned char*>(array->GetVoidPointer(0)); };
+  remember(this->Proxies->GetData(), offsetof(TraceRow, Proxy));
   std::vector<TraceColumn> columns = GetTraceColumns();
   const std::size_t labelArray = columns.size();
   if (volume.IsMoving())
@@ -85,8 +81,7 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVo
     if (IsChosen(choice, i < labelArray ? i : labelArray + 1))
     {
       this->Arrays.push_back(NewArray(columns[i], ticks));
-      remember(this->Arrays.back(), columns[i].GetWidth(), columns[i].Offset);
-      this->Values = this->Values || columns[i].Offset == offsetof(TraceRow, Value);
+      remember(this->Arrays.back(), columns[i].Offset);
     }
   }
   if (volume.Labels && ticks > 0 && IsChosen(choice, labelArray))
@@ -115,8 +110,11 @@ HapticTrace::~HapticTrace() = default;
 
 void HapticTrace::CloseGaps(const std::vector<Rows>& paths)
 {
-  const auto move = [&paths](unsigned char* tuples, std::size_t width)
+  const auto move = [&paths](vtkDataArray* array)
   {
+    auto* const tuples = static_cast<unsigned char*>(array->GetVoidPointer(0));
+    const auto width = static_cast<std::size_t>(array->GetNumberOfComponents()) *
+      static_cast<std::size_t>(array->GetDataTypeSize());
     vtkIdType end = 0;
     for (const Rows& rows : paths)
     {
@@ -127,20 +125,10 @@ void HapticTrace::CloseGaps(const std::vector<Rows>& paths)
       end += rows.Count;
     }
   };
-  for (const TraceMemory& column : this->Memory)
+  move(this->Proxies->GetData());
+  for (vtkDataArray* const array : this->Arrays)
   {
-    move(column.Tuples, column.Width);
-  }
-  if (this->LabelNumbers)
-  {
-    move(reinterpret_cast<unsigned char*>(this->LabelNumbers), sizeof(long long));
-  }
-  for (double* const forces : this->ModeNumbers)
-  {
-    if (forces)
-    {
-      move(reinterpret_cast<unsigned char*>(forces), 3 * sizeof(double));
-    }
+    move(array);
   }
 }
 

@@ -8,11 +8,13 @@
 #define HapticTrace_h
 
 #include "VTK/Trace/TraceArrayChoice.h"
+#include "VTK/Trace/TraceRow.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -22,14 +24,6 @@ class vtkPolyData;
 
 namespace VolumeHaptics
 {
-
-/** A column of a trace in memory. */
-struct TraceMemory
-{
-  unsigned char* Tuples;
-  std::size_t Width;  ///< bytes of a tuple
-  std::size_t Offset; ///< of a tuple in a TraceRow
-};
 
 struct BakedVolume;
 
@@ -45,12 +39,13 @@ public:
   HapticTrace(const HapticTrace&) = delete;
   HapticTrace& operator=(const HapticTrace&) = delete;
 
-  /** The proxy and the chosen arrays but the labels. */
-  const std::vector<TraceMemory>& GetMemory() const { return this->Memory; }
+  /**
+   * The tuples of the proxy, or of the chosen array, whose numbers have this offset (bytes) in a
+   * TraceRow; null if it is not chosen.
+   */
+  unsigned char* FindColumn(std::size_t offset) const { return this->Columns[offset]; }
   /** The labels; null if they are not chosen. */
   long long* GetLabels() const { return this->LabelNumbers; }
-  /** Whether the values at the proxy are chosen. */
-  bool HasValues() const { return this->Values; }
   /** The forces of each mode, three numbers a tick; null for those that are not chosen. */
   const std::vector<double*>& GetModeForces() const { return this->ModeNumbers; }
 
@@ -73,9 +68,8 @@ private:
 
   vtkNew<vtkPoints> Proxies;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
-  std::vector<TraceMemory> Memory;
+  std::array<unsigned char*, sizeof(TraceRow)> Columns{}; ///< by the offset in a TraceRow
   long long* LabelNumbers = nullptr;
-  bool Values = false;
   std::vector<double*> ModeNumbers; ///< none if no mode is chosen
 };
 

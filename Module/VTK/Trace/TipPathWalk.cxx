@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TipPathWalk.h"
 
+#include "Core/Servo/ServoTick.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -32,6 +34,14 @@ TipPathWalk::TipPathWalk(const RecordedPath& recording)
   : Recording(&recording)
   , State(recording.InitialState)
 {
+}
+
+void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
+{
+  // What ResidentServo does where all samples are there.
+  const Vector3 tip = model.WorldToDevice(this->Tips->Next());
+  this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
+  VolumeHaptics::Tick(model, this->State, tip, record);
 }
 
 std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const HapticModel> model)

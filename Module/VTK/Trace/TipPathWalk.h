@@ -37,7 +37,14 @@ public:
    * one that was found. Throws what the finder throws.
    */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
-  /** The record of the last tick. */
+  /** Whether all ticks are on one model, of a whole volume, and take their tips from a path. */
+  bool IsPlain(const HapticModel& model) const
+  {
+    return this->Tips && !this->Finder && model.Resident.IsWhole();
+  }
+  /** The same tick of a plain walk, straight into a record. Such a walk does nothing else. */
+  void Tick(const HapticModel& model, TickRecord& record);
+  /** The record of the last tick, if that did not write one. */
   const TickRecord& GetRecord() const;
   /** The forces of the modes of the last tick, with its model. */
   ModeForces FindModeForces(const HapticModel& model) const;

@@ -206,11 +206,19 @@ void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
   const bool hasModes = !this->Trace.GetModeForces().empty();
   HapticTrace::Rows& rows = this->Rows[runner.Path];
   TracePart part(this->Trace, rows.First + rows.Count, runner.Work);
+  const bool isPlain = runner.Walk.IsPlain(*runner.Model);
   for (vtkIdType i = 0; i < ticks; ++i)
   {
-    runner.Model = runner.Walk.Tick(std::move(runner.Model));
-    const TickRecord& record = runner.Walk.GetRecord();
-    if (isRecording && !IsFiniteRecord(record))
+    if (isPlain)
+    {
+      runner.Walk.Tick(*runner.Model, part.GetNext());
+    }
+    else
+    {
+      runner.Model = runner.Walk.Tick(std::move(runner.Model));
+      part.GetNext() = runner.Walk.GetRecord();
+    }
+    if (isRecording && !IsFiniteRecord(part.GetNext()))
     {
       this->Flaw = rows.Count + i;
       return;
@@ -218,11 +226,11 @@ void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
     if (hasModes)
     {
       const ModeForces forces = runner.Walk.FindModeForces(*runner.Model);
-      part.Append(*runner.Model, runner.Walk.GetTime(), record, &forces);
+      part.Append(runner.Model, runner.Walk.GetTime(), &forces);
     }
     else
     {
-      part.Append(*runner.Model, runner.Walk.GetTime(), record);
+      part.Append(runner.Model, runner.Walk.GetTime());
     }
   }
   part.Flush();

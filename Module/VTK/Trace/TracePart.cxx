@@ -4,31 +4,94 @@
 
 #include "VTK/Trace/HapticTrace.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-/**
- * Copies a member of rows to a column of tuples. As numbers: compilers make of the same with bytes
- * what stalls the processor at every second one.
- */
-template <typename Number, int Components>
-void CopyColumn(const TraceRow* rows, std::size_t count, std::size_t offset, unsigned char* column)
+/** Writes the records of a block to a trace's columns, of which some may not be chosen. */
+class ColumnWriter
 {
-  const auto* from = reinterpret_cast<const unsigned char*>(rows) + offset;
-  auto* to = reinterpret_cast<Number*>(column);
-  for (std::size_t i = 0; i < count; ++i, from += sizeof(TraceRow), to += Components)
+public:
+  ColumnWriter(const HapticTrace& trace, const HapticModel& model, const TickRecord* records,
+    std::size_t count, vtkIdType firstRow)
+    : Trace(trace)
+    , ToWorld(model.DeviceToWorld)
+    , Rotation(model.DeviceToWorldRotation)
+    , Records(records)
+    , Count(count)
+    , FirstRow(firstRow)
   {
-    const auto* const numbers = reinterpret_cast<const Number*>(from);
-    for (int c = 0; c < Components; ++c)
+  }
+
+  void Point(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
+  {
+    this->Vectors(to, [=](const TickRecord& record) { return this->ToWorld(record.*from); });
+  }
+  void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
+  {
+    this->Vectors(to, [=](const TickRecord& record) { return this->Rotation * (record.*from); });
+  }
+  void Number(double TraceRow::*to, double TickRecord::*from) const
+  {
+    this->Numbers(to, [=](std::size_t i) { return this->Records[i].*from; });
+  }
+  template <typename Member>
+  void Byte(unsigned char TraceRow::*to, Member from) const
+  {
+    this->Numbers(
+      to, [=](std::size_t i) { return static_cast<unsigned char>(this->Records[i].*from); });
+  }
+  /** A number of the record with an index in the block. */
+  template <typename Value, typename Function>
+  void Numbers(Value TraceRow::*to, const Function& function) const
+  {
+    if (Value* const column = this->Find<Value>(to))
     {
-      to[c] = numbers[c];
+      for (std::size_t i = 0; i < this->Count; ++i)
+      {
+        column[i] = function(i);
+      }
     }
   }
-}
+
+private:
+  template <typename Function>
+  void Vectors(double (TraceRow::*to)[3], const Function& function) const
+  {
+    if (double* column = this->Find<double, 3>(to))
+    {
+      for (std::size_t i = 0; i < this->Count; ++i, column += 3)
+      {
+        const Vector3 vector = function(this->Records[i]);
+        column[0] = vector.X;
+        column[1] = vector.Y;
+        column[2] = vector.Z;
+      }
+    }
+  }
+
+  /** The first tuple of a member's column; null if there is none. */
+  template <typename Value, int Components = 1, typename Member>
+  Value* Find(Member member) const
+  {
+    static const TraceRow row{};
+    const auto* const begin = reinterpret_cast<const unsigned char*>(&row);
+    const auto* const at = reinterpret_cast<const unsigned char*>(&(row.*member));
+    unsigned char* const tuples = this->Trace.FindColumn(static_cast<std::size_t>(at - begin));
+    return tuples ? reinterpret_cast<Value*>(tuples) + Components * this->FirstRow : nullptr;
+  }
+
+  const HapticTrace& Trace;
+  // Copies, which what is written cannot change, as far as the compiler knows.
+  const Affine3 ToWorld;
+  const Matrix3 Rotation;
+  const TickRecord* const Records;
+  const std::size_t Count;
+  const vtkIdType FirstRow;
+};
 
 } // namespace
 
@@ -39,61 +102,54 @@ TracePart::TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& wo
 {
 }
 
-void TracePart::Append(
-  const HapticModel& model, double time, const TickRecord& record, const ModeForces* forces)
+void TracePart::Replace(const std::shared_ptr<const HapticModel>& model)
+{
+  const TickRecord record = this->GetNext();
+  this->Flush();
+  this->GetNext() = record;
+  this->Model = model;
+}
+
+void TracePart::WriteModeForces(const ModeForces& forces)
 {
   const std::vector<double*>& columns = this->Trace.GetModeForces();
-  for (std::size_t mode = 0; forces && mode < columns.size(); ++mode)
+  const vtkIdType row = this->Next + static_cast<vtkIdType>(this->Filled);
+  for (std::size_t mode = 0; mode < columns.size(); ++mode)
   {
     if (columns[mode])
     {
-      const Vector3 force = model.DeviceToWorldRotation * (*forces)[mode];
-      double* const to = columns[mode] + 3 * (this->Next + static_cast<vtkIdType>(this->Filled));
+      const Vector3 force = this->Model->DeviceToWorldRotation * forces[mode];
+      double* const to = columns[mode] + 3 * row;
       to[0] = force.X;
       to[1] = force.Y;
       to[2] = force.Z;
     }
   }
-  TraceRow& row = this->Block[this->Filled];
-  if (this->Trace.HasValues())
-  {
-    FillTraceRow(model, time, record, this->Work, row);
-  }
-  else
-  {
-    FillTraceRowWithoutValue(model, time, record, this->Work, row);
-  }
-  if (this->Trace.GetLabels())
-  {
-    this->Labels[this->Filled] = GetTraceLabel(model, record);
-  }
-  if (++this->Filled == BlockSize)
-  {
-    this->Flush();
-  }
 }
 
 void TracePart::Flush()
 {
-  for (const TraceMemory& column : this->Trace.GetMemory())
+  if (this->Filled == 0)
   {
-    unsigned char* const tuples = column.Tuples + this->Next * column.Width;
-    if (column.Width == sizeof(double))
-    {
-      CopyColumn<double, 1>(this->Block.data(), this->Filled, column.Offset, tuples);
-    }
-    else if (column.Width == 1)
-    {
-      CopyColumn<unsigned char, 1>(this->Block.data(), this->Filled, column.Offset, tuples);
-    }
-    else
-    {
-      CopyColumn<double, 3>(this->Block.data(), this->Filled, column.Offset, tuples);
-    }
+    return;
   }
+  const HapticModel& model = *this->Model;
+  const ColumnWriter columns(this->Trace, model, this->Records.data(), this->Filled, this->Next);
+  VisitTraceSources(columns);
+  columns.Numbers(&TraceRow::Time, [this](std::size_t i) { return this->Times[i]; });
+  columns.Numbers(
+    &TraceRow::Energy, [this](std::size_t i) { return this->Work.Add(this->Records[i]); });
+  columns.Numbers(
+    &TraceRow::DataTime, [&](std::size_t i) { return GetTraceDataTime(model, this->Records[i]); });
+  columns.Numbers(&TraceRow::Value,
+    [&](std::size_t i)
+    { return model.ValueAtDevice(this->Records[i].Proxy, this->Records[i].DataTime); });
   if (long long* const labels = this->Trace.GetLabels())
   {
-    std::copy_n(this->Labels.begin(), this->Filled, labels + this->Next);
+    for (std::size_t i = 0; i < this->Filled; ++i)
+    {
+      labels[this->Next + static_cast<vtkIdType>(i)] = GetTraceLabel(model, this->Records[i]);
+    }
   }
   this->Next += static_cast<vtkIdType>(this->Filled);
   this->Filled = 0;

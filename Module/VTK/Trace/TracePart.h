@@ -7,23 +7,28 @@
 #ifndef TracePart_h
 #define TracePart_h
 
+#include "Core/Model/HapticModel.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
+#include "Core/Solvers/TickRecord.h"
 #include "VTK/Trace/TraceRow.h"
 
 #include "vtkType.h"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 
 namespace VolumeHaptics
 {
 
 class HapticTrace;
+struct TraceMemory;
 
 /**
- * Collects records in device space, transforms them into the world of the model's image, and writes
- * them to the trace's memory, a block at a time, column by column: tuples of all columns at once
- * would compete for the same few lines of the cache. Parts may be written by several threads.
+ * Collects records in device space, and writes them to the trace's memory, in the world of the
+ * model's image, a block at a time, column by column: tuples of all columns at once would compete
+ * for the same few lines of the cache, and each record would need all maps at once. Parts may be
+ * written by several threads.
  */
 class TracePart
 {
@@ -31,20 +36,47 @@ public:
   /** `work` goes on from one part of a path to the next. */
   TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& work);
 
+  /** The record that Append() takes; to be written whole before that. */
+  TickRecord& GetNext() { return this->Records[this->Filled]; }
   /** `forces` are those of the modes, on device axes, if the trace has any. */
-  void Append(const HapticModel& model, double time, const TickRecord& record,
-    const ModeForces* forces = nullptr);
+  void Append(const std::shared_ptr<const HapticModel>& model, double time,
+    const ModeForces* forces = nullptr)
+  {
+    if (this->Model != model)
+    {
+      this->Replace(model);
+    }
+    if (forces)
+    {
+      this->WriteModeForces(*forces);
+    }
+    this->Times[this->Filled] = time;
+    if (++this->Filled == BlockSize)
+    {
+      this->Flush();
+    }
+  }
   /** Writes the rest of a block. */
   void Flush();
 
 private:
-  static constexpr std::size_t BlockSize = 64;
+  /** Takes over the next record, which a tick on another model has made. */
+  void Replace(const std::shared_ptr<const HapticModel>& model);
+  void WriteModeForces(const ModeForces& forces);
+  void WriteColumn(const TraceMemory& column);
+  /** Writes a number, or three, of each record. */
+  template <int Components, typename Number, typename Function>
+  void Write(unsigned char* column, const Function& function) const;
+
+  /** Small enough to stay in the cache beside all that a tick reads. */
+  static constexpr std::size_t BlockSize = 32;
 
   const HapticTrace& Trace;
   vtkIdType Next;
   std::size_t Filled = 0;
-  std::array<TraceRow, BlockSize> Block;
-  std::array<long long, BlockSize> Labels;
+  std::shared_ptr<const HapticModel> Model; ///< of the records
+  std::array<TickRecord, BlockSize> Records;
+  std::array<double, BlockSize> Times; ///< s
   WorkMeter& Work;
 };
 

@@ -24,6 +24,33 @@ void Copy(const Quaternion& from, double to[4])
   to[3] = from.Z;
 }
 
+/** Writes a row. */
+struct RowFiller
+{
+  const HapticModel& Model;
+  const TickRecord& Record;
+  TraceRow& Row;
+
+  void Point(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
+  {
+    Copy(this->Model.DeviceToWorld(this->Record.*from), this->Row.*to);
+  }
+  // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
+  void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
+  {
+    Copy(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);
+  }
+  void Number(double TraceRow::*to, double TickRecord::*from) const
+  {
+    this->Row.*to = this->Record.*from;
+  }
+  template <typename Member>
+  void Byte(unsigned char TraceRow::*to, Member from) const
+  {
+    this->Row.*to = static_cast<unsigned char>(this->Record.*from);
+  }
+};
+
 } // namespace
 
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record)
@@ -43,39 +70,19 @@ bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record)
   return place.IsNear && place.Distance < zone->GetStandOff() + 2.0 * zone->GetTolerance();
 }
 
+double GetTraceDataTime(const HapticModel& model, const TickRecord& record)
+{
+  return model.Baked->IsMoving() ? record.DataTime : 0.0;
+}
+
 void FillTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row)
 {
-  FillTraceRowWithoutValue(model, time, record, work, row);
-  row.Value = model.ValueAtDevice(record.Proxy, record.DataTime);
-}
-
-void FillTraceRowWithoutValue(
-  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row)
-{
-  // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
-  const Affine3& toWorld = model.DeviceToWorld;
-  Copy(toWorld(record.Proxy), row.Proxy);
+  VisitTraceSources(RowFiller{ model, record, row });
   row.Time = time;
-  Copy(toWorld(record.Tip), row.Tip);
-  Copy(model.DeviceToWorldRotation * record.Force, row.Force);
-  row.NormalForce = record.NormalForce;
-  row.FrictionForce = record.FrictionForce;
-  row.DragForce = record.DragForce;
-  Copy(model.DeviceToWorldRotation * record.Normal, row.Normal);
-  row.Value = 0.0;
-  row.GradientMagnitude = record.GradientMagnitude;
-  row.SurfaceValue = record.SurfaceValue;
-  row.MediumValue = record.MediumValue;
-  row.Stiffness = record.Stiffness;
-  row.Friction = record.Friction;
-  row.Viscosity = record.Viscosity;
-  row.SurfaceStrength = record.SurfaceStrength;
+  row.Value = model.ValueAtDevice(record.Proxy, record.DataTime);
   row.Energy = work.Add(record);
-  row.DataTime = model.Baked->IsMoving() ? record.DataTime : 0.0;
-  row.Contact = static_cast<unsigned char>(record.Contact);
-  row.Unfinished = record.IsUnfinished ? 1 : 0;
-  row.Renewed = record.IsRenewed ? 1 : 0;
+  row.DataTime = GetTraceDataTime(model, record);
 }
 
 RecordingRow MakeRecordingRow(

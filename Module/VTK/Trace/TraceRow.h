@@ -94,11 +94,37 @@ std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 /** Whether the wall in front of a forbidden label holds the proxy of a record. */
 bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record);
 
+/**
+ * Tells a visitor which member of a record each number of a row comes from. Points and directions
+ * are transformed from device space to the world of the model's image.
+ */
+template <typename Visitor>
+void VisitTraceSources(Visitor&& visit)
+{
+  visit.Point(&TraceRow::Proxy, &TickRecord::Proxy);
+  visit.Point(&TraceRow::Tip, &TickRecord::Tip);
+  visit.Direction(&TraceRow::Force, &TickRecord::Force);
+  visit.Number(&TraceRow::NormalForce, &TickRecord::NormalForce);
+  visit.Number(&TraceRow::FrictionForce, &TickRecord::FrictionForce);
+  visit.Number(&TraceRow::DragForce, &TickRecord::DragForce);
+  visit.Direction(&TraceRow::Normal, &TickRecord::Normal);
+  visit.Number(&TraceRow::GradientMagnitude, &TickRecord::GradientMagnitude);
+  visit.Number(&TraceRow::SurfaceValue, &TickRecord::SurfaceValue);
+  visit.Number(&TraceRow::MediumValue, &TickRecord::MediumValue);
+  visit.Number(&TraceRow::Stiffness, &TickRecord::Stiffness);
+  visit.Number(&TraceRow::Friction, &TickRecord::Friction);
+  visit.Number(&TraceRow::Viscosity, &TickRecord::Viscosity);
+  visit.Number(&TraceRow::SurfaceStrength, &TickRecord::SurfaceStrength);
+  visit.Byte(&TraceRow::Contact, &TickRecord::Contact);
+  visit.Byte(&TraceRow::Unfinished, &TickRecord::IsUnfinished);
+  visit.Byte(&TraceRow::Renewed, &TickRecord::IsRenewed);
+}
+
+/** The data time in a row: 0 if the volume does not move. */
+double GetTraceDataTime(const HapticModel& model, const TickRecord& record);
+
 /** Transforms a record from device space to the world of the model's image. */
 void FillTraceRow(
-  const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row);
-/** The same without the value at the proxy, which takes a sample of the volume. */
-void FillTraceRowWithoutValue(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row);
 RecordingRow MakeRecordingRow(
   const HapticModel& model, const ServoSnapshot& snapshot, int placement, WorkMeter& work);
