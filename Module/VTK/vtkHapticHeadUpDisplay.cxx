@@ -5,13 +5,16 @@
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticForceChart.h"
 #include "VTK/Charts/HapticForceHistory.h"
+#include "VTK/Charts/HapticKeySheet.h"
 #include "VTK/Charts/HapticModeList.h"
 #include "VTK/Charts/HapticOverlayPicture.h"
+#include "VTK/Scene/DisplayText.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/TouchedLabel.h"
 
 #include "vtkContextActor.h"
 #include "vtkContextDevice2D.h"
+#include "vtkContextScene.h"
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticMode.h"
@@ -37,6 +40,9 @@ using namespace VolumeHaptics;
 
 namespace
 {
+constexpr double TextTop = 0.975; ///< of the viewport
+constexpr int Gap = 8;            ///< pixels below the text
+
 struct Tissue
 {
   std::string Name;
@@ -94,7 +100,7 @@ std::string DescribeTime(vtkHapticDevice* device)
   }
   static const char* const ends[] = { "once", "in a loop", "to and fro" };
   std::ostringstream text;
-  text << "\nTime " << std::setprecision(4) << device->GetDataTime() << ", shown "
+  text << "Time " << std::setprecision(4) << device->GetDataTime() << ", shown "
        << device->GetFrameTime() << ", ";
   if (device->IsPlaying())
   {
@@ -121,11 +127,23 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Drawn; // the time of the last picture
   vtkNew<vtkTextActor> Text;
+  double TextHeight = 0.0; // pixels
+  vtkNew<vtkTextActor> Hint;
+  vtkNew<HapticKeySheet> Keys;
+  vtkNew<vtkContextActor> Help;
   HapticModeList Modes;
   vtkNew<vtkTable> PlotTable; // the table for the caller
   int CanDraw = -1;           // not known yet
 
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
+  int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  int RenderHint(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  /** The height at which the text ends (pixels). */
+  int FindTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
+  int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  /** Whether charts can be drawn; an error tells once if not. */
+  bool FindContext(vtkHapticHeadUpDisplay& self);
 };
 
 //------------------------------------------------------------------------------
@@ -138,7 +156,17 @@ vtkHapticHeadUpDisplay::vtkHapticHeadUpDisplay()
   d.Text->GetTextProperty()->SetVerticalJustificationToTop();
   d.Text->GetTextProperty()->SetLineSpacing(1.15);
   d.Text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  d.Text->GetPositionCoordinate()->SetValue(0.02, 0.975);
+  d.Text->GetPositionCoordinate()->SetValue(0.02, TextTop);
+  vtkTextProperty* const hint = d.Hint->GetTextProperty();
+  hint->SetColor(1.0, 1.0, 1.0);
+  hint->SetBackgroundColor(0.06, 0.07, 0.09);
+  hint->SetBackgroundOpacity(0.75);
+  hint->SetFrame(1);
+  hint->SetFrameColor(0.06, 0.07, 0.09);
+  hint->SetFrameWidth(4);
+  hint->SetLineSpacing(1.25);
+  hint->SetJustificationToCentered();
+  hint->SetVerticalJustificationToTop();
   this->PickableOff();
 }
 
@@ -267,7 +295,8 @@ std::string vtkHapticHeadUpDisplay::GetPlotTitle()
 std::string vtkHapticHeadUpDisplay::GetText()
 {
   const std::string status = this->Internals->GetStatus(*this);
-  return this->Notice.empty() ? status : status + "\n" + this->Notice;
+  const char* const between = status.empty() || this->Notice.empty() ? "" : "\n";
+  return status + between + this->Notice;
 }
 
 //------------------------------------------------------------------------------
@@ -278,35 +307,19 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   {
     return "No device";
   }
-  std::string status = device->GetStatusText();
   if (!device->IsRunning())
   {
-    return status;
+    return device->GetStatusText();
   }
-  const int code = device->GetStatus();
-  const bool asksHand = code == vtkHapticDevice::FAULT || code == vtkHapticDevice::HOMING ||
-    code == vtkHapticDevice::FIRMWARE;
-  // A request to the hand, or a fault with its cure, takes two lines; otherwise the first sentence
-  // is enough.
-  const std::size_t sentence = status.find(". ");
-  if (sentence != std::string::npos)
-  {
-    status = asksHand ? status.substr(0, sentence + 1) + "\n" + status.substr(sentence + 2)
-                      : status.substr(0, sentence + 1);
-  }
-  static const char* const contacts[] = { "free", "sticking", "sliding", "penetrating" };
-  const double value = device->GetSurfaceValue();
   const std::string label = NameLabelAt(device->GetVolumeHaptics(), device->GetSurfacePosition());
-  const std::string tissue = label.empty() ? self.GetTissueName(value) : label;
-  std::ostringstream text;
-  text << status << "\n"
-       << std::fixed << std::setprecision(0) << device->GetTickRate() << " ticks/s, "
-       << device->GetMissedTicks() << " missed\n"
-       << std::setprecision(2) << vtkMath::Norm(device->GetForce()) << " N, "
-       << contacts[device->GetContact() & 3] << "\n"
-       << (tissue.empty() ? "" : tissue + ", ") << "value " << std::setprecision(0) << value
-       << DescribeTime(device);
-  return text.str();
+  const std::string tissue = label.empty() ? self.GetTissueName(device->GetSurfaceValue()) : label;
+  std::string text;
+  for (const std::string& line : { DescribeStatus(device), DescribeTouch(device, tissue),
+         DescribeTime(device), self.DetailsVisibility ? DescribeDetails(device) : std::string() })
+  {
+    text += text.empty() || line.empty() ? line : "\n" + line;
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -325,67 +338,127 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
     return 0;
   }
   auto& d = *this->Internals;
+  d.Modes.Hide();
+  const int drawn = this->TextVisibility ? d.RenderText(*this, viewport) : 0;
+  // The list of keys takes the place of the plot, and says more than the hint.
+  if (this->HelpVisibility && !this->HelpText.empty() && d.FindContext(*this))
+  {
+    return drawn + d.RenderHelp(*this, viewport);
+  }
+  const bool isHintShown = this->HintVisibility && !this->Hint.empty();
+  return drawn +
+    (this->PlotVisibility && d.FindContext(*this) ? d.RenderPlot(*this, viewport) : 0) +
+    (isHintShown ? d.RenderHint(*this, viewport) : 0);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
+  const bool isFault = this->Device && this->Device->GetStatus() == vtkHapticDevice::FAULT;
+  this->Text->GetTextProperty()->SetColor(
+    isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92, isFault ? 0.45 : 0.95);
+  const std::string text = self.GetText();
   int drawn = 0;
-  if (this->TextVisibility)
+  double size[2] = { 0.0, 0.0 };
+  if (!text.empty())
   {
-    const bool isFault = d.Device && d.Device->GetStatus() == vtkHapticDevice::FAULT;
-    d.Text->GetTextProperty()->SetColor(
-      isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92, isFault ? 0.45 : 0.95);
-    d.Text->SetInput(this->GetText().c_str());
-    d.Text->RenderOpaqueGeometry(viewport); // draws the letters into the texture that is shown next
-    drawn += d.Text->RenderOverlay(viewport);
-    double size[2] = { 0.0, 0.0 };
-    d.Text->GetSize(viewport, size);
-    const int* const view = viewport->GetSize();
-    constexpr double top = 0.975; // of the text
-    constexpr double gap = 8.0;
-    drawn += d.Modes.Render(
-      DescribeModeForces(d.Device), static_cast<int>(top * view[1] - size[1] - gap), viewport);
+    this->Text->SetInput(text.c_str());
+    // Draws the letters into the texture that is shown next.
+    this->Text->RenderOpaqueGeometry(viewport);
+    drawn += this->Text->RenderOverlay(viewport);
+    this->Text->GetSize(viewport, size);
   }
-  else
+  this->TextHeight = size[1];
+  return drawn +
+    this->Modes.Render(
+      DescribeModeForces(this->Device), this->FindTextEnd(self, viewport) - Gap, viewport);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::FindTextEnd(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const
+{
+  const double height = self.TextVisibility ? this->TextHeight : 0.0;
+  return static_cast<int>(TextTop * viewport->GetSize()[1] - height);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
+  constexpr int largest = 16; // points
+  constexpr int smallest = 7;
+  const int* const view = viewport->GetSize();
+  this->Hint->SetInput(self.Hint.c_str());
+  double size[2];
+  for (int letters = largest; letters >= smallest; --letters)
   {
-    d.Modes.Hide();
+    this->Hint->GetTextProperty()->SetFontSize(letters);
+    this->Hint->GetSize(viewport, size);
+    if (size[0] + 2 * Gap <= view[0])
+    {
+      break;
+    }
   }
-  if (!this->PlotVisibility)
-  {
-    return drawn;
-  }
-  if (d.CanDraw == -1)
+  this->Hint->SetDisplayPosition(view[0] / 2, this->FindTextEnd(self, viewport) - Gap);
+  this->Hint->RenderOpaqueGeometry(viewport);
+  return this->Hint->RenderOverlay(viewport);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticHeadUpDisplay::vtkInternals::FindContext(vtkHapticHeadUpDisplay& self)
+{
+  if (this->CanDraw == -1)
   {
     // A chart that has no device to draw on would crash.
     const auto context = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
-    d.CanDraw = context ? 1 : 0;
+    this->CanDraw = context ? 1 : 0;
     if (context)
     {
-      d.Chart.Build();
+      this->Chart.Build();
+      this->Help->GetScene()->AddItem(this->Keys);
     }
     else
     {
-      vtkErrorMacro(
+      vtkErrorWithObjectMacro(&self,
         "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
         "vtk_module_autoinit, or in Python import vtkmodules.vtkRenderingContextOpenGL2.");
     }
   }
-  if (d.CanDraw == 0)
-  {
-    return drawn;
-  }
+  return this->CanDraw == 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
   const int* const size = viewport->GetSize();
-  d.Chart.Fit(size[0], size[1]);
+  this->Chart.Fit(size[0], size[1]);
   // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
-  const bool isDue = now - d.Drawn >= std::chrono::milliseconds(50);
-  const double span = GetShownSpan(this->TimeSpan);
-  const std::vector<std::string> modes = NameModes(d.Device);
-  d.History.SetModes(modes);
-  d.Chart.SetModes(modes);
+  const bool isDue = now - this->Drawn >= std::chrono::milliseconds(50);
+  const double span = GetShownSpan(self.TimeSpan);
+  const std::vector<std::string> modes = NameModes(this->Device);
+  this->History.SetModes(modes);
+  this->Chart.SetModes(modes);
   const bool isStale = isDue &&
-    d.Chart.Show(d.History.Plot(span), { -span, 0.0, this->GetForceRange() }, this->GetPlotTitle());
+    this->Chart.Show(
+      this->History.Plot(span), { -span, 0.0, self.GetForceRange() }, self.GetPlotTitle());
   if (isStale)
   {
-    d.Drawn = now;
+    this->Drawn = now;
   }
-  return drawn + d.Picture.Render(viewport, d.Chart.GetActor(), d.Chart.GetCorner(), isStale);
+  return this->Picture.Render(viewport, this->Chart.GetActor(), this->Chart.GetCorner(), isStale);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
+  const int* const size = viewport->GetSize();
+  this->Keys->Show(self.HelpText, size[0], size[1]);
+  return this->Help->RenderOverlay(viewport);
 }
 
 //------------------------------------------------------------------------------
@@ -395,6 +468,8 @@ void vtkHapticHeadUpDisplay::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Modes.Release(window);
   this->Internals->Chart.GetActor()->ReleaseGraphicsResources(window);
   this->Internals->Text->ReleaseGraphicsResources(window);
+  this->Internals->Hint->ReleaseGraphicsResources(window);
+  this->Internals->Help->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -405,6 +480,8 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Device: " << this->GetDevice() << "\n";
   PrintSettings(os, indent, this, DisplaySettings);
   os << indent << "Notice: " << this->Notice << "\n";
+  os << indent << "Hint: " << this->Hint << "\n";
+  os << indent << "HelpText: " << this->HelpText << "\n";
   os << indent << "States: " << this->GetNumberOfStates() << "\n";
   os << indent << "Tissues: " << this->Internals->Tissues.size() << "\n";
 }

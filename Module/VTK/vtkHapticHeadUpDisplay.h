@@ -7,9 +7,11 @@
  * The plot shows the normal, friction and drag force of the last seconds and, in grey, the whole
  * force that was sent to the hand; its title is the method. With the modes of PRIMITIVES it shows
  * the force of each mode instead of these parts, in the colour that its name has in a list below
- * the text; a mode that is off is grey. The text shows the device's status, or
- * its fault; the rate of the servo and the ticks it has missed; the force, the contact and the
- * touched tissue; and of a volume that moves, its time and that of the frame that is nearest.
+ * the text; a mode that is off is grey. The text shows what is
+ * touched and how, such as "Resting on skin, 0.62 N of at most 10 N"; the status of a device other
+ * than the virtual one, or a fault; and of a volume that moves, its time and that of the frame that
+ * is nearest. While nothing is touched, there is nothing of a virtual device to tell. A hint, which
+ * vtkInteractorStyleHaptic sets, says what to do next; the style also shows a list of its keys.
  *
  *   display->SetDevice(device);
  *   display->AddTissue("bone", 300.0, 3000.0);
@@ -76,6 +78,48 @@ public:
 
   ///@{
   /**
+   * Whether the text has a line with the value in the surface, the rate of the servo and the ticks
+   * it has missed. Default off.
+   */
+  vtkSetMacro(DetailsVisibility, vtkTypeBool);
+  vtkGetMacro(DetailsVisibility, vtkTypeBool);
+  vtkBooleanMacro(DetailsVisibility, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * One or two lines over the scene that say what to do next. vtkInteractorStyleHaptic sets it
+   * whenever there is something else to do. Default empty.
+   */
+  vtkSetStdStringFromCharMacro(Hint);
+  vtkGetCharFromStdStringMacro(Hint);
+  ///@}
+
+  ///@{
+  /** Whether the hint is shown. Default on. */
+  vtkSetMacro(HintVisibility, vtkTypeBool);
+  vtkGetMacro(HintVisibility, vtkTypeBool);
+  vtkBooleanMacro(HintVisibility, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * A list of keys for the middle of the viewport: lines of a key, a tab and its meaning, in groups
+   * after lines with a title. vtkInteractorStyleHaptic sets it for its key "?". Default empty.
+   */
+  vtkSetStdStringFromCharMacro(HelpText);
+  vtkGetCharFromStdStringMacro(HelpText);
+  ///@}
+
+  ///@{
+  /** Whether HelpText is shown. Default off. */
+  vtkSetMacro(HelpVisibility, vtkTypeBool);
+  vtkGetMacro(HelpVisibility, vtkTypeBool);
+  vtkBooleanMacro(HelpVisibility, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Names of ranges of values, from (inclusive) to (exclusive). The first range that fits counts.
    * A label in the filter's label table comes before them.
    */
@@ -123,7 +167,12 @@ protected:
   double TimeSpan = 5.0;
   vtkTypeBool PlotVisibility = 1;
   vtkTypeBool TextVisibility = 1;
+  vtkTypeBool DetailsVisibility = 0;
+  vtkTypeBool HintVisibility = 1;
+  vtkTypeBool HelpVisibility = 0;
   std::string Notice;
+  std::string Hint;
+  std::string HelpText;
 
 private:
   vtkHapticHeadUpDisplay(const vtkHapticHeadUpDisplay&) = delete;

@@ -43,6 +43,9 @@ struct vtkHapticRepresentation::vtkInternals
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 }, { SceneMarker::Rod, 0.75, 0.75, 0.75 },
     { SceneMarker::Arrow, 0.97, 0.97, 0.97 }, { SceneMarker::Arrow, 0.15, 0.5, 0.95 },
     { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
+  /// The second heads of arrows that are not as long as their forces, in the order of the arrows.
+  SceneMarker SecondHeads[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
+    { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
   bool HasState = false;
@@ -61,6 +64,10 @@ namespace
 constexpr double StylusRadii = 25.0;
 /// Of what is followed: its radius, in radii of the proxy.
 constexpr double FollowedRadii = 0.22;
+/// Of arrows: the longest one, when MaximumArrowLength is 0, in radii of the proxy.
+constexpr double ArrowRadii = 30.0;
+/// Where a second head ends, in parts of its arrow.
+constexpr double SecondHead = 0.8;
 /// By contact; the colour-blind can tell them apart, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
@@ -149,6 +156,10 @@ void vtkHapticRepresentation::UpdateMarkers()
   {
     d.Markers[i].Show(d.HasState);
   }
+  for (SceneMarker& head : d.SecondHeads)
+  {
+    head.Show(false);
+  }
   if (d.HasState)
   {
     const auto contact =
@@ -163,10 +174,23 @@ void vtkHapticRepresentation::UpdateMarkers()
       this->NormalForceVisibility, this->FrictionForceVisibility };
     for (int line = 0; line < 4; ++line)
     {
-      const vtkIdType from = Source::SPRING + 2 * line;
+      const vtkIdType point = Source::SPRING + 2 * line;
       SceneMarker& marker = d.Markers[Source::SPRING + line];
       marker.Show(shown[line]);
-      marker.PlaceAlong(at(from), at(from + 1), (line == 0 ? 0.18 : 0.3) * this->Radius);
+      if (line == 0)
+      {
+        marker.PlaceAlong(at(point), at(point + 1), 0.18 * this->Radius);
+        continue;
+      }
+      const double longest =
+        this->MaximumArrowLength > 0.0 ? this->MaximumArrowLength : ArrowRadii * this->Radius;
+      const Vector3 from = at(point);
+      const Vector3 whole = at(point + 1) - from;
+      const bool isTooLong = Norm(whole) > longest;
+      const Vector3 arrow = isTooLong ? (longest / Norm(whole)) * whole : whole;
+      marker.PlaceAlong(from, from + arrow, 0.3 * this->Radius);
+      d.SecondHeads[line - 1].Show(shown[line] && isTooLong);
+      d.SecondHeads[line - 1].PlaceAlong(from, from + SecondHead * arrow, 0.3 * this->Radius);
     }
     d.Markers[Source::SURFACE_POSITION].Show(this->MarkerVisibility);
     d.Markers[Source::MEDIUM_POSITION].Show(this->MarkerVisibility);
@@ -256,6 +280,10 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   {
     marker.RenderOpaque(viewport);
   }
+  for (SceneMarker& head : d.SecondHeads)
+  {
+    head.RenderOpaque(viewport);
+  }
   d.Stylus.RenderOpaque(viewport);
   d.Followed.RenderOpaque(viewport);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
@@ -299,6 +327,10 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     {
       marker.RenderHidden(viewport);
     }
+    for (SceneMarker& head : d.SecondHeads)
+    {
+      head.RenderHidden(viewport);
+    }
   }
   if (this->ScaleTextVisibility && d.HasState)
   {
@@ -315,6 +347,10 @@ void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
   for (SceneMarker& marker : d.Markers)
   {
     marker.Release(window);
+  }
+  for (SceneMarker& head : d.SecondHeads)
+  {
+    head.Release(window);
   }
   d.Stylus.Release(window);
   d.Followed.Release(window);

@@ -63,6 +63,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The longest arrow, world units, 0 or more. Default 0: 30 times Radius. A force that is too
+   * large for it has an arrow of this length with two heads.
+   */
+  vtkSetClampMacro(MaximumArrowLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumArrowLength, double);
+  ///@}
+
+  ///@{
   /** Name of the world's unit in the text. Default "mm". */
   vtkSetMacro(WorldUnitName, std::string);
   vtkGetMacro(WorldUnitName, std::string);
@@ -170,6 +179,7 @@ protected:
 
   double Radius = 1.5;
   double ForceScale = 0.1;
+  double MaximumArrowLength = 0.0;
   std::string WorldUnitName = "mm";
   std::string TrailArrayName = "Force";
   bool SpringVisibility = true;

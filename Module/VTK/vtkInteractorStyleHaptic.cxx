@@ -12,6 +12,7 @@
 #include "vtkRenderer.h"
 
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkInteractorStyleHaptic);
 
@@ -142,6 +143,28 @@ bool vtkInteractorStyleHaptic::ArmsAfterClutch()
 {
   vtkHapticDevice* const device = this->GetDevice();
   return device && device->ArmsAfterClutch();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetApplicationKeys(const char* keys)
+{
+  const std::string text = keys ? keys : "";
+  if (std::exchange(this->Internals->Interaction.Displays.ApplicationKeys, text) != text)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkInteractorStyleHaptic::GetApplicationKeys()
+{
+  return this->Internals->Interaction.Displays.ApplicationKeys.c_str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkInteractorStyleHaptic::GetKeys()
+{
+  return this->Internals->Interaction.Displays.ListKeys();
 }
 
 //------------------------------------------------------------------------------
@@ -365,5 +388,6 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FunctionEditor: " << scene.Editor.GetPointer() << "\n";
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   PrintSettings(os, indent, this, StyleSettings);
+  os << indent << "ApplicationKeys: " << this->GetApplicationKeys() << "\n";
   os << indent << "Clutch: " << (this->GetClutch() ? "On" : "Off") << "\n";
 }

@@ -37,7 +37,8 @@
  *   m           the next method: see NextMethod()
  *   M           of the modes of PRIMITIVES the next one alone; after the last one, all together. A
  *               click on a mode in the head-up display turns it on and off
- *   h and g     head-up display: text and graph
+ *   ? or F1     the list of the keys that do something in this scene; again, or Escape: no list
+ *   h, g and d  head-up display: text, graph, and details in the text
  *   v and n     function editor: on and off, and the next function
  *   l           materials of labels in the function editor: on, with the touched label selected,
  *               and off
@@ -57,6 +58,9 @@
  * head-up display tells its time. The mapper has another input meanwhile.
  *
  * Mouse events over the function editor go to the editor.
+ *
+ * The head-up display gets a hint (vtkHapticHeadUpDisplay::SetHint) on how to begin, and on how to
+ * go on until something was touched.
  *
  * If the force ends for long work (vtkHapticDevice::BeginLongWork), the style renders first, so
  * that the head-up display shows the reason. It calls BeginLongWork by itself for the function
@@ -83,6 +87,7 @@
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class vtkHapticDevice;
 class vtkHapticFunctionEditor;
@@ -123,6 +128,18 @@ public:
   void SetFunctionEditor(vtkHapticFunctionEditor* editor);
   vtkHapticFunctionEditor* GetFunctionEditor();
   ///@}
+
+  ///@{
+  /**
+   * Keys of the application for the list of keys, as in vtkHapticHeadUpDisplay::HelpText; they
+   * stand below those of the style. Default empty.
+   */
+  void SetApplicationKeys(const char* keys);
+  const char* GetApplicationKeys();
+  ///@}
+
+  /** The list of keys, with those of the application, for the scene as it is now. */
+  std::string GetKeys();
 
   ///@{
   /**

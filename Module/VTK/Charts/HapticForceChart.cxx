@@ -62,11 +62,17 @@ const char* const PartLabels[] = { "normal", "friction", "drag" };
 constexpr int Whole = 3;
 const int DrawingOrder[] = { Whole, 0, 1, 2 }; // the whole force behind the others
 
-void SetAxis(vtkAxis* axis, const char* title, const Look& look)
+/** Without a title, the unit stands behind each number. */
+void SetAxis(vtkAxis* axis, const char* title, const char* unit, const Look& look)
 {
   axis->SetTitle(title);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetNotation(vtkAxis::STANDARD_NOTATION);
+  if (*unit)
+  {
+    axis->SetNotation(vtkAxis::PRINTF_NOTATION);
+    axis->SetLabelFormat(std::string("%g ") + unit);
+  }
   axis->GetPen()->SetColor(look.Axis.Red, look.Axis.Green, look.Axis.Blue);
   axis->GetGridPen()->SetColor(look.Grid.Red, look.Grid.Green, look.Grid.Blue);
 }
@@ -140,14 +146,15 @@ void HapticForceChart::Build()
     this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, 150);
     this->Panel->GetPen()->SetOpacity(0);
     this->Actor->GetScene()->AddItem(this->Panel);
-    legend->GetBrush()->SetOpacity(0);
+    this->Actor->GetScene()->AddItem(this->Names);
   }
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Chart->SetAutoSize(false);
-  this->Chart->SetShowLegend(true);
-  SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), "Time (s)", look);
-  SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), "Force (N)", look);
-  SetAxis(this->Chart->GetAxis(vtkAxis::TOP), "", look);
+  const bool isPage = this->On == Ground::Page;
+  this->Chart->SetShowLegend(isPage);
+  SetAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), isPage ? "Time (s)" : "", isPage ? "" : "s", look);
+  SetAxis(this->Chart->GetAxis(vtkAxis::LEFT), isPage ? "Force (N)" : "", isPage ? "" : "N", look);
+  SetAxis(this->Chart->GetAxis(vtkAxis::TOP), "", "", look);
   this->Chart->GetAxis(vtkAxis::BOTTOM)->SetGridVisible(look.HasUprightGrid);
   legend->SetHorizontalAlignment(vtkChartLegend::LEFT);
   legend->SetVerticalAlignment(vtkChartLegend::TOP);
@@ -159,6 +166,36 @@ void HapticForceChart::Build()
     line->SetColor(look.Curves[c].Red, look.Curves[c].Green, look.Curves[c].Blue, 255);
     line->SetWidth(c == Whole ? look.WholeWidth : 1.8f);
   }
+  this->NameCurves();
+}
+
+void HapticForceChart::NameCurves()
+{
+  // The modes stand in a list beside the panel.
+  const Look& look = GetLook(this->On);
+  std::vector<HapticCurveNames::Name> names;
+  for (const int c : DrawingOrder)
+  {
+    if (c == Whole || this->Modes.empty())
+    {
+      const Colour& colour = look.Curves[c];
+      names.push_back({ c == Whole ? look.WholeLabel : PartLabels[c],
+        { colour.Red, colour.Green, colour.Blue } });
+    }
+  }
+  this->Names->SetNames(names);
+}
+
+void HapticForceChart::SetTitle(const std::string& title)
+{
+  this->ShownTitle = title;
+  if (this->On == Ground::Panel)
+  {
+    this->Names->SetTitle(title);
+    return;
+  }
+  this->Chart->SetTitle(title);
+  this->Chart->RecalculateBounds();
 }
 
 vtkPlot* HapticForceChart::AddLine(int curve)
@@ -198,8 +235,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
     if (this->Plots[c])
     {
       this->Plots[c]->SetVisible(isNamed);
-      // On a panel there is little room, and the list of modes beside it.
-      this->Plots[c]->SetLegendVisibility(isNamed && this->On == Ground::Page);
+      this->Plots[c]->SetLegendVisibility(isNamed);
     }
   }
   // The whole force is left.
@@ -208,6 +244,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
     this->Plots[c]->SetVisible(names.empty());
     this->Plots[c]->SetLegendVisibility(names.empty());
   }
+  this->NameCurves();
 }
 
 void HapticForceChart::SetLetters(int size)
@@ -243,12 +280,20 @@ void HapticForceChart::Fit(int width, int height)
     return;
   }
   constexpr float margin = 10.0f;
-  const auto across = static_cast<float>(std::min(width - 20, 620));
-  const auto up = static_cast<float>(std::clamp(height * 3 / 10, 130, 220));
-  this->SetLetters(11);
+  // Beside what is in the middle of the viewport, not over it.
+  const auto across =
+    static_cast<float>(std::min(width - 20, std::clamp(width * 3 / 10, 210, 330)));
+  const auto up = static_cast<float>(std::clamp(height * 22 / 100, 120, 180));
+  constexpr int letters = 10;
+  constexpr float gap = 6.0f;
+  const float names = HapticCurveNames::GetHeight(letters);
+  this->SetLetters(letters);
   this->Panel->SetDimensions(margin, margin, across, up);
-  this->Chart->SetSize(vtkRectf(margin, margin, across - 10.0f, up - 6.0f));
-  this->Height = up;
+  this->Names->Place(margin + 2.0f * gap, margin + up - gap, letters);
+  // A chart has a wide border above it, which the names can use.
+  constexpr float border = 10.0f;
+  this->Height = up - names + border;
+  this->Chart->SetSize(vtkRectf(margin, margin, across, static_cast<float>(this->Height)));
   this->Corner[0] = static_cast<int>(margin + across);
   this->Corner[1] = static_cast<int>(margin + up);
 }
@@ -269,9 +314,7 @@ bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::st
   this->ShownExtent = extent;
   if (title != this->ShownTitle)
   {
-    this->ShownTitle = title;
-    this->Chart->SetTitle(title);
-    this->Chart->RecalculateBounds();
+    this->SetTitle(title);
   }
   const double pixel = extent.Force / this->Height; // N
   const auto modes = static_cast<int>(std::min(this->Modes.size(), ModeColorCount));

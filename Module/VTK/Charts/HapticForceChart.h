@@ -7,6 +7,7 @@
 #ifndef HapticForceChart_h
 #define HapticForceChart_h
 
+#include "VTK/Charts/HapticCurveNames.h"
 #include "VTK/Charts/HapticForceTable.h"
 
 #include "vtkNew.h"
@@ -29,7 +30,7 @@ class HapticForceChart
 public:
   enum class Ground
   {
-    Panel, ///< dark, in the lower left corner of a viewport, with small letters
+    Panel, ///< small and dark, in the lower left corner of a viewport
     Page   ///< white, all of a viewport, with letters that grow with it
   };
 
@@ -75,11 +76,15 @@ public:
 
 private:
   void SetLetters(int size);
+  void SetTitle(const std::string& title);
+  /** Names the shown curves above a panel. */
+  void NameCurves();
   vtkPlot* AddLine(int curve);
 
   const Ground On;
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
+  vtkNew<HapticCurveNames> Names; ///< of a panel; a page has a title and a legend
   vtkNew<vtkContextActor> Actor;
   vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< as few points as look the same
   vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< of the chart; null before SetModes

@@ -5,7 +5,6 @@
 #include "VTK/Scene/HapticViewRay.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkRenderWindow.h"
@@ -13,7 +12,6 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
-#include <cstring>
 #include <utility>
 
 namespace VolumeHaptics
@@ -23,9 +21,6 @@ namespace
 
 /** The factor by which the keys + and - scale the workspace. */
 constexpr double WorkspaceStep = 1.25;
-
-constexpr const char* ProposingNotice = "Functions are looked for";
-constexpr const char* NoProposalNotice = "No functions can be proposed for this volume";
 
 constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
 
@@ -38,9 +33,11 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Frames(Scene, Window, std::move(calls.DrawScene))
   , Workspace(Scene, std::move(calls.ArmsAfterClutch))
   , Touch(Scene, Window, Workspace)
+  , Displays(Scene, Touch)
   , Publisher(Scene)
   , Playback(Scene)
   , Modes(Scene)
+  , Editor(Scene, Frames)
 {
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
@@ -237,19 +234,13 @@ bool HapticInteraction::TurnWheel(double steps)
 bool HapticInteraction::PressKey(const std::string& key)
 {
   auto& scene = this->Scene;
-  const auto toggle = [](auto* prop, auto get, auto set)
-  {
-    if (prop)
-    {
-      (prop->*set)(!(prop->*get)());
-    }
-  };
   if (key == "t")
   {
     this->Touch.Set(!this->Touch.IsOn());
   }
   else if (key == "Escape")
   {
+    this->Displays.HideKeys();
     this->Touch.Set(false);
     if (scene.Device)
     {
@@ -289,136 +280,12 @@ bool HapticInteraction::PressKey(const std::string& key)
   {
     // Frames.Draw below shows it.
   }
-  else if (key == "h")
-  {
-    toggle(scene.Display.GetPointer(), &vtkHapticHeadUpDisplay::GetTextVisibility,
-      &vtkHapticHeadUpDisplay::SetTextVisibility);
-  }
-  else if (key == "g")
-  {
-    toggle(scene.Display.GetPointer(), &vtkHapticHeadUpDisplay::GetPlotVisibility,
-      &vtkHapticHeadUpDisplay::SetPlotVisibility);
-  }
-  else if (key == "v")
-  {
-    toggle(scene.Editor.GetPointer(), &vtkProp::GetVisibility, &vtkProp::SetVisibility);
-  }
-  else if (key == "n" && scene.Editor)
-  {
-    scene.Editor->NextFunction();
-  }
-  else if (key == "l" && scene.Editor)
-  {
-    this->ToggleLabels();
-  }
-  else if (key == "p" && scene.Editor)
-  {
-    this->Propose();
-  }
-  else if (key == "BackSpace" && scene.Editor)
-  {
-    scene.Editor->DropProposal();
-    this->EndProposing("");
-  }
-  else if (!this->Playback.Press(key))
+  else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key))
   {
     return false;
   }
   this->Frames.Draw(true);
   return true;
-}
-
-//------------------------------------------------------------------------------
-void HapticInteraction::Propose()
-{
-  vtkHapticFunctionEditor* const editor = this->Scene.Editor;
-  if (editor->GetVisibility() && editor->TakeProposal())
-  {
-    vtkVolumeHapticsFilter* const filter =
-      this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
-    if (filter && filter->GetProperty() == editor->GetProperty())
-    {
-      filter->SetKernelRadius(editor->GetProperty()->GetProposedKernelRadius());
-    }
-    return;
-  }
-  editor->VisibilityOn();
-  if (editor->HasProposal())
-  {
-    return;
-  }
-  if (editor->BeginProposal())
-  {
-    this->ProposingEditor = editor;
-    this->IsProposing = true;
-    this->Frames.Notify(ProposingNotice);
-  }
-  else
-  {
-    this->Frames.Notify(NoProposalNotice);
-  }
-}
-
-//------------------------------------------------------------------------------
-void HapticInteraction::FollowProposal()
-{
-  const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
-  if (!this->IsProposing)
-  {
-    return;
-  }
-  if (!editor || editor.Get() != this->ProposingEditor.GetPointer())
-  {
-    this->EndProposing("");
-    return;
-  }
-  editor->Update();
-  if (!editor->IsProposing())
-  {
-    this->EndProposing(editor->HasProposal() ? "" : NoProposalNotice);
-  }
-}
-
-//------------------------------------------------------------------------------
-void HapticInteraction::EndProposing(const char* notice)
-{
-  vtkHapticHeadUpDisplay* const display = this->Scene.Display;
-  if (std::exchange(this->IsProposing, false) && display &&
-    (*notice || std::strcmp(display->GetNotice(), ProposingNotice) == 0))
-  {
-    display->SetNotice(notice);
-  }
-  this->ProposingEditor = nullptr;
-  this->Frames.NoteEvent();
-}
-
-//------------------------------------------------------------------------------
-void HapticInteraction::ToggleLabels()
-{
-  // Observers of the editor's work may take it away.
-  const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
-  vtkHapticLabelTable* const table = editor->GetLabelTable();
-  if (!table)
-  {
-    this->Frames.Notify("There are no labels to edit");
-    return;
-  }
-  const bool isShown =
-    editor->GetVisibility() && editor->GetFunction() == vtkHapticFunctionEditor::LABELS;
-  editor->SetVisibility(!isShown);
-  if (!isShown)
-  {
-    editor->SetFunctionToLabels();
-    editor->Update();
-    if (vtkHapticDevice* const device = this->Scene.Device; device && device->GetContact() != 0)
-    {
-      const vtkTypeInt64 label = device->GetLabel();
-      if (label == static_cast<int>(label)) // tables have no others
-      {
-        editor->SelectLabel(static_cast<int>(label));
-      }
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -485,7 +352,8 @@ bool HapticInteraction::UpdateHaptics()
   // Observers of the following events may take any of these away.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   this->Window.Look();
-  this->FollowProposal();
+  this->Editor.FollowProposal();
+  this->Displays.UpdateHint();
   if (!scene.Device || !scene.Device->IsRunning())
   {
     return false;

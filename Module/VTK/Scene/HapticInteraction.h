@@ -7,6 +7,8 @@
 #ifndef HapticInteraction_h
 #define HapticInteraction_h
 
+#include "VTK/Scene/DisplayKeys.h"
+#include "VTK/Scene/EditorKeys.h"
 #include "VTK/Scene/FilterPublisher.h"
 #include "VTK/Scene/HapticShownFrames.h"
 #include "VTK/Scene/HapticShownVolumes.h"
@@ -21,7 +23,6 @@
 
 #include "vtkNew.h"
 #include "vtkTable.h"
-#include "vtkWeakPointer.h"
 
 #include <functional>
 #include <string>
@@ -94,23 +95,17 @@ public:
   SceneFrames Frames;
   WorkspaceControl Workspace;
   TouchMode Touch;
+  DisplayKeys Displays;
   vtkNew<vtkTable> States; ///< of the last update
 
 private:
   void LeaveDevice();
   void FollowWork(vtkObject* worker, bool begins);
-  /** Looks for a proposal in the editor, or takes the one that it shows. */
-  void Propose();
-  /** Tells when the search for it has ended. */
-  void FollowProposal();
-  /** Shows a notice, or none, instead of that about the search. */
-  void EndProposing(const char* notice);
-  /** Shows the labels in the editor, the touched one selected, or hides the editor. */
-  void ToggleLabels();
 
   FilterPublisher Publisher;
   PlaybackKeys Playback;
   ModeKeys Modes;
+  EditorKeys Editor;
   HapticShownFrames ShownFrames;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
@@ -118,8 +113,6 @@ private:
   double Updated = 0.0; ///< the device's time (s) at the last update
   bool EditorHasMouse = false;
   bool ListHasMouse = false; ///< that of the modes
-  bool IsProposing = false;
-  vtkWeakPointer<vtkHapticFunctionEditor> ProposingEditor;
   vtkNew<vtkCallbackCommand> DisarmObserver;
   vtkNew<vtkCallbackCommand> WorkObserver; ///< observes the device and the editor
   /// the device that has no force while the editor counts

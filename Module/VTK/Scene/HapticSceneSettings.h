@@ -34,6 +34,8 @@ inline constexpr RepresentationSetting All[] = {
     "Radius of the proxy, world units. Default 1.5; the rest is in proportion."),
   HapticNumberMacro(ForceScale, 1e-9, VTK_DOUBLE_MAX, 0.1, "N per world unit", NotBaked,
     "Newtons per world unit of the arrows. Default 0.1: 1 N is 10 world units long."),
+  HapticNumberMacro(MaximumArrowLength, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
+    "The longest arrow, world units, 0 or more. Default 0: 30 times Radius."),
   HapticFlagMacro(SpringVisibility, true, NotBaked,
     "Whether the spring between proxy and tip is shown. Default on."),
   HapticFlagMacro(
@@ -71,6 +73,11 @@ inline constexpr DisplaySetting All[] = {
     "How far back the plot goes (s), 0.5 to 60. Default 5."),
   HapticFlagMacro(PlotVisibility, true, NotBaked, "Whether the plot is shown. Default on."),
   HapticFlagMacro(TextVisibility, true, NotBaked, "Whether the text is shown. Default on."),
+  HapticFlagMacro(DetailsVisibility, false, NotBaked,
+    "Whether the text has a line with the value in the surface, the rate of the servo and the "
+    "ticks it has missed. Default off."),
+  HapticFlagMacro(HintVisibility, true, NotBaked, "Whether the hint is shown. Default on."),
+  HapticFlagMacro(HelpVisibility, false, NotBaked, "Whether HelpText is shown. Default off."),
 };
 } // namespace DisplaySettingRows
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The head-up display: a press, a slide and a release as a plot; a device that waits as a text.
+// The head-up display: a press, a slide and a release as a plot; a device that waits as a text; a
+// hint.
 #include "Factories.h"
 #include "Rigs/ScriptedStates.h"
 
@@ -27,6 +28,7 @@ int TestHeadUpDisplay(int argc, char* argv[])
   vtkNew<vtkHapticHeadUpDisplay> display;
   display->SetDevice(device);
   display->AddStates(scenetest::MakeStates(0.0, 5.0, press));
+  display->SetHint("Put the pointer on the volume and press t to touch it\n? shows all keys");
   vtkNew<vtkRenderer> renderer;
   renderer->GradientBackgroundOn();
   renderer->SetBackground(0.07, 0.09, 0.12);

@@ -26,7 +26,10 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
   representation.insert(representation.end(), { "WorldUnitName", "TrailArrayName" }); // texts
   ExpectRows("vtkHapticRepresentation", representation);
   std::vector<std::string> display = Names(DisplaySettings);
-  display.emplace_back("Notice"); // a text
+  for (const char* text : { "HelpText", "Hint", "Notice" })
+  {
+    display.emplace_back(text);
+  }
   ExpectRows("vtkHapticHeadUpDisplay", display);
   ExpectRows("vtkHapticRegionPicture", Names(PictureSettings));
   std::vector<std::string> controller = Names(XRControllerSettings);

@@ -137,3 +137,23 @@ TEST_F(StateSource, TheStylusIsShownIfItIsTurned)
   hand->SetStylusVisibility(false);
   EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01);
 }
+
+TEST_F(StateSource, ArrowsAreNoLongerThanTheirMaximum)
+{
+  this->Begin();
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(8.0));
+  const double proxy = this->Device->GetProxyPosition()[2];
+  // 500 N/m, 0.1 N a millimetre: the force is 5 times as long as the spring.
+  const double length = 5.0 * (this->Device->GetTipPosition()[2] - proxy);
+  ASSERT_GT(length, 7.0);
+  vtkNew<vtkHapticRepresentation> hand;
+  hand->SetDevice(this->Device);
+  hand->SetRadius(0.2);
+  hand->SetForceVisibility(false); // the whole force is the normal one
+  EXPECT_NEAR(hand->GetBounds()[4], proxy - 6.0, 0.01) << "30 radii";
+  hand->SetMaximumArrowLength(2.5);
+  EXPECT_NEAR(hand->GetBounds()[4], proxy - 2.5, 0.01);
+  hand->SetMaximumArrowLength(100.0);
+  EXPECT_NEAR(hand->GetBounds()[4], proxy - length, 0.01);
+}

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <sstream>
+#include <string>
 
 namespace
 {
@@ -53,24 +55,24 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int wi
   touch.Scene.Overlay->AddViewProp(touch.Editor);
 }
 
-const char* const KEYS = R"(
-The mouse turns the head. Press t with the pointer on it to touch it, then
-  move the mouse    along the surface
-  turn the wheel    into it and out of it (Shift: finer)
-  right button      turn the head without letting go
-Keys
-  t  touch mode       a  arm, disarm        Escape  let go
-  m  next method      h  status             g  graph              3  stereo
-  M  of the modes of primitives the next one alone, then all; or click on their names
-  v  function editor  n  next function      c  recentre           k  clutch
-  p  propose functions, again: take them    Backspace  drop the proposal
-  l  materials of labels: click on a label, drag its sliders
-  o  sound on, off, with --sound
-Keys of a volume that moves
-  space  play, hold   Left Right  a frame back, on   ,  .  half, double speed
-  b  at the end: hold, go on with the first frame, turn back
-  + -  workspace      Home  home a device     q  close
-)";
+/// A list with tabs as a table.
+std::string Align(const std::string& keys)
+{
+  constexpr std::size_t width = 16;
+  std::istringstream lines(keys);
+  std::string text;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t tab = line.find('\t');
+    if (tab != std::string::npos)
+    {
+      line = "  " + line.substr(0, tab) + std::string(width - std::min(width - 1, tab), ' ') +
+        line.substr(tab + 1);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
 } // namespace
 
 namespace Explore
@@ -130,7 +132,9 @@ void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
   interactor->SetRenderWindow(touch.Scene.Window);
   interactor->SetInteractorStyle(touch.Style);
   auto heard = sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
-  std::cout << touch.Scene.MapperName << "\n" << KEYS << std::endl;
+  touch.Style->SetApplicationKeys(
+    sound ? "Window\n3\tstereo\no\tsound on; off\nq\tclose\n" : "Window\n3\tstereo\nq\tclose\n");
+  std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   touch.Scene.Window->Render();
   interactor->Initialize();
   interactor->Start();

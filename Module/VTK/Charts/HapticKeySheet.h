@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   HapticKeySheet
+ * @brief   draws a list of keys in groups on a dark panel in the middle of a viewport
+ */
+#ifndef HapticKeySheet_h
+#define HapticKeySheet_h
+
+#include "vtkContextItem.h"
+
+#include <string>
+#include <vector>
+
+class HapticKeySheet : public vtkContextItem
+{
+public:
+  static HapticKeySheet* New();
+  vtkTypeMacro(HapticKeySheet, vtkContextItem);
+
+  /**
+   * Titles, and lines of a key, a tab and its meaning; and the size of the viewport (pixels). The
+   * letters are as large as fits, up to 14 points.
+   */
+  void Show(const std::string& text, int width, int height);
+
+  bool Paint(vtkContext2D* painter) override;
+
+protected:
+  HapticKeySheet();
+  ~HapticKeySheet() override;
+
+private:
+  HapticKeySheet(const HapticKeySheet&) = delete;
+  void operator=(const HapticKeySheet&) = delete;
+
+  struct Line
+  {
+    std::string Key; ///< or the title
+    std::string Meaning;
+    bool IsTitle;
+  };
+  /** The lines from one up to another, side by side with others. */
+  struct Column
+  {
+    std::size_t Begin;
+    std::size_t End;
+    float KeyWidth; ///< pixels, as the next two
+    float Width;
+    float Height;
+  };
+  std::vector<Column> Divide(std::size_t count) const;
+  /** Finds the size of letters, and the columns, that fit; true if any do. */
+  bool Fit(vtkContext2D* painter);
+  void Measure(vtkContext2D* painter, Column& column) const;
+  void PaintColumn(vtkContext2D* painter, const Column& column, float left, float top) const;
+  void SetLetters(vtkContext2D* painter, bool isBold) const;
+
+  std::vector<Line> Lines;
+  std::string Text; ///< of the lines
+  int Viewport[2] = { 0, 0 };
+  int Letters = 0; ///< points; 0 before Fit
+  std::vector<Column> Columns;
+};
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/DisplayKeys.h"
+
+#include "VTK/Filter/HapticBaker.h"
+#include "VTK/Scene/KeyTable.h"
+#include "VTK/Scene/TouchMode.h"
+
+#include "vtkVolumeHapticsFilter.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+bool DisplayKeys::Press(const std::string& key)
+{
+  vtkHapticHeadUpDisplay* const display = this->Scene.Display;
+  if (!display)
+  {
+    return false;
+  }
+  if (key == "h")
+  {
+    display->SetTextVisibility(!display->GetTextVisibility());
+  }
+  else if (key == "g")
+  {
+    display->SetPlotVisibility(!display->GetPlotVisibility());
+  }
+  else if (key == "d")
+  {
+    display->SetDetailsVisibility(!display->GetDetailsVisibility());
+  }
+  else if (key == "question" || key == "F1")
+  {
+    display->SetHelpText(this->ListKeys().c_str());
+    display->SetHelpVisibility(!display->GetHelpVisibility());
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+void DisplayKeys::HideKeys()
+{
+  if (this->Scene.Display)
+  {
+    this->Scene.Display->HelpVisibilityOff();
+  }
+}
+
+std::string DisplayKeys::ListKeys() const
+{
+  const TouchedScene& scene = this->Scene;
+  vtkVolumeHapticsFilter* const filter = scene.Device ? scene.Device->GetVolumeHaptics() : nullptr;
+  KeyedParts parts;
+  parts.HasMouse = !scene.IsReal();
+  parts.HasDevice = scene.IsReal();
+  parts.HasEditor = scene.Editor != nullptr;
+  parts.HasLabels = scene.Editor && scene.Editor->GetLabelTable();
+  parts.HasModes = filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES &&
+    filter->GetNumberOfModes() > 0;
+  parts.HasFrames = filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
+    HapticBaker(filter).FindFrameTimes().size() > 1;
+  return VolumeHaptics::ListKeys(parts) + this->ApplicationKeys;
+}
+
+std::string DisplayKeys::FindHint()
+{
+  vtkHapticDevice* const device = this->Scene.Device;
+  if (!device || !device->IsRunning() || device->GetStatus() == vtkHapticDevice::FAULT)
+  {
+    return {};
+  }
+  const bool isTouching =
+    this->Scene.IsVirtual() ? this->Touch.IsOn() : device->GetStatus() != vtkHapticDevice::READY;
+  if (std::exchange(this->WasTouching, isTouching) != isTouching)
+  {
+    this->HasTouched = false;
+  }
+  this->HasTouched = this->HasTouched || (isTouching && device->GetContact() != 0);
+  if (!isTouching)
+  {
+    return this->Scene.IsVirtual()
+      ? "Put the pointer on the volume and press t to touch it\n? shows all keys"
+      : "Press a to feel the volume\n? shows all keys";
+  }
+  return this->HasTouched || !this->Scene.IsVirtual()
+    ? ""
+    : "Move the mouse to stroke, turn the wheel to press\nEscape lets go";
+}
+
+void DisplayKeys::UpdateHint()
+{
+  vtkHapticHeadUpDisplay* const display = this->Scene.Display;
+  if (!display)
+  {
+    return;
+  }
+  // A hint that the application has set stays until there is another one to show.
+  const std::string hint = this->FindHint();
+  if (hint != this->Shown)
+  {
+    this->Shown = hint;
+    display->SetHint(hint.c_str());
+  }
+}
+
+} // namespace VolumeHaptics

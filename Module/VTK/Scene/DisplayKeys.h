@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The keys of the head-up display, see vtkInteractorStyleHaptic, and what it tells a newcomer.
+ */
+#ifndef DisplayKeys_h
+#define DisplayKeys_h
+
+#include "VTK/Scene/TouchedScene.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+class TouchMode;
+
+class DisplayKeys
+{
+public:
+  DisplayKeys(TouchedScene& scene, const TouchMode& touch)
+    : Scene(scene)
+    , Touch(touch)
+  {
+  }
+
+  /** False if it is none of them, or there is no display. */
+  bool Press(const std::string& key);
+  void HideKeys();
+  /** The list of keys in the scene as it is now. */
+  std::string ListKeys() const;
+  /** Shows what to do next, until something was touched. */
+  void UpdateHint();
+
+  std::string ApplicationKeys; ///< listed after those of the style
+
+private:
+  std::string FindHint();
+
+  TouchedScene& Scene;
+  const TouchMode& Touch;
+  bool WasTouching = false; ///< at the last call of UpdateHint
+  bool HasTouched = false;  ///< since the touch mode, or arming, began
+  std::string Shown;        ///< the last hint
+};
+
+} // namespace VolumeHaptics
+
+#endif

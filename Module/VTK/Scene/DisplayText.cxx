@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/DisplayText.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkMath.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Less is not felt, N. */
+constexpr double LeastForce = 0.005;
+
+} // namespace
+
+std::string DescribeStatus(vtkHapticDevice* device)
+{
+  const std::string status = device->GetStatusText();
+  if (status.rfind("Running: virtual.", 0) == 0 || status.rfind("Active: virtual.", 0) == 0)
+  {
+    return {};
+  }
+  const std::size_t sentence = status.find(". ");
+  if (sentence == std::string::npos)
+  {
+    return status;
+  }
+  const int code = device->GetStatus();
+  const bool asksHand = code == vtkHapticDevice::FAULT || code == vtkHapticDevice::HOMING ||
+    code == vtkHapticDevice::FIRMWARE;
+  const std::string first = status.substr(0, sentence + 1);
+  return asksHand ? first + "\n" + status.substr(sentence + 2) : first;
+}
+
+std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue)
+{
+  static const char* const contacts[] = { "", "Resting on ", "Sliding over ", "Pushed through " };
+  const int contact = device->GetContact() & 3;
+  const double force = vtkMath::Norm(device->GetForce());
+  if (force < LeastForce && (contact == 0 || device->GetStatus() != vtkHapticDevice::ACTIVE))
+  {
+    return {};
+  }
+  std::ostringstream text;
+  if (contact == 0)
+  {
+    text << "Pushed by ";
+  }
+  text << contacts[contact] << (tissue.empty() ? "the volume" : tissue) << ", " << std::fixed
+       << std::setprecision(2) << force << " N of at most " << std::defaultfloat
+       << std::setprecision(3) << device->GetMaximumForce() << " N";
+  return text.str();
+}
+
+std::string DescribeDetails(vtkHapticDevice* device)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << "Value " << device->GetSurfaceValue() << ", "
+       << device->GetTickRate() << " ticks/s, " << device->GetMissedTicks() << " missed";
+  return text.str();
+}
+
+} // namespace VolumeHaptics

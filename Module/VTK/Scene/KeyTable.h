@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The keys of vtkInteractorStyleHaptic in groups, for people.
+ */
+#ifndef KeyTable_h
+#define KeyTable_h
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** The parts of a scene that have keys of their own. */
+struct KeyedParts
+{
+  bool HasMouse = true;   ///< leads the tip
+  bool HasDevice = false; ///< a real one
+  bool HasEditor = false;
+  bool HasLabels = false; ///< in the editor
+  bool HasModes = false;
+  bool HasFrames = false;
+};
+
+/** As vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning. */
+std::string ListKeys(const KeyedParts& parts);
+
+} // namespace VolumeHaptics
+
+#endif
